@@ -8,7 +8,7 @@ use crate::engine::Engine;
 use crate::memory::MainMemory;
 use crate::mfc::interconnect::Interconnect;
 use crate::mfc::timing::InFlight;
-use crate::simulated::{Keep, Simulation, Timing};
+use crate::simulated::{Simulation, SimulationOptions, Timing};
 
 /// The machine on which [`Spe`](crate::spe::Spe)s are created.
 pub struct Machine {
@@ -67,7 +67,7 @@ impl Machine {
     /// in flight.
     #[must_use]
     pub fn simulated(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        Self::keeping(memory, timing, Keep::default())
+        Self::simulated_with(memory, timing, SimulationOptions::default())
     }
 
     /// As [`simulated`](Self::simulated), and records the [profile](Simulation::profile).
@@ -77,27 +77,31 @@ impl Machine {
     /// As [`simulated`](Self::simulated) does.
     #[must_use]
     pub fn profiled(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        let keep = Keep {
+        let options = SimulationOptions {
             profile: true,
-            ..Keep::default()
+            ..SimulationOptions::default()
         };
-        Self::keeping(memory, timing, keep)
+        Self::simulated_with(memory, timing, options)
     }
 
-    /// As [`simulated`](Self::simulated). `keep` selects the records and the method of counting.
+    /// As [`simulated`](Self::simulated). `options` select the records and the method of counting.
     ///
     /// # Panics
     ///
     /// As [`simulated`](Self::simulated) does.
     #[must_use]
-    pub fn keeping(memory: Arc<dyn MainMemory>, timing: Timing, keep: Keep) -> Arc<Self> {
-        let simulation = Simulation::new(timing, keep);
+    pub fn simulated_with(
+        memory: Arc<dyn MainMemory>,
+        timing: Timing,
+        options: SimulationOptions,
+    ) -> Arc<Self> {
+        let simulation = Simulation::new(timing, options);
         let in_flight: Arc<dyn InFlight> = simulation.clone();
         Arc::new(Self {
             interconnect: Interconnect::new(memory, Some(in_flight)),
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
-            translations: translations(keep.engine, true),
+            translations: translations(options.engine, true),
         })
     }
 

@@ -12,7 +12,7 @@ use std::sync::{Arc, OnceLock};
 use spu_emulator::engine::Engine;
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
-use spu_emulator::simulated::{Keep, Method, Timing};
+use spu_emulator::simulated::{Method, SimulationOptions, Timing};
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -175,14 +175,14 @@ impl Machine {
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
         let description = description(timing)?;
-        let keep = Keep {
+        let options = SimulationOptions {
             profile: profile.is_some(),
             method: method()?,
             engine,
         };
         Ok(Self {
             emulated: if timing {
-                machine::Machine::keeping(memory, description, keep)
+                machine::Machine::simulated_with(memory, description, options)
             } else {
                 machine::Machine::with_engine(memory, engine)
             },

@@ -56,7 +56,7 @@ pub struct Runner {
     /// In simulated time: the current recording.
     recorder: Option<Recorder>,
     /// In simulated time: the paths through units by their numbers, each with the value of
-    /// [`Spu::rewritings`] at its last comparison.
+    /// [`Spu::code_changes`] at its last comparison.
     paths: Vec<Option<(Arc<Path>, u64)>>,
 }
 
@@ -79,7 +79,7 @@ fn interpret<C: Channels, O: Observer>(
     let end = spu.executed().saturating_add(limit);
     loop {
         let left = end - spu.executed();
-        match spu.run_spell(local_store, channels, left, true, observer) {
+        match spu.run_decoded(local_store, channels, left, true, observer) {
             Ended::AtLimit | Ended::Branched => return None,
             Ended::Stopped(stopped) => return Some(stopped),
             Ended::Decoded => {}

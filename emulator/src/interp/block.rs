@@ -57,7 +57,7 @@ impl Spu {
     /// others as they are in local store now. `None` if this machine has no such instruction as the
     /// first one.
     ///
-    /// From now on [`rewritings`](Self::rewritings) counts changes of this block.
+    /// From now on [`code_changes`](Self::code_changes) counts changes of this block.
     pub(crate) fn block(
         &mut self,
         start: u32,
@@ -90,12 +90,12 @@ impl Spu {
     /// How often an instruction of a [`block`](Self::block) was found changed. While the number
     /// stays the same, no block has to be compared.
     #[inline]
-    pub(crate) fn rewritings(&self) -> u64 {
-        self.decoded.rewritings()
+    pub(crate) fn code_changes(&self) -> u64 {
+        self.decoded.code_changes()
     }
 
     /// Whether the block's instructions are those that the interpreter has decoded. Local store
-    /// may already hold others: [`run_spell`](Self::run_spell) ends before it runs one of those.
+    /// may already hold others: [`run_decoded`](Self::run_decoded) ends before it runs one of those.
     pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
         let decoded = &mut self.decoded;
         block
@@ -115,7 +115,7 @@ impl Spu {
         }
     }
 
-    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter,
+    /// Whether [`run_decoded`](Self::run_decoded) would run the instruction at the program counter,
     /// because its word is the one that was decoded last.
     pub(crate) fn is_decoded(&self, local_store: &LocalStore) -> bool {
         self.decoded

@@ -20,7 +20,7 @@ pub(super) struct DecodeCache {
     /// One bit for each entry: whether it is in a block that is in use elsewhere.
     in_blocks: Box<[u64]>,
     /// How often one of these entries has changed.
-    rewritings: u64,
+    code_changes: u64,
 }
 
 #[inline]
@@ -39,7 +39,7 @@ impl DecodeCache {
             entries,
             double_extension,
             in_blocks: vec![0; ENTRIES / 64].into(),
-            rewritings: 0,
+            code_changes: 0,
         }
     }
 
@@ -64,7 +64,7 @@ impl DecodeCache {
         let (group, bit) = (&mut self.in_blocks[at / 64], 1 << (at % 64));
         if *group & bit != 0 {
             *group &= !bit;
-            self.rewritings += 1;
+            self.code_changes += 1;
         }
     }
 
@@ -98,8 +98,8 @@ impl DecodeCache {
         self.in_blocks[at / 64] |= 1 << (at % 64);
     }
 
-    pub fn rewritings(&self) -> u64 {
-        self.rewritings
+    pub fn code_changes(&self) -> u64 {
+        self.code_changes
     }
 }
 

@@ -37,7 +37,7 @@ impl Observer for () {
     }
 }
 
-/// Why [`Spu::run_spell`] returned.
+/// Why [`Spu::run_decoded`] returned.
 pub(crate) enum Ended {
     /// The given number of instructions has run.
     AtLimit,
@@ -89,7 +89,7 @@ impl Spu {
         let mut left = limit;
         loop {
             let before = self.executed;
-            match self.run_spell(local_store, channels, left, false, observer) {
+            match self.run_decoded(local_store, channels, left, false, observer) {
                 Ended::AtLimit | Ended::Branched => return None,
                 Ended::Stopped(stopped) => return Some(stopped),
                 Ended::Decoded => left -= self.executed - before,
@@ -104,7 +104,7 @@ impl Spu {
     /// A program should contain only one instance of this loop. With a second one, for another
     /// observer or other channels, the compiler no longer inlines the arithmetic into either, and
     /// the ray tracer takes 1.4 times as long without simulated time.
-    pub(crate) fn run_spell<C: Channels, O: Observer>(
+    pub(crate) fn run_decoded<C: Channels, O: Observer>(
         &mut self,
         local_store: &LocalStore,
         channels: &mut C,

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::figures::Keep;
+use super::figures::SimulationOptions;
 use crate::interp::Spu;
 use crate::profile::{Profile, ProgramProfile, Recording};
 use crate::timer::{Timer, TimerState};
@@ -46,10 +46,10 @@ pub(super) struct Check {
 }
 
 impl Check {
-    pub fn new(rules: Rules, keep: Keep) -> Self {
+    pub fn new(rules: Rules, options: SimulationOptions) -> Self {
         Self {
             timer: Timer::new(Pipeline::new(rules)),
-            recording: keep.profile.then(Recording::default),
+            recording: options.profile.then(Recording::default),
             address: 0,
             difference: None,
         }
@@ -158,16 +158,16 @@ mod tests {
     use spu_isa::Op;
 
     fn check() -> (Check, Spu, Instruction) {
-        let keep = Keep {
+        let options = SimulationOptions {
             profile: true,
             method: Method::Checked,
-            ..Keep::default()
+            ..SimulationOptions::default()
         };
         let Some(nop) = Instruction::decode(0x4020_0000) else {
             panic!("a nop is an instruction");
         };
         assert_eq!(nop.op, Op::Nop);
-        (Check::new(Rules::default(), keep), Spu::new(), nop)
+        (Check::new(Rules::default(), options), Spu::new(), nop)
     }
 
     /// The difference that is reported if the memoised side has issued `issued` times, and the

@@ -5,7 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 
 use super::actor_table::WaitKey;
 use super::check::Difference;
-use super::figures::{Keep, Timing};
+use super::figures::{SimulationOptions, Timing};
 use super::memory_system::MemorySystem;
 use super::published::Published;
 use super::report::Report;
@@ -24,12 +24,12 @@ pub struct Simulation {
     timing: Timing,
     memory: Mutex<MemorySystem>,
     spes: Mutex<Vec<Arc<Mutex<Published>>>>,
-    keep: Keep,
+    options: SimulationOptions,
     difference: Mutex<Option<Difference>>,
 }
 
 impl Simulation {
-    pub(crate) fn new(timing: Timing, keep: Keep) -> Arc<Self> {
+    pub(crate) fn new(timing: Timing, options: SimulationOptions) -> Arc<Self> {
         let delay = timing.memory.local_store_delay();
         Arc::new(Self {
             scheduler: Arc::new(Scheduler::new(delay)),
@@ -37,7 +37,7 @@ impl Simulation {
             timing,
             memory: Mutex::new(MemorySystem::new(timing.memory)),
             spes: Mutex::default(),
-            keep,
+            options,
             difference: Mutex::default(),
         })
     }
@@ -50,8 +50,8 @@ impl Simulation {
 
     /// What it records, and how it counts cycles.
     #[must_use]
-    pub fn keep(&self) -> Keep {
-        self.keep
+    pub fn options(&self) -> SimulationOptions {
+        self.options
     }
 
     /// The first difference between the two methods of counting, if an SPE that
@@ -82,7 +82,7 @@ impl Simulation {
     /// Adds an SPE. Returns its number, and the place where it publishes its figures.
     pub(super) fn add_spe(&self) -> (u64, Arc<Mutex<Published>>) {
         let mut spes = lock(&self.spes);
-        let published = Arc::new(Mutex::new(Published::new(self.keep.profile)));
+        let published = Arc::new(Mutex::new(Published::new(self.options.profile)));
         spes.push(Arc::clone(&published));
         (spes.len() as u64 - 1, published)
     }
@@ -127,7 +127,7 @@ impl Simulation {
     /// `None` if the machine does not record one.
     #[must_use]
     pub fn profile(&self) -> Option<Vec<SpeProfile>> {
-        self.keep.profile.then(|| {
+        self.options.profile.then(|| {
             let spes = lock(&self.spes);
             spes.iter().map(|spe| lock(spe).profile()).collect()
         })

@@ -52,7 +52,7 @@ impl SpeSide {
 
     /// A new clock for the SPU.
     pub fn new_clock(&self) -> SpuClock {
-        SpuClock::new(self.simulation.timing().rules, self.simulation.keep())
+        SpuClock::new(self.simulation.timing().rules, self.simulation.options())
     }
 
     /// The timing of the SPU's MFC commands.

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use super::check::{Check, Difference};
-use super::figures::{Keep, Method};
+use super::figures::{Method, SimulationOptions};
 use super::memo::{Memo, StateId, TransitionId};
 use super::path::Path;
 use super::report::Waits;
@@ -77,7 +77,7 @@ struct Untimed {
 
 /// A block that the clock has timed, but which has not run to its end yet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Begun {
+pub(super) struct TimedBlock {
     from: StateId,
     transition: TransitionId,
     /// The number of its instructions that have run already.
@@ -91,12 +91,13 @@ pub(super) struct Begun {
 }
 
 impl SpuClock {
-    pub fn new(rules: Rules, keep: Keep) -> Self {
+    pub fn new(rules: Rules, options: SimulationOptions) -> Self {
         Self {
             timer: Timer::new(Pipeline::new(rules)),
             memo: Memo::new(rules),
-            recording: keep.profile.then(Recording::default),
-            check: (keep.method == Method::Checked).then(|| Box::new(Check::new(rules, keep))),
+            recording: options.profile.then(Recording::default),
+            check: (options.method == Method::Checked)
+                .then(|| Box::new(Check::new(rules, options))),
             ..Self::default()
         }
     }
@@ -108,7 +109,7 @@ impl SpuClock {
 
     /// The causes of the cycles.
     pub fn account(&mut self) -> &Account {
-        self.settle();
+        self.bring_up_to_date();
         self.timer.pipeline.account()
     }
 
@@ -137,7 +138,7 @@ impl SpuClock {
             return;
         }
         *wait.of(&mut self.waits) += slept;
-        self.settle();
+        self.bring_up_to_date();
         let until = self.timer.pipeline.clock() + slept;
         self.timer.pipeline.stall_until(until, wait.cause());
         if let Some(recording) = &mut self.recording {
@@ -150,7 +151,7 @@ impl SpuClock {
 
     /// Hands over all charges so far, if the SPU is profiled.
     pub fn hand_over(&mut self, to: &mut Profile) {
-        self.settle();
+        self.bring_up_to_date();
         if let Some(recording) = &mut self.recording {
             if let Some(check) = &mut self.check {
                 check.compare_profile(recording);
@@ -161,7 +162,7 @@ impl SpuClock {
 
     /// The SPU has stopped.
     pub fn stop(&mut self) {
-        self.settle();
+        self.bring_up_to_date();
         if let Some(recording) = &mut self.recording {
             recording.stopped();
         }
@@ -171,25 +172,25 @@ impl SpuClock {
     }
 
     /// Brings the timer to the current state of the pipelines.
-    fn settle(&mut self) {
+    fn bring_up_to_date(&mut self) {
         if let Some(state) = self.state.take() {
-            self.settle_at(state);
+            self.bring_up_to(state);
             if let Some(check) = &mut self.check {
                 check.compare_account(&self.timer);
             }
         }
     }
 
-    fn settle_at(&mut self, state: StateId) {
+    fn bring_up_to(&mut self, state: StateId) {
         self.memo
-            .settle(state, &mut self.timer, self.recording.as_mut());
+            .bring_up_to(state, &mut self.timer, self.recording.as_mut());
         self.ahead = 0;
     }
 
     /// Times one instruction, at the program counter, in the pipeline model.
     pub(super) fn issue(&mut self, spu: &Spu, instruction: Instruction) {
         self.time_by_instruction(spu);
-        self.settle();
+        self.bring_up_to_date();
         match &mut self.recording {
             Some(recording) => self.timer.record(spu, instruction, recording),
             None => self.timer.record(spu, instruction, &mut ()),
@@ -215,13 +216,13 @@ impl SpuClock {
         local_store: &LocalStore,
         most: u64,
         may_pass: impl FnOnce(u64) -> bool,
-    ) -> Option<Begun> {
+    ) -> Option<TimedBlock> {
         let Untimed { start, length: ran } = self.untimed;
         let start = if ran == 0 { spu.pc() } else { start };
         let (from, at) = self.find((start, ran), spu, local_store)?;
         let transition = self.memo.transition(at);
         let cycles = transition.cycles;
-        let begun = Begun {
+        let timed = TimedBlock {
             from,
             transition: at,
             ran,
@@ -229,12 +230,12 @@ impl SpuClock {
             end: start.wrapping_add(4 * transition.length) & LIMIT_MASK,
             hint: transition.hint,
         };
-        if begun.length > most || !may_pass(self.now() + cycles) {
+        if timed.length > most || !may_pass(self.now() + cycles) {
             return None;
         }
         self.advance(at);
         self.untimed.length = 0;
-        Some(begun)
+        Some(timed)
     }
 
     /// The state of the pipelines, and the transition that a block takes from it. `block` is the
@@ -257,7 +258,7 @@ impl SpuClock {
     #[inline]
     fn advance(&mut self, at: TransitionId) {
         self.ahead += self.memo.transition(at).cycles;
-        self.state = Some(self.memo.happen(at));
+        self.state = Some(self.memo.take(at));
     }
 
     /// Whether compiled code may run: memoised timing needs a pipeline state to start from, so
@@ -271,7 +272,7 @@ impl SpuClock {
     /// run. `hints` are the targets of its hints by register. The last instructions may stay
     /// untimed, if their block is not complete.
     ///
-    /// `proven` is the value of [`Spu::rewritings`] when the path was last compared with the
+    /// `proven` is the value of [`Spu::code_changes`] when the path was last compared with the
     /// interpreter's decoded instructions. Local store held the path's words when it ran.
     pub(crate) fn advance_along(
         &mut self,
@@ -281,10 +282,10 @@ impl SpuClock {
         count: u32,
         hints: &mut impl Iterator<Item = u32>,
     ) {
-        if *proven != spu.rewritings() {
+        if *proven != spu.code_changes() {
             self.time_by_instruction(spu);
             spu.decode(&path.words);
-            *proven = spu.rewritings();
+            *proven = spu.code_changes();
         }
         if self.untimed.length == 0 {
             self.untimed.start = path.words[0].0;
@@ -345,7 +346,7 @@ impl SpuClock {
     #[cold]
     fn issue_untimed(&mut self, spu: &Spu) {
         let Untimed { start, length } = std::mem::take(&mut self.untimed);
-        self.settle();
+        self.bring_up_to_date();
         let mut pc = start;
         for _ in 0..length {
             let Some(instruction) = spu.latest(pc) else {
@@ -376,20 +377,20 @@ impl SpuClock {
     }
 
     /// Times the instructions of a block that have run already in the check's model.
-    pub(super) fn issue_ran_in_check(&mut self, begun: Begun) {
-        let block = self.block(begun);
-        self.issue_block_in_check(&block, begun.ran as usize);
+    pub(super) fn issue_ran_in_check(&mut self, timed: TimedBlock) {
+        let block = self.block(timed);
+        self.issue_block_in_check(&block, timed.ran as usize);
     }
 
     /// The block that began last.
-    pub(super) fn block(&self, begun: Begun) -> Arc<Block> {
-        Arc::clone(self.memo.transition(begun.transition).block())
+    pub(super) fn block(&self, timed: TimedBlock) -> Arc<Block> {
+        Arc::clone(self.memo.transition(timed.transition).block())
     }
 
     /// The number of the timer's state. `None` if the instruction at `pc` has issued already.
     #[cold]
     fn remember(&mut self, pc: u32) -> Option<StateId> {
-        self.settle();
+        self.bring_up_to_date();
         if self.memo.is_full() {
             self.memo.forget();
         }
@@ -404,12 +405,12 @@ impl SpuClock {
     /// Corrects the time of the last block: only `ran` of its instructions have run, because the
     /// next one was rewritten.
     #[cold]
-    pub(super) fn cut_short(&mut self, begun: Begun, ran: u64) {
-        let block = self.block(begun);
-        self.memo.undo(begun.transition);
+    pub(super) fn cut_short(&mut self, timed: TimedBlock, ran: u64) {
+        let block = self.block(timed);
+        self.memo.undo(timed.transition);
         self.state = None;
-        self.settle_at(begun.from);
-        for (pc, instruction) in block.instructions().take(begun.ran as usize + ran as usize) {
+        self.bring_up_to(timed.from);
+        for (pc, instruction) in block.instructions().take(timed.ran as usize + ran as usize) {
             self.issue_at(pc, instruction);
         }
     }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use super::figures::Method;
 use super::scheduler::Actor;
-use super::spu_clock::{Begun, SpuClock};
+use super::spu_clock::{SpuClock, TimedBlock};
 use crate::channel::Channels;
 use crate::compiled::{Dispatch, Runner};
 use crate::interp::{Ended, Observer, Spu, ends_block};
@@ -127,7 +127,7 @@ impl<'a> Timed<'a> {
             let (start, before) = (spu.pc(), spu.executed());
             let ended = match self.method {
                 Method::Checked => self.run_with_check(spu, local_store, channels, block, observer),
-                _ => spu.run_spell(local_store, channels, block.length, false, observer),
+                _ => spu.run_decoded(local_store, channels, block.length, false, observer),
             };
             let ran = spu.executed() - before;
             left -= ran;
@@ -160,22 +160,22 @@ impl<'a> Timed<'a> {
     /// A block was interpreted to its end: adds it to a recording, and counts an entry if it ended
     /// with a taken branch.
     #[inline]
-    fn learn(&mut self, spu: &Spu, local_store: &LocalStore, begun: Begun) {
+    fn learn(&mut self, spu: &Spu, local_store: &LocalStore, timed: TimedBlock) {
         let Some(runner) = &mut self.runner else {
             return;
         };
         if runner.is_recording() {
-            let block = self.clock.borrow().block(begun);
-            let instructions = block.instructions().skip(begun.ran as usize);
+            let block = self.clock.borrow().block(timed);
+            let instructions = block.instructions().skip(timed.ran as usize);
             runner.record_interpreted(instructions, spu.pc(), local_store);
         }
-        if begun.end != spu.pc() {
+        if timed.end != spu.pc() {
             runner.start_recording_if_hot(spu.pc(), local_store);
         }
     }
 
     #[inline]
-    fn begin(&self, spu: &mut Spu, local_store: &LocalStore, left: u64) -> Option<Begun> {
+    fn begin(&self, spu: &mut Spu, local_store: &LocalStore, left: u64) -> Option<TimedBlock> {
         let may_pass = |clock| !self.actor.is_due(clock) || !self.actor.is_serial();
         let mut clock = self.clock.borrow_mut();
         clock.begin(spu, local_store, left, may_pass)
@@ -209,17 +209,17 @@ impl<'a> Timed<'a> {
         spu: &mut Spu,
         local_store: &LocalStore,
         channels: &mut C,
-        begun: Begun,
+        timed: TimedBlock,
         observer: &mut O,
     ) -> Ended {
-        self.clock.borrow_mut().issue_ran_in_check(begun);
-        for _ in 0..begun.length {
+        self.clock.borrow_mut().issue_ran_in_check(timed);
+        for _ in 0..timed.length {
             if spu.is_decoded(local_store)
                 && let Some(instruction) = Instruction::decode(local_store.load_word(spu.pc()))
             {
                 self.clock.borrow_mut().issue_in_check(spu, instruction);
             }
-            match spu.run_spell(local_store, channels, 1, false, observer) {
+            match spu.run_decoded(local_store, channels, 1, false, observer) {
                 Ended::AtLimit | Ended::Branched => {}
                 ended => return ended,
             }

@@ -162,7 +162,7 @@ impl Spe {
                 }
                 (None, None) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
                 (Some(side), runner) => {
-                    let method = side.simulation.keep().method;
+                    let method = side.simulation.options().method;
                     let mut timed = Timed::new(clock, &side.actor, method, runner);
                     timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }

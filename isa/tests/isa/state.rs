@@ -64,7 +64,7 @@ fn rules() -> impl Strategy<Value = Rules> {
 struct Stream(Pipeline, u32);
 
 impl Stream {
-    fn happen(&mut self, event: Event) -> Option<Issue> {
+    fn apply(&mut self, event: Event) -> Option<Issue> {
         let Self(pipeline, pc) = self;
         match event {
             Event::Issue(instruction) => {
@@ -111,7 +111,7 @@ proptest! {
     ) {
         let mut first = Stream(Pipeline::new(rules), 0);
         for event in before {
-            first.happen(event);
+            first.apply(event);
         }
         // The other pipeline is at another clock, has its own account, and has registers to wait
         // for.
@@ -124,7 +124,7 @@ proptest! {
         let (clock, other_clock) = (first.0.clock(), other.0.clock());
         let (account, other_account) = (first.0.account().clone(), other.0.account().clone());
         for event in behind {
-            let issues = (first.happen(event), other.happen(event));
+            let issues = (first.apply(event), other.apply(event));
             let first_seen = issues.0.map(|issue| seen_from(issue, clock));
             prop_assert_eq!(first_seen, issues.1.map(|issue| seen_from(issue, other_clock)));
             prop_assert_eq!(other.0.state(), first.0.state());

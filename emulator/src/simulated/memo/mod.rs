@@ -14,7 +14,7 @@
 //! is added after the block.
 //!
 //! Invariant: a transition's block is the code that the interpreter had decoded when
-//! [`Spu::rewritings`] had the transition's value.
+//! [`Spu::code_changes`] had the transition's value.
 
 mod hasher;
 mod transition;
@@ -63,8 +63,8 @@ pub(super) struct Memo {
     transitions: Vec<Transition>,
     /// States after a hint by register, by the state before the target was known and the target.
     hinted: HashMap<(StateId, u32), StateId, Mixing>,
-    /// Transitions that were taken since the last [`settle`](Self::settle).
-    happened: Vec<TransitionId>,
+    /// Transitions that were taken since the last [`bring_up_to`](Self::bring_up_to).
+    taken: Vec<TransitionId>,
 }
 
 impl Memo {
@@ -81,9 +81,9 @@ impl Memo {
         self.states.len().max(self.transitions.len()) + 2 > ROOM
     }
 
-    /// Forgets everything. All transitions must be settled.
+    /// Forgets everything. All transitions must have been added to a timer.
     pub fn forget(&mut self) {
-        debug_assert!(self.happened.is_empty());
+        debug_assert!(self.taken.is_empty());
         *self = Self::new(self.rules);
     }
 
@@ -123,25 +123,30 @@ impl Memo {
         spu: &mut Spu,
         local_store: &LocalStore,
     ) -> Option<TransitionId> {
-        let rewritings = spu.rewritings();
+        let code_changes = spu.code_changes();
         let ways = self.states[from.0 as usize].ways.iter();
         for &(address, at) in ways {
-            if address == pc && self.transitions[at.0 as usize].rewritings == rewritings {
+            if address == pc && self.transitions[at.0 as usize].code_changes == code_changes {
                 return Some(at);
             }
         }
-        self.find_unproven(from, pc, spu)
+        self.find_after_code_change(from, pc, spu)
             .or_else(|| self.make(from, (pc, ran), spu, local_store))
     }
 
     /// A transition whose block must be compared again, because code was rewritten since the last
     /// comparison.
     #[cold]
-    fn find_unproven(&mut self, from: StateId, pc: u32, spu: &mut Spu) -> Option<TransitionId> {
+    fn find_after_code_change(
+        &mut self,
+        from: StateId,
+        pc: u32,
+        spu: &mut Spu,
+    ) -> Option<TransitionId> {
         for &(address, at) in &self.states[from.0 as usize].ways {
             let transition = &mut self.transitions[at.0 as usize];
             if address == pc && spu.has_decoded(transition.block()) {
-                transition.rewritings = spu.rewritings();
+                transition.code_changes = spu.code_changes();
                 return Some(at);
             }
         }
@@ -161,7 +166,7 @@ impl Memo {
         let start = Arc::clone(&self.states[from.0 as usize].state);
         let (mut transition, end) = Transition::new(&start, block, self.rules);
         transition.to = self.number(end);
-        transition.rewritings = spu.rewritings();
+        transition.code_changes = spu.code_changes();
         let at = TransitionId(self.transitions.len() as u32);
         self.transitions.push(transition);
         let ways = &mut self.states[from.0 as usize].ways;
@@ -190,10 +195,10 @@ impl Memo {
 
     /// Takes a transition. Returns the state after it.
     #[inline]
-    pub fn happen(&mut self, at: TransitionId) -> StateId {
+    pub fn take(&mut self, at: TransitionId) -> StateId {
         let transition = &mut self.transitions[at.0 as usize];
         if transition.count == 0 {
-            self.happened.push(at);
+            self.taken.push(at);
         }
         transition.count += 1;
         transition.to
@@ -216,14 +221,14 @@ impl Memo {
     }
 
     /// Brings the timer and the recording to `state`, through all transitions that were taken.
-    pub fn settle(
+    pub fn bring_up_to(
         &mut self,
         state: StateId,
         timer: &mut Timer,
         mut recording: Option<&mut Recording>,
     ) {
         let mut delta = AccountDelta::default();
-        for at in self.happened.drain(..) {
+        for at in self.taken.drain(..) {
             let transition = &mut self.transitions[at.0 as usize];
             let count = std::mem::take(&mut transition.count);
             transition.add_to(count, &mut delta);

@@ -31,8 +31,8 @@ struct Charge {
 /// cache line.
 #[derive(Debug)]
 pub(in super::super) struct Transition {
-    /// [`Spu::rewritings`](crate::interp::Spu::rewritings) when the block was last compared.
-    pub(super) rewritings: u64,
+    /// [`Spu::code_changes`](crate::interp::Spu::code_changes) when the block was last compared.
+    pub(super) code_changes: u64,
     /// How often the transition was taken since it was last settled.
     pub(super) count: u64,
     /// The cycles that it adds to the clock.
@@ -68,7 +68,7 @@ impl Transition {
             timer.issue(pc, instruction, &mut charging);
         }
         let transition = Self {
-            rewritings: 0,
+            code_changes: 0,
             count: 0,
             cycles: timer.pipeline.clock() - before,
             to: StateId(0),

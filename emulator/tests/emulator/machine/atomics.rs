@@ -89,7 +89,7 @@ done:   stop    1
     (register(&spe, 11), register(&spe, 12))
 }
 
-/// Provenance of the expectations: spu-machine facts, "lock-line lost, measured".
+/// As it was measured on a console.
 #[test]
 fn what_the_spu_does_itself_to_its_reservation() {
     assert_eq!(after_reserving(""), (0, 0));

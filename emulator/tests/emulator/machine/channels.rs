@@ -6,8 +6,8 @@ use spu_emulator::stop::{ChannelAccess, Stop};
 
 use super::support::{Machine, register, run, run_to_stop};
 
-/// Channel number, whether it can be read, and its count when idle. Provenance: manual, from the
-/// table of facts.
+/// Channel number, whether it can be read, and its count when idle, as the architecture's manual
+/// has them.
 const CHANNELS: [(u8, bool, u32); 28] = [
     (0, true, 0),
     (1, false, 1),

@@ -95,7 +95,7 @@ fn first_word_after_get(policy: Policy, wait: &str) -> u32 {
 }
 
 #[test]
-fn the_adversary_shows_a_missing_wait() {
+fn transfers_at_last_show_a_missing_wait() {
     assert_eq!(first_word_after_get(Policy::AtOnce, ""), 0x1234_5678);
     assert_eq!(first_word_after_get(Policy::AtLast, ""), 0);
     for policy in POLICIES {
@@ -106,7 +106,7 @@ fn the_adversary_shows_a_missing_wait() {
 }
 
 #[test]
-fn the_adversary_shows_parameters_that_were_not_written_again() {
+fn transfers_at_last_show_parameters_that_were_not_written_again() {
     let source = "
         command GET, 0x10000, $3, 16, 0
         set_channel 21, GET
@@ -283,7 +283,7 @@ fn proxy_commands_move_data_and_report_their_tags() {
 }
 
 #[test]
-fn the_proxy_adversary_waits_to_be_asked_twice() {
+fn proxy_transfers_at_last_wait_to_be_asked_twice() {
     let machine = Machine::new();
     let spe = machine.spe(Config {
         policy: Policy::AtLast,

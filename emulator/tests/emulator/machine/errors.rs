@@ -138,7 +138,7 @@ fn storage_faults_name_the_address() {
 }
 
 #[test]
-fn the_adversarys_error_at_the_end_is_not_lost() {
+fn an_error_of_the_last_transfers_is_not_lost() {
     let source = "
         il      $4,0
         command PUT, 0x10000, $4, 16, 0

@@ -65,7 +65,7 @@ proptest! {
     fn random_commands_end_in_a_typed_stop(
         commands in prop::collection::vec(command(), 1..12),
         wait in 0_u32..4,
-        adversary: bool,
+        at_last: bool,
         filling: u8,
     ) {
         let machine = Machine::new();
@@ -74,7 +74,7 @@ proptest! {
             .memory
             .register(BASE + MEMORY as u64, guard.clone(), Access::ReadOnly)
             .unwrap();
-        let policy = if adversary { Policy::AtLast } else { Policy::AtOnce };
+        let policy = if at_last { Policy::AtLast } else { Policy::AtOnce };
         let spe = machine.spe(Config { policy, ..Config::default() });
         // List commands read their elements from here, some with the stall bit.
         spe.local_store().write(0x4000, &vec![filling; 0x3c000]);

@@ -10,7 +10,7 @@ use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
-use spu_emulator::simulated::{Keep, Method, Report, Simulation, SpeReport, Timing};
+use spu_emulator::simulated::{Method, Report, Simulation, SimulationOptions, SpeReport, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 
@@ -31,25 +31,25 @@ impl Machine {
 
     /// A machine with other latencies and rates than the console's.
     pub fn with(timing: Timing) -> Self {
-        Self::keeping(timing, Keep::default())
+        Self::simulated_with(timing, SimulationOptions::default())
     }
 
     /// A machine that counts its cycles with this method.
     pub fn counting(method: Method) -> Self {
-        let keep = Keep {
+        let options = SimulationOptions {
             profile: false,
             method,
-            ..Keep::default()
+            ..SimulationOptions::default()
         };
-        Self::keeping(Timing::default(), keep)
+        Self::simulated_with(Timing::default(), options)
     }
 
-    fn keeping(timing: Timing, keep: Keep) -> Self {
+    fn simulated_with(timing: Timing, options: SimulationOptions) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory
             .register(BASE, vec![0; MEMORY], Access::ReadWrite)
             .unwrap();
-        let machine = machine::Machine::keeping(memory.clone(), timing, keep);
+        let machine = machine::Machine::simulated_with(memory.clone(), timing, options);
         Self { memory, machine }
     }
 

@@ -14,7 +14,7 @@ use spu_emulator::ppe_call::{
     Arena, CALL_WORD, CallError, Class, Library, Process, SYSTEM_CALL, system_call_name,
     system_call_number,
 };
-use spu_emulator::simulated::{Keep, Method, Timing};
+use spu_emulator::simulated::{Method, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::LIMIT_MASK;
@@ -87,7 +87,7 @@ impl Machine {
                 } else {
                     Method::Memoised
                 };
-                let keep = Keep {
+                let simulation = SimulationOptions {
                     profile: false,
                     method,
                     engine: options.engine(),
@@ -96,7 +96,7 @@ impl Machine {
                     Some(path) => Timing::read(path).map_err(RunError::Machine)?,
                     None => Timing::default(),
                 };
-                machine::Machine::keeping(memory.clone(), timing, keep)
+                machine::Machine::simulated_with(memory.clone(), timing, simulation)
             }
         };
         let spe = Spe::new(&machine, Config::default());
