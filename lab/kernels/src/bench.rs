@@ -347,7 +347,9 @@ impl Bench {
     fn compare(&self, source: &Source) {
         let kernel = source.name;
         let (plain, scheduled) = (self.plain.arena(self.free), self.scheduled.arena(self.free));
-        if let Some(offset) = plain.iter().zip(&scheduled).position(|(p, s)| p != s) {
+        if plain != scheduled {
+            let mut bytes = plain.iter().zip(&scheduled);
+            let offset = bytes.position(|(p, s)| p != s).expect("they differ");
             panic!(
                 "{kernel}: plain and scheduled differ at {:#x}: {:02x} and {:02x}",
                 ARENA as usize + offset,

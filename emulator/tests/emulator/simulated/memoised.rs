@@ -9,7 +9,7 @@ use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine::Machine;
 use spu_emulator::memory::{Access, RegisteredMemory};
 use spu_emulator::profile::SpeProfile;
-use spu_emulator::simulated::{Keep, Method, Report, Timing};
+use spu_emulator::simulated::{Method, Report, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::Stop;
 use spu_isa::timing::Rules;
@@ -269,12 +269,12 @@ fn run(
         rules,
         ..Timing::default()
     };
-    let keep = Keep {
+    let options = SimulationOptions {
         profile: true,
         method,
         engine,
     };
-    let machine = Machine::keeping(memory, timing, keep);
+    let machine = Machine::simulated_with(memory, timing, options);
     machine.compile_after(HOT);
     let spe = Spe::new(&machine, Config::default());
     spe.local_store().write(0, &bytes(&code));
@@ -343,7 +343,7 @@ fn quad() -> impl Strategy<Value = [Piece; 4]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(50))]
 
     #[test]
     fn any_program_takes_the_same_cycles_by_any_method(
@@ -398,12 +398,12 @@ fn code_that_is_ever_new_is_timed_too() {
     ];
     let seen = WAYS.map(|(method, engine)| {
         let memory = Arc::new(RegisteredMemory::new());
-        let keep = Keep {
+        let options = SimulationOptions {
             profile: true,
             method,
             engine,
         };
-        let machine = Machine::keeping(memory, Timing::default(), keep);
+        let machine = Machine::simulated_with(memory, Timing::default(), options);
         let spe = Spe::new(&machine, Config::default());
         for (address, word) in (0..).step_by(4).zip(code) {
             spe.local_store().write(address, &word.to_be_bytes());
