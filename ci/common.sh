@@ -55,7 +55,7 @@ beside() {
     local what=$1
     shift
     mkdir -p "$out"
-    beside_what=$what beside_log=$out/beside.txt
+    beside_what=$what beside_log=$out/beside-${0##*/}.txt
     say "$what, beside what follows: $beside_log"
     # In a process group of its own, with all that it starts.
     set -m
