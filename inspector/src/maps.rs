@@ -8,6 +8,7 @@ use maud::{Markup, PreEscaped, html};
 
 use crate::Inspection;
 use crate::frame::{FrameTimes, TracedTile};
+use crate::timelines::grouped;
 
 /// The colours of the SPUs, here and in the timelines.
 pub(crate) const SPU_COLOURS: [&str; 16] = [
@@ -166,7 +167,7 @@ fn legend(map: &Map, times: &FrameTimes) -> Markup {
                 @for step in 0..=20u64 {
                     span.step style={ "background:" (colour(map, step, 20)) } {}
                 }
-                " " (most) "."
+                " " (grouped(most)) "."
             }
         }
     }

@@ -120,10 +120,15 @@ impl SpeSide {
         limit: Option<u64>,
         pause: Option<Duration>,
     ) {
-        let began = clock.borrow().now();
         let now = self.actor.sleep(self.key, limit, pause);
-        clock.borrow_mut().sleep(now, wait);
-        self.record(|timeline| timeline.sleep(began, now, wait));
+        self.sleep_until(clock, now, wait);
+    }
+
+    /// Lets the SPU sleep until `cycle`, whatever other actors do.
+    pub fn sleep_until(&self, clock: &RefCell<SpuClock>, cycle: u64, wait: Wait) {
+        let began = clock.borrow().now();
+        clock.borrow_mut().sleep(cycle, wait);
+        self.record(|timeline| timeline.sleep(began, cycle, wait));
     }
 
     /// Adds to the timeline, if there is one.
