@@ -99,8 +99,10 @@ record! {
         far_shift_y: [F32; 4],
         /// The same, z.
         far_shift_z: [F32; 4],
+        /// Upper half of the single by which the origins are moved apart; its last two bits are 0.
+        slack: U16,
         /// Offset in `BOXES` of the planes that are met first: of `lo_x` or of `hi_x`.
-        near_plane_x: U32,
+        near_plane_x: U16,
         /// The same, of `lo_y` or `hi_y`.
         near_plane_y: U16,
         /// The same, of `lo_z` or `hi_z`.
