@@ -14,8 +14,11 @@
 #
 # As watertight as isect_triangle_pairs_r16, with the same steps: triangles that share a vertex get
 # the same bits for it. The loop goes over triangles, not over runs, so that short runs cost no
-# branches. It takes two passes for a triangle, of two rows of rays each: with four rows in a pass
-# the loop took 209 cycles a triangle instead of 2 times 111, but 5.8 KB of local store instead of 4.2.
+# branches.
+#
+# That loop counts up, so that it isn't pipelined. Pipelined it would take 209 cycles a triangle
+# instead of 281, but 5.8 KB of local store instead of 1.6; a block of a mesh has 2. With two rows of
+# rays in a pass it would take 222 cycles and 4.2 KB.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -32,9 +35,8 @@
         registers a_vertices,a_faces,hit,both
         # state
         registers a_candidate
-        registers passes                                # left, two a triangle
+        registers triangles                             # minus those that are left
         registers at                                    # in the run: 4 times the index
-        registers rows                                  # offset of the pass's two rows: 0 or 32
         # the candidate
         registers candidate,a_packet,a_shear
         # the triangle
@@ -44,7 +46,7 @@
         registers p,q
         registers u,v,w,det,inverse,t_y,t_e,n
         registers outside,seen,t,t_best,nearest,control
-        registers ends,more,next
+        registers ends,more
         .set    ahead,n
         # only before the loop
         .set    sum,p
@@ -58,16 +60,16 @@ vertex_indices:                                         # three bytes to the end
 function isect_mesh_pairs_r16
         biz     $count,$lr
         ori     $a_candidate,$a_first,0
-        il      $passes,0
+        il      $triangles,0
 next_run:
         lqd     $candidate,0($a_first)
         rotmi   $candidate,$candidate,-16
-        a       $passes,$passes,$candidate
+        a       $triangles,$triangles,$candidate
         ai      $a_first,$a_first,MESH_CANDIDATE_SIZE
         ai      $count,$count,-1
         brnz    $count,next_run
 
-        a       $passes,$passes,$passes
+        sfi     $triangles,$triangles,0
         splat_mask $m_splat
         load_above_one $k_above_one
         ilhu    $k_sign,0x8000
@@ -90,15 +92,12 @@ next_run:
         shli    $both,$both,1                           # SIDES_BOTH to the sign
         splat   $both,$both,$m_splat
         il      $at,0
-        il      $rows,0
-next_rows:
+next_triangle:
         lqd     $candidate,0($a_candidate)
         rotqbyi $a_packet,$candidate,MESH_CANDIDATE_packet
         rotqbyi $a_shear,$candidate,MESH_CANDIDATE_bound
         lqd     $a_shear,MESH_BOUND_shears&~15($a_shear)
         rotqbyi $a_shear,$a_shear,MESH_BOUND_shears&15
-        a       $a_packet,$a_packet,$rows
-        a       $a_shear,$a_shear,$rows
         andi    $index,$candidate,4*MESH_FACES|3        # 4 times it
         a       $index,$index,$at
         lqx     $face,$a_faces,$index
@@ -114,25 +113,22 @@ next_rows:
         lqx     $vertex_a,$a_vertices,$face
         lqx     $vertex_b,$a_vertices,$vertex_b
         lqx     $vertex_c,$a_vertices,$vertex_c
-        # After the last rows, the next triangle; after the run's last triangle, the next candidate.
-        xori    $rows,$rows,32
-        ceqi    $next,$rows,0
-        andi    $next,$next,4
-        a       $at,$at,$next
+        # After the run's last triangle, the next candidate.
+        ai      $at,$at,4
         rotqmbyi $ends,$candidate,-1                    # 4 times the run's length
         rotqmbii $ends,$ends,8+2-16
         cgt     $more,$ends,$at
         and     $at,$at,$more
         andc    $ends,$k_step,$more
         a       $a_candidate,$a_candidate,$ends
-    .irp row, 0,1
+    .irp row, 0,1,2,3
         triangle_row \row
         xor     $seen,$det,$slope                       # of -1 / direction z
         outside_if_behind $seen
         xor     $t,$n,$k_sign
         keep_nearer \row
     .endr
-        ai      $passes,$passes,-1
-        brnz    $passes,next_rows
+        ai      $triangles,$triangles,1
+        brnz    $triangles,next_triangle
         bi      $lr
 endfunction isect_mesh_pairs_r16

@@ -7,6 +7,9 @@
 #   Domain  t has a sign where no ray is
 #   Error   0
 #   Twin    lab/twins/src/mesh.rs
+#
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 16 cycles a packet instead
+# of 43, but 568 bytes of local store instead of 136.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -31,6 +34,7 @@ last_word_of_another:
 
 function mesh_farthest_r16
         biz     $count,$lr
+        sfi     $count,$count,0
         ilhu    $k_none,0xbf80                          # -1
         lqa     $m_word,last_word_of_another
 next_farthest:
@@ -53,7 +57,7 @@ next_farthest:
         ai      $a_packet,$a_packet,RAYS16_SIZE/2
     .endr
         ai      $a_bound,$a_bound,MESH_BOUND_SIZE
-        ai      $count,$count,-1
+        ai      $count,$count,1
         brnz    $count,next_farthest
         bi      $lr
 endfunction mesh_farthest_r16
