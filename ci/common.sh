@@ -55,7 +55,7 @@ beside() {
     local what=$1
     shift
     mkdir -p "$out"
-    beside_what=$what beside_log=$out/beside.txt
+    beside_what=$what beside_log=$out/beside-${0##*/}.txt
     say "$what, beside what follows: $beside_log"
     # In a process group of its own, with all that it starts.
     set -m
@@ -75,3 +75,9 @@ join() {
 # The host's programs from the tests' build, so that nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }
+
+# The console's programs, and all else that is run under QEMU.
+build_for_ppc64() {
+    cargo build --release --quiet --target "$ppc64" \
+        -p cellray -p cellray-play -p shader-example -p accuracy -p libspe2 -p ps3fb
+}

@@ -42,6 +42,7 @@ impl LocalStore {
         Self(unsafe { Box::<Doublewords>::new_zeroed().assume_init() })
     }
 
+    #[inline]
     fn doubleword(&self, address: u32) -> &AtomicU64 {
         &self.0.0[(address as usize >> 3) & DOUBLEWORD_MASK]
     }
@@ -91,7 +92,11 @@ impl LocalStore {
             let skip = at as usize & 7;
             let n = rest.len().min(8 - skip);
             let (now, later) = rest.split_at_mut(n);
-            now.copy_from_slice(&bytes[skip..skip + n]);
+            if n == 8 {
+                now.copy_from_slice(&bytes);
+            } else {
+                now.copy_from_slice(&bytes[skip..skip + n]);
+            }
             rest = later;
             at = at.wrapping_add(n as u32);
         }
@@ -110,12 +115,13 @@ impl LocalStore {
             let skip = at as usize & 7;
             let n = rest.len().min(8 - skip);
             let (now, later) = rest.split_at(n);
-            let mut bytes = if n == 8 {
-                [0; 8]
+            let mut bytes = [0; 8];
+            if n == 8 {
+                bytes.copy_from_slice(now);
             } else {
-                cell.load(Relaxed).to_ne_bytes()
-            };
-            bytes[skip..skip + n].copy_from_slice(now);
+                bytes = cell.load(Relaxed).to_ne_bytes();
+                bytes[skip..skip + n].copy_from_slice(now);
+            }
             cell.store(u64::from_ne_bytes(bytes), Relaxed);
             rest = later;
             at = at.wrapping_add(n as u32);

@@ -179,23 +179,25 @@ impl<'a> Show<'a> {
     fn step(&mut self, step: Duration) -> Result<ControlFlow<()>, PlayError> {
         let tiles = self.pace.as_ref().and_then(Pace::tiles);
         self.session.engine().limit_tiles(tiles);
-        let Self {
-            front,
-            waiting,
-            picture,
-            ..
-        } = self;
-        let mut tracing = |part| keep_responsive(front, waiting, picture.as_ref(), part);
+        let mut tracing = |part| {
+            keep_responsive(
+                &mut self.front,
+                &mut self.waiting,
+                self.picture.as_ref(),
+                part,
+            )
+        };
         let flow = self.session.step(step, &mut self.events, &mut tracing)?;
         if self.session.engine().statistics().is_put_off {
             self.coarsen()?;
-            let Self {
-                front,
-                waiting,
-                picture,
-                ..
-            } = self;
-            let mut tracing = |part| keep_responsive(front, waiting, picture.as_ref(), part);
+            let mut tracing = |part| {
+                keep_responsive(
+                    &mut self.front,
+                    &mut self.waiting,
+                    self.picture.as_ref(),
+                    part,
+                )
+            };
             self.session.trace_again(&mut tracing)?;
         }
         Ok(flow)
