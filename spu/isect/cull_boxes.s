@@ -30,7 +30,7 @@
 
         .include "work_unit.inc"
         .include "macros.inc"
-        .include "boxes.inc"
+        .include "extremes.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -66,7 +66,16 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers a_again,again
 
-        box_entries_table
+        .section .rodata
+        .align  4
+# An entry of the list is made by two shuffles. The first one takes the child's word and its near
+# distance to where they belong; the second one puts the packet and the bound between them.
+child_and_near:
+    .irp child, 0,1,2,3
+        .int    0x00010203+0x04040404*\child,0x80808080,0x80808080,0x10111213+0x04040404*\child
+    .endr
+packet_between:
+        .int    0x00010203,0x14151617,0x18191a1b,0x0c0d0e0f
 far_planes:                                             # sums of both planes' offsets
         .int    48,80<<16|112,0,0
 

@@ -29,7 +29,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "reciprocal.inc"
-        .include "boxes.inc"
+        .include "extremes.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate

@@ -17,8 +17,8 @@
 # branches.
 #
 # That loop counts up, so that it isn't pipelined. Pipelined it would take 209 cycles a triangle
-# instead of 281, but 5.8 KB of local store instead of 1.6; a block of a mesh has 2. With two rows of
-# rays in a pass it would take 222 cycles and 4.2 KB.
+# instead of 281, but 5.8 KB of local store instead of 1.6; a block of a mesh has 2. With two rows
+# of rays in a pass it would take 222 cycles and 4.2 KB.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -1,5 +1,6 @@
 //! Twin of `spu/isect/mesh_bounds_r16.s`, `mesh_farthest_r16.s`, `cull_boxes.s` and
-//! `filter_boxes_r16.s`: what a packet's rays have in common, and whether one of them may meet a box.
+//! `filter_boxes_r16.s`: what a packet's rays have in common, and whether one of them may meet a
+//! box.
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fnms, fs};
 

@@ -1,9 +1,9 @@
-//! Records of meshes: the blocks that stay in main memory, and what a packet is in local store while
-//! it is traced through them.
+//! Records of meshes: the blocks that stay in main memory, and what a packet is in local store
+//! while it is traced through them.
 //!
-//! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then `MESH_VERTEX`
-//! and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates until a block is
-//! in local store, and relative to the eye there.
+//! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
+//! `MESH_VERTEX` and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates
+//! until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};

@@ -29,7 +29,7 @@
         .include "macros.inc"
         .include "transpose.inc"
         .include "reciprocal.inc"
-        .include "boxes.inc"
+        .include "extremes.inc"
 
         .set    NEXT,3
         registers a_packet,count,a_bound,a_shear

@@ -1,6 +1,6 @@
-//! `mesh_bounds_r16` together with `cull_boxes` and `filter_boxes_r16`: no box is left out that a ray
-//! of the packet enters, by f64 from the singles of the records, or that holds a triangle which the
-//! ray hits by the SPU's own arithmetic.
+//! `mesh_bounds_r16` together with `cull_boxes` and `filter_boxes_r16`: no box is left out that a
+//! ray of the packet enters, by f64 from the singles of the records, or that holds a triangle which
+//! the ray hits by the SPU's own arithmetic.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call::{self, Node};
@@ -358,8 +358,8 @@ fn no_box_is_left_out_whose_triangle_a_ray_hits() {
     }
 }
 
-/// Of what coherent rays miss, most is left out by their common bound; of what any rays miss, nearly
-/// everything by the rays themselves.
+/// Of what coherent rays miss, most is left out by their common bound; of what any rays miss,
+/// nearly everything by the rays themselves.
 #[test]
 fn much_of_what_rays_miss_is_left_out() {
     let mut random = random();

@@ -324,7 +324,7 @@ pub fn put_runs(
         .collect();
     let bounds = put(bench, &bounds);
     let candidate = |(run, packet): &(std::ops::Range<usize>, usize)| MeshCandidate {
-        object: (4 * run.start as u32 | (run.len() as u32) << 16).into(),
+        object: (4 * run.start as u32 + ((run.len() as u32) << 16)).into(),
         packet: address::<RayPacket>(placed, *packet).into(),
         bound: address::<MeshBound>(bounds, *packet).into(),
         near: single(anything),
