@@ -157,6 +157,30 @@ constants! {
     SIDES_EXIT = 0x8000_0000;
     /// In `sides`: a triangle with normals at its vertices.
     SIDES_SMOOTH = 0x2000_0000;
+    /// First word of a mesh's block: `MESH`.
+    MESH_MAGIC = 0x4d45_5348;
+    /// Bytes of a mesh's block.
+    MESH_BLOCK = 2048;
+    /// Most blocks of a mesh.
+    MESH_BLOCKS = 0x0100_0000;
+    /// `kind` of a block: its children are blocks.
+    MESH_INNER = 0;
+    /// `kind` of a block: its children are runs of triangles.
+    MESH_LEAF = 1;
+    /// Most levels of nodes in a block.
+    MESH_LEVELS = 3;
+    /// Most triangles of a block: an index of 7 bits.
+    MESH_FACES = 127;
+    /// Most vertices of a block: an index of 8 bits.
+    MESH_VERTICES = 255;
+    /// Most triangles of a run.
+    MESH_RUN = 8;
+    /// Most materials of a mesh.
+    MESH_MATERIALS = 256;
+    /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times 128, and the triangle's index in it.
+    MESH_HIT = 0x8000_0000;
+    /// Corner of a box that is not there, as bits: 2^66, sixteen times `FARTHEST`.
+    NO_BOX = 0x6080_0000;
     /// In `flags` of a material: it transmits light.
     MATERIAL_TRANSMITS = 1;
     /// In `flags`: it reflects light.
@@ -179,10 +203,12 @@ constants! {
 
 mod frame;
 mod local;
+mod mesh;
 mod whitted;
 
 pub use frame::*;
 pub use local::*;
+pub use mesh::*;
 pub use whitted::*;
 
 /// All records, in the order of the document.
@@ -218,6 +244,12 @@ pub const RECORDS: &[Record] = &[
     Surfaces::RECORD,
     Site::RECORD,
     ShaderContext::RECORD,
+    MeshHeader::RECORD,
+    Boxes::RECORD,
+    MeshVertex::RECORD,
+    MeshFace::RECORD,
+    MeshBound::RECORD,
+    MeshCandidate::RECORD,
 ];
 
 macro_rules! statuses {

@@ -1,0 +1,136 @@
+//! Records of meshes: the blocks that stay in main memory, and what a packet is in local store while
+//! it is traced through them.
+//!
+//! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then `MESH_VERTEX`
+//! and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates until a block is
+//! in local store, and relative to the eye there.
+
+use zerocopy::big_endian::{F32, U16, U32};
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+use super::{Field, Record};
+
+record! {
+    /// The beginning of a mesh's block.
+    MeshHeader as "MESH_HEADER" {
+        /// `MESH_MAGIC`.
+        magic: U32,
+        /// The block's own number.
+        number: U32,
+        /// `MESH_INNER` or `MESH_LEAF`.
+        kind: U32,
+        /// Levels of nodes, 1 to `MESH_LEVELS`.
+        levels: U32,
+        /// Nodes.
+        nodes: U32,
+        /// Triangles, at most `MESH_FACES`; 0 in an inner block.
+        triangles: U32,
+        /// Vertices, at most `MESH_VERTICES`.
+        vertices: U32,
+        /// `SIDES_BOTH` and `SIDES_SMOOTH`, for all triangles of the block.
+        sides: U32,
+    }
+}
+
+record! {
+    /// A node of a mesh: the boxes of four children. A lane without a child has `NO_BOX` as its lower corner, -`NO_BOX` as its upper one, and the child 0.
+    Boxes as "BOXES" {
+        /// Lower corners, x.
+        lo_x: [F32; 4],
+        /// Lower corners, y.
+        lo_y: [F32; 4],
+        /// Lower corners, z.
+        lo_z: [F32; 4],
+        /// Upper corners, x.
+        hi_x: [F32; 4],
+        /// Upper corners, y.
+        hi_y: [F32; 4],
+        /// Upper corners, z.
+        hi_z: [F32; 4],
+        /// Above the lowest level, offsets of nodes in the block. There, in an inner block, numbers of blocks; in a leaf, runs of triangles: four times the first one's index, and their number, 1 to `MESH_RUN`, times 2^16.
+        child: [U32; 4],
+    }
+}
+
+record! {
+    /// A vertex of a mesh.
+    MeshVertex as "MESH_VERTEX" {
+        /// Position: x, y, z.
+        position: [F32; 3],
+        /// Octahedral normal with `SIDES_SMOOTH`, two signed halves, u and v; else 0.
+        normal: U32,
+    }
+}
+
+record! {
+    /// A triangle of a mesh.
+    MeshFace as "MESH_FACE" {
+        /// Indices of its vertices in the block: counter-clockwise as seen from outside.
+        vertex: [u8; 3],
+        /// Index of its material among the mesh's.
+        material: u8,
+    }
+}
+
+record! {
+    /// Local store: what a packet's rays have in common, for tests with boxes. The rays meet a plane of an axis no earlier than near_scale plane + near_shift, where the plane is the one that they meet first: of the lower corners, or of the upper ones if they all go down the axis. They leave by the opposite plane no later than far_scale plane + far_shift. If they go up and down the axis, that product says when they meet the opposite plane; then near_scale is above 0 and far_scale below.
+    MeshBound as "MESH_BOUND" {
+        /// Scale of the plane that is met first, x; in all lanes, as the next eleven.
+        near_scale_x: [F32; 4],
+        /// The same, y.
+        near_scale_y: [F32; 4],
+        /// The same, z.
+        near_scale_z: [F32; 4],
+        /// Shift of the plane that is met first, x.
+        near_shift_x: [F32; 4],
+        /// The same, y.
+        near_shift_y: [F32; 4],
+        /// The same, z.
+        near_shift_z: [F32; 4],
+        /// Scale of the opposite plane, x.
+        far_scale_x: [F32; 4],
+        /// The same, y.
+        far_scale_y: [F32; 4],
+        /// The same, z.
+        far_scale_z: [F32; 4],
+        /// Shift of the opposite plane, x.
+        far_shift_x: [F32; 4],
+        /// The same, y.
+        far_shift_y: [F32; 4],
+        /// The same, z.
+        far_shift_z: [F32; 4],
+        /// Offset in `BOXES` of the planes that are met first: of `lo_x` or of `hi_x`.
+        near_plane_x: U32,
+        /// The same, of `lo_y` or `hi_y`.
+        near_plane_y: U16,
+        /// The same, of `lo_z` or `hi_z`.
+        near_plane_z: U16,
+        /// Address of the packet's `SHEARS`.
+        shears: U32,
+        /// Largest distance that a ray counts to; -1 if there is no ray.
+        farthest: F32,
+    }
+}
+
+record! {
+    /// Local store: a node or a run of triangles of a mesh, and a packet to test with it.
+    MeshCandidate as "MESH_CANDIDATE" {
+        /// Address of the node's `BOXES`, or the run, or the number of the block.
+        object: U32,
+        /// Address of the packet.
+        packet: U32,
+        /// Address of the packet's `MESH_BOUND`.
+        bound: U32,
+        /// No ray of the packet meets the box nearer than this; not below 0.
+        near: F32,
+    }
+}
+
+const _: () = {
+    assert!(size_of::<MeshHeader>() == 32);
+    assert!(size_of::<Boxes>() == 112);
+    assert!(size_of::<MeshVertex>() == 16);
+    assert!(size_of::<MeshFace>() == 4);
+    assert!(size_of::<MeshBound>() == size_of::<super::Bound>());
+    assert!(size_of::<MeshCandidate>() == size_of::<super::Candidate>());
+};
