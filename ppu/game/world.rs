@@ -209,6 +209,7 @@ impl World {
                     shape: object.shape.clone(),
                 })
                 .collect(),
+            mesh: None,
         }
     }
 
