@@ -47,11 +47,6 @@ impl Builder {
         Ok(self.materials.len() as u32 - 1)
     }
 
-    /// The number of vertices so far.
-    pub fn vertices(&self) -> usize {
-        self.positions.len()
-    }
-
     /// Adds vertices, and returns the index of the first one. `normals` is as long as `positions`,
     /// or empty.
     pub fn add_vertices(
