@@ -21,7 +21,7 @@ use super::progress::Progress;
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
 pub struct Options {
-    /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
     /// SPUs to use
     #[arg(
@@ -137,6 +137,15 @@ impl Options {
         }
         Ok(Program::of(&formulations)?)
     }
+}
+
+/// Loads a scene, and prints notes about what was left out of it.
+pub fn load(name: &Path) -> Result<nff::Scene, meshes::Error> {
+    let loaded = meshes::load(name)?;
+    for note in loaded.notes {
+        eprintln!("cellray: note: {}: {note}", name.display());
+    }
+    Ok(loaded.scene)
 }
 
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
