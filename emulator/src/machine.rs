@@ -119,6 +119,14 @@ impl Machine {
         }
     }
 
+    /// From now on code is compiled by a thread of its own, and interpreted until that is done. So a
+    /// program's first instructions don't wait for the compiler.
+    pub fn compile_in_background(&self) {
+        if let Some(translations) = &self.translations {
+            translations.compile_in_background();
+        }
+    }
+
     /// The first difference that [`Engine::Check`] has found.
     #[must_use]
     pub fn difference(&self) -> Option<Difference> {

@@ -180,12 +180,14 @@ impl Machine {
             method: method()?,
             engine,
         };
+        let emulated = if timing {
+            machine::Machine::simulated_with(memory, description, options)
+        } else {
+            machine::Machine::with_engine(memory, engine)
+        };
+        emulated.compile_in_background();
         Ok(Self {
-            emulated: if timing {
-                machine::Machine::simulated_with(memory, description, options)
-            } else {
-                machine::Machine::with_engine(memory, engine)
-            },
+            emulated,
             report,
             profile,
         })

@@ -6,11 +6,11 @@ use std::sync::Arc;
 use spu_compiler::{Cpu, Exit, FloatMode, MAX_STEPS, Passage, Steps, Storage, Trace};
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
-use super::Translations;
 use super::check::check;
 use super::dispatch::Dispatch;
 use super::record::{Recorder, record};
 use super::specials::Specials;
+use super::translations::{Added, Translations};
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Ended, Observer, Spu};
@@ -218,8 +218,10 @@ impl Runner {
         let Some(trace) = trace else { return };
         let start = trace.start();
         match self.translations.add(trace, FloatMode::SINGLES) {
-            Some(unit) => self.cpu.install(&unit),
-            None => self.entry_counts[start as usize / 4] = NEVER,
+            Added::Ready(unit) => self.cpu.install(&unit),
+            // The entries are counted from 0 again, and then the unit is looked for.
+            Added::Later => {}
+            Added::NoRoom => self.entry_counts[start as usize / 4] = NEVER,
         }
     }
 
@@ -394,10 +396,15 @@ impl Runner {
         }
         let other = unit.mode().fallback(failures.special);
         let other = other.filter(|_| unit.has_floats());
-        let other = other.and_then(|mode| self.translations.add(unit.trace().clone(), mode));
+        let other = other.map(|mode| self.translations.add(unit.trace().clone(), mode));
         match other {
-            Some(unit) => self.cpu.install(&unit),
-            None => self.give_up(unit.start()),
+            Some(Added::Ready(unit)) => self.cpu.install(&unit),
+            // Until then the code is interpreted.
+            Some(Added::Later) => {
+                self.cpu.remove(unit.start());
+                self.entry_counts[unit.start() as usize / 4] = 0;
+            }
+            Some(Added::NoRoom) | None => self.give_up(unit.start()),
         }
     }
 

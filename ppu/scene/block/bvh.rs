@@ -227,6 +227,10 @@ fn node(eye: DVec3, spheres: &[BoundingSphere], child: impl Fn(usize) -> U32) ->
 
 /// Sorts objects so that those of a node are near each other. The objects are recursively split
 /// across their longest extent, and the left part fills whole nodes of as many levels as possible.
+///
+/// Tried: of all axes, both directions and all places where the left part fills whole nodes, the
+/// split with the least surface area heuristic. Frames were 0 to 2 % faster and shapes.nff 5 %, for
+/// six sorts at each step instead of one selection.
 fn split(order: &mut [usize], spheres: &[BoundingSphere]) {
     let count = order.len();
     if count <= LANES {

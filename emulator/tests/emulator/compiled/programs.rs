@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use spu_emulator::channel::{Channels, NoChannels};
 use spu_emulator::compiled::{Runner, Translations};
@@ -315,6 +315,36 @@ fn spes_share_translations() {
         assert!(runner.compiled() > u64::from(ROUNDS));
         assert_eq!(translations.units(), 1);
     }
+}
+
+#[test]
+fn what_is_compiled_in_the_background_runs_compiled_afterwards() {
+    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
+    code.push(word(Op::Stop, [0; 3], 7));
+    let translations =
+        Translations::new(false, false).expect("the hosts of the tests have a compiler");
+    translations.compile_in_background();
+    let run = || {
+        let local_store = LocalStore::new();
+        load(&local_store, 0, &code);
+        let (mut runner, mut spu) = (Runner::new(&translations), Spu::new());
+        let stopped = runner.run(&mut spu, &local_store, &mut NoChannels, u64::MAX);
+        assert_eq!(stopped.map(|stopped| stopped.pc), Some(16));
+        assert_eq!(spu.register(3), Quad::splat(3 * ROUNDS));
+        runner.compiled()
+    };
+    run();
+    let start = Instant::now();
+    while translations.units() == 0 {
+        assert!(
+            start.elapsed() < Duration::from_secs(60),
+            "nothing was compiled"
+        );
+        thread::sleep(Duration::from_millis(1));
+    }
+    let compiled = run();
+    assert!(compiled > u64::from(ROUNDS), "{compiled}");
+    assert_eq!(translations.units(), 1);
 }
 
 /// A loop whose idle lanes hold special numbers in every iteration. It soon runs in doubles.
