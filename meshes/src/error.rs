@@ -34,6 +34,12 @@ pub enum Fault {
         /// Bytes, as far as they were counted.
         size: u64,
     },
+    /// A terrain can't be generated.
+    #[error("the level is not a whole number from 0 to {most}")]
+    Level {
+        /// The greatest level.
+        most: u32,
+    },
     /// The file has no triangles.
     #[error("the file has no triangles")]
     NoTriangles,

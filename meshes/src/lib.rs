@@ -10,6 +10,7 @@ mod framing;
 mod glb;
 mod obj;
 mod ply;
+mod terrain;
 
 use std::fs::File;
 use std::io::Read as _;
@@ -33,12 +34,23 @@ pub struct Loaded {
     pub notes: Vec<String>,
 }
 
-/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply` or `.glb`, or anything
-/// that [`nff::load`] knows.
+/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply` or `.glb`,
+/// `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that [`nff::load`]
+/// knows.
 ///
 /// # Errors
 /// The file can't be read, or isn't what its name says; any error of [`nff::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
+    let file = name.display().to_string();
+    let wrong = |fault| Error::Mesh {
+        file: file.clone(),
+        fault,
+    };
+    if let Some(level) = file.strip_prefix(terrain::PREFIX) {
+        let mut builder = Builder::default();
+        let done = terrain::generate(level, &mut builder);
+        return done.and_then(|()| builder.finish(&file)).map_err(wrong);
+    }
     let Some(format) = Format::of(name) else {
         let scene = nff::load(name)?;
         return Ok(Loaded {
@@ -46,7 +58,6 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
             notes: Vec::new(),
         });
     };
-    let file = name.display().to_string();
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;
         let mut builder = Builder::default();
@@ -57,10 +68,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         }
         builder.finish(&file)
     };
-    read().map_err(|fault| Error::Mesh {
-        file: file.clone(),
-        fault,
-    })
+    read().map_err(wrong)
 }
 
 #[derive(Clone, Copy)]

@@ -21,8 +21,8 @@ const EXAMPLES: &str = "Examples:
   oracle render scenes/whitted16.nff --model whitted --out whitted16.png
   oracle render sphereflake:4 --model whitted --corners --stats --out balls.png
 
-SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL or tetra:LEVEL for a generated
-one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons).";
+SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEVEL or terrain:LEVEL
+for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]

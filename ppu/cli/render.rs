@@ -70,7 +70,7 @@ impl Arguments {
         }
         let render_options = self.options.render_options();
         let program = self.options.program()?;
-        let scene = run::load(&self.options.scene)?;
+        let scene = run::load(&self.options)?;
         // Notes on what can't be drawn come before the first frame.
         run::scene(&self.options, &scene, render_options, &program)?;
         let size = self.geometry(&scene.view)?;
@@ -119,7 +119,7 @@ fn once(arguments: &Arguments) -> Outcome {
         ..arguments.options.render_options()
     };
     let program = arguments.options.program()?;
-    let scene = run::load(&arguments.options.scene)?;
+    let scene = run::load(&arguments.options)?;
     let scene = run::scene(&arguments.options, &scene, render_options, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {

@@ -15,14 +15,18 @@ use clap::builder::PossibleValuesParser;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
+use super::camera::Camera;
 use super::choices::{Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
 pub struct Options {
-    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, or tetra:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, tetra:LEVEL or
+    /// terrain:LEVEL
     pub scene: PathBuf,
+    #[command(flatten)]
+    camera: Camera,
     /// SPUs to use
     #[arg(
         long,
@@ -139,13 +143,14 @@ impl Options {
     }
 }
 
-/// Loads a scene, and prints notes about what was left out of it.
-pub fn load(name: &Path) -> Result<nff::Scene, meshes::Error> {
-    let loaded = meshes::load(name)?;
-    for note in loaded.notes {
-        eprintln!("cellray: note: {}: {note}", name.display());
+/// Loads the scene, and prints notes about what was left out of it.
+pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
+    let meshes::Loaded { mut scene, notes } = meshes::load(&options.scene)?;
+    for note in notes {
+        eprintln!("cellray: note: {}: {note}", options.scene.display());
     }
-    Ok(loaded.scene)
+    options.camera.place(&mut scene.view);
+    Ok(scene)
 }
 
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.

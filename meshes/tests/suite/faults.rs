@@ -122,6 +122,18 @@ fn a_library_with_half_a_colour() {
 }
 
 #[test]
+fn levels_of_terrains() {
+    for level in ["", "12", "-1", "x"] {
+        let name = format!("terrain:{level}");
+        let found = meshes::load(name.as_ref()).unwrap_err().to_string();
+        assert_eq!(
+            found,
+            format!("{name}: the level is not a whole number from 0 to 11")
+        );
+    }
+}
+
+#[test]
 fn files_that_are_not_there() {
     let found = meshes::load("/nowhere/x.obj".as_ref())
         .unwrap_err()

@@ -119,6 +119,23 @@ fn triangles_with_vertices_of_their_own_come_to_share_them() {
 }
 
 #[test]
+fn a_terrain_is_seen_from_above_and_has_all_materials() {
+    let scene = meshes::load("terrain:6".as_ref()).unwrap().scene;
+    let mesh = scene.mesh.unwrap();
+    assert_eq!(mesh.triangles.len(), 2 * 64 * 64);
+    assert_eq!(mesh.positions.len(), 65 * 65);
+    let ups = (0..mesh.triangles.len()).map(|triangle| {
+        let [a, b, c] = mesh.corners(triangle);
+        (b - a).cross(c - a).y
+    });
+    assert!(ups.into_iter().all(|up| up > 0.0));
+    for material in 0..3 {
+        let count = mesh.materials.iter().filter(|&&it| it == material).count();
+        assert!(count > 100, "{material}: {count}");
+    }
+}
+
+#[test]
 fn other_names_are_scenes() {
     let loaded = meshes::load("tetra:1".as_ref()).unwrap();
     assert_eq!(loaded.scene.objects.len(), 16);

@@ -2,6 +2,7 @@
 
 mod beside;
 mod formulations;
+mod meshes;
 mod newcomer;
 mod sequence;
 mod silence;
