@@ -4,6 +4,7 @@
 //! Invariant: every number that depth shading uses is in the domain that the kernels state.
 
 pub(crate) mod block;
+pub mod mesh;
 #[cfg(test)]
 pub(crate) mod random;
 mod render_options;
@@ -12,8 +13,9 @@ pub(crate) mod single;
 use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 
-use self::block::ShaderEntries;
-pub use self::block::{BlockError, BlockOptions, SceneBlock};
+pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
+use self::block::{MESH_CODE, ShaderEntries};
+pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
 pub use self::render_options::{Model, RenderOptions};
 use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
@@ -37,6 +39,17 @@ pub enum SceneError {
     /// Whitted's model can't trace it.
     #[error(transparent)]
     Block(#[from] BlockError),
+    /// The SPU program has no code for meshes in main memory.
+    #[error(
+        "{file}: {triangles} triangles do not fit the local store, and the SPU program can't stream \
+         them from main memory"
+    )]
+    NoStreaming {
+        /// Name of the scene's file.
+        file: String,
+        /// The triangles of its mesh.
+        triangles: usize,
+    },
     /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
@@ -106,9 +119,23 @@ impl Scene {
         if !render_options.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, render_options);
         }
+        let scene = &*mesh::gathered(scene);
         let shader = |name: &str| program.shader(name).ok();
         let block = SceneBlock::new(scene, options(render_options), &shader)?;
-        Ok(Self::by_whitted(scene, render_options, block))
+        let scene = Self::by_whitted(scene, render_options, block);
+        scene.check_streaming(program)?;
+        Ok(scene)
+    }
+
+    /// Checks that a program can trace the scene's mesh, if it has one in main memory.
+    pub(crate) fn check_streaming(&self, program: &Program) -> Result<(), SceneError> {
+        match self.block.as_ref().and_then(SceneBlock::mesh) {
+            Some(mesh) if !program.streams_meshes(MESH_CODE) => Err(SceneError::NoStreaming {
+                file: self.file.clone(),
+                triangles: mesh.blocks.statistics().triangles,
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// [`Scene::new`] with room for more objects in Whitted's model, so that the scene can be

@@ -1,6 +1,6 @@
 //! Scenes in Eric Haines' Neutral File Format (NFF).
 //!
-//! Owns the scene data, reading and writing the text format with its `#cellray` extensions, the
+//! Owns the scene data, meshes included, reading and writing the text format with its `#cellray` extensions, the
 //! camera of a view, the triangles of a polygon, the sphereflake and the tetrahedra of the
 //! Standard Procedural Databases, and the depth-shading model. Doesn't know work units, SPUs or
 //! pictures.
@@ -13,6 +13,7 @@ mod directives;
 mod error;
 mod even_odd;
 mod lines;
+mod mesh;
 mod parse;
 mod scene;
 pub mod sphereflake;
@@ -25,6 +26,7 @@ mod write;
 pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
 pub use lines::Limits;
+pub use mesh::Mesh;
 pub use parse::{parse, read};
 pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};
 pub use triangles::{area_vector, triangles};

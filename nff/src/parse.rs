@@ -147,6 +147,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             lights: std::mem::take(&mut self.lights),
             materials: std::mem::take(&mut self.materials),
             objects: std::mem::take(&mut self.objects),
+            mesh: None,
         })
     }
 

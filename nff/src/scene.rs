@@ -3,9 +3,11 @@
 //! Equality compares only what is shown, not the file name and the lines. So a scene that is
 //! written and read back is equal to the original.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
-use crate::View;
+use crate::{Mesh, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -25,6 +27,9 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Objects, in file order.
     pub objects: Vec<Object>,
+    /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with a
+    /// polygon or a patch for each triangle.
+    pub mesh: Option<Arc<Mesh>>,
 }
 
 /// A light (`l`, `#cellray sun`).
@@ -174,6 +179,7 @@ impl PartialEq for Scene {
             && self.lights == other.lights
             && self.materials == other.materials
             && self.objects == other.objects
+            && self.mesh == other.mesh
     }
 }
 

@@ -142,6 +142,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             .collect(),
         materials: vec![ground, sphere],
         objects,
+        mesh: None,
     })
 }
 

@@ -104,6 +104,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             shader: Shader::Phong,
         }],
         objects,
+        mesh: None,
     })
 }
 

@@ -35,6 +35,16 @@ impl fmt::Display for Scene {
             }
             object.fmt(f)?;
         }
+        if let Some(mesh) = &self.mesh {
+            for triangle in 0..mesh.triangles.len() {
+                let index = mesh.materials[triangle] as usize;
+                if current != Some(index) {
+                    self.materials.get(index).ok_or(fmt::Error)?.fmt(f)?;
+                    current = Some(index);
+                }
+                mesh.shape(triangle).fmt(f)?;
+            }
+        }
         self.materials
             .iter()
             .skip(written)
@@ -111,9 +121,15 @@ impl fmt::Display for Shader {
 
 impl fmt::Display for Object {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.shape {
-            Shape::Sphere { centre, radius } => writeln!(f, "s {} {radius}", Triple(*centre)),
-            Shape::Cone {
+        self.shape.fmt(f)
+    }
+}
+
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Sphere { centre, radius } => writeln!(f, "s {} {radius}", Triple(*centre)),
+            Self::Cone {
                 base,
                 base_radius,
                 apex,
@@ -123,13 +139,13 @@ impl fmt::Display for Object {
                 writeln!(f, "{} {base_radius}", Triple(*base))?;
                 writeln!(f, "{} {apex_radius}", Triple(*apex))
             }
-            Shape::Polygon { vertices } => {
+            Self::Polygon { vertices } => {
                 writeln!(f, "p {}", vertices.len())?;
                 vertices
                     .iter()
                     .try_for_each(|vertex| writeln!(f, "{}", Triple(*vertex)))
             }
-            Shape::Patch { vertices, normals } => {
+            Self::Patch { vertices, normals } => {
                 writeln!(f, "pp {}", vertices.len())?;
                 let mut corners = vertices.iter().zip(normals);
                 corners.try_for_each(|(vertex, normal)| {

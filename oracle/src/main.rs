@@ -21,8 +21,8 @@ const EXAMPLES: &str = "Examples:
   oracle render scenes/whitted16.nff --model whitted --out whitted16.png
   oracle render sphereflake:4 --model whitted --corners --stats --out balls.png
 
-SCENE is an NFF file, or sphereflake:LEVEL or tetra:LEVEL for a generated one (sphereflake:2 has 91
-spheres, tetra:3 has 256 polygons).";
+SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEVEL or terrain:LEVEL
+for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]
@@ -196,7 +196,7 @@ type Done = Result<(), Box<dyn std::error::Error>>;
 
 fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option<&Path>) -> Done {
     let picture = Picture::read_png(picture)?;
-    let scene = nff::load(scene)?;
+    let scene = load(scene)?;
     let size = (picture.width(), picture.height());
     let reference = model.trace(&scene, size)?.reference;
     let result = oracle::compare(&picture, &reference)?;
@@ -235,7 +235,7 @@ fn report(result: &Comparison, picture: &Picture) -> String {
 }
 
 fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, stats: bool) -> Done {
-    let scene = nff::load(scene)?;
+    let scene = load(scene)?;
     let (width, height) = size.unwrap_or(scene.view.resolution);
     let Traced { reference, counts } = model.trace(&scene, (width, height))?;
     reference.picture.write_png(out)?;
@@ -254,6 +254,15 @@ fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, sta
         io::stdout().write_all(text.as_bytes())?;
     }
     Ok(())
+}
+
+/// Loads a scene, and prints what was left out of it.
+fn load(name: &Path) -> Result<Scene, meshes::Error> {
+    let loaded = meshes::load(name)?;
+    for note in loaded.notes {
+        eprintln!("{}: {note}", name.display());
+    }
+    Ok(loaded.scene)
 }
 
 /// The help of `--diff`.

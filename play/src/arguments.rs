@@ -89,7 +89,8 @@ pub struct GameOptions {
 /// `view`.
 #[derive(Debug, Args)]
 pub struct ViewArguments {
-    /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, tetra:LEVEL or
+    /// terrain:LEVEL
     pub scene: PathBuf,
     /// Model that the scene is rendered with
     #[arg(long, value_enum, default_value_t)]

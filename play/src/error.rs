@@ -24,7 +24,7 @@ pub enum PlayError {
     },
     /// The scene can't be read.
     #[error(transparent)]
-    Scene(#[from] nff::Error),
+    Scene(#[from] meshes::Error),
     /// The SPU program can't be read, or is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),

@@ -33,6 +33,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
+use cellray::scene::mesh::gathered;
 use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
@@ -110,7 +111,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             Ok(Ending::Over)
         }
         Command::View(view) => {
-            let scene = nff::load(&view.scene)?;
+            let scene = load(&view.scene)?;
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
@@ -124,6 +125,15 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             )
         }
     }
+}
+
+/// Loads a scene to look at, and prints what was left out of it.
+fn load(name: &Path) -> Result<nff::Scene, PlayError> {
+    let loaded = meshes::load(name)?;
+    for note in &loaded.notes {
+        say(format_args!("{}: {note}", name.display()));
+    }
+    Ok(gathered(&loaded.scene).into_owned())
 }
 
 /// Writes a picture to standard output, as wide as the terminal.

@@ -2,6 +2,7 @@
 
 use cellray::Scene;
 use cellray::game::View;
+use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 
 use crate::arguments::ViewArguments;
@@ -32,7 +33,8 @@ impl<'a> Reload<'a> {
     /// A scene or a shader that is wrong: the one before it is still good to look at.
     pub fn viewer(&mut self, view: &View) -> Option<Result<Viewer, PlayError>> {
         self.watch.has_changed().then(|| {
-            let scene = nff::load(&self.arguments.scene)?;
+            let loaded = meshes::load(&self.arguments.scene)?;
+            let scene = gathered(&loaded.scene).into_owned();
             let render_options = self.arguments.render_options();
             let program = self.arguments.options.settings()?.program;
             Scene::new(&scene, render_options, &program)?;

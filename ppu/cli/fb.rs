@@ -73,7 +73,7 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
-    let scene = nff::load(&options.scene)?;
+    let scene = run::load(options)?;
     let scene = run::scene(options, &scene, options.render_options(), &program)?;
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;

@@ -7,6 +7,7 @@ use cellray::framebuffer::{
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
 use cellray::scene::RenderOptions;
+use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 use clap::Args;
 
@@ -73,10 +74,11 @@ impl Arguments {
         }
         let render_options = self.options.render_options();
         let program = self.options.program()?;
-        let scene = nff::load(&self.options.scene)?;
+        let scene = run::load(&self.options)?;
         // Notes on what can't be drawn come before the first frame.
         run::scene(&self.options, &scene, render_options, &program)?;
         let size = self.geometry(&scene.view)?;
+        let scene = gathered(&scene).into_owned();
         let turntable = Turntable::new(scene, render_options, self.turn);
         let pictures = Pictures::new(paths);
         sequence::run(
@@ -124,7 +126,7 @@ fn once(arguments: &Arguments) -> Outcome {
         ..arguments.options.render_options()
     };
     let program = arguments.options.program()?;
-    let scene = nff::load(&arguments.options.scene)?;
+    let scene = run::load(&arguments.options)?;
     let scene = run::scene(&arguments.options, &scene, render_options, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {

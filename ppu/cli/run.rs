@@ -15,14 +15,18 @@ use clap::builder::PossibleValuesParser;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
+use super::camera::Camera;
 use super::choices::{Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
 pub struct Options {
-    /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, tetra:LEVEL or
+    /// terrain:LEVEL
     pub scene: PathBuf,
+    #[command(flatten)]
+    camera: Camera,
     /// SPUs to use
     #[arg(
         long,
@@ -137,6 +141,16 @@ impl Options {
         }
         Ok(Program::of(&formulations)?)
     }
+}
+
+/// Loads the scene, and prints notes about what was left out of it.
+pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
+    let meshes::Loaded { mut scene, notes } = meshes::load(&options.scene)?;
+    for note in notes {
+        eprintln!("cellray: note: {}: {note}", options.scene.display());
+    }
+    options.camera.place(&mut scene.view);
+    Ok(scene)
 }
 
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.

@@ -22,9 +22,11 @@ pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
 pub use pick::Pick;
 
+use std::sync::Arc;
+
 use glam::DVec3;
-use nff::View;
 use nff::depth::DepthShading;
+use nff::{Mesh, View};
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
@@ -90,10 +92,35 @@ pub struct World {
     materials: SlotMap<MaterialId, WorldMaterial>,
     lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
+    /// The triangles of the scene that the world was made of.
+    mesh: Option<WorldMesh>,
     /// The scene that was traced last.
     traced: Option<Traced>,
     /// The changes since then.
     edits: Edits,
+}
+
+/// The mesh of a world's scene.
+struct WorldMesh {
+    mesh: Arc<Mesh>,
+    /// The materials that its triangles' numbers mean.
+    materials: Vec<MaterialId>,
+}
+
+impl WorldMesh {
+    /// The mesh with its materials at these places.
+    fn placed(&self, places: &SecondaryMap<MaterialId, u32>) -> Arc<Mesh> {
+        let place = |&id: &MaterialId| places.get(id).copied().unwrap_or_default();
+        let places: Vec<u32> = self.materials.iter().map(place).collect();
+        if places.iter().copied().eq(0..places.len() as u32) {
+            return self.mesh.clone();
+        }
+        let mut mesh = Mesh::clone(&self.mesh);
+        for material in &mut mesh.materials {
+            *material = places.get(*material as usize).copied().unwrap_or_default();
+        }
+        Arc::new(mesh)
+    }
 }
 
 impl Default for World {
@@ -124,6 +151,7 @@ impl World {
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
+            mesh: None,
             traced: None,
             edits: Edits::default(),
         }
@@ -167,6 +195,10 @@ impl World {
             let id = id.map_err(at(object.line))?;
             world.objects[id].line = Some(object.line);
         }
+        world.mesh = scene.mesh.clone().map(|mesh| WorldMesh {
+            mesh,
+            materials: ids,
+        });
         Ok(world)
     }
 
@@ -209,6 +241,7 @@ impl World {
                     shape: object.shape.clone(),
                 })
                 .collect(),
+            mesh: self.mesh.as_ref().map(|mesh| mesh.placed(&place)),
         }
     }
 

@@ -36,6 +36,17 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
     Ok(())
 }
 
+/// Whether something is loaded to an address of local store.
+pub(super) fn is_loaded(image: &[u8], address: u32) -> Result<bool, ProgramError> {
+    let file = parse(image)?;
+    let mut headers = file.elf_program_headers().iter();
+    Ok(headers.any(|header| {
+        let start = header.p_vaddr(BigEndian);
+        let end = start.saturating_add(header.p_filesz(BigEndian));
+        header.p_type(BigEndian) == object::elf::PT_LOAD && (start..end).contains(&address)
+    }))
+}
+
 /// The names in the table of shaders.
 pub(super) fn shaders(image: &[u8]) -> Result<Vec<String>, ProgramError> {
     let file = parse(image)?;

@@ -131,6 +131,12 @@ impl Program {
             })
     }
 
+    /// Whether the program has the code that traces meshes in main memory, which begins at this
+    /// address of local store.
+    pub(crate) fn streams_meshes(&self, code: u32) -> bool {
+        elf::is_loaded(self.image, code).unwrap_or_default()
+    }
+
     /// The ranges of its instructions in local store; empty if it has no sections.
     pub(super) fn code(&self) -> Vec<Range<u32>> {
         elf::code(self.image).unwrap_or_default()

@@ -15,6 +15,8 @@ pub enum Kind {
     Cone,
     /// `s` with a negative radius.
     InsideSphere,
+    /// A mesh.
+    Mesh,
     /// `l`.
     Light,
     /// A material with Ks > 0 that an object has.
@@ -34,6 +36,7 @@ impl Kind {
             Self::Patch => "patches",
             Self::Cone => "cones and cylinders",
             Self::InsideSphere => "spheres seen from inside only (negative radius)",
+            Self::Mesh => "meshes",
             Self::Light => "lights",
             Self::Specular => "mirrors and highlights (Ks > 0)",
             Self::Transmittance => "transmitting materials (T > 0)",
@@ -47,7 +50,7 @@ impl Kind {
 pub struct NotDrawn {
     /// The scene's name.
     pub file: String,
-    /// The line of the first one, from 1.
+    /// The line of the first one, from 1; 0 if it has none.
     pub line: u32,
     /// Their kind.
     pub what: Kind,
@@ -63,9 +66,13 @@ impl fmt::Display for NotDrawn {
             what,
             count,
         } = self;
+        f.write_str(file)?;
+        if *line > 0 {
+            write!(f, ":{line}")?;
+        }
         write!(
             f,
-            "{file}:{line}: {} are not drawn by depth shading ({count} in this file)",
+            ": {} are not drawn by depth shading ({count} in this file)",
             what.name()
         )
     }
@@ -89,6 +96,9 @@ pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
     };
     for light in &scene.lights {
         note(Kind::Light, light.line);
+    }
+    if scene.mesh.is_some() {
+        note(Kind::Mesh, 0);
     }
     let mut used = vec![false; scene.materials.len()];
     for object in &scene.objects {

@@ -127,6 +127,7 @@ prop_compose! {
             lights: lights.collect(),
             materials,
             objects,
+            mesh: None,
         }
     }
 }

@@ -41,6 +41,24 @@ struct Hit {
     outside: bool,
 }
 
+/// Refuses materials that the reference can't shade.
+fn check_material(scene: &Scene, material: &Material) -> Result<(), Error> {
+    if material.transmittance > 0.0 && material.refraction_index == 0.0 {
+        return Err(Error::RefractionIndex {
+            scene: scene.name.clone(),
+            line: material.line,
+        });
+    }
+    if let Shader::Own { name, .. } = &material.shader {
+        return Err(Error::Shader {
+            scene: scene.name.clone(),
+            line: material.line,
+            name: name.clone(),
+        });
+    }
+    Ok(())
+}
+
 impl<'a> Stage<'a> {
     pub(super) fn new(scene: &'a Scene, options: &Options) -> Result<Self, Error> {
         if !(1..=MAX_DEPTH).contains(&options.depth) {
@@ -52,19 +70,7 @@ impl<'a> Stage<'a> {
                 continue;
             };
             let transmits = material.transmittance > 0.0;
-            if transmits && material.refraction_index == 0.0 {
-                return Err(Error::RefractionIndex {
-                    scene: scene.name.clone(),
-                    line: material.line,
-                });
-            }
-            if let Shader::Own { name, .. } = &material.shader {
-                return Err(Error::Shader {
-                    scene: scene.name.clone(),
-                    line: material.line,
-                    name: name.clone(),
-                });
-            }
+            check_material(scene, material)?;
             if let Shape::Patch { vertices, .. } = &object.shape
                 && vertices.len() > MAX_PATCH_VERTICES
             {
@@ -75,6 +81,22 @@ impl<'a> Stage<'a> {
                 });
             }
             if let Some(surface) = Surface::new(&object.shape, transmits) {
+                surfaces.push(surface);
+                materials.push(material);
+            }
+        }
+        for (mesh, triangle) in scene
+            .mesh
+            .iter()
+            .flat_map(|mesh| (0..mesh.triangles.len()).map(move |triangle| (mesh, triangle)))
+        {
+            let index = mesh.materials[triangle] as usize;
+            let Some(material) = scene.materials.get(index) else {
+                continue;
+            };
+            check_material(scene, material)?;
+            let both = mesh.two_sided || material.transmittance > 0.0;
+            if let Some(surface) = Surface::new(&mesh.shape(triangle), both) {
                 surfaces.push(surface);
                 materials.push(material);
             }

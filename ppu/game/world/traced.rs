@@ -78,6 +78,7 @@ impl World {
         let is_whitted = self.render_options.is_whitted(self.light_count());
         let content = self.content(|object| object.visible || is_whitted);
         let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        scene.check_streaming(program)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
             entry.number(number);
         }

@@ -16,6 +16,11 @@ impl Block {
         address
     }
 
+    /// The address of the next reservation.
+    pub fn end(&self) -> u32 {
+        SCENE_ADDRESS + self.bytes.len() as u32
+    }
+
     /// Appends a record, and returns its address.
     pub fn append(&mut self, record: &[u8]) -> u32 {
         let address = self.reserve(record.len());

@@ -36,6 +36,10 @@ impl SceneBlock {
     ) -> Result<Self, BlockError> {
         let shader = |name: &str| shaders.entry(name);
         let tight = Self::new(scene, options, &shader)?;
+        if tight.streamed.is_some() {
+            // What would be spare is the mesh's cache.
+            return Ok(tight);
+        }
         // Added objects may reflect, even if nothing does so far.
         let deepest = options.ray_depth;
         for part in PARTS {
@@ -47,7 +51,7 @@ impl SceneBlock {
                     .each_ref()
                     .map(|primitives| more(primitives.count())),
             };
-            match Self::with_spare(scene, options, &shader, spare) {
+            match Self::with_spare(scene, options, &shader, spare, None) {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
                     return Ok(roomy);
                 }

@@ -1,5 +1,6 @@
 //! The errors of Whitted's model.
 
+use crate::scene::mesh::MeshError;
 use protocol::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
 
 /// Why a scene can't be converted to the SPUs' format. The messages begin with the file.
@@ -88,6 +89,14 @@ pub enum BlockError {
         consumers: String,
         /// A text that says about how much fits.
         fits: String,
+    },
+    /// The scene's mesh can't be converted to blocks.
+    #[error("{file}: {source}")]
+    Mesh {
+        /// Name of the file.
+        file: String,
+        /// The reason.
+        source: MeshError,
     },
     /// The ray depth is out of range.
     #[error("ray depth {0}: must be 1 to {MAX_DEPTH}")]

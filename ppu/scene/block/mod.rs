@@ -26,9 +26,11 @@ mod polygons;
 mod primitive;
 mod primitives;
 mod source_location;
+mod streamed;
 mod visible;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::DVec3;
 use nff::Scene;
@@ -42,6 +44,7 @@ use self::objects::Object;
 use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
+use self::streamed::{LEAST_ROOM, Streamed, may_stay};
 use crate::scene::single::singles;
 use protocol::layout::{
     self, Bvh, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM,
@@ -54,6 +57,8 @@ pub use error::BlockError;
 pub(crate) use materials::Light;
 pub use options::BlockOptions;
 pub(crate) use options::ShaderEntries;
+pub(crate) use streamed::MESH_CODE;
+pub use streamed::MeshPlace;
 pub(crate) use visible::VisiblePrimitive;
 
 /// Room of a queue, in batches. Each depth from the second on has a queue.
@@ -80,6 +85,8 @@ pub struct SceneBlock {
     objects: Vec<Range<usize>>,
     parts: Vec<PrimitiveId>,
     chains: Chains,
+    /// The mesh, if it is in main memory.
+    streamed: Option<Streamed>,
     block: Block,
     /// The eye that the block is written for.
     eye: Option<DVec3>,
@@ -123,14 +130,25 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
-        Self::with_spare(scene, options, shader, Spare::default())
+        if may_stay(scene) {
+            let spare = Spare::default();
+            match Self::with_spare(scene, options, shader, spare, None) {
+                Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. })
+                    if scene.mesh.is_some() => {}
+                done => return done,
+            }
+        }
+        let streamed = Streamed::of(scene)?;
+        Self::with_spare(scene, options, shader, Spare::default(), streamed)
     }
 
+    /// Without `streamed`, a mesh is in local store.
     fn with_spare(
         scene: &Scene,
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
         spare: Spare,
+        mut streamed: Option<Streamed>,
     ) -> Result<Self, BlockError> {
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
             return Err(BlockError::RayDepth(options.ray_depth));
@@ -145,10 +163,17 @@ impl SceneBlock {
             found,
             objects,
             mut parts,
-        } = Found::of(scene, options.ray_depth)?;
+        } = Found::of(scene, options.ray_depth, streamed.is_some())?;
         let mut materials = vec![None; scene.materials.len()];
-        for object in found.iter().flatten() {
-            let index = object.material as usize;
+        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers.
+        let mut used: Vec<u32> = Vec::new();
+        if let Some(streamed) = &mut streamed {
+            streamed.materials = block.end();
+            used.extend(streamed.blocks.materials());
+        }
+        used.extend(found.iter().flatten().map(|object| object.material));
+        for index in used {
+            let index = index as usize;
             if materials[index].is_none() {
                 let material = &scene.materials[index];
                 let record = materials::record(&scene.name, material, options, shader)?;
@@ -190,6 +215,7 @@ impl SceneBlock {
             objects,
             parts,
             chains: Chains::UNBOUNDED,
+            streamed,
             block,
             eye: None,
         };
@@ -215,6 +241,8 @@ impl SceneBlock {
             primitives.write(eye, is_other_eye, &mut self.block);
         }
         let leave = self.primitives.iter().map(Primitives::leave);
+        let streamed = self.streamed.as_ref();
+        let leave = leave.chain(streamed.map(|streamed| streamed.leave(eye)));
         let leave = leave.fold(0.0, f64::max);
         let size = size_of::<layout::Light>();
         let places = (self.light_address..).step_by(size);
@@ -278,8 +306,23 @@ impl SceneBlock {
 
     /// The number of packets in a batch that there is room for with chains of `ray_depth` rays.
     fn batch_at(&self, ray_depth: u32) -> Option<u32> {
-        let fits = |batch: &u32| self.bytes().len() <= room(*batch, ray_depth);
+        let fits = |batch: &u32| self.bytes().len() <= self.room(*batch, ray_depth);
         (1..=MAX_BATCH).rev().find(fits)
+    }
+
+    /// The bytes that the queues of rays, and a mesh's cache and code, leave for the scene.
+    fn room(&self, batch: u32, ray_depth: u32) -> usize {
+        let mesh = self.streamed.as_ref().map_or(0, |_| LEAST_ROOM);
+        room(batch, ray_depth).saturating_sub(mesh)
+    }
+
+    /// The mesh that SPUs stream from main memory; `None` if the scene has none, or if it is small
+    /// enough to be in local store.
+    #[must_use]
+    pub fn mesh(&self) -> Option<MeshPlace<'_>> {
+        let streamed = self.streamed.as_ref()?;
+        let queues = queue_bytes(self.batch(), self.ray_depth());
+        Some(streamed.place(self.bytes().len() + queues, self.eye.unwrap_or_default()))
     }
 
     /// Computes the bounds of the chains from the scene's materials and lights. Call it after
@@ -294,7 +337,7 @@ impl SceneBlock {
     }
 
     fn check_room(&self) -> Result<(), BlockError> {
-        let (needed, room) = (self.bytes().len(), room(1, self.ray_depth()));
+        let (needed, room) = (self.bytes().len(), self.room(1, self.ray_depth()));
         if needed <= room {
             return Ok(());
         }
@@ -315,8 +358,13 @@ impl SceneBlock {
 
 /// The bytes that the queues of rays leave for a scene.
 fn room(batch: u32, ray_depth: u32) -> usize {
+    (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
+}
+
+/// The bytes of all queues of rays.
+fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
     let queued = QUEUES * PACKET * size_of::<QueuedRay>();
-    (SCENE_ROOM as usize).saturating_sub(queued * (batch * (ray_depth - 1)) as usize)
+    queued * (batch * (ray_depth - 1)) as usize
 }
 
 /// Begins a block with the background's object, for rays that hit nothing.
@@ -353,6 +401,12 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
     scene.lights.iter().map(light).collect()
 }
 
+/// A mesh's triangles as shapes, each with its material, and whether it is seen from both sides.
+fn of_mesh(mesh: &Arc<nff::Mesh>) -> impl Iterator<Item = (nff::Shape, u32, bool)> {
+    let triangles = mesh.materials.iter().enumerate();
+    triangles.map(|(triangle, &material)| (mesh.shape(triangle), material, mesh.two_sided))
+}
+
 /// The primitives of a scene's objects.
 #[derive(Default)]
 struct Found {
@@ -364,7 +418,8 @@ struct Found {
 }
 
 impl Found {
-    fn of(scene: &Scene, ray_depth: u32) -> Result<Self, BlockError> {
+    /// `is_streamed` tells whether the scene's mesh is in main memory, and left out here.
+    fn of(scene: &Scene, ray_depth: u32, is_streamed: bool) -> Result<Self, BlockError> {
         let Self {
             mut found,
             mut objects,
@@ -410,6 +465,39 @@ impl Found {
                 })?;
             }
             objects.push(first..parts.len());
+        }
+        // A mesh in local store: its triangles are no objects of the scene, and come after them.
+        for triangle in scene.mesh.iter().filter(|_| !is_streamed).flat_map(of_mesh) {
+            let (shape, index, two_sided) = triangle;
+            let kind = PrimitiveKind::Triangle;
+            let place = SourceLocation {
+                file: &scene.name,
+                line: None,
+            };
+            let Some(material) = scene.materials.get(index as usize) else {
+                continue;
+            };
+            objects::of_shape(&shape, material, place, &mut |primitive, sides| {
+                counts[kind as usize] += 1;
+                if found[kind as usize].len() == most {
+                    too_many.get_or_insert((place, kind));
+                    return Ok(());
+                }
+                parts.push(PrimitiveId {
+                    kind,
+                    slot: found[kind as usize].len(),
+                });
+                found[kind as usize].push(Object {
+                    primitive,
+                    sides: if two_sided {
+                        sides | layout::SIDES_BOTH
+                    } else {
+                        sides
+                    },
+                    material: index,
+                });
+                Ok(())
+            })?;
         }
         if let Some((place, kind)) = too_many {
             return Err(BlockError::TooManyObjects {

@@ -18,7 +18,9 @@ pub(super) struct SourceLocation<'a> {
 impl fmt::Display for SourceLocation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.file)?;
-        self.line.map_or(Ok(()), |line| write!(f, ":{line}"))
+        // What no file has a line for has line 0.
+        let line = self.line.filter(|&line| line > 0);
+        line.map_or(Ok(()), |line| write!(f, ":{line}"))
     }
 }
 

@@ -4,6 +4,7 @@ mod bvh;
 mod chains;
 mod records;
 mod refusals;
+mod streamed;
 mod traced;
 
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};

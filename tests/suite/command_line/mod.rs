@@ -3,6 +3,7 @@
 mod beside;
 mod formulations;
 mod inspect;
+mod meshes;
 mod newcomer;
 mod sequence;
 mod silence;

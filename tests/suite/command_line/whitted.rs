@@ -137,11 +137,7 @@ fn a_scene_that_is_too_large_says_how_much_of_it_fits() {
     bad(&["render", "sphereflake:4", "--size", "16x16"], &parts);
     bad(
         &["render", "tetra:5", "--size", "16x16"],
-        &[
-            "tetra",
-            "more than 1024 triangles: the scene has about 4096; about ",
-            " of its 4096 triangles fit",
-        ],
+        &["tetra:5: 4096 triangles do not fit the local store, and the SPU program can't stream"],
     );
     let parts = [
         "bytes of local store",

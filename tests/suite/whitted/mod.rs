@@ -4,6 +4,7 @@ mod chains;
 mod counts;
 mod frame;
 mod invariance;
+mod meshes;
 mod pictures;
 mod placed;
 mod polygons;

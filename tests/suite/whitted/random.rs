@@ -54,6 +54,7 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
             })
             .collect(),
         materials,
+        mesh: None,
     };
     let is_vast = |object: &Object| matches!(object.shape, Shape::Sphere { radius, .. } if radius.abs() >= VAST);
     let vast = scene.objects.iter().any(is_vast);

@@ -126,6 +126,7 @@ impl Product {
                 material: 0,
                 shape,
             }],
+            mesh: None,
         };
         let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;
         let (tree, size) = kind.record();

@@ -4,6 +4,7 @@ mod analytic;
 mod counts;
 mod faults;
 mod light;
+mod meshes;
 mod shaders;
 
 use nff::Scene;

@@ -1,0 +1,107 @@
+//! Loads OBJ, PLY and binary glTF files as scenes for Whitted's model.
+//!
+//! Owns the formats, how their materials become those of [`nff::Material`], and the view and lights
+//! of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh has at
+//! least one triangle, all of its vertices and materials exist, and all its numbers are finite.
+
+mod builder;
+mod error;
+mod framing;
+mod glb;
+mod obj;
+mod ply;
+mod terrain;
+
+use std::fs::File;
+use std::io::Read as _;
+use std::path::Path;
+
+use nff::Scene;
+
+use builder::Builder;
+pub use builder::{MAX_MATERIALS, MAX_TRIANGLES};
+pub use error::{Error, Fault};
+
+/// The size in bytes of the largest file that is read.
+const MAX_FILE: u64 = 1 << 31;
+
+/// A scene, and what a user should know about how it was read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// What was left out, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply` or `.glb`,
+/// `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that [`nff::load`]
+/// knows.
+///
+/// # Errors
+/// The file can't be read, or isn't what its name says; any error of [`nff::load`].
+pub fn load(name: &Path) -> Result<Loaded, Error> {
+    let file = name.display().to_string();
+    let wrong = |fault| Error::Mesh {
+        file: file.clone(),
+        fault,
+    };
+    if let Some(level) = file.strip_prefix(terrain::PREFIX) {
+        let mut builder = Builder::default();
+        let done = terrain::generate(level, &mut builder);
+        return done.and_then(|()| builder.finish(&file)).map_err(wrong);
+    }
+    let Some(format) = Format::of(name) else {
+        let scene = nff::load(name)?;
+        return Ok(Loaded {
+            scene,
+            notes: Vec::new(),
+        });
+    };
+    let read = || -> Result<Loaded, Fault> {
+        let bytes = bytes(name)?;
+        let mut builder = Builder::default();
+        match format {
+            Format::Obj => obj::read(&bytes, name, &mut builder)?,
+            Format::Ply => ply::read(&bytes, &mut builder)?,
+            Format::Glb => glb::read(&bytes, &mut builder)?,
+        }
+        builder.finish(&file)
+    };
+    read().map_err(wrong)
+}
+
+#[derive(Clone, Copy)]
+enum Format {
+    Obj,
+    Ply,
+    Glb,
+}
+
+impl Format {
+    fn of(name: &Path) -> Option<Self> {
+        let extension = name.extension()?.to_str()?.to_ascii_lowercase();
+        match extension.as_str() {
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "glb" => Some(Self::Glb),
+            _ => None,
+        }
+    }
+}
+
+/// Reads a file that is not too large.
+fn bytes(name: &Path) -> Result<Vec<u8>, Fault> {
+    let file = File::open(name)?;
+    let size = file.metadata()?.len();
+    if size > MAX_FILE {
+        return Err(Fault::TooLarge { size });
+    }
+    let mut bytes = Vec::with_capacity(size as usize);
+    // A device or a pipe has no size, and may have no end.
+    file.take(MAX_FILE + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 {
+        size if size > MAX_FILE => Err(Fault::TooLarge { size }),
+        _ => Ok(bytes),
+    }
+}

@@ -1,0 +1,142 @@
+//! What is refused, and what the messages say.
+
+use super::files::{JSON, MTL, OBJ, PLY, binary_ply, container, glb, refusal, triangle};
+
+#[test]
+fn numbers_that_are_not_finite() {
+    for number in ["nan", "inf", "1e39"] {
+        let obj = OBJ.replace("v 1 0 0", &format!("v 1 {number} 0"));
+        assert!(
+            refusal("t.obj", obj.as_bytes()).contains("is not finite"),
+            "{number}"
+        );
+    }
+    let mut ply = binary_ply(true);
+    let second = ply.len() - 30 - 3 * 12;
+    ply[second..second + 4].copy_from_slice(&f32::NAN.to_be_bytes());
+    assert_eq!(refusal("t.ply", &ply), "vertex 1 is not finite: NaN");
+    let mut blob = triangle();
+    blob[12..16].copy_from_slice(&f32::INFINITY.to_le_bytes());
+    let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
+    assert!(
+        found.contains("mesh 0, primitive 0") && found.contains("not finite"),
+        "{found}"
+    );
+    blob = triangle();
+    blob[40..44].copy_from_slice(&f32::NAN.to_le_bytes());
+    let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
+    assert!(found.contains("normal 0 is not finite"), "{found}");
+}
+
+#[test]
+fn indices_out_of_range() {
+    let found = refusal("t.obj", OBJ.replace("f 1 2 4", "f 1 2 9").as_bytes());
+    assert!(found.contains("face vertex index out of bounds"), "{found}");
+    let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 4").as_bytes());
+    assert_eq!(
+        found,
+        "face 1 has the vertex 4, but there are only 4 vertices"
+    );
+    let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 -1").as_bytes());
+    assert_eq!(
+        found,
+        "face 1 has the vertex -1, but there are only 4 vertices"
+    );
+    let mut blob = triangle();
+    blob[74] = 7;
+    let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
+    assert!(
+        found.contains("the vertex 7, but there are only 3"),
+        "{found}"
+    );
+}
+
+#[test]
+fn files_without_triangles() {
+    assert_eq!(refusal("t.obj", b""), "the file has no triangles");
+    assert_eq!(
+        refusal("t.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n"),
+        "the file has no triangles"
+    );
+    let found = refusal("t.ply", PLY.replace("3 0 1 2\n", "2 0 1\n").as_bytes());
+    assert_eq!(found, "face 1 has 2 vertices; it needs at least 3");
+    let json = JSON.replace(r#""mesh":0,"#, "");
+    assert_eq!(
+        refusal("t.glb", &container(json.as_bytes(), &triangle())),
+        "the file has no triangles"
+    );
+}
+
+#[test]
+fn truncated_files() {
+    let found = refusal("t.ply", PLY.trim_end_matches("3 0 1 2\n").as_bytes());
+    assert!(found.starts_with("not a valid PLY file"), "{found}");
+    let binary = binary_ply(false);
+    let found = refusal("t.ply", &binary[..binary.len() - 1]);
+    assert!(found.starts_with("not a valid PLY file"), "{found}");
+    let whole = glb();
+    let found = refusal("t.glb", &whole[..whole.len() - 4]);
+    assert!(found.contains("its header states"), "{found}");
+    assert!(refusal("t.glb", b"glTF").contains("less than a header"));
+    assert!(refusal("t.glb", b"GLTF").contains("doesn't begin"));
+}
+
+#[test]
+fn chunks_of_a_wrong_length() {
+    for at in [12, 20 + JSON.len().next_multiple_of(4)] {
+        let mut file = glb();
+        file[at + 2] = 0x7f;
+        let found = refusal("t.glb", &file);
+        assert!(found.starts_with("not a valid glTF file"), "{found}");
+    }
+    let json = JSON.replace(r#""byteLength":72}"#, r#""byteLength":7200}"#);
+    let found = refusal("t.glb", &container(json.as_bytes(), &triangle()));
+    assert!(
+        found.contains("accessor 0 has 3 items, which are not all in"),
+        "{found}"
+    );
+}
+
+#[test]
+fn trees_of_nodes_with_a_cycle() {
+    let json = JSON.replace(r#"{"camera":0,"#, r#"{"children":[1],"camera":0,"#);
+    let found = refusal("t.glb", &container(json.as_bytes(), &triangle()));
+    assert!(found.contains("node 1 is in the scene twice"), "{found}");
+}
+
+#[test]
+fn a_library_with_half_a_colour() {
+    let folder = tempfile::tempdir().unwrap();
+    let obj = folder.path().join("t.obj");
+    std::fs::write(&obj, OBJ).unwrap();
+    std::fs::write(
+        folder.path().join("m.mtl"),
+        MTL.replace("Kd 1 0 0", "Kd 1 0"),
+    )
+    .unwrap();
+    let found = meshes::load(&obj).unwrap_err().to_string();
+    assert!(
+        found.ends_with("m.mtl:2: Kd needs three numbers"),
+        "{found}"
+    );
+}
+
+#[test]
+fn levels_of_terrains() {
+    for level in ["", "12", "-1", "x"] {
+        let name = format!("terrain:{level}");
+        let found = meshes::load(name.as_ref()).unwrap_err().to_string();
+        assert_eq!(
+            found,
+            format!("{name}: the level is not a whole number from 0 to 11")
+        );
+    }
+}
+
+#[test]
+fn files_that_are_not_there() {
+    let found = meshes::load("/nowhere/x.obj".as_ref())
+        .unwrap_err()
+        .to_string();
+    assert!(found.starts_with("/nowhere/x.obj: "), "{found}");
+}

@@ -1,0 +1,6 @@
+//! Files of each format, right and wrong.
+
+mod damage;
+mod faults;
+mod files;
+mod formats;

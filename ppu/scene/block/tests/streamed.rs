@@ -1,0 +1,106 @@
+//! Scenes with a mesh: what is in local store, and what in main memory.
+
+use nff::Mesh;
+use protocol::layout::{MESH_BLOCK, SIDES_BOTH};
+
+use super::*;
+
+/// A square of 2 by `rows` triangles across the z axis, with two materials.
+fn square(rows: u32) -> Scene {
+    let mut scene = scene("f 1 0 0 1 0.5 9 0 1\n");
+    let mut mesh = Mesh {
+        two_sided: true,
+        ..Mesh::default()
+    };
+    for row in 0..=rows {
+        let y = row as f32 / rows as f32;
+        mesh.positions.extend([[-1.0, y, -5.0], [1.0, y, -5.0]]);
+    }
+    for row in 0..rows {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|corner| 2 * row + corner);
+        mesh.triangles.extend([[a, b, d], [a, d, c]]);
+        mesh.materials.extend([row % 2, 1]);
+    }
+    scene.mesh = Some(Arc::new(mesh));
+    scene
+}
+
+#[test]
+fn a_small_mesh_is_in_local_store() {
+    let scene = square(10);
+    let block = of(&scene, BlockOptions::default());
+    assert!(block.mesh().is_none());
+    let leaves = block.leaves(PrimitiveKind::Triangle);
+    assert_eq!(leaves.len(), 20);
+    for address in leaves {
+        let object: &layout::Object = block.at(address);
+        assert_eq!(object.sides.get(), SIDES_BOTH);
+    }
+}
+
+#[test]
+fn a_large_mesh_is_in_main_memory() {
+    let scene = square(2000);
+    for ray_depth in [1, 2, 5] {
+        let options = BlockOptions {
+            ray_depth,
+            ..BlockOptions::default()
+        };
+        let block = of(&scene, options);
+        let mesh = block.mesh().unwrap();
+        assert_eq!(mesh.blocks.statistics().triangles, 4000);
+        assert_eq!(mesh.material_count, 2);
+        for (number, &material) in (0..).zip(mesh.blocks.materials()) {
+            let size = size_of::<layout::Material>() as u32;
+            let record: &layout::Material = block.at(U32::new(mesh.materials + number * size));
+            let colour = scene.materials[material as usize].colour;
+            assert_eq!(record.colour, singles(colour));
+        }
+        let waiting = queue_bytes(block.batch(), block.ray_depth()) as u32;
+        let used = SCENE_ADDRESS + block.bytes().len() as u32 + waiting;
+        assert!(mesh.cache >= used && mesh.cache.is_multiple_of(128));
+        assert_eq!(mesh.cache + mesh.slots * MESH_BLOCK, MESH_CODE);
+        assert!(mesh.slots >= 8, "{}", mesh.slots);
+        assert!(mesh.cache - used < MESH_BLOCK);
+    }
+}
+
+#[test]
+fn the_eye_moves_in_the_mesh_s_coordinates() {
+    let mut block = of(&square(2000), BlockOptions::default());
+    block.write_for(DVec3::new(1.0, 2.0, 3.0)).unwrap();
+    let eye = block.mesh().unwrap().eye.map(F32::get);
+    assert_eq!(eye, [1.0, 2.0, 3.0, 0.0]);
+}
+
+#[test]
+fn a_mesh_that_can_t_be_converted_names_its_file() {
+    let mut scene = square(2000);
+    let mut mesh = Mesh::clone(scene.mesh.as_deref().unwrap());
+    mesh.positions[5] = [1e30; 3];
+    scene.mesh = Some(Arc::new(mesh));
+    let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
+    let message = error.to_string();
+    assert!(
+        message.starts_with("t.nff: vertex 5 is at [1e30"),
+        "{message}"
+    );
+}
+
+#[test]
+fn a_mesh_leaves_less_room_for_objects() {
+    let mut scene = square(2000);
+    let sphere = |number: u32| nff::Object {
+        line: number,
+        material: 0,
+        shape: nff::Shape::Sphere {
+            centre: DVec3::new(f64::from(number), 0.0, -9.0),
+            radius: 0.5,
+        },
+    };
+    scene.objects.extend((0..700).map(sphere));
+    let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
+    assert!(matches!(error, BlockError::TooLarge { .. }), "{error}");
+    scene.mesh = None;
+    assert!(SceneBlock::new(&scene, BlockOptions::default(), &entry).is_ok());
+}

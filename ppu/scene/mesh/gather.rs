@@ -1,0 +1,164 @@
+//! Makes a mesh of a scene's polygons, if they are too many for local store.
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use glam::DVec3;
+use nff::{Mesh, Object, Scene, Shape, triangles, unit};
+
+/// The most triangles that stay in local store. Records and bounding volumes of more don't fit it.
+pub(crate) const RESIDENT: usize = 512;
+/// Parallelograms take one record instead of two triangles, and stay in local store if there are
+/// only this many.
+const PARALLELOGRAMS: usize = 64;
+
+/// The scene, with its polygons and patches in its mesh if they are more than fit local store.
+/// Positions become singles there.
+#[must_use]
+pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
+    let size = |object: &Object| match &object.shape {
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            vertices.len().saturating_sub(2)
+        }
+        Shape::Sphere { .. } | Shape::Cone { .. } => 0,
+    };
+    let quads = scene
+        .objects
+        .iter()
+        .filter(|object| is_quad(object))
+        .count();
+    let keeps_quads = quads <= PARALLELOGRAMS;
+    let is_moved = |object: &Object| {
+        let knows_material = (object.material as usize) < scene.materials.len();
+        size(object) > 0 && knows_material && !(keeps_quads && is_quad(object))
+    };
+    let moved = scene.objects.iter().filter(|object| is_moved(object));
+    if moved.map(size).sum::<usize>() <= RESIDENT {
+        return Cow::Borrowed(scene);
+    }
+    let mut gatherer = Gatherer::new(scene.mesh.as_deref());
+    let mut rest = Vec::new();
+    for object in &scene.objects {
+        if !is_moved(object) || !gatherer.add(object) {
+            rest.push(object.clone());
+        }
+    }
+    Cow::Owned(Scene {
+        name: scene.name.clone(),
+        view: scene.view.clone(),
+        lights: scene.lights.clone(),
+        materials: scene.materials.clone(),
+        objects: rest,
+        mesh: Some(Arc::new(gatherer.mesh)),
+        ..*scene
+    })
+}
+
+/// Whether an object is a polygon of four vertices, which may be a parallelogram.
+fn is_quad(object: &Object) -> bool {
+    matches!(&object.shape, Shape::Polygon { vertices } if vertices.len() == 4)
+}
+
+/// A vertex as bits: its position, and its normal or zeros.
+type Bits = [[u32; 3]; 2];
+
+struct Gatherer {
+    mesh: Mesh,
+    /// The vertices of the mesh that polygons share.
+    known: HashMap<Bits, u32>,
+}
+
+impl Gatherer {
+    fn new(mesh: Option<&Mesh>) -> Self {
+        let mut mesh = mesh.cloned().unwrap_or_default();
+        mesh.normals.resize(mesh.positions.len(), [0.0; 3]);
+        let known = HashMap::new();
+        Self { mesh, known }
+    }
+
+    /// Adds the triangles of a polygon; `false` if it has none, because its edges cross or a
+    /// coordinate is no single.
+    fn add(&mut self, object: &Object) -> bool {
+        let (vertices, normals) = match &object.shape {
+            Shape::Polygon { vertices } => (vertices, None),
+            Shape::Patch { vertices, normals } => (vertices, Some(normals)),
+            Shape::Sphere { .. } | Shape::Cone { .. } => return false,
+        };
+        let in_range = |vertex: &DVec3| vertex.as_vec3().is_finite();
+        if !vertices.iter().all(in_range) {
+            return false;
+        }
+        let Some(found) = triangles(vertices) else {
+            return false;
+        };
+        for triangle in found {
+            let corners = triangle.map(|corner| {
+                let corner = corner as usize;
+                let normal = normals.and_then(|normals| unit(normals[corner]));
+                self.vertex(vertices[corner], normal.unwrap_or_default())
+            });
+            self.mesh.triangles.push(corners);
+            self.mesh.materials.push(object.material);
+        }
+        true
+    }
+
+    fn vertex(&mut self, position: DVec3, normal: DVec3) -> u32 {
+        let vertex = [position, normal].map(|it| it.as_vec3().to_array());
+        let bits = vertex.map(|numbers| numbers.map(f32::to_bits));
+        let Self { mesh, known } = self;
+        *known.entry(bits).or_insert_with(|| {
+            let [position, normal] = vertex;
+            mesh.positions.push(position);
+            mesh.normals.push(normal);
+            mesh.positions.len() as u32 - 1
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    fn scene(name: &str) -> Scene {
+        nff::load(Path::new(name)).expect("a scene")
+    }
+
+    #[test]
+    fn few_triangles_stay_where_they_are() {
+        let scene = scene("tetra:3");
+        assert!(matches!(gathered(&scene), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn many_triangles_share_their_vertices() {
+        let scene = scene("tetra:5");
+        let gathered = gathered(&scene);
+        assert!(gathered.objects.is_empty());
+        let mesh = gathered.mesh.as_ref().expect("a mesh");
+        assert_eq!(mesh.triangles.len(), 4096);
+        // A tetrahedron's corner is one of four around a point, or one of the six outermost.
+        assert!(mesh.positions.len() < 2100, "{}", mesh.positions.len());
+        for (triangle, object) in scene.objects.iter().enumerate() {
+            assert_eq!(mesh.shape(triangle), object.shape);
+        }
+    }
+
+    #[test]
+    fn other_shapes_stay_objects() {
+        let mut scene = scene("tetra:5");
+        scene.objects.push(Object {
+            line: 0,
+            material: 0,
+            shape: Shape::Sphere {
+                centre: DVec3::ZERO,
+                radius: 1.0,
+            },
+        });
+        let gathered = gathered(&scene);
+        assert_eq!(gathered.objects.len(), 1);
+    }
+}

@@ -1,0 +1,181 @@
+//! Meshes in the form that SPUs stream from main memory: a BVH of boxes over triangles, cut into
+//! blocks of one DMA transfer each.
+//!
+//! A block has nodes in a few complete levels, and a leaf block also its triangles with their
+//! vertices (`docs/work-unit.md`). Positions are the mesh's own singles, so a box holds exactly its
+//! vertices. The triangles are divided by the surface area heuristic until they fit a leaf block
+//! each; near that size the heuristic counts blocks instead of triangles, so that blocks get full.
+//!
+//! Invariant: every triangle with an area is in exactly one leaf block, a child's number is greater
+//! than its parent's, and all triangles of a block have the same sides. A triangle without an area
+//! is left out: no ray hits it.
+
+mod cut;
+mod gather;
+mod leaf;
+mod normal;
+mod statistics;
+mod sweep;
+#[cfg(test)]
+mod tests;
+mod tree;
+mod write;
+
+use glam::DVec3;
+use nff::{Material, Mesh};
+use protocol::layout::{MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH};
+
+use self::tree::{Bounds, Piece, Tree};
+use super::single::LARGEST;
+
+pub(crate) use self::gather::RESIDENT;
+pub use self::gather::gathered;
+pub use self::statistics::MeshStatistics;
+
+/// The kinds of sides that triangles have.
+const KINDS: [u32; 4] = [0, SIDES_BOTH, SIDES_SMOOTH, SIDES_BOTH | SIDES_SMOOTH];
+
+/// Why a mesh can't be converted.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MeshError {
+    /// No triangle has an area.
+    #[error("none of the mesh's {0} triangles has an area")]
+    NoArea(usize),
+    /// A coordinate is outside of the range in which the SPU's single format can hold its square.
+    #[error("vertex {vertex} is at {position:?}: coordinates must be at most 2^62")]
+    OutOfRange {
+        /// The vertex's index.
+        vertex: usize,
+        /// Its position.
+        position: [f32; 3],
+    },
+    /// The triangles have too many materials.
+    #[error("the mesh's triangles have {0} materials; there may be {MESH_MATERIALS}")]
+    TooManyMaterials(usize),
+    /// The triangles take too many blocks.
+    #[error("the mesh takes {0} blocks; there may be {MESH_BLOCKS}")]
+    TooManyBlocks(usize),
+}
+
+/// A block's bytes, aligned as its DMA transfer needs it.
+#[derive(Clone, Debug)]
+#[repr(C, align(128))]
+struct Block([u8; MESH_BLOCK as usize]);
+
+/// A mesh in blocks.
+#[derive(Clone, Debug)]
+pub struct MeshBlocks {
+    blocks: Vec<Block>,
+    materials: Vec<u32>,
+    statistics: MeshStatistics,
+}
+
+impl MeshBlocks {
+    /// Builds the BVH of a mesh whose materials are in `materials`, and cuts it into blocks.
+    ///
+    /// # Errors
+    /// - No triangle has an area.
+    /// - A coordinate is out of range.
+    /// - There are more materials or blocks than the SPUs support.
+    ///
+    /// # Panics
+    /// A triangle has a vertex or a material that doesn't exist.
+    pub fn new(mesh: &Mesh, materials: &[Material]) -> Result<Self, MeshError> {
+        let in_range = |position: &[f32; 3]| {
+            let mut numbers = position.iter();
+            numbers.all(|number| f64::from(number.abs()) <= LARGEST)
+        };
+        if let Some(vertex) = mesh.positions.iter().position(|it| !in_range(it)) {
+            let position = mesh.positions[vertex];
+            return Err(MeshError::OutOfRange { vertex, position });
+        }
+        let both: Vec<bool> = materials
+            .iter()
+            .map(|material| mesh.two_sided || material.transmittance > 0.0)
+            .collect();
+        let mut kinds: [Vec<Piece>; 4] = Default::default();
+        let mut numbers = vec![None; materials.len()];
+        let mut used = Vec::new();
+        for (triangle, &material) in mesh.materials.iter().enumerate() {
+            let corners = mesh.corners(triangle);
+            let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+            if (b - a).cross(c - a) == DVec3::ZERO {
+                continue;
+            }
+            let material = material as usize;
+            numbers[material].get_or_insert_with(|| {
+                used.push(material as u32);
+                used.len() - 1
+            });
+            let smooth = mesh.corner_normals(triangle).is_some();
+            let kind = usize::from(both[material]) + 2 * usize::from(smooth);
+            kinds[kind].push(Piece {
+                bounds: Bounds {
+                    low: corners[0].min(corners[1]).min(corners[2]),
+                    high: corners[0].max(corners[1]).max(corners[2]),
+                },
+                triangle: triangle as u32,
+            });
+        }
+        if used.is_empty() {
+            return Err(MeshError::NoArea(mesh.triangles.len()));
+        }
+        if used.len() > MESH_MATERIALS as usize {
+            return Err(MeshError::TooManyMaterials(used.len()));
+        }
+
+        let ranges = kinds.each_ref().map(Vec::len);
+        let mut tree = Tree::new(mesh, kinds.concat());
+        let mut start = 0;
+        let mut root = None;
+        // The sides of the pieces before each index.
+        let mut ends = Vec::new();
+        for (length, sides) in ranges.into_iter().zip(KINDS) {
+            if length > 0 {
+                let grown = tree.grow(start..start + length);
+                root = Some(root.map_or(grown, |root| tree.join([root, grown])));
+                start += length;
+                ends.push((start, sides));
+            }
+        }
+        let Some(root) = root else {
+            return Err(MeshError::NoArea(mesh.triangles.len()));
+        };
+        let numbers = numbers.into_iter().map(|it| it.unwrap_or_default() as u8);
+        write::blocks(mesh, tree, root, &ends, &numbers.collect::<Vec<_>>(), used)
+    }
+
+    /// The number of blocks.
+    #[must_use]
+    pub fn count(&self) -> u32 {
+        self.blocks.len() as u32
+    }
+
+    /// The bytes of all blocks, aligned to 128 bytes. SPUs read them by their address.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        let start = self.blocks.as_ptr().cast::<u8>();
+        // SAFETY: the blocks are arrays of bytes, without padding, one after another: their size is
+        // a multiple of their alignment. The slice borrows `self`, and bytes have no alignment.
+        unsafe { std::slice::from_raw_parts(start, self.blocks.len() * MESH_BLOCK as usize) }
+    }
+
+    /// The address of the first block, for SPUs.
+    #[must_use]
+    pub fn address(&self) -> u64 {
+        self.blocks.as_ptr().expose_provenance() as u64
+    }
+
+    /// The materials of the triangles, as indices in the scene's materials, in the order of their
+    /// numbers in blocks.
+    #[must_use]
+    pub fn materials(&self) -> &[u32] {
+        &self.materials
+    }
+
+    /// How large the blocks are, and how much work they are for a ray.
+    #[must_use]
+    pub fn statistics(&self) -> MeshStatistics {
+        self.statistics
+    }
+}

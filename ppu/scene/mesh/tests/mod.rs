@@ -1,0 +1,7 @@
+//! The blocks of meshes, right in every field, and traced in `f64`.
+
+mod meshes;
+mod refusals;
+mod structure;
+mod traced;
+mod valid;

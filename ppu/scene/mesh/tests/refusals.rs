@@ -1,0 +1,42 @@
+//! Meshes that can't be converted.
+
+use super::super::{MeshBlocks, MeshError};
+use super::meshes::{materials, mesh, soup};
+
+fn refused(mesh: &nff::Mesh, materials: &[nff::Material]) -> String {
+    MeshBlocks::new(mesh, materials).unwrap_err().to_string()
+}
+
+#[test]
+fn meshes_without_an_area() {
+    let flat = mesh(vec![[1.0; 3]; 3], vec![[0, 1, 2]; 2]);
+    let message = "none of the mesh's 2 triangles has an area";
+    assert_eq!(refused(&flat, &materials()), message);
+    let empty = mesh(Vec::new(), Vec::new());
+    assert_eq!(
+        MeshBlocks::new(&empty, &materials()).unwrap_err(),
+        MeshError::NoArea(0)
+    );
+}
+
+#[test]
+fn coordinates_without_a_square() {
+    let mut large = soup(10, 1.0, 1);
+    large.positions[7][1] = 5e18;
+    assert!(refused(&large, &materials()).starts_with("vertex 7 is at ["));
+    large.positions[7][1] = f32::NAN;
+    assert!(refused(&large, &materials()).starts_with("vertex 7 is at ["));
+}
+
+#[test]
+fn more_materials_than_an_index_tells() {
+    let mut colourful = soup(300, 1.0, 1);
+    let materials = vec![materials().remove(0); 300];
+    for (index, material) in colourful.materials.iter_mut().enumerate() {
+        *material = (index as u32).min(256);
+    }
+    let message = "the mesh's triangles have 257 materials; there may be 256";
+    assert_eq!(refused(&colourful, &materials), message);
+    colourful.materials[256..].fill(7);
+    assert!(MeshBlocks::new(&colourful, &materials).is_ok());
+}

@@ -1,0 +1,99 @@
+//! Every triangle in exactly one leaf, boxes as small as they can be, numbers in order.
+
+use super::super::MeshBlocks;
+use super::meshes::{ball, materials, mesh, soup};
+use super::valid::check;
+
+fn checked(mesh: &nff::Mesh) -> MeshBlocks {
+    let materials = materials();
+    let blocks = MeshBlocks::new(mesh, &materials).unwrap();
+    check(mesh, &materials, &blocks);
+    assert_eq!(blocks.bytes().as_ptr().addr() % 128, 0);
+    blocks
+}
+
+#[test]
+fn meshes_of_all_sizes() {
+    for count in [1, 2, 8, 9, 16, 17, 60, 300, 5000] {
+        checked(&soup(count, 0.1, u64::from(count)));
+        checked(&soup(count, 3.0, u64::from(count)));
+    }
+    for rows in [2, 3, 10, 60] {
+        checked(&ball(rows));
+    }
+}
+
+#[test]
+fn a_single_triangle_is_one_leaf() {
+    assert_eq!(checked(&soup(1, 1.0, 1)).count(), 1);
+}
+
+#[test]
+fn triangles_in_one_place_and_in_a_line() {
+    let positions = vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    checked(&mesh(positions, vec![[0, 1, 2]; 1000]));
+    let mut line = soup(1000, 1e-3, 5);
+    for position in &mut line.positions {
+        position[1] *= 1e-6;
+        position[2] *= 1e-6;
+    }
+    checked(&line);
+}
+
+#[test]
+fn triangles_whose_sizes_have_all_magnitudes() {
+    let mut wide = soup(600, 0.5, 6);
+    for (index, position) in wide.positions.iter_mut().enumerate() {
+        let scale = libm::exp2(120.0 * (index / 3) as f64 / 600.0 - 60.0) as f32;
+        *position = position.map(|number| number * scale);
+    }
+    checked(&wide);
+}
+
+#[test]
+fn triangles_without_an_area_are_left_out() {
+    let mut found = soup(100, 0.2, 7);
+    found.triangles[3] = [5, 5, 7];
+    found.triangles[4] = [1, 1, 1];
+    found.positions[30] = [0.0, 0.0, 0.0];
+    found.positions[31] = [0.25, 0.5, 1.0];
+    found.positions[32] = [0.5, 1.0, 2.0];
+    let statistics = checked(&found).statistics();
+    assert_eq!((statistics.triangles, statistics.left_out), (97, 3));
+}
+
+#[test]
+fn blocks_don_t_mix_sides() {
+    let mut mixed = ball(20);
+    mixed.normals = mixed.positions.clone();
+    for (index, normal) in mixed.normals.iter_mut().enumerate() {
+        if index % 3 == 0 {
+            *normal = [0.0; 3];
+        }
+    }
+    for (index, material) in mixed.materials.iter_mut().enumerate() {
+        *material = (index % 5 == 0).into();
+    }
+    checked(&mixed);
+    mixed.two_sided = true;
+    checked(&mixed);
+}
+
+#[test]
+fn blocks_are_full() {
+    let blocks = checked(&ball(100));
+    let statistics = blocks.statistics();
+    // At the poles a triangle of each square has no area, as far as rounding leaves none.
+    assert_eq!(statistics.triangles + statistics.left_out, 40_000);
+    assert!(statistics.left_out >= 200, "{statistics:?}");
+    let bytes = statistics.bytes_a_triangle();
+    assert!(bytes < 29.0, "{bytes} {statistics:?}");
+    assert!(statistics.inner * 16 < statistics.leaves, "{statistics:?}");
+    assert!(statistics.expected_triangles < 40.0, "{statistics:?}");
+}
+
+#[test]
+fn the_same_mesh_makes_the_same_bytes() {
+    let mesh = ball(30);
+    assert_eq!(checked(&mesh).bytes(), checked(&mesh).bytes());
+}

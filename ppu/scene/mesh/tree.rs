@@ -1,0 +1,251 @@
+//! A binary tree over a mesh's triangles, by the surface area heuristic in bins. Its leaves are the
+//! contents of leaf blocks.
+//!
+//! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a block.
+
+use std::ops::Range;
+
+use super::sweep::sweep;
+use glam::Vec3;
+use nff::Mesh;
+use protocol::layout::{Boxes, MESH_BLOCK, MESH_FACES, MeshFace, MeshHeader, MeshVertex};
+
+/// Bins of an axis.
+const BINS: usize = 16;
+/// The part of a leaf block's room that its triangles are planned to take. Blocks differ in how
+/// many vertices are on their border, and pieces that don't fit become two blocks.
+const FILL: f64 = 0.82;
+/// Nodes of a leaf block with two levels.
+const LEAF_NODES: usize = 5;
+/// Up to so many blocks' triangles are divided into whole blocks.
+const FEW_BLOCKS: usize = 8;
+
+/// A box; without points its lower corner is above its upper one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bounds {
+    pub low: Vec3,
+    pub high: Vec3,
+}
+
+impl Bounds {
+    pub const EMPTY: Self = Self {
+        low: Vec3::INFINITY,
+        high: Vec3::NEG_INFINITY,
+    };
+
+    pub fn with(self, other: Self) -> Self {
+        Self {
+            low: self.low.min(other.low),
+            high: self.high.max(other.high),
+        }
+    }
+
+    /// Half of its surface; 0 if it is empty.
+    pub fn area(self) -> f64 {
+        let size = (self.high - self.low).as_dvec3();
+        if size.min_element() < 0.0 {
+            return 0.0;
+        }
+        size.x * size.y + size.y * size.z + size.z * size.x
+    }
+}
+
+/// A triangle and its box.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece {
+    pub bounds: Bounds,
+    /// The triangle's index in the mesh.
+    pub triangle: u32,
+}
+
+impl Piece {
+    /// Twice the middle of its box.
+    pub fn middle(&self) -> Vec3 {
+        // Half first: the sum of two coordinates may be beyond the largest single.
+        self.bounds.low * 0.5 + self.bounds.high * 0.5
+    }
+}
+
+/// The box around pieces.
+pub(super) fn around(pieces: &[Piece]) -> Bounds {
+    let boxes = pieces.iter().map(|piece| piece.bounds);
+    boxes.fold(Bounds::EMPTY, Bounds::with)
+}
+
+/// A node of the tree.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub bounds: Bounds,
+    /// The pieces below it.
+    pub pieces: Range<usize>,
+    /// The number of leaves below it, or 1 if it is one.
+    pub leaves: usize,
+    /// The nodes below it, if it is not a leaf.
+    pub halves: Option<[usize; 2]>,
+}
+
+/// Grows trees. The pieces change their order.
+pub(super) struct Tree<'a> {
+    mesh: &'a Mesh,
+    pub pieces: Vec<Piece>,
+    pub nodes: Vec<Node>,
+    /// About how many triangles a leaf block holds.
+    capacity: usize,
+    /// For each vertex the last leaf that it was counted for.
+    counted: Vec<u32>,
+    count: u32,
+}
+
+impl<'a> Tree<'a> {
+    pub fn new(mesh: &'a Mesh, pieces: Vec<Piece>) -> Self {
+        let shared = mesh.positions.len().min(3 * pieces.len()) as f64 / pieces.len().max(1) as f64;
+        // The vertices on the border of a block's triangles are in other blocks, too.
+        let vertices = (1.2 * shared).min(3.0);
+        let room = MESH_BLOCK as usize - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
+        let each = size_of::<MeshFace>() as f64 + vertices * size_of::<MeshVertex>() as f64;
+        Self {
+            mesh,
+            pieces,
+            nodes: Vec::new(),
+            capacity: ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize),
+            counted: vec![0; mesh.positions.len()],
+            count: 0,
+        }
+    }
+
+    /// Grows the tree of some pieces, and returns the index of its root.
+    pub fn grow(&mut self, pieces: Range<usize>) -> usize {
+        let bounds = around(&self.pieces[pieces.clone()]);
+        if self.fits(pieces.clone()) {
+            self.nodes.push(Node {
+                bounds,
+                pieces,
+                leaves: 1,
+                halves: None,
+            });
+            return self.nodes.len() - 1;
+        }
+        let middle = pieces.start + split(&mut self.pieces[pieces.clone()], self.capacity);
+        let halves = [
+            self.grow(pieces.start..middle),
+            self.grow(middle..pieces.end),
+        ];
+        self.join(halves)
+    }
+
+    /// Puts a node above two, whose pieces follow each other.
+    pub fn join(&mut self, halves: [usize; 2]) -> usize {
+        let [first, second] = halves.map(|half| &self.nodes[half]);
+        let node = Node {
+            bounds: first.bounds.with(second.bounds),
+            pieces: first.pieces.start..second.pieces.end,
+            leaves: first.leaves + second.leaves,
+            halves: Some(halves),
+        };
+        self.nodes.push(node);
+        self.nodes.len() - 1
+    }
+
+    /// Whether a leaf block has room for pieces.
+    fn fits(&mut self, pieces: Range<usize>) -> bool {
+        if pieces.len() > MESH_FACES as usize {
+            return false;
+        }
+        self.count += 1;
+        let mut vertices = 0;
+        for piece in &self.pieces[pieces.clone()] {
+            for vertex in self.mesh.triangles[piece.triangle as usize] {
+                let last = &mut self.counted[vertex as usize];
+                vertices += usize::from(*last != self.count);
+                *last = self.count;
+            }
+        }
+        let needed = size_of::<MeshHeader>()
+            + LEAF_NODES * size_of::<Boxes>()
+            + vertices * size_of::<MeshVertex>()
+            + pieces.len() * size_of::<MeshFace>();
+        needed <= MESH_BLOCK as usize
+    }
+}
+
+/// Sorts pieces into two parts, and returns the length of the first one. Neither is empty.
+fn split(pieces: &mut [Piece], capacity: usize) -> usize {
+    let count = pieces.len();
+    if count > capacity && count <= FEW_BLOCKS * capacity {
+        // Whole blocks on one side: only the last one of these pieces isn't full.
+        let blocks = |count: usize| count.div_ceil(capacity);
+        return sweep(pieces, &|index| {
+            let is_whole = index % capacity == 0 || (count - index) % capacity == 0;
+            is_whole.then_some([blocks(index), blocks(count - index)])
+        });
+    }
+    let mut span = Bounds::EMPTY;
+    for piece in &*pieces {
+        let middle = piece.middle();
+        span = span.with(Bounds {
+            low: middle,
+            high: middle,
+        });
+    }
+    let Some((axis, scale, bin)) = best(pieces, span) else {
+        // All pieces have the same middle.
+        return pieces.len() / 2;
+    };
+    let mut first = 0;
+    for index in 0..pieces.len() {
+        if bin_of(pieces[index].middle()[axis], span.low[axis], scale) <= bin {
+            pieces.swap(first, index);
+            first += 1;
+        }
+    }
+    first
+}
+
+fn bin_of(middle: f32, low: f32, scale: f32) -> usize {
+    (((middle - low) * scale) as usize).min(BINS - 1)
+}
+
+/// The axis, the bins per length, and the last bin of the first part, where the cost is least.
+fn best(pieces: &[Piece], span: Bounds) -> Option<(usize, f32, usize)> {
+    let size = span.high - span.low;
+    let scales = size.to_array().map(|size| {
+        let scale = BINS as f32 / size;
+        (size > 0.0 && scale.is_finite()).then_some(scale)
+    });
+    let mut bins = [[(Bounds::EMPTY, 0_usize); BINS]; 3];
+    for piece in pieces {
+        let middle = piece.middle();
+        for axis in 0..3 {
+            if let Some(scale) = scales[axis] {
+                let (bounds, count) = &mut bins[axis][bin_of(middle[axis], span.low[axis], scale)];
+                *bounds = bounds.with(piece.bounds);
+                *count += 1;
+            }
+        }
+    }
+    let mut best = None;
+    let mut least = f64::INFINITY;
+    for axis in 0..3 {
+        let Some(scale) = scales[axis] else { continue };
+        let bins = &bins[axis];
+        let mut after = [(Bounds::EMPTY, 0); BINS];
+        for index in (0..BINS - 1).rev() {
+            let (bounds, count) = bins[index + 1];
+            after[index] = (after[index + 1].0.with(bounds), after[index + 1].1 + count);
+        }
+        let mut before = (Bounds::EMPTY, 0);
+        for index in 0..BINS - 1 {
+            before = (before.0.with(bins[index].0), before.1 + bins[index].1);
+            let after = after[index];
+            if before.1 == 0 || after.1 == 0 {
+                continue;
+            }
+            let cost = before.0.area() * before.1 as f64 + after.0.area() * after.1 as f64;
+            if cost < least || best.is_none() {
+                least = cost;
+                best = Some((axis, scale, index));
+            }
+        }
+    }
+    best
+}

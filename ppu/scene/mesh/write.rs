@@ -1,0 +1,271 @@
+//! Writes a cut tree's blocks.
+
+use std::collections::VecDeque;
+use std::ops::Range;
+
+use nff::Mesh;
+use protocol::layout::{
+    Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MeshFace, MeshHeader,
+    MeshVertex, NO_BOX, SIDES_SMOOTH,
+};
+use zerocopy::big_endian::{F32, U32};
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+use super::cut::{Branch, cut};
+use super::leaf::{run_bounds, runs};
+use super::normal::packed;
+use super::statistics::MeshStatistics;
+use super::tree::{Bounds, Node, Tree, around};
+use super::{Block, MeshBlocks, MeshError};
+
+/// Bits of a run's word below the number of its triangles.
+const RUN_SHIFT: u32 = 16;
+
+/// Writes the blocks of a tree. `ends` has the sides of the pieces before each index, `numbers` the
+/// number in blocks of each material of the scene, and `materials` those materials.
+pub(super) fn blocks(
+    mesh: &Mesh,
+    tree: Tree<'_>,
+    root: usize,
+    ends: &[(usize, u32)],
+    numbers: &[u8],
+    materials: Vec<u32>,
+) -> Result<MeshBlocks, MeshError> {
+    let Tree {
+        mut pieces, nodes, ..
+    } = tree;
+    let mut writer = Writer {
+        nodes: &nodes,
+        numbers,
+        mesh,
+        // Boxes without a surface, of flat meshes along an axis, have edges at least.
+        whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
+        local: vec![(0, 0); mesh.positions.len()],
+        statistics: MeshStatistics {
+            triangles: pieces.len(),
+            left_out: mesh.triangles.len() - pieces.len(),
+            ..MeshStatistics::default()
+        },
+    };
+    let mut blocks: Vec<Block> = Vec::with_capacity(nodes[root].leaves * 17 / 16 + 1);
+    let mut waiting = VecDeque::from([root]);
+    let mut next = 1;
+    while let Some(at) = waiting.pop_front() {
+        let number = blocks.len() as u32;
+        let node = &nodes[at];
+        if node.halves.is_none() {
+            let sides = ends.iter().find(|(end, _)| node.pieces.start < *end);
+            let sides = sides.map_or(0, |&(_, sides)| sides);
+            let own = &mut pieces[node.pieces.clone()];
+            blocks.push(writer.leaf(number, sides, own));
+        } else {
+            let mut child = |at: usize| {
+                waiting.push_back(at);
+                next += 1;
+                next - 1
+            };
+            blocks.push(writer.inner(number, at, &mut child));
+        }
+    }
+    match blocks.len() {
+        count if count > MESH_BLOCKS as usize => Err(MeshError::TooManyBlocks(count)),
+        _ => Ok(MeshBlocks {
+            statistics: writer.statistics,
+            blocks,
+            materials,
+        }),
+    }
+}
+
+struct Writer<'a> {
+    nodes: &'a [Node],
+    numbers: &'a [u8],
+    mesh: &'a Mesh,
+    /// The surface of the whole mesh's box.
+    whole: f64,
+    /// For each vertex the last leaf block that has it, counted from 1, and its index there.
+    local: Vec<(u32, u8)>,
+    statistics: MeshStatistics,
+}
+
+/// A child of a node: its box, and its word.
+type Child = (Bounds, u32);
+
+impl Writer<'_> {
+    /// The part of all rays that meets a box.
+    fn share(&self, bounds: Bounds) -> f64 {
+        bounds.area() / self.whole
+    }
+
+    fn leaf(&mut self, number: u32, sides: u32, pieces: &mut [super::Piece]) -> Block {
+        let groups = runs(pieces);
+        let mut first = 0;
+        let mut lowest: Vec<Vec<Child>> = Vec::with_capacity(groups.len());
+        for lengths in &groups {
+            let mut children = Vec::with_capacity(lengths.len());
+            for &length in lengths {
+                let bounds = run_bounds(pieces, first, length);
+                let word = first as u32 * size_of::<MeshFace>() as u32;
+                children.push((bounds, word | (length as u32) << RUN_SHIFT));
+                self.statistics.expected_triangles += self.share(bounds) * length as f64;
+                first += length;
+            }
+            lowest.push(children);
+        }
+        self.statistics.leaves += 1;
+        let (nodes, levels) = if lowest.len() == 1 {
+            (lowest, 1)
+        } else {
+            let child =
+                |(index, children): (usize, &Vec<Child>)| (all(children), offset(1 + index));
+            let top = lowest.iter().enumerate().map(child).collect();
+            ([vec![top], lowest].concat(), 2)
+        };
+
+        let mut vertices = Vec::new();
+        let mut faces = Vec::with_capacity(pieces.len());
+        for piece in &*pieces {
+            let triangle = piece.triangle as usize;
+            let vertex = self.mesh.triangles[triangle].map(|vertex| {
+                let place = &mut self.local[vertex as usize];
+                if place.0 != number + 1 {
+                    *place = (number + 1, vertices.len() as u8);
+                    let normal = if sides & SIDES_SMOOTH != 0 {
+                        let [x, y, z] = self.mesh.normals[vertex as usize].map(f64::from);
+                        packed(glam::DVec3::new(x, y, z))
+                    } else {
+                        0
+                    };
+                    vertices.push(MeshVertex {
+                        position: self.mesh.positions[vertex as usize].map(F32::new),
+                        normal: normal.into(),
+                    });
+                }
+                place.1
+            });
+            faces.push(MeshFace {
+                vertex,
+                material: self.numbers[self.mesh.materials[triangle] as usize],
+            });
+        }
+        let header = MeshHeader {
+            triangles: (faces.len() as u32).into(),
+            vertices: (vertices.len() as u32).into(),
+            sides: sides.into(),
+            ..header(number, MESH_LEAF, levels, nodes.len())
+        };
+        self.block(
+            around(pieces),
+            &header,
+            &nodes,
+            vertices.as_bytes(),
+            faces.as_bytes(),
+        )
+    }
+
+    /// Writes an inner block. `child` gives a node of the tree a block's number.
+    fn inner(&mut self, number: u32, at: usize, child: &mut dyn FnMut(usize) -> u32) -> Block {
+        let (branches, levels) = cut(self.nodes, at);
+        let mut nodes: Vec<Vec<Child>> = Vec::new();
+        let mut level: Vec<&[Branch]> = vec![&branches];
+        let mut below = 1;
+        while !level.is_empty() {
+            let mut next: Vec<&[Branch]> = Vec::new();
+            for branches in level {
+                let children = branches.iter().map(|branch| match branch {
+                    Branch::Block(block) => (self.nodes[*block].bounds, child(*block)),
+                    Branch::Node(branches) => {
+                        next.push(branches);
+                        (self.around(branch), offset(below + next.len() - 1))
+                    }
+                });
+                nodes.push(children.collect());
+            }
+            below += next.len();
+            level = next;
+        }
+        self.statistics.inner += 1;
+        let header = header(number, MESH_INNER, levels, nodes.len());
+        self.block(self.nodes[at].bounds, &header, &nodes, &[], &[])
+    }
+
+    fn around(&self, branch: &Branch) -> Bounds {
+        match branch {
+            Branch::Block(block) => self.nodes[*block].bounds,
+            Branch::Node(branches) => {
+                let boxes = branches.iter().map(|branch| self.around(branch));
+                boxes.fold(Bounds::EMPTY, Bounds::with)
+            }
+        }
+    }
+
+    fn block(
+        &mut self,
+        bounds: Bounds,
+        header: &MeshHeader,
+        nodes: &[Vec<Child>],
+        vertices: &[u8],
+        faces: &[u8],
+    ) -> Block {
+        self.statistics.expected_blocks += self.share(bounds);
+        let mut block = Block([0; MESH_BLOCK as usize]);
+        let mut at = 0;
+        let mut put = |bytes: &[u8]| {
+            let place: Range<usize> = at..at + bytes.len();
+            block.0[place].copy_from_slice(bytes);
+            at += bytes.len();
+        };
+        put(header.as_bytes());
+        for children in nodes {
+            self.statistics.expected_nodes += self.share(all(children));
+            put(boxes(children).as_bytes());
+        }
+        put(vertices);
+        put(faces);
+        block
+    }
+}
+
+fn header(number: u32, kind: u32, levels: usize, nodes: usize) -> MeshHeader {
+    MeshHeader {
+        magic: MESH_MAGIC.into(),
+        number: number.into(),
+        kind: kind.into(),
+        levels: (levels as u32).into(),
+        nodes: (nodes as u32).into(),
+        ..MeshHeader::new_zeroed()
+    }
+}
+
+/// The offset in a block of its node `index`.
+fn offset(index: usize) -> u32 {
+    (size_of::<MeshHeader>() + index * size_of::<Boxes>()) as u32
+}
+
+fn all(children: &[Child]) -> Bounds {
+    let boxes = children.iter().map(|(bounds, _)| *bounds);
+    boxes.fold(Bounds::EMPTY, Bounds::with)
+}
+
+fn boxes(children: &[Child]) -> Boxes {
+    let none = f32::from_bits(NO_BOX);
+    let mut boxes = Boxes {
+        lo_x: [F32::new(none); 4],
+        lo_y: [F32::new(none); 4],
+        lo_z: [F32::new(none); 4],
+        hi_x: [F32::new(-none); 4],
+        hi_y: [F32::new(-none); 4],
+        hi_z: [F32::new(-none); 4],
+        child: [U32::ZERO; 4],
+    };
+    for (lane, &(Bounds { low, high }, word)) in children.iter().enumerate() {
+        boxes.lo_x[lane] = low.x.into();
+        boxes.lo_y[lane] = low.y.into();
+        boxes.lo_z[lane] = low.z.into();
+        boxes.hi_x[lane] = high.x.into();
+        boxes.hi_y[lane] = high.y.into();
+        boxes.hi_z[lane] = high.z.into();
+        boxes.child[lane] = word.into();
+    }
+    boxes
+}

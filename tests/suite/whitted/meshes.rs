@@ -1,0 +1,80 @@
+//! Meshes of few triangles, which are in local store, compared with the reference.
+
+use std::sync::Arc;
+
+use cellray::Settings;
+use glam::DVec3;
+use nff::Mesh;
+use oracle::whitted::trace;
+
+use crate::whitted::frame::{Frame, WHITTED, options, picture};
+
+const SIZE: (u32, u32) = (80, 60);
+/// Triangles from the top of the bowl to its rim, and around it.
+const ROWS: u32 = 8;
+const COLUMNS: u32 = 16;
+
+/// Half a sphere that is open at the top. With normals it is smooth, except for the lowest ring.
+fn bowl(normals: bool) -> Mesh {
+    let mut mesh = Mesh {
+        two_sided: true,
+        ..Mesh::default()
+    };
+    for row in 0..=ROWS {
+        for column in 0..COLUMNS {
+            let down = std::f64::consts::FRAC_PI_2 * f64::from(row) / f64::from(ROWS);
+            let around = std::f64::consts::TAU * f64::from(column) / f64::from(COLUMNS);
+            let (ring, height) = (libm::cos(down), -libm::sin(down));
+            let point = DVec3::new(ring * libm::cos(around), height, -ring * libm::sin(around));
+            mesh.positions.push(point.as_vec3().to_array());
+            let normal = if row + 1 < ROWS { point } else { DVec3::ZERO };
+            mesh.normals.push(normal.as_vec3().to_array());
+        }
+    }
+    for row in 0..ROWS {
+        for column in 0..COLUMNS {
+            let at = |row: u32, column: u32| row * COLUMNS + column % COLUMNS;
+            let (a, b) = (at(row, column), at(row, column + 1));
+            let (c, d) = (at(row + 1, column), at(row + 1, column + 1));
+            mesh.triangles.extend([[a, c, d], [a, d, b]]);
+            mesh.materials.extend([row % 2, row % 2]);
+        }
+    }
+    if !normals {
+        mesh.normals.clear();
+    }
+    mesh
+}
+
+fn scene(mesh: Mesh) -> nff::Scene {
+    let text = "v\nfrom 1 2.5 4\nat 0 -0.4 0\nup 0 1 0\nangle 35\nhither 0\nresolution 8 8\n\
+        b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n\
+        f 0.9 0.3 0.2 0.9 0 0 0 1\nf 0.2 0.5 0.9 0.6 0.3 30 0 1\n\
+        p 4\n-9 -1 9\n9 -1 9\n9 -1 -9\n-9 -1 -9\ns 0.2 -0.2 0.1 0.3\n";
+    let mut scene = nff::parse(text.as_bytes(), "bowl", &nff::Limits::default()).unwrap();
+    scene.mesh = Some(Arc::new(mesh));
+    scene
+}
+
+#[test]
+fn a_small_mesh_is_drawn_as_the_reference_draws_it() {
+    for normals in [false, true] {
+        let scene = scene(bowl(normals));
+        let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
+        let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
+        let compared = oracle::compare(&picture(&found.picture), &reference).unwrap();
+        assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");
+        assert!(compared.wrong_fraction < 0.01, "{compared:?}");
+
+        let without = nff::Scene {
+            mesh: None,
+            ..scene.clone()
+        };
+        let (bare, _) = trace(&without, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
+        let compared = oracle::compare(&picture(&found.picture), &bare).unwrap();
+        assert!(
+            compared.wrong_fraction > 0.1,
+            "the mesh is not in the picture"
+        );
+    }
+}
