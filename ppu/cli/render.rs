@@ -145,7 +145,7 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     }
     let recording = inspect::record()?;
     let options = &arguments.options;
-    let scene = nff::load(&options.scene)?;
+    let scene = run::load(options)?;
     let scene = run::scene(
         options,
         &scene,
