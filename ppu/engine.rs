@@ -5,6 +5,7 @@ mod records;
 mod settings;
 mod silence;
 mod spus;
+mod traced;
 mod unchecked;
 
 use image::RgbImage;
@@ -15,6 +16,7 @@ use self::records::Records;
 pub use self::settings::Settings;
 pub use self::silence::{Activity, Silence};
 use self::spus::Spus;
+pub use self::traced::{TracedTile, TracedUnits};
 pub use self::unchecked::Unchecked;
 use crate::framebuffer::{self, Framebuffer};
 use crate::scene::Scene;

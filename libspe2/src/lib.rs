@@ -27,6 +27,9 @@
 //! - `LIBSPE2_PROFILE` is the path of the profile, which records the instructions that the cycles
 //!   were spent on. It is written at the same times and needs `LIBSPE2_TIMING=1`; `spu profile`
 //!   shows it.
+//! - `LIBSPE2_TIMELINE` is the path of the timeline, which records when each SPE slept and when its
+//!   MFC moved data. It is written at the same times and needs `LIBSPE2_TIMING=1`;
+//!   `cellray render --inspect` draws it.
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 

@@ -21,6 +21,7 @@ use crate::report::ReportFile;
 const TIMING: &str = "LIBSPE2_TIMING";
 const REPORT: &str = "LIBSPE2_REPORT";
 const PROFILE: &str = "LIBSPE2_PROFILE";
+const TIMELINE: &str = "LIBSPE2_TIMELINE";
 const MFC: &str = "LIBSPE2_MFC";
 const ENGINE: &str = "LIBSPE2_ENGINE";
 const CHECK: &str = "LIBSPE2_CHECK";
@@ -33,6 +34,7 @@ pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
+    timeline: Option<ReportFile>,
 }
 
 /// Returns the machine, creating it on the first call.
@@ -42,7 +44,8 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     }
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
-    if machine.report.is_some() || machine.profile.is_some() {
+    let files = [&machine.report, &machine.profile, &machine.timeline];
+    if files.iter().any(|file| file.is_some()) {
         // SAFETY: the function takes no arguments and exists as long as the process.
         unsafe { libc::atexit(report_at_exit) };
     }
@@ -53,8 +56,8 @@ extern "C" fn report_at_exit() {
     write_reports();
 }
 
-/// Writes the report and the profile if the environment asks for them. An error goes to standard
-/// error and does not fail the call.
+/// Writes the report, the profile and the timeline if the environment asks for them. An error goes
+/// to standard error and does not fail the call.
 pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
@@ -67,6 +70,9 @@ pub(crate) fn write_reports() {
     }
     if let (Some(file), Some(profile)) = (&machine.profile, simulation.profile()) {
         tell(PROFILE, file, file.write_profile(&profile));
+    }
+    if let (Some(file), Some(timeline)) = (&machine.timeline, simulation.timeline()) {
+        tell(TIMELINE, file, file.write_timeline(&timeline));
     }
 }
 
@@ -174,9 +180,11 @@ impl Machine {
         let engine = engine(timing)?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
+        let timeline = place(TIMELINE, timing)?;
         let description = description(timing)?;
         let options = SimulationOptions {
             profile: profile.is_some(),
+            timeline: timeline.is_some(),
             method: method()?,
             engine,
         };
@@ -190,6 +198,7 @@ impl Machine {
             emulated,
             report,
             profile,
+            timeline,
         })
     }
 }

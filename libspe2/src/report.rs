@@ -1,8 +1,8 @@
-//! The report of simulated time and the profile, which are JSON files.
+//! The report of simulated time, the profile and the timeline, which are JSON files.
 //!
 //! Invariant: the file at the path is complete at every moment, because each version is written to
 //! a file next to it, which is then renamed. It contains nothing about the host, so equal runs
-//! produce equal files.
+//! produce equal files. Only a timeline has addresses of the process.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -13,10 +13,10 @@ use std::sync::{Mutex, PoisonError};
 use serde::Serialize;
 use spu_emulator::decrementer::TICKS_PER_SECOND;
 use spu_emulator::profile::SpeProfile;
-use spu_emulator::simulated::{CYCLES_PER_SECOND, Simulation, SpeReport};
-use spu_reports::{Figures, ProfileFile};
+use spu_emulator::simulated::{CYCLES_PER_SECOND, Simulation, SpeReport, Timeline};
+use spu_reports::{Figures, ProfileFile, TimelineFile};
 
-/// The path to which a report or a profile is written.
+/// The path to which a report, a profile or a timeline is written.
 pub(crate) struct ReportFile {
     path: PathBuf,
     /// Held while a version is written.
@@ -49,6 +49,13 @@ impl ReportFile {
 
     pub(crate) fn write_profile(&self, spes: &[SpeProfile]) -> io::Result<()> {
         self.write(serde_json::to_vec(&ProfileFile::new(
+            CYCLES_PER_SECOND,
+            spes,
+        ))?)
+    }
+
+    pub(crate) fn write_timeline(&self, spes: &[Timeline]) -> io::Result<()> {
+        self.write(serde_json::to_vec(&TimelineFile::new(
             CYCLES_PER_SECOND,
             spes,
         ))?)

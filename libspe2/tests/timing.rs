@@ -22,7 +22,7 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
-use spu_reports::ProfileFile;
+use spu_reports::{ProfileFile, TimelineFile};
 use spu_scheduler::code::Code;
 use spu_tool::profile::View;
 
@@ -186,6 +186,7 @@ fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     command
         .env_remove("LIBSPE2_REPORT")
         .env_remove("LIBSPE2_PROFILE")
+        .env_remove("LIBSPE2_TIMELINE")
         .env_remove("LIBSPE2_CHECK")
         .env_remove("LIBSPE2_MFC");
     command.envs(environment.iter().copied()).output().unwrap()
@@ -246,6 +247,35 @@ fn check_profile(image: &Path, report: &str, text: &str) {
     let code = Code::parse(&image).unwrap();
     let view = View::new(&code, &image, &profile).unwrap();
     assert_eq!(view.total().cycles(), profile.cycles().sum::<u64>());
+}
+
+/// Compares each SPE's timeline with its figures in the report: the sleeps by cause, the commands
+/// and their bytes.
+fn check_timeline(report: &str, text: &str) {
+    let report: Value = serde_json::from_str(report).unwrap();
+    let timeline: TimelineFile = serde_json::from_str(text).unwrap();
+    let spes = report["spes"].as_array().unwrap();
+    assert_eq!(timeline.spes.len(), spes.len());
+    for (figures, spe) in spes.iter().zip(&timeline.spes) {
+        let blocked = &figures["blocked_by"];
+        for cause in blocked.as_object().unwrap().keys() {
+            let sleeps = spe.sleeps.iter().filter(|sleep| sleep.cause == *cause);
+            let cycles: u64 = sleeps.map(|sleep| sleep.end - sleep.start).sum();
+            assert_eq!(cycles, number(blocked, cause), "{cause}");
+        }
+        assert!(spe.sleeps.windows(2).all(|two| two[0].end <= two[1].start));
+        let bytes = |kind| {
+            let those = spe
+                .transfers
+                .iter()
+                .filter(|transfer| transfer.kind == kind);
+            those.map(|transfer| transfer.bytes).sum::<u64>()
+        };
+        assert_eq!(bytes("get"), number(figures, "bytes_in"));
+        assert_eq!(bytes("put"), number(figures, "bytes_out"));
+        let commands = number(figures, "dma_commands") + number(figures, "atomic_commands");
+        assert_eq!(spe.transfers.len() as u64, commands);
+    }
 }
 
 fn number(value: &Value, name: &str) -> u64 {
@@ -382,6 +412,14 @@ fn main() {
     ];
     run_program(&image, "0", &files);
     assert_eq!(take(&path), first, "the check must find nothing");
+    let timeline = folder.path().join("timeline.json");
+    let files = [
+        ("LIBSPE2_REPORT", path.as_path()),
+        ("LIBSPE2_TIMELINE", &timeline),
+    ];
+    run_program(&image, "0", &files);
+    assert_eq!(take(&path), first, "a timeline must change nothing");
+    check_timeline(&first, &take(&timeline));
     let again = profile(&image, folder.path(), "3");
     assert_eq!(again, [with_profile, profiled]);
     // Another machine: farther away, but with the same work.

@@ -11,7 +11,7 @@ use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 use clap::Args;
 
-use super::{Outcome, run, sequence};
+use super::{Outcome, inspect, run, sequence};
 
 /// Trace a scene into a PNG file, or into a sequence of them.
 #[derive(Args)]
@@ -45,6 +45,10 @@ pub struct Arguments {
     /// Render again whenever the scene, the SPU program or a shader's source changes, until Ctrl-C
     #[arg(long, requires = "out")]
     watch: bool,
+    /// Trace one frame in simulated time, and write a page to this file that shows where its time
+    /// went: maps of the tiles, the SPUs' timelines, cycles by function and source line
+    #[arg(long, value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
+    inspect: Option<PathBuf>,
 }
 
 impl Arguments {
@@ -106,6 +110,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 fn once(arguments: &Arguments) -> Outcome {
+    if let Some(page) = &arguments.inspect {
+        return inspected(arguments, page);
+    }
     if let Some(paths) = arguments.numbered()? {
         return arguments.sequence(paths);
     }
@@ -129,4 +136,23 @@ fn once(arguments: &Arguments) -> Outcome {
     };
     let enough = |traced| traced as u64 >= arguments.frames.end;
     run::frames(&arguments.options, program, &scene, framebuffer, enough)
+}
+
+/// Traces one frame, and writes the page about it.
+fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
+    if arguments.numbered()?.is_some() || (arguments.frames.first, arguments.frames.end) != (0, 1) {
+        return Err("--inspect shows one frame: leave out --frames and the number in --out".into());
+    }
+    let recording = inspect::record()?;
+    let options = &arguments.options;
+    let scene = nff::load(&options.scene)?;
+    let scene = run::scene(
+        options,
+        &scene,
+        options.render_options(),
+        &options.program()?,
+    )?;
+    let geometry = arguments.geometry(scene.view())?;
+    let out = arguments.out.as_deref();
+    inspect::frame(options, &recording, &scene, geometry, out, page)
 }

@@ -125,6 +125,8 @@ pub enum Method {
 pub struct SimulationOptions {
     /// Whether the SPUs keep a [profile](super::Simulation::profile).
     pub profile: bool,
+    /// Whether the SPEs keep a [timeline](super::Simulation::timeline).
+    pub timeline: bool,
     /// How the SPUs' cycles are counted.
     pub method: Method,
     /// What runs their instructions. Where cycles are counted by instruction, that is the

@@ -36,6 +36,7 @@ mod spe_side;
 mod spu_clock;
 mod time;
 mod timed;
+mod timeline;
 pub mod timeout;
 #[cfg(feature = "timing-file")]
 mod timing_file;
@@ -47,6 +48,7 @@ pub use figures::{MemoryFigures, Method, PpeFigures, SimulationOptions, Timing};
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, Tenths, cycle_of_tick, ticks};
+pub use timeline::{Sleep, Timeline, Transfer};
 #[cfg(feature = "timing-file")]
 pub use timing_file::TimingFileError;
 

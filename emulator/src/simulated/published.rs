@@ -1,7 +1,9 @@
-//! The figures and the profile that an SPE publishes at one moment.
+//! The figures and the profile that an SPE publishes at one moment, and its timeline so far.
 
+use super::figures::SimulationOptions;
 use super::report::SpeReport;
 use super::spu_clock::SpuClock;
+use super::timeline::Timeline;
 use crate::mfc::Commands;
 use crate::profile::{Profile, ProgramId, ProgramProfile, SpeProfile};
 
@@ -10,6 +12,7 @@ use crate::profile::{Profile, ProgramId, ProgramProfile, SpeProfile};
 pub(super) struct Published {
     report: SpeReport,
     profiles: Option<Profiles>,
+    timeline: Option<Timeline>,
 }
 
 /// One profile for each program, in the order in which they were loaded.
@@ -20,18 +23,24 @@ struct Profiles {
 }
 
 impl Published {
-    pub fn new(profiled: bool) -> Self {
+    pub fn new(options: SimulationOptions) -> Self {
         Self {
             report: SpeReport::default(),
-            profiles: profiled.then(|| Profiles {
+            profiles: options.profile.then(|| Profiles {
                 programs: vec![(None, Profile::default())],
                 loaded: 0,
             }),
+            timeline: options.timeline.then(Timeline::default),
         }
     }
 
     pub fn report(&self) -> &SpeReport {
         &self.report
+    }
+
+    /// What the SPE did so far, if that is recorded.
+    pub fn timeline(&mut self) -> Option<&mut Timeline> {
+        self.timeline.as_mut()
     }
 
     /// The profiles of the programs that have run.

@@ -11,6 +11,7 @@ use super::published::Published;
 use super::report::Report;
 use super::scheduler::Scheduler;
 use super::time::NEVER;
+use super::timeline::Timeline;
 use crate::local_store::LocalStore;
 use crate::lock::lock;
 use crate::mfc::timing::{InFlight, PendingWrite};
@@ -82,7 +83,7 @@ impl Simulation {
     /// Adds an SPE. Returns its number, and the place where it publishes its figures.
     pub(super) fn add_spe(&self) -> (u64, Arc<Mutex<Published>>) {
         let mut spes = lock(&self.spes);
-        let published = Arc::new(Mutex::new(Published::new(self.options.profile)));
+        let published = Arc::new(Mutex::new(Published::new(self.options)));
         spes.push(Arc::clone(&published));
         (spes.len() as u64 - 1, published)
     }
@@ -131,6 +132,14 @@ impl Simulation {
             let spes = lock(&self.spes);
             spes.iter().map(|spe| lock(spe).profile()).collect()
         })
+    }
+
+    /// The timeline of every SPE so far. `None` if the machine does not record one.
+    #[must_use]
+    pub fn timeline(&self) -> Option<Vec<Timeline>> {
+        let spes = lock(&self.spes);
+        let timeline = |spe: &Arc<Mutex<Published>>| lock(spe).timeline().cloned();
+        spes.iter().map(timeline).collect()
     }
 }
 

@@ -12,6 +12,7 @@ use super::published::Published;
 use super::scheduler::Actor;
 use super::simulation::Simulation;
 use super::spu_clock::{SpuClock, Wait};
+use super::timeline::Timeline;
 use super::transfers::SpuTransfers;
 use crate::lock::lock;
 use crate::mfc::command::{Command, Operation};
@@ -120,7 +121,21 @@ impl SpeSide {
         pause: Option<Duration>,
     ) {
         let now = self.actor.sleep(self.key, limit, pause);
-        clock.borrow_mut().sleep(now, wait);
+        self.sleep_until(clock, now, wait);
+    }
+
+    /// Lets the SPU sleep until `cycle`, whatever other actors do.
+    pub fn sleep_until(&self, clock: &RefCell<SpuClock>, cycle: u64, wait: Wait) {
+        let began = clock.borrow().now();
+        clock.borrow_mut().sleep(cycle, wait);
+        self.record(|timeline| timeline.sleep(began, cycle, wait));
+    }
+
+    /// Adds to the timeline, if there is one.
+    fn record(&self, add: impl FnOnce(&mut Timeline)) {
+        if self.simulation.options().timeline {
+            lock(&self.published).timeline().map(add);
+        }
     }
 
     /// Times the commands that were just carried out.
@@ -132,7 +147,12 @@ impl SpeSide {
                     let Command { operation, ea, .. } = movement.command;
                     let mut peers = movement.pieces.iter().map(|piece| piece.peer);
                     let only_memory = peers.all(|peer| peer == Peer::Memory);
+                    let bytes = movement.pieces.iter().map(|piece| u64::from(piece.size));
+                    let bytes = bytes.sum();
                     let complete = transfers.add(movement, now);
+                    self.record(|timeline| {
+                        timeline.transfer((now, complete), operation, ea, bytes);
+                    });
                     if operation == Operation::SendSignal {
                         interconnect.signal_arrives(ea, complete);
                     } else if !only_memory {

@@ -35,6 +35,19 @@ impl Wait {
         }
     }
 
+    /// The name of the cause, that of its field in [`Waits`].
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Mailbox => "mailbox",
+            Self::Signal => "signal",
+            Self::Event => "event",
+            Self::Tag => "tag",
+            Self::List => "list",
+            Self::Atomic => "atomic",
+            Self::Queue => "queue",
+        }
+    }
+
     fn of(self, waits: &mut Waits) -> &mut u64 {
         match self {
             Self::Mailbox => &mut waits.mailbox,

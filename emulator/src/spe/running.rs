@@ -86,7 +86,9 @@ impl<'a> RunningChannels<'a> {
 
     /// Sleeps until `cycle`. Nothing wakes the SPU earlier.
     pub(super) fn sleep_until(&self, cycle: u64, wait: Wait) {
-        self.clock.borrow_mut().sleep(cycle, wait);
+        if let Some(side) = self.simulated() {
+            side.sleep_until(self.clock, cycle, wait);
+        }
     }
 
     /// In simulated time: makes the completion of commands visible to the program.

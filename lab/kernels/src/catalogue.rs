@@ -39,7 +39,7 @@ pub enum Objects {
 }
 
 /// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
-const FAMILIES: [(&[Kernel], &[&str]); 11] = [
+const FAMILIES: [(&[Kernel], &[&str]); 12] = [
     (eye::KERNELS, &["eye::"]),
     (
         eye::formulation::KERNELS,
@@ -54,6 +54,7 @@ const FAMILIES: [(&[Kernel], &[&str]); 11] = [
     (whitted::smooth::KERNELS, &["pairs::smooth"]),
     (whitted::shaders::KERNELS, &["shaders::"]),
     (whitted::bounce::KERNELS, &["bounce::"]),
+    (whitted::mesh::KERNELS, &["mesh::"]),
 ];
 
 /// All kernels that have cases.

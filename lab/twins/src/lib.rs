@@ -18,6 +18,8 @@ pub mod light;
 pub mod lists;
 pub mod load_rays;
 pub mod math;
+pub mod mesh;
+pub mod mesh_pairs;
 pub mod pack;
 pub mod pairs;
 pub mod primary_rays;

@@ -1,9 +1,9 @@
-//! Records of meshes: the blocks that stay in main memory, and what a packet is in local store while
-//! it is traced through them.
+//! Records of meshes: the blocks that stay in main memory, and what a packet is in local store
+//! while it is traced through them.
 //!
-//! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then `MESH_VERTEX`
-//! and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates until a block is
-//! in local store, and relative to the eye there.
+//! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
+//! `MESH_VERTEX` and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates
+//! until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -99,8 +99,10 @@ record! {
         far_shift_y: [F32; 4],
         /// The same, z.
         far_shift_z: [F32; 4],
+        /// Upper half of the single by which the origins are moved apart; its last two bits are 0.
+        slack: U16,
         /// Offset in `BOXES` of the planes that are met first: of `lo_x` or of `hi_x`.
-        near_plane_x: U32,
+        near_plane_x: U16,
         /// The same, of `lo_y` or `hi_y`.
         near_plane_y: U16,
         /// The same, of `lo_z` or `hi_z`.

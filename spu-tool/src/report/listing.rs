@@ -50,7 +50,7 @@ fn summary(schedule: &Schedule) -> String {
 }
 
 /// The instructions, pairs and stalls of an account.
-fn tally(account: &Account) -> String {
+pub(super) fn tally(account: &Account) -> String {
     let mut text = format!(
         "{} instructions, {} dual ({:.0} % of the issuing cycles), {} stalled",
         account.instructions(),
@@ -120,7 +120,7 @@ fn describe_loop(text: &mut String, code: &Code, found: &Loop) {
 }
 
 /// Formats whole numbers without a fraction.
-fn number(value: f64) -> String {
+pub(super) fn number(value: f64) -> String {
     if value.fract() == 0.0 {
         format!("{value:.0}")
     } else {

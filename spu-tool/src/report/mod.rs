@@ -1,7 +1,8 @@
-//! What `spu time` reports about a file: the analysis from which the listing and the JSON are
-//! made.
+//! What `spu time` reports about a file: the analysis from which the listing, the JSON and the
+//! HTML page are made.
 
 mod function;
+mod html;
 mod json;
 mod listing;
 
@@ -62,5 +63,12 @@ impl<'a> Report<'a> {
     #[must_use]
     pub fn json(&self) -> String {
         json::document(self.code, &self.functions)
+    }
+
+    /// The report as one HTML page, with a diagram of the pipelines for each schedule. It loads
+    /// nothing else. `title` is shown as the name of what was analysed.
+    #[must_use]
+    pub fn html(&self, title: &str) -> String {
+        html::page(self.code, title, &self.functions)
     }
 }

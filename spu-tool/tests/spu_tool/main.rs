@@ -10,6 +10,7 @@ mod faults;
 mod gdb;
 mod hour;
 mod observe;
+mod page;
 mod profile;
 mod random;
 mod report;

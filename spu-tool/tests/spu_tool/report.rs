@@ -131,6 +131,7 @@ fn damaged_files_do_no_harm() {
                     let report = Report::new(&code, None, Rules::default()).unwrap();
                     assert!(report.json().len() >= report.functions().len());
                     assert!(report.text().len() >= report.functions().len());
+                    assert!(report.html(name).ends_with("</html>"));
                 }
             }
         }

@@ -66,6 +66,23 @@ fn the_listing_and_the_json_go_to_standard_output() {
 }
 
 #[test]
+fn the_page_goes_to_its_file_and_its_size_is_told() {
+    let built = build(&saxpy().replace("loop", "\"a<b>&c\""));
+    let output = time(built.path(), &["--html", "page.html", "program"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert_eq!(out(&output), "");
+    let page = fs::read_to_string(built.path().join("page.html")).unwrap();
+    assert_eq!(
+        stderr(&output),
+        format!("page.html: {} bytes\n", page.len())
+    );
+    assert!(page.contains("a&lt;b&gt;&amp;c:"), "{page}");
+    let nowhere = time(built.path(), &["--html", "nowhere/page.html", "program"]);
+    assert!(stderr(&nowhere).contains("nowhere/page.html: "));
+    assert!(!nowhere.status.success());
+}
+
+#[test]
 fn switches_reach_the_model() {
     // Without its hint, a pass of nine cycles has a miss: 18 more cycles, or 19.
     let unhinted = saxpy().replace("hbrr back,loop", "lnop");

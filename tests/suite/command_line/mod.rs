@@ -2,6 +2,7 @@
 
 mod beside;
 mod formulations;
+mod inspect;
 mod meshes;
 mod newcomer;
 mod sequence;

@@ -273,6 +273,7 @@ fn run(
         profile: true,
         method,
         engine,
+        ..SimulationOptions::default()
     };
     let machine = Machine::simulated_with(memory, timing, options);
     machine.compile_after(HOT);
@@ -402,6 +403,7 @@ fn code_that_is_ever_new_is_timed_too() {
             profile: true,
             method,
             engine,
+            ..SimulationOptions::default()
         };
         let machine = Machine::simulated_with(memory, Timing::default(), options);
         let spe = Spe::new(&machine, Config::default());

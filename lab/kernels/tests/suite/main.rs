@@ -11,6 +11,7 @@ mod harness;
 mod images;
 mod math;
 mod measured;
+mod mesh;
 mod pairs;
 mod rays;
 mod schedule;

@@ -27,6 +27,7 @@ use crate::failure::Failure;
 #[command(after_help = "Examples:
   spu time tracer.elf --function isect_spheres_r16
   spu time --json kernel.o
+  spu time --html pipelines.html kernel.o
   spu time --check tracer.elf spu/isect/isect_spheres_r16.s")]
 pub struct Arguments {
     /// SPU program or object
@@ -37,6 +38,9 @@ pub struct Arguments {
     /// Write JSON
     #[arg(long, conflicts_with = "check")]
     json: bool,
+    /// Write a page of diagrams to this file: a row for each instruction, a column for each cycle
+    #[arg(long, value_name = "PAGE", conflicts_with_all = ["check", "json"])]
+    html: Option<PathBuf>,
     /// Compare the schedule notes (`# 12e`) in the sources with the model; the exit status is 1 if
     /// any differ. FILE must have been assembled with -g
     #[arg(long)]
@@ -114,6 +118,8 @@ pub enum TimeError {
     NoNotes(String),
     #[error(transparent)]
     Machine(TimingFileError),
+    #[error("{path}: {source}")]
+    Write { path: PathBuf, source: io::Error },
     #[error("standard output: {0}")]
     Output(io::Error),
 }
@@ -148,6 +154,16 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
             functions: names.join(", "),
         }
     })?;
+    if let Some(page) = &arguments.html {
+        let text = report.html(&path.display().to_string());
+        fs::write(page, &text).map_err(|source| TimeError::Write {
+            path: page.clone(),
+            source,
+        })?;
+        // If standard error is closed, the page is there all the same.
+        let _ = writeln!(io::stderr(), "{}: {} bytes", page.display(), text.len());
+        return Ok(ExitCode::SUCCESS);
+    }
     print(&if arguments.json {
         report.json()
     } else {

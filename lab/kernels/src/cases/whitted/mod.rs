@@ -2,6 +2,7 @@
 
 pub mod bounce;
 pub mod isect;
+pub mod mesh;
 pub mod rays;
 pub mod shade;
 pub mod shaders;

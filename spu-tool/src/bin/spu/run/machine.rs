@@ -88,9 +88,9 @@ impl Machine {
                     Method::Memoised
                 };
                 let simulation = SimulationOptions {
-                    profile: false,
                     method,
                     engine: options.engine(),
+                    ..SimulationOptions::default()
                 };
                 let timing = match &options.machine {
                     Some(path) => Timing::read(path).map_err(RunError::Machine)?,

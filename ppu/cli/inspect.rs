@@ -1,0 +1,213 @@
+//! `cellray render --inspect`: traces one frame in simulated time, and writes the page about it.
+
+use std::fs;
+use std::path::Path;
+
+use cellray::engine::TracedTile;
+use cellray::framebuffer::{Geometry, Memory, write_png};
+use cellray::{Engine, LoopTime, Report, Scene};
+use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
+use image::codecs::png::PngEncoder;
+use image::{ExtendedColorType, ImageEncoder as _, RgbImage};
+use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
+
+use super::Outcome;
+use super::progress::Progress;
+use super::run::{Options, tell};
+
+/// What libspe2 records of this run. Without that, runs this program again with what makes libspe2
+/// record, and ends as that ends: it has told all errors.
+pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
+    if let Some(recording) = Recording::of_this_run() {
+        return Ok(recording);
+    }
+    let status = Recording::run_again()?;
+    std::process::exit(status.code().unwrap_or(1))
+}
+
+/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`.
+pub fn frame(
+    options: &Options,
+    recording: &Recording,
+    scene: &Scene,
+    geometry: Geometry,
+    out: Option<&Path>,
+    to: &Path,
+) -> Outcome {
+    let program = options.program()?;
+    let mut engine = Engine::start(options.settings(program), Box::new(Memory::new(geometry)?))?;
+    let size = (geometry.width, geometry.height);
+    let formulations = program.formulations().ok();
+    let mut report = Report::new(scene.file(), size, options.spus).intersected(scene, formulations);
+    let mut progress = Progress::start();
+    let began = LoopTime::now();
+    let statistics = engine.render(scene, &mut |part| progress.show(1, part))?;
+    report.add(statistics);
+    report.add_time_since(began);
+    progress.end();
+    let picture = engine.picture().ok_or("the picture can't be read back")?;
+    let traced = engine.traced_units().ok_or("the SPUs were lost")?;
+    // libspe2 writes the last figures when the contexts are destroyed.
+    drop(engine);
+    if let Some(out) = out {
+        write_png(out, &picture)?;
+    }
+
+    let tile = |tile: &TracedTile| Tile {
+        number: tile.number,
+        ticks: tile.ticks,
+    };
+    let units = traced.units.iter().map(|tiles| Unit {
+        tiles: tiles.iter().map(tile).collect(),
+    });
+    let text = page(&Inspection {
+        scene: scene.file(),
+        picture: &png(&picture)?,
+        size,
+        tile_size: (TILE_WIDTH, TILE_HEIGHT),
+        units: &units.collect::<Vec<_>>(),
+        costs: (traced.costs, traced.distance),
+        statistics: &statistics_of(&report),
+        program: program.image(),
+        timeline: &recording.timeline()?,
+        profile: &recording.profile()?,
+    })?;
+    fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
+    tell(options, report)?;
+    eprintln!("cellray: {}: {} bytes", to.display(), text.len());
+    Ok(())
+}
+
+/// The picture as the bytes of a PNG file.
+fn png(picture: &RgbImage) -> Result<Vec<u8>, image::ImageError> {
+    let mut bytes = Vec::new();
+    let (width, height) = picture.dimensions();
+    PngEncoder::new(&mut bytes).write_image(
+        picture.as_raw(),
+        width,
+        height,
+        ExtendedColorType::Rgb8,
+    )?;
+    Ok(bytes)
+}
+
+fn statistics_of(report: &Report) -> Vec<Statistic> {
+    let of = |group, name, value: u64, meaning| Statistic {
+        group,
+        name,
+        value: value.to_string(),
+        meaning,
+    };
+    let Report {
+        tests,
+        tiles,
+        packets,
+        rays,
+        phases,
+        ..
+    } = report;
+    let tile = "Tiles of 64x16 pixels";
+    let packet = "Packets of 16 rays";
+    let test = "Tests of one ray with one object";
+    let ray = "Rays";
+    let mut all = vec![
+        of(
+            tile,
+            "traced",
+            tiles.traced,
+            "an object may be visible in them",
+        ),
+        of(
+            tile,
+            "filled",
+            tiles.filled,
+            "skipped: no object is visible in them",
+        ),
+        of(
+            tile,
+            "blank",
+            tiles.blank,
+            "filled ones that were not even written",
+        ),
+        of(
+            tile,
+            "retained",
+            tiles.retained,
+            "skipped: the framebuffer showed them already",
+        ),
+        of(packet, "traced", packets.traced, "packets of primary rays"),
+        of(
+            packet,
+            "filled",
+            packets.filled,
+            "skipped: culling left no object for them",
+        ),
+        of(test, "made", tests.made, "a kernel computed them"),
+        of(
+            test,
+            "looked for a hit",
+            tests.hits_looked_for,
+            "went on, because a ray of the packet could hit",
+        ),
+        of(
+            test,
+            "skipped",
+            tests.skipped,
+            "culling by tile, packet or node found them unnecessary",
+        ),
+        of(
+            test,
+            "hidden",
+            tests.hidden,
+            "of those, because all rays had hit something nearer",
+        ),
+        of(
+            test,
+            "unseen",
+            tests.unseen,
+            "the object was not sent: the picture can't show it",
+        ),
+        of(
+            "Tests of bounding volumes",
+            "made",
+            tests.cull,
+            "with frusta and packets' cones",
+        ),
+        of(ray, "eye", rays.eye, "through pixels"),
+        of(ray, "eye, hit", rays.eye_hit, "of those, hit something"),
+        of(
+            ray,
+            "reflected",
+            rays.reflected,
+            "that are not too weak to change a byte",
+        ),
+        of(ray, "refracted", rays.refracted, "likewise"),
+        of(ray, "shadow", rays.shadow, "from hits to lights"),
+        of(ray, "background", rays.background, "hit nothing"),
+    ];
+    let busy: f64 = report.spu.iter().map(|spu| spu.busy).sum();
+    for (name, seconds, meaning) in [
+        ("fetching", phases.fetch, "the frame and its scene"),
+        (
+            "culling",
+            phases.cull,
+            "objects that a tile or packet can't meet",
+        ),
+        ("making rays", phases.rays, "primary and secondary"),
+        ("testing", phases.isect, "rays with objects"),
+        ("shading", phases.shade, "and packing pixels"),
+    ] {
+        let part = if busy > 0.0 {
+            100.0 * seconds / busy
+        } else {
+            0.0
+        };
+        all.push(Statistic {
+            group: "Time at work, by phase",
+            name,
+            value: format!("{part:.1} %"),
+            meaning,
+        });
+    }
+    all
+}

@@ -1,0 +1,71 @@
+//! `cellray render --inspect`: what the page says. How it looks in a browser is for `ci/pages`.
+
+use std::fs;
+
+use super::support::{bad, good};
+
+/// What stands between each `before` and the next `after`.
+fn all<'t>(text: &'t str, before: &str, after: &str) -> Vec<&'t str> {
+    let parts = text.split(before).skip(1);
+    parts
+        .filter_map(|part| Some(part.split_once(after)?.0))
+        .collect()
+}
+
+#[test]
+fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = ["first.html", "second.html"].map(|name| {
+        let page = folder.path().join(name);
+        let (_, talk) = good(&[
+            "render",
+            "scenes/shadows.nff",
+            "--size",
+            "160x90",
+            "--spus",
+            "3",
+            "--inspect",
+            page.to_str().unwrap(),
+        ]);
+        let text = fs::read_to_string(page).unwrap();
+        assert!(talk.contains(&format!("{} bytes", text.len())), "{talk}");
+        text
+    });
+    assert!(pages[0] == pages[1], "the pages of two runs differ");
+    let page = &pages[0];
+    // 160x90 pixels are three by six tiles.
+    for map in ["cycles", "waits", "fetched", "finished", "spu"] {
+        let overlay = all(page, &format!("<svg class=\"overlay for-{map}\""), "</svg>");
+        assert_eq!(overlay.len(), 1, "{map}");
+        let mut tiles: Vec<u32> = all(overlay[0], "<title>tile ", ",")
+            .iter()
+            .map(|number| number.parse().unwrap())
+            .collect();
+        tiles.sort_unstable();
+        assert_eq!(tiles, (0..18).collect::<Vec<_>>(), "{map}");
+    }
+    let timelines = all(page, "<svg class=\"timelines\"", "</svg>");
+    assert_eq!(timelines[0].matches("<title>tile ").count(), 18);
+    assert_eq!(timelines[0].matches(">SPU ").count(), 3);
+    for class in ["work", "dma", "counter", "in", "out"] {
+        let path = format!("<path class=\"{class}\"");
+        assert!(timelines[0].contains(&path), "{class}");
+    }
+    assert!(page.contains("src=\"data:image/png;base64,"));
+    assert!(page.contains("shadow_rays_r16") && page.contains("light_r16"));
+    assert!(page.contains("culling by tile, packet or node"));
+    for foreign in ["<script", "http:", "https:", "@import", "url("] {
+        assert!(!page.contains(foreign), "{foreign}");
+    }
+}
+
+#[test]
+fn one_frame_is_inspected_and_a_page_that_cannot_be_written_is_named() {
+    let scene = "scenes/paper13.nff";
+    let page = ["--inspect", "/nowhere/at/all.html", "--size", "64x16"];
+    let start = ["render", scene];
+    let inspect = |more: &[&str], part| bad(&[&start[..], &page, more].concat(), &[part]);
+    inspect(&["--frames", "2"], "--inspect shows one frame");
+    inspect(&["--watch", "--out", "p.png"], "--watch");
+    inspect(&[], "/nowhere/at/all.html");
+}
