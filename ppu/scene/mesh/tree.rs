@@ -175,7 +175,9 @@ fn split(pieces: &mut [Piece], capacity: usize) -> usize {
         // Whole blocks on one side: only the last one of these pieces isn't full.
         let blocks = |count: usize| count.div_ceil(capacity);
         return sweep(pieces, &|index| {
-            let is_whole = index % capacity == 0 || (count - index) % capacity == 0;
+            let is_whole = [index, count - index]
+                .iter()
+                .any(|part| part.is_multiple_of(capacity));
             is_whole.then_some([blocks(index), blocks(count - index)])
         });
     }
