@@ -119,8 +119,8 @@ impl Machine {
         }
     }
 
-    /// From now on code is compiled by a thread of its own, and interpreted until that is done. So a
-    /// program's first instructions don't wait for the compiler.
+    /// From now on code is compiled by a thread of its own, and interpreted until that is done. So
+    /// a program's first instructions don't wait for the compiler.
     pub fn compile_in_background(&self) {
         if let Some(translations) = &self.translations {
             translations.compile_in_background();

@@ -300,7 +300,8 @@ impl File<'_> {
     }
 
     /// Adds a light. glTF states luminous intensities, which need a camera's exposure to become
-    /// colours, and they fall with the distance. Here a light has its colour's brightness everywhere.
+    /// colours, and they fall with the distance. Here a light has its colour's brightness
+    /// everywhere.
     fn light(&mut self, light: &gltf::khr_lights_punctual::Light<'_>, place: DMat4) {
         use gltf::khr_lights_punctual::Kind;
         if light.intensity() <= 0.0 {

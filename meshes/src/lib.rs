@@ -35,8 +35,8 @@ pub struct Loaded {
 }
 
 /// Loads the scene that a user has named: a file that ends in `.obj`, `.ply` or `.glb`,
-/// `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that [`nff::load`]
-/// knows.
+/// `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that
+/// [`nff::load`] knows.
 ///
 /// # Errors
 /// The file can't be read, or isn't what its name says; any error of [`nff::load`].

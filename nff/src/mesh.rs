@@ -1,8 +1,8 @@
 //! Meshes: triangles that share vertices, in far less memory than an [`Object`](crate::Object)
 //! each.
 //!
-//! Invariant: the vertices and materials of a mesh that a loader returned exist, and all its numbers
-//! are finite.
+//! Invariant: the vertices and materials of a mesh that a loader returned exist, and all its
+//! numbers are finite.
 
 use glam::{DVec3, Vec3};
 

@@ -27,8 +27,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Objects, in file order.
     pub objects: Vec<Object>,
-    /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with a
-    /// polygon or a patch for each triangle.
+    /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with
+    /// a polygon or a patch for each triangle.
     pub mesh: Option<Arc<Mesh>>,
 }
 

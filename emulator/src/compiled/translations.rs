@@ -23,9 +23,9 @@ const MAX_UNITS_PER_ADDRESS: usize = 16;
 /// as interpreting it once.
 const COMPILE_THRESHOLD: u8 = 100;
 
-/// The time from the first trace on in which only the thread of its own compiles. After it the SPUs'
-/// threads compile, too, because a program that runs longer gains more from compiled code than it
-/// loses by waiting for it.
+/// The time from the first trace on in which only the thread of its own compiles. After it the
+/// SPUs' threads compile, too, because a program that runs longer gains more from compiled code
+/// than it loses by waiting for it.
 const ALONE: Duration = Duration::from_millis(250);
 
 /// The most traces that wait for the thread that compiles. Further ones are recorded again later.

@@ -95,7 +95,8 @@ impl Spu {
     }
 
     /// Whether the block's instructions are those that the interpreter has decoded. Local store
-    /// may already hold others: [`run_decoded`](Self::run_decoded) ends before it runs one of those.
+    /// may already hold others: [`run_decoded`](Self::run_decoded) ends before it runs one of
+    /// those.
     pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
         let decoded = &mut self.decoded;
         block

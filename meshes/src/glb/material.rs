@@ -1,9 +1,10 @@
 //! glTF's materials as those of Whitted's model.
 //!
 //! Base colour becomes the colour, encoded for the screen, because this tracer's colours are those
-//! of pixels. A smooth surface reflects: with s = (1 - roughness)^2, the specular share is s (0.04 +
-//! 0.56 metallic), and the diffuse share is the rest. A metal keeps some diffuse light, because its
-//! reflection is not coloured in Whitted's model, and its colour would not show otherwise.
+//! of pixels. A smooth surface reflects: with s = (1 - roughness)^2, the specular share is
+//! s (0.04 + 0.56 metallic), and the diffuse share is the rest. A metal keeps some diffuse light,
+//! because its reflection is not coloured in Whitted's model, and its colour would not show
+//! otherwise.
 
 use glam::DVec3;
 use gltf::material::AlphaMode;

@@ -70,7 +70,8 @@ pub fn binary_ply(big_endian: bool) -> Vec<u8> {
     bytes
 }
 
-/// A binary glTF file: a triangle, moved by (10, 0, 0) and mirrored in x, with a camera and a light.
+/// A binary glTF file: a triangle, moved by (10, 0, 0) and mirrored in x, with a camera and a
+/// light.
 pub fn glb() -> Vec<u8> {
     container(JSON.as_bytes(), &triangle())
 }

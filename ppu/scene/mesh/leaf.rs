@@ -1,5 +1,5 @@
-//! The order of a leaf block's triangles: runs of at most [`MESH_RUN`], in groups of four, one group
-//! a node.
+//! The order of a leaf block's triangles: runs of at most [`MESH_RUN`], in groups of four, one
+//! group a node.
 
 use protocol::layout::MESH_RUN;
 
@@ -32,8 +32,8 @@ fn group(pieces: &mut [Piece]) -> Vec<usize> {
     runs
 }
 
-/// Halves pieces until there are `count` parts, a power of two, and calls `found` with each. No part
-/// has more than `most` pieces.
+/// Halves pieces until there are `count` parts, a power of two, and calls `found` with each. No
+/// part has more than `most` pieces.
 fn parts(pieces: &mut [Piece], count: usize, most: usize, found: &mut dyn FnMut(&mut [Piece])) {
     if count == 1 || pieces.len() == 1 {
         return found(pieces);

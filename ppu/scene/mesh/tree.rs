@@ -1,7 +1,8 @@
 //! A binary tree over a mesh's triangles, by the surface area heuristic in bins. Its leaves are the
 //! contents of leaf blocks.
 //!
-//! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a block.
+//! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a
+//! block.
 
 use std::ops::Range;
 

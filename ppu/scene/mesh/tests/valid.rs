@@ -78,8 +78,8 @@ impl Parts {
     }
 }
 
-/// What was found in the blocks: each triangle of the mesh by its corners, its material, and whether
-/// it is smooth or seen from both sides.
+/// What was found in the blocks: each triangle of the mesh by its corners, its material, and
+/// whether it is smooth or seen from both sides.
 type Found = HashMap<([[u32; 3]; 3], u32, u32), usize>;
 
 /// Checks all blocks against the mesh that they were made of.
