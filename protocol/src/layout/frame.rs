@@ -34,7 +34,8 @@ record! {
         spheres: U64,
         /// Effective address of the unit counter; a multiple of 128.
         unit_counter: U64,
-        /// Effective address of the statistics records, one for each SPU, in order; a multiple of 128.
+        /// Effective address of the statistics records, one for each SPU, in order; a multiple of
+        /// 128.
         statistics: U64,
         /// Effective address of the work units; a multiple of 128.
         units: U64,
@@ -92,7 +93,9 @@ record! {
 }
 
 record! {
-    /// One sphere relative to the eye, for primary rays; the records are in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths except `near` are fractions of `distance`.
+    /// One sphere relative to the eye, for primary rays; the records are in rising order of `near`.
+    /// For programs whose kernel takes `EyeRecord::Axis`, all lengths except `near` are fractions
+    /// of `distance`.
     Sphere as "SPHERE" {
         /// Centre less eye: x, y, z.
         centre: [F32; 3],
@@ -100,9 +103,11 @@ record! {
         radius_squared: F32,
         /// No primary ray enters the sphere nearer than this.
         near: F32,
-        /// If a ray of unit direction d enters the sphere, centre.d is above this, also with the SPU's rounding.
+        /// If a ray of unit direction d enters the sphere, centre.d is above this, also with the
+        /// SPU's rounding.
         ray_limit: F32,
-        /// The same for a packet: if any of its rays enters the sphere, the packet's middle d is above this.
+        /// The same for a packet: if any of its rays enters the sphere, the packet's middle d is
+        /// above this.
         packet_limit: F32,
         /// Radius plus the rounding of the test with a plane through the eye.
         reach: F32,
@@ -162,7 +167,8 @@ record! {
         busy: U64,
         /// Decrementer ticks spent waiting for the MFC.
         dma_wait: U64,
-        /// Decrementer ticks spent waiting for the mail, less 2^32 for each time that the decrementer wrapped round meanwhile.
+        /// Decrementer ticks spent waiting for the mail, less 2^32 for each time that the
+        /// decrementer wrapped round meanwhile.
         idle: U64,
         /// Tests of one packet with one object.
         tests_made: U64,

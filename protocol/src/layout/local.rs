@@ -94,7 +94,8 @@ record! {
 }
 
 record! {
-    /// Local store: shuffles that turn three quadwords of colour bytes into the framebuffer's words.
+    /// Local store: shuffles that turn three quadwords of colour bytes into the framebuffer's
+    /// words.
     PixelShuffle as "PIXELS" {
         /// Takes red and green to their places in the word.
         red_green: [U32; 4],

@@ -33,7 +33,8 @@ record! {
 }
 
 record! {
-    /// A node of a mesh: the boxes of four children. A lane without a child has `NO_BOX` as its lower corner, -`NO_BOX` as its upper one, and the child 0.
+    /// A node of a mesh: the boxes of four children. A lane without a child has `NO_BOX` as its
+    /// lower corner, -`NO_BOX` as its upper one, and the child 0.
     Boxes as "BOXES" {
         /// Lower corners, x.
         lo_x: [F32; 4],
@@ -47,7 +48,9 @@ record! {
         hi_y: [F32; 4],
         /// Upper corners, z.
         hi_z: [F32; 4],
-        /// Above the lowest level, offsets of nodes in the block. There, in an inner block, numbers of blocks; in a leaf, runs of triangles: four times the first one's index, and their number, 1 to `MESH_RUN`, times 2^16.
+        /// Above the lowest level, offsets of nodes in the block. There, in an inner block, numbers
+        /// of blocks; in a leaf, runs of triangles: four times the first one's index, and their
+        /// number, 1 to `MESH_RUN`, times 2^16.
         child: [U32; 4],
     }
 }
@@ -73,7 +76,12 @@ record! {
 }
 
 record! {
-    /// Local store: what a packet's rays have in common, for tests with boxes. The rays meet a plane of an axis no earlier than near_scale plane + near_shift, where the plane is the one that they meet first: of the lower corners, or of the upper ones if they all go down the axis. They leave by the opposite plane no later than far_scale plane + far_shift. If they go up and down the axis, that product says when they meet the opposite plane; then near_scale is above 0 and far_scale below.
+    /// Local store: what a packet's rays have in common, for tests with boxes. The rays meet a
+    /// plane of an axis no earlier than near_scale plane + near_shift, where the plane is the one
+    /// that they meet first: of the lower corners, or of the upper ones if they all go down the
+    /// axis. They leave by the opposite plane no later than far_scale plane + far_shift. If they go
+    /// up and down the axis, that product says when they meet the opposite plane; then near_scale
+    /// is above 0 and far_scale below.
     MeshBound as "MESH_BOUND" {
         /// Scale of the plane that is met first, x; in all lanes, as the next eleven.
         near_scale_x: [F32; 4],

@@ -35,30 +35,30 @@ pub struct Field {
 
 macro_rules! record {
     (
-        #[doc = $doc:literal]
+        $( #[doc = $doc:literal] )+
         $name:ident as $prefix:literal {
-            $( #[doc = $field_doc:literal] $field:ident: $kind:ty, )*
+            $( $( #[doc = $field_doc:literal] )+ $field:ident: $kind:ty, )*
         }
     ) => {
-        #[doc = $doc]
+        $( #[doc = $doc] )+
         #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
         #[repr(C)]
         pub struct $name {
-            $( #[doc = $field_doc] pub $field: $kind, )*
+            $( $( #[doc = $field_doc] )+ pub $field: $kind, )*
         }
 
         impl $name {
             /// The description of the record.
             pub const RECORD: Record = Record {
                 name: $prefix,
-                doc: $doc,
+                doc: concat!($($doc),+),
                 size: size_of::<$name>(),
                 fields: &[ $( Field {
                     name: stringify!($field),
                     kind: stringify!($kind),
                     offset: std::mem::offset_of!($name, $field),
                     size: size_of::<$kind>(),
-                    doc: $field_doc,
+                    doc: concat!($($field_doc),+),
                 }, )* ],
             };
         }
@@ -66,11 +66,12 @@ macro_rules! record {
 }
 
 macro_rules! constants {
-    ( $( #[doc = $doc:literal] $name:ident = $value:expr; )* ) => {
-        $( #[doc = $doc] pub const $name: u32 = $value; )*
+    ( $( $( #[doc = $doc:literal] )+ $name:ident = $value:expr; )* ) => {
+        $( $( #[doc = $doc] )+ pub const $name: u32 = $value; )*
 
         /// All constants above: name, value, description.
-        pub const CONSTANTS: &[(&str, u32, &str)] = &[ $( (stringify!($name), $name, $doc), )* ];
+        pub const CONSTANTS: &[(&str, u32, &str)] =
+            &[ $( (stringify!($name), $name, concat!($($doc),+)), )* ];
     };
 }
 
@@ -83,7 +84,8 @@ constants! {
     LINE = 128;
     /// Feature bit: the scene has spheres.
     FEATURE_SPHERES = 1;
-    /// Feature bit: Whitted's model; the scene is the one that `scene` has, and there are no sphere records.
+    /// Feature bit: Whitted's model; the scene is the one that `scene` has, and there are no sphere
+    /// records.
     FEATURE_WHITTED = 2;
     /// Feature bit: with Whitted's model, all lights shine through everything.
     FEATURE_NO_SHADOWS = 4;
@@ -115,15 +117,18 @@ constants! {
     GROUP_SIDE = 16;
     /// Most tiles of a work unit: its line has no room for more.
     UNIT_TILES = 31;
-    /// Flag. With a tile's number in a unit: the framebuffer shows the background there. With a tile's cost: it shows the background now.
+    /// Flag. With a tile's number in a unit: the framebuffer shows the background there. With a
+    /// tile's cost: it shows the background now.
     TILE_BLANK = 0x8000_0000;
     /// Largest position of a colour channel in the pixel word.
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
     MAX_TRANSFER = 16384;
-    /// Address in local store of the buffers that depth shading and Whitted's model each use in their own way.
+    /// Address in local store of the buffers that depth shading and Whitted's model each use in
+    /// their own way.
     ARENA_ADDRESS = 0x1b600;
-    /// Address in local store of the scene of Whitted's model, which begins with the background's `OBJECT`.
+    /// Address in local store of the scene of Whitted's model, which begins with the background's
+    /// `OBJECT`.
     SCENE_ADDRESS = 0x2e000;
     /// Bytes for the scene and the waiting rays.
     SCENE_ROOM = 0x10f80;
@@ -177,7 +182,8 @@ constants! {
     MESH_RUN = 8;
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
-    /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times 128, and the triangle's index in it.
+    /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times
+    /// 128, and the triangle's index in it.
     MESH_HIT = 0x8000_0000;
     /// Corner of a box that is not there, as bits: 2^66, sixteen times `FARTHEST`.
     NO_BOX = 0x6080_0000;
@@ -191,7 +197,8 @@ constants! {
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
-    /// With the status `Shader`, times 256: no shader has this number. Added to it is the number times 2^24, at most 255.
+    /// With the status `Shader`, times 256: no shader has this number. Added to it is the number
+    /// times 2^24, at most 255.
     RULE_KNOWN = 1;
     /// The same: the shader changed a register. Added to it is the register's number times 2^16.
     RULE_REGISTER = 2;

@@ -10,17 +10,20 @@ use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 use super::{Field, Record};
 
 record! {
-    /// The beginning of every object: its surface near any of its points, in one form for all shapes.
+    /// The beginning of every object: its surface near any of its points, in one form for all
+    /// shapes.
     Object as "OBJECT" {
         /// Centre of a sphere, base of a cone, a point of a plane: x, y, z.
         centre: [F32; 3],
-        /// 1 for a sphere, 1 / sqrt(1 + growth^2) for a cone, with the normal inwards negative; 0 for a plane.
+        /// 1 for a sphere, 1 / sqrt(1 + growth^2) for a cone, with the normal inwards negative; 0
+        /// for a plane.
         gain: F32,
         /// 0 for a sphere, unit axis of a cone, unit normal of a plane: x, y, z.
         axis: [F32; 3],
         /// 0 for a sphere, -gain growth for a cone, 1 for a plane.
         slope: F32,
-        /// Radius of a sphere, gain times radius at the base for a cone, with the sign of gain; 0 for a plane.
+        /// Radius of a sphere, gain times radius at the base for a cone, with the sign of gain; 0
+        /// for a plane.
         offset: F32,
         /// The part of `leave` in `SURFACES` that comes from the object's own numbers.
         leave: F32,
@@ -138,7 +141,8 @@ record! {
 }
 
 record! {
-    /// Four bounding spheres, each around everything below it in the tree. An empty lane has -`FARTHEST` as its radius.
+    /// Four bounding spheres, each around everything below it in the tree. An empty lane has
+    /// -`FARTHEST` as its radius.
     Node as "NODE" {
         /// Centres, x.
         x: [F32; 4],
@@ -156,7 +160,8 @@ record! {
 record! {
     /// Objects of one shape, under nodes.
     Bvh as "BVH" {
-        /// Address of the first node at the top of the tree, which the others follow; without levels, of the first object.
+        /// Address of the first node at the top of the tree, which the others follow; without
+        /// levels, of the first object.
         roots: U32,
         /// Number of these nodes or objects; 0 if there is no object.
         root_count: U32,
@@ -168,7 +173,8 @@ record! {
 }
 
 record! {
-    /// Local store: sixteen rays from anywhere, and what they have hit; arrays of 16 in rows of four.
+    /// Local store: sixteen rays from anywhere, and what they have hit; arrays of 16 in rows of
+    /// four.
     RayPacket as "RAYS16" {
         /// Origins, x.
         origin_x: [F32; 16],
@@ -182,7 +188,8 @@ record! {
         direction_y: [F32; 16],
         /// Unit directions, z.
         direction_z: [F32; 16],
-        /// The farthest distance that counts, later that of the nearest hit; -1 in a lane without a ray.
+        /// The farthest distance that counts, later that of the nearest hit; -1 in a lane without a
+        /// ray.
         t: [F32; 16],
         /// Address of the record of the object that was hit; of the background's if none was.
         object: [U32; 16],
@@ -208,7 +215,8 @@ record! {
 }
 
 record! {
-    /// Local store: the volume that holds a packet's rays, a sphere moved along a cone. Every value is in all four lanes, except in the last fields.
+    /// Local store: the volume that holds a packet's rays, a sphere moved along a cone. Every value
+    /// is in all four lanes, except in the last fields.
     Bound as "BOUND" {
         /// Middle of the rays' origins, x.
         apex_x: [F32; 4],
@@ -222,11 +230,13 @@ record! {
         axis_y: [F32; 4],
         /// The same, z.
         axis_z: [F32; 4],
-        /// Cosine of the largest angle between a direction and the axis, rounded down; 0 if they go every way.
+        /// Cosine of the largest angle between a direction and the axis, rounded down; 0 if they go
+        /// every way.
         cosine: [F32; 4],
         /// Its sine, rounded up; 0 if they go every way.
         sine: [F32; 4],
-        /// Largest distance of an origin from the middle, rounded up; far below 0 if there is no ray.
+        /// Largest distance of an origin from the middle, rounded up; far below 0 if there is no
+        /// ray.
         radius: [F32; 4],
         /// Largest distance that a ray counts to.
         farthest: [F32; 4],
@@ -254,7 +264,8 @@ record! {
 }
 
 record! {
-    /// Local store: rays' own axes for the triangle test, made by `shear_packets_r16`; rows of four.
+    /// Local store: rays' own axes for the triangle test, made by `shear_packets_r16`; rows of
+    /// four.
     Shear as "SHEARS" {
         /// Shuffle that takes a vertex's component along each axis, in every lane.
         axis_x: [[U32; 4]; 4],
@@ -278,7 +289,8 @@ record! {
 }
 
 record! {
-    /// Local store: the points that sixteen rays have hit, and the surfaces there. For a ray that hits nothing this is the background.
+    /// Local store: the points that sixteen rays have hit, and the surfaces there. For a ray that
+    /// hits nothing this is the background.
     Surfaces as "SURFACES" {
         /// Points on the surfaces, x.
         point_x: [F32; 16],
@@ -330,7 +342,8 @@ record! {
         lit_blue: [F32; 16],
         /// Address of the material.
         material: [U32; 16],
-        /// The `MATERIAL_` and `SIDES_` bits that the material or object of any lane has, in the first word.
+        /// The `MATERIAL_` and `SIDES_` bits that the material or object of any lane has, in the
+        /// first word.
         flags: [U32; 4],
     }
 }
