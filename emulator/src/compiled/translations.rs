@@ -23,12 +23,12 @@ const MAX_UNITS_PER_ADDRESS: usize = 16;
 /// as interpreting it once.
 const COMPILE_THRESHOLD: u8 = 100;
 
-/// The time from the first trace on in which only the thread of its own compiles. After it the
-/// SPUs' threads compile, too, because a program that runs longer gains more from compiled code
-/// than it loses by waiting for it.
-const ALONE: Duration = Duration::from_millis(250);
+/// How long after the first request only the background thread compiles. Later the SPUs' threads
+/// compile, too, because a program that runs longer gains more from compiled code than it loses by
+/// waiting for it.
+const ONLY_IN_BACKGROUND: Duration = Duration::from_millis(250);
 
-/// The most traces that wait for the thread that compiles. Further ones are recorded again later.
+/// The most traces that wait for the background thread. Others are recorded again later.
 const MAX_REQUESTS: usize = 256;
 
 /// The translations of a machine, which its SPEs share.
@@ -51,7 +51,7 @@ struct Shared {
     full: AtomicBool,
 }
 
-/// The thread that compiles.
+/// The background thread, which compiles.
 struct Background {
     requests: SyncSender<Request>,
     /// The time of the first request.
@@ -184,7 +184,7 @@ impl Translations {
     /// Returns the unit of a trace, or has it compiled if there is none yet.
     pub(super) fn add(&self, trace: Trace, mode: FloatMode) -> Added {
         let background = self.background.get();
-        let Some(background) = background.filter(|background| background.is_alone()) else {
+        let Some(background) = background.filter(|background| background.compiles_alone()) else {
             return match self.shared.compile(trace, mode) {
                 Some(unit) => Added::Ready(unit),
                 None => Added::NoRoom,
@@ -208,8 +208,9 @@ impl Translations {
 }
 
 impl Background {
-    fn is_alone(&self) -> bool {
-        self.first.get_or_init(Instant::now).elapsed() < ALONE
+    /// Whether only this thread compiles now.
+    fn compiles_alone(&self) -> bool {
+        self.first.get_or_init(Instant::now).elapsed() < ONLY_IN_BACKGROUND
     }
 }
 
