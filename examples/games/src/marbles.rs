@@ -34,7 +34,6 @@ pub const CONTROLS: &[&str] = &[
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "marbles on a mirror that the player tilts",
-    controls: CONTROLS,
     new: || Box::new(Marbles::default()),
 };
 
@@ -419,6 +418,15 @@ impl Marbles {
 impl Game for Marbles {
     fn name(&self) -> &str {
         NAME
+    }
+
+    fn controls(&self) -> &[&str] {
+        CONTROLS
+    }
+
+    fn status(&self) -> String {
+        let (round, lit) = (self.won / BEADS + 1, self.won % BEADS);
+        format!("Gems: {}\nRound {round}: {lit} of {BEADS}", self.won)
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
