@@ -1,4 +1,5 @@
-//! The letters: DejaVu Sans Mono, rasterised once for each size.
+//! The letters: DejaVu Sans Mono, rasterised once for each size. Whoever passes the program on
+//! passes on `play/LICENSE-DEJAVU` too.
 
 use std::collections::HashMap;
 

@@ -14,8 +14,8 @@ pub const EMPHASIS: [u8; 3] = [255, 205, 110];
 pub const LOAD: [u8; 3] = [0x40, 0xE0, 0x60];
 /// The colour of the rest of a bar.
 pub const ROOM: [u8; 3] = [0x30; 3];
-/// The part of the picture that remains visible behind text.
-const BEHIND: f32 = 0.25;
+/// The share of black behind text, in parts of [`WHOLE`].
+const SHADE: u32 = 191;
 /// This many lines of text fill the height of a display, and as many characters its width: enough
 /// for the help, and large enough to be read from afar.
 const LINES: usize = 40;
@@ -36,16 +36,16 @@ pub struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    /// Mixes a colour into a pixel. `part` is the colour's share, 0 to 1.
-    fn mix(&mut self, (x, y): (usize, usize), colour: [u8; 3], part: f32) {
+    /// Mixes a colour into a pixel. `part` is the colour's share, 0 to [`WHOLE`].
+    fn mix(&mut self, (x, y): (usize, usize), colour: [u8; 3], part: u32) {
         if x >= self.area.0 || y >= self.area.1 {
             return;
         }
         if let Some(word) = self.words.get_mut(y * self.stride + x) {
             let before = self.format.channels(u32::from_be(*word));
             let mixed = [0, 1, 2].map(|channel| {
-                let (from, to) = (f32::from(before[channel]), f32::from(colour[channel]));
-                (from + (to - from) * part).round() as u8
+                let (from, to) = (u32::from(before[channel]), u32::from(colour[channel]));
+                ((from * (WHOLE - part) + to * part + WHOLE / 2) / WHOLE) as u8
             });
             *word = self.format.word(mixed).to_be();
         }
@@ -93,10 +93,11 @@ impl Painter {
 fn draw(placed: &Placed, font: &mut Font, canvas: &mut Canvas<'_>) {
     let ((left, top), (wide, high)) = (placed.corner, placed.size);
     let (width, height) = font.cell;
-    let opacity = placed.panel.opacity;
+    // The conversion saturates.
+    let opacity = ((placed.panel.opacity * WHOLE as f32) as u32).min(WHOLE);
     for y in top..top + high {
         for x in left..left + wide {
-            canvas.mix((x, y), [0; 3], (1.0 - BEHIND) * opacity);
+            canvas.mix((x, y), [0; 3], SHADE * opacity / WHOLE);
         }
     }
     let (left, mut top) = (left + width, top + height / 3);
@@ -121,7 +122,7 @@ fn write(
     line: &Line,
     (left, top): (usize, usize),
     font: &mut Font,
-    opacity: f32,
+    opacity: u32,
     canvas: &mut Canvas<'_>,
 ) {
     let width = font.cell.0;
@@ -138,7 +139,7 @@ fn write(
                 let place = (x + column).checked_add_signed(glyph.corner.0 as isize);
                 let place = place.zip((y + row).checked_add_signed(glyph.corner.1 as isize));
                 if let Some(place) = place {
-                    canvas.mix(place, colour, f32::from(part) / WHOLE as f32 * opacity);
+                    canvas.mix(place, colour, u32::from(part) * opacity / WHOLE);
                 }
             }
         }
