@@ -461,3 +461,21 @@ impl Game for Marbles {
         self.look(world)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gems_and_rounds_are_counted() {
+        let status = |won| {
+            let marbles = Marbles {
+                won,
+                ..Marbles::default()
+            };
+            marbles.status()
+        };
+        assert_eq!(status(0), "Gems: 0\nRound 1: 0 of 8");
+        assert_eq!(status(13), "Gems: 13\nRound 2: 5 of 8");
+    }
+}

@@ -201,6 +201,8 @@ fn a_terminal_says_the_keys_and_that_it_is_paused() {
     let recorded = fs::read_to_string(&record).expect("a recording");
     let has = |key: &str| recorded.contains(&format!("\"key\":\"{key}\",\"down\":true"));
     assert_eq!(["h", "p", "b", "c"].map(has), [false, false, false, true]);
+    let replay = record.to_str().expect("text");
+    super::good(&["view", SCENE, "--display", "none", "--replay", replay]);
 }
 
 #[test]
