@@ -23,7 +23,7 @@ use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Fullscreen, Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
-use super::text::{Canvas, Painter};
+use super::text::paint::{Canvas, Painter};
 use super::{Display, DisplayError, DisplayEvent, Enlarged, Fit, Pointer};
 use crate::overlay::Overlay;
 

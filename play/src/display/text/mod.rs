@@ -5,9 +5,8 @@
 
 mod font;
 mod layout;
-mod paint;
+pub mod paint;
 mod printed;
 
 pub use layout::{Grid, Placed, place, words};
-pub use paint::{Canvas, Painter};
 pub use printed::Printed;
