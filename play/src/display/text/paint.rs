@@ -175,7 +175,6 @@ mod tests {
     #[test]
     fn bars_are_as_high_as_the_loads() {
         let overlay = Overlay {
-            speeds: vec!["fps".into()],
             loads: vec![0.0, 0.5, 1.0],
             ..Overlay::default()
         };
@@ -183,8 +182,6 @@ mod tests {
         let pixels = painted(&overlay, area);
         let (load, room) = (count(&pixels, LOAD), count(&pixels, ROOM));
         assert!(load == room && load > 300, "{load} {room}");
-        let is_ink = |pixel: &&[u8; 3]| pixel.iter().all(|&channel| channel > 0xC0);
-        assert!(pixels.iter().filter(is_ink).count() > 10);
         assert!(count(&pixels, GREY) > 400 * 400);
     }
 
