@@ -33,10 +33,12 @@
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 
+mod backend;
 mod builtin;
 pub mod callback;
 pub mod context;
 pub mod cpu_info;
+mod emulated;
 mod error;
 pub mod event;
 mod fault_signal;
@@ -50,5 +52,6 @@ mod process_memory;
 mod report;
 pub mod run;
 mod scratch;
+mod spufs;
 mod stop_record;
 pub mod types;
