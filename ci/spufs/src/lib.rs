@@ -7,8 +7,8 @@
 //! waiting for readiness works.
 //!
 //! It differs from the kernel in these ways: there are as many SPEs as contexts, a mapped register
-//! is accessed whether or not the context is loaded, a signal does not end a run (but a wait for a
-//! mailbox), and stop 0x2104 is reported and not carried out.
+//! is accessed whether or not the context is loaded, only a signal that a run raises ends the run,
+//! and any caught signal ends a wait for a mailbox, even with `SA_RESTART`.
 //!
 //! Invariant: what is not of spufs goes to the C library untouched.
 
@@ -28,6 +28,7 @@ mod readiness;
 mod run;
 #[path = "../../../libspe2/src/scratch.rs"]
 mod scratch;
+mod system_call;
 mod table;
 
 pub use interpose::linked;

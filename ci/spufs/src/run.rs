@@ -6,6 +6,7 @@ use spu_emulator::stop::{Stop, Stopped};
 use crate::context::{Context, EVENTS_ENABLED};
 use crate::error::Errno;
 use crate::fault_signal::{After, FaultSignal};
+use crate::system_call;
 
 const STOPPED: i32 = 0x02;
 const HALTED: i32 = 0x04;
@@ -19,9 +20,17 @@ const INVALID_DMA: u32 = 0x800;
 
 /// What the kernel does about a stop.
 enum Next {
-    Return { status: i32, event: u32 },
+    Return {
+        status: i32,
+        event: u32,
+    },
     Signal(FaultSignal),
+    /// The SPU continues behind the stop and the word that follows it.
+    Skip,
 }
+
+/// The word after a call's stop is data.
+const CALL_WORD: u32 = 4;
 
 fn after(context: &Context, stopped: &Stopped) -> Next {
     let events = context.flags & EVENTS_ENABLED != 0;
@@ -34,6 +43,9 @@ fn after(context: &Context, stopped: &Stopped) -> Next {
         }
     };
     match &stopped.reason {
+        Stop::Signal(0x2104) if system_call::serve(context.spe().local_store(), stopped.npc) => {
+            Next::Skip
+        }
         Stop::Signal(0x3fff) => Next::Signal(FaultSignal::breakpoint()),
         Stop::Signal(code) => status(i32::from(*code) << 16 | STOPPED),
         Stop::Halt => status(HALTED),
@@ -65,11 +77,12 @@ pub(crate) fn run(context: &Context, npc: &mut u32) -> Result<(i32, u32), Errno>
         let next = after(context, &stopped);
         let status = match &next {
             Next::Return { status, .. } => *status,
-            Next::Signal(_) => 0,
+            _ => 0,
         };
         context.run_state.stops(status, stopped.npc);
         match next {
             Next::Return { status, event } => return Ok((status, event)),
+            Next::Skip => *npc = npc.wrapping_add(CALL_WORD),
             Next::Signal(signal) => {
                 if signal.raise() == After::Interrupted {
                     return Err(Errno(libc::EINTR));

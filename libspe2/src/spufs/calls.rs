@@ -13,8 +13,6 @@ pub(super) const EVENTS_ENABLED: c_uint = 0x1;
 pub(super) const GANG: c_uint = 0x2;
 /// Creation flag: the context is never scheduled out.
 pub(super) const NOSCHED: c_uint = 0x4;
-/// Creation flag: an isolated context.
-pub(super) const ISOLATE: c_uint = 0x8;
 /// Creation flag: near to another context.
 pub(super) const AFFINITY_SPU: c_uint = 0x10;
 /// Creation flag: near to memory.

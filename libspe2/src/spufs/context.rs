@@ -71,7 +71,6 @@ fn creation_flags(flags: c_uint, neighbor: Option<RawFd>) -> c_uint {
     let flag = |ours, kernels| if flags & ours != 0 { kernels } else { 0 };
     flag(SPE_EVENTS_ENABLE, calls::EVENTS_ENABLED)
         | flag(SPE_NOSCHED, calls::NOSCHED)
-        | flag(SPE_ISOLATE, calls::ISOLATE | calls::NOSCHED)
         | flag(SPE_AFFINITY_MEMORY, calls::AFFINITY_MEMORY)
         | neighbor.map_or(0, |_| calls::AFFINITY_SPU)
 }
@@ -85,15 +84,15 @@ impl Spufs {
         neighbor: Option<RawFd>,
         gang: Option<Arc<Gang>>,
     ) -> Result<Self, Errno> {
+        // An isolated context needs a loader for encrypted programs, and the PlayStation 3 has no such
+        // contexts.
+        if flags & SPE_ISOLATE != 0 {
+            return Err(Errno(libc::ENODEV));
+        }
         ProcessMemory::prepare().map_err(|_| Errno(libc::EFAULT))?;
         let folder = gang.as_ref().map_or(ROOT, |gang| gang.0.path());
         let path = format!("{folder}/spethread-{}-{number}", process::id());
-        let isolated = flags & SPE_ISOLATE != 0;
-        let directory = Directory::create(path, creation_flags(flags, neighbor), neighbor);
-        let directory = directory.map_err(|errno| match errno {
-            Errno(libc::EPERM) if isolated => Errno(libc::ENODEV),
-            errno => errno,
-        })?;
+        let directory = Directory::create(path, creation_flags(flags, neighbor), neighbor)?;
         let signal_types = [
             (c"signal1_type", SPE_CFG_SIGNOTIFY1_OR),
             (c"signal2_type", SPE_CFG_SIGNOTIFY2_OR),
@@ -109,7 +108,7 @@ impl Spufs {
         let unmapped = |_| Errno(libc::ENOMEM);
         let memory = directory.open(c"mem", O_RDWR).map_err(unmapped)?;
         let local_store = Mapping::new(&memory, SIZE as usize).map_err(unmapped)?;
-        let maps_areas = flags & (SPE_MAP_PS | SPE_ISOLATE) != 0;
+        let maps_areas = flags & SPE_MAP_PS != 0;
         let areas = maps_areas
             .then(|| Mapping::new(&directory.open(c"psmap", O_RDWR)?, AREAS_SIZE))
             .transpose()

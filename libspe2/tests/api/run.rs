@@ -126,7 +126,10 @@ fn doublewords(context: &Context, register: u32) -> [u64; 2] {
 fn start_registers() {
     let context = Context::with_program(STORE_REGISTERS);
     context.set_local_store(0x3fff0, &[0xee; 16]);
-    let (argp, envp) = (0x1234_5678_9abc_def0, 0xfedc_ba98_7654_3210);
+    // Programs of 32 bits have the lower halves.
+    let pointer = |value: u64| value as usize as u64;
+    let argp = pointer(0x1234_5678_9abc_def0);
+    let envp = pointer(0xfedc_ba98_7654_3210);
     let run = |entry, argp| context.run_from(entry, 0, argp, envp);
     let stop = elsewhere(|| run(SPE_DEFAULT_ENTRY, argp), || ());
     assert_eq!(stop.returned, 1);

@@ -6,8 +6,13 @@ use spe2::context::{
     spe_context_create, spe_context_create_affinity, spe_gang_context_create,
     spe_gang_context_destroy,
 };
+use spe2::event::{spe_event_handler_create, spe_event_handler_destroy, spe_event_wait};
+use spe2::mailbox::spe_out_intr_mbox_read;
 use spe2::mfc::{spe_mfcio_get, spe_mfcio_tag_status_read};
-use spe2::types::{SPE_MAP_PS, SPE_NOSCHED, SPE_TAG_ALL, SPE_TAG_IMMEDIATE};
+use spe2::types::{
+    SPE_MAP_PS, SPE_MBOX_ALL_BLOCKING, SPE_NOSCHED, SPE_TAG_ALL, SPE_TAG_IMMEDIATE, SpeEventData,
+    SpeEventUnit,
+};
 
 use crate::support::{Aligned, Context, assert_fails, assert_null, elsewhere};
 
@@ -113,4 +118,65 @@ fn a_proxy_command_waits_for_the_run() {
         assert_eq!((read, status), (0, tags));
     }
     assert_eq!(context.local_store(0x8000, 16), [5; 16]);
+}
+
+extern "C" fn ignore(_: i32) {}
+
+/// Calls `body` on another thread, to which a signal is sent until it returns. The program has a
+/// handler for it that does nothing.
+fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
+    let signal = libc::SIGUSR2;
+    unsafe {
+        let mut action = std::mem::MaybeUninit::<libc::sigaction>::zeroed().assume_init();
+        action.sa_sigaction = ignore as *const () as usize;
+        assert_eq!(
+            libc::sigaction(signal, &raw const action, ptr::null_mut()),
+            0
+        );
+    }
+    let (sender, thread) = std::sync::mpsc::channel();
+    let (over, ended) = std::sync::mpsc::channel();
+    let wait = move || {
+        sender.send(unsafe { libc::pthread_self() }).unwrap();
+        let result = body();
+        // The thread must not end while it may still be sent a signal.
+        ended.recv().unwrap();
+        result
+    };
+    elsewhere(wait, || {
+        let thread = thread.recv().unwrap();
+        for _ in 0..20 {
+            std::thread::sleep(std::time::Duration::from_millis(10));
+            assert_eq!(unsafe { libc::pthread_kill(thread, signal) }, 0);
+        }
+        over.send(()).unwrap();
+    })
+}
+
+#[test]
+fn a_signal_ends_a_wait_for_a_mailbox() {
+    let context = Context::new(0);
+    let result = interrupted(|| {
+        let mut word = 0;
+        let read = unsafe {
+            spe_out_intr_mbox_read(context.pointer(), &raw mut word, 1, SPE_MBOX_ALL_BLOCKING)
+        };
+        (read, crate::support::last_errno())
+    });
+    assert_eq!(result, (-1, libc::EIO));
+}
+
+#[test]
+fn a_signal_ends_a_wait_for_events_that_has_a_limit() {
+    let (count, _) = interrupted(|| unsafe {
+        let handler = spe_event_handler_create();
+        let mut unit = SpeEventUnit {
+            events: 0,
+            spe: ptr::null_mut(),
+            data: SpeEventData { u64: 0 },
+        };
+        let count = spe_event_wait(handler, &raw mut unit, 1, 3_600_000);
+        (count, spe_event_handler_destroy(handler))
+    });
+    assert_eq!(count, 0);
 }
