@@ -63,6 +63,11 @@ impl Outcome {
         Self::failed(libc::EFAULT, SPE_RUNTIME_FATAL, result, -1)
     }
 
+    #[cfg(test)]
+    pub(crate) fn record(&self) -> StopRecord {
+        self.record
+    }
+
     fn stopped(returned: c_int, stop_reason: c_uint, result: c_int, spu_status: c_int) -> Self {
         Self {
             returned: Ok(returned),

@@ -119,3 +119,19 @@ fn whole(moved: io::Result<usize>) -> io::Result<bool> {
         Err(error) => Err(error),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refusals_of_the_kernel() {
+        let refused = |errno| refusal(&io::Error::from_raw_os_error(errno));
+        for errno in [libc::EEXIST, libc::ENODEV, libc::EPERM, libc::EBUSY] {
+            assert_eq!(refused(errno), Errno(errno));
+        }
+        for errno in [libc::EACCES, libc::ENOENT, libc::ENOSPC, libc::EMFILE] {
+            assert_eq!(refused(errno), Errno(libc::EFAULT), "{errno}");
+        }
+    }
+}

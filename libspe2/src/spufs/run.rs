@@ -106,3 +106,47 @@ fn ended(status: c_int, event: c_int) -> Ended {
     }
     Ended::Return(Outcome::fatal(-1))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::types::{
+        SPE_DMA_STORAGE, SPE_RUNTIME_ERROR, SPE_RUNTIME_EXCEPTION, SPE_RUNTIME_FATAL,
+    };
+
+    /// The stop reason, result and status that a status and an event become.
+    fn reported(status: c_int, event: c_int) -> (u32, c_int, c_int) {
+        match ended(status, event) {
+            Ended::Return(outcome) => {
+                let record = outcome.record();
+                (record.stop_reason, record.result, record.spu_status)
+            }
+            Ended::Stop { code, status } => (0, c_int::from(code), status),
+            Ended::Resume => panic!("the kernel has nothing to resume"),
+        }
+    }
+
+    #[test]
+    fn the_order_of_causes() {
+        const STORAGE: c_int = SPE_DMA_STORAGE;
+        let exit = 0x2007 << 16 | SPE_SPU_STOPPED_BY_STOP;
+        assert_eq!(reported(exit, 0), (0, 0x2007, exit));
+        let exception = (SPE_RUNTIME_EXCEPTION, STORAGE, -1);
+        assert_eq!(reported(exit, STORAGE), exception);
+        let invalid = exit | SPE_SPU_INVALID_INSTR;
+        let error = |bit, status| (SPE_RUNTIME_ERROR, bit, status);
+        assert_eq!(
+            reported(invalid, STORAGE),
+            error(SPE_SPU_INVALID_INSTR, invalid)
+        );
+        for bit in [SPE_SPU_HALT, SPE_SPU_INVALID_CHANNEL] {
+            assert_eq!(reported(bit, 0), error(bit, bit));
+        }
+        let waiting = reported(SPE_SPU_WAITING_ON_CHANNEL, 0);
+        assert_eq!(waiting, (SPE_RUNTIME_EXCEPTION, 0, -1));
+        assert_eq!(reported(0, 0), (SPE_RUNTIME_FATAL, -1, -1));
+        // A stop code has 14 bits.
+        let wide = c_int::MAX & !0xffff | SPE_SPU_STOPPED_BY_STOP;
+        assert_eq!(reported(wide, 0), (0, 0x3fff, wide));
+    }
+}
