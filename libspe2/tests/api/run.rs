@@ -158,6 +158,15 @@ fn start_registers() {
 }
 
 #[test]
+fn every_start_clears_the_environment() {
+    let context = Context::with_program("stqa $2,0x8000\n il $2,7\n stop 0x2000\n");
+    for _ in 0..2 {
+        assert_eq!(elsewhere(|| context.run(), || ()).returned, 0);
+        assert_eq!(context.local_store(0x8000, 16), [0; 16]);
+    }
+}
+
+#[test]
 fn user_registers() {
     let context = Context::with_program(STORE_REGISTERS);
     let registers: Vec<u8> = (0..48).collect();

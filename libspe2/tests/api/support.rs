@@ -79,6 +79,17 @@ impl Drop for Context {
     }
 }
 
+/// Sends a word to a context when dropped.
+struct Wakes<'a>(&'a Context);
+
+impl Drop for Wakes<'_> {
+    fn drop(&mut self) {
+        let mut word = 0;
+        let written = unsafe { spe_in_mbox_write(self.0.0, &raw mut word, 1, 1) };
+        assert_eq!(written, 1);
+    }
+}
+
 /// A stop, as the program sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
@@ -162,10 +173,9 @@ impl Context {
         let stop = elsewhere(
             || self.run(),
             || {
+                // Also if the body fails, so that the run ends.
+                let _end = Wakes(self);
                 body();
-                let mut word = 0;
-                let written = unsafe { spe_in_mbox_write(self.0, &raw mut word, 1, 1) };
-                assert_eq!(written, 1);
             },
         );
         assert_eq!(stop.returned, 0);
