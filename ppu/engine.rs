@@ -71,7 +71,7 @@ impl Engine {
         let record = eye_record(&settings.program)?;
         Ok(Self {
             spus: Spus::start(&settings)?,
-            records: Some(Records::new(framebuffer)),
+            records: Some(Records::new(framebuffer, &settings.program)),
             settings,
             record,
             number: 0,

@@ -11,6 +11,7 @@ use serde::Serialize;
 use crate::scene::Scene;
 use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
 use protocol::formulation::Formulations;
+use protocol::layout::MESH_BLOCK;
 
 pub use loop_time::LoopTime;
 
@@ -63,6 +64,8 @@ pub struct Report {
     pub rays: Rays,
     /// Tests of single rays with single objects, and of groups of rays.
     pub tests: Tests,
+    /// Blocks of meshes in main memory.
+    pub blocks: BlockReport,
     /// Tiles by how they were handled.
     pub tiles: Tiles,
     /// Packets by how they were handled.
@@ -103,6 +106,23 @@ pub struct SpuReport {
     pub packets: u64,
     /// `busy` by phase.
     pub phases: Phases<f64>,
+}
+
+/// Blocks of meshes in main memory, and how the SPUs' caches served them.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct BlockReport {
+    /// How often a batch of rays needed a block.
+    pub used: u64,
+    /// Blocks that were fetched, because they were not in the cache.
+    pub fetched: u64,
+    /// The part of the uses, in per cent, for which the block was in the cache or on its way.
+    pub hit_percent: f64,
+    /// Bytes of blocks that were fetched for a ray of any kind.
+    pub bytes_a_ray: f64,
+    /// Seconds that all SPUs together waited for blocks.
+    pub wait: f64,
+    /// These in per cent of the SPUs' time.
+    pub wait_percent: f64,
 }
 
 /// Numbers of tiles by how they were handled.
@@ -151,6 +171,7 @@ impl Report {
             phases: Phases::default(),
             rays: Rays::default(),
             tests: Tests::default(),
+            blocks: BlockReport::default(),
             tiles: Tiles::default(),
             packets: Packets::default(),
             timebase: timebase(),
@@ -209,6 +230,9 @@ impl Report {
             sum.phases = sum.phases.plus(phases);
             self.phases = self.phases.plus(phases);
             self.rays += spu.rays;
+            self.blocks.used += spu.blocks.used;
+            self.blocks.fetched += spu.blocks.fetched;
+            self.blocks.wait += seconds(spu.blocks.wait);
             self.tiles.traced += spu.tiles - spu.tiles_filled;
             self.tiles.filled += spu.tiles_filled;
             self.tiles.blank += spu.tiles_blank;
@@ -227,6 +251,20 @@ impl Report {
             self.spu.iter().map(|spu| spu.busy).sum(),
             f64::from(self.spus) * seconds,
         );
+        let Rays {
+            eye,
+            reflected,
+            refracted,
+            shadow,
+            ..
+        } = self.rays;
+        let rays = (eye + reflected + refracted + shadow) as f64;
+        let blocks = &mut self.blocks;
+        let found = blocks.used.saturating_sub(blocks.fetched) as f64;
+        blocks.hit_percent = 100.0 * part(found, blocks.used as f64);
+        let bytes = blocks.fetched as f64 * f64::from(MESH_BLOCK);
+        blocks.bytes_a_ray = part(bytes, rays);
+        blocks.wait_percent = 100.0 * part(blocks.wait, f64::from(self.spus) * seconds);
         for spu in &mut self.spu {
             let all = spu.busy + spu.dma_wait + spu.idle;
             spu.busy_percent = 100.0 * part(spu.busy, all);
@@ -288,6 +326,19 @@ impl fmt::Display for Report {
             packets.traced,
             packets.filled
         )?;
+        let blocks = self.blocks;
+        if blocks.used > 0 {
+            writeln!(
+                f,
+                "mesh: {} blocks used, {} fetched, {:.1} % cached; {:.1} bytes a ray, {:.1} % of the time \
+                 waiting for them",
+                blocks.used,
+                blocks.fetched,
+                blocks.hit_percent,
+                blocks.bytes_a_ray,
+                blocks.wait_percent
+            )?;
+        }
         let busy: f64 = self.spu.iter().map(|spu| spu.busy).sum();
         let percent = |of: f64, all: f64| if all > 0.0 { 100.0 * of / all } else { 0.0 };
         let phases = self.phases;

@@ -13,8 +13,8 @@ pub(crate) mod single;
 use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 
+use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
-use self::block::{MESH_CODE, ShaderEntries};
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
 pub use self::render_options::{Model, RenderOptions};
 use self::single::{LARGEST, SMALLEST};
@@ -130,7 +130,7 @@ impl Scene {
     /// Checks that a program can trace the scene's mesh, if it has one in main memory.
     pub(crate) fn check_streaming(&self, program: &Program) -> Result<(), SceneError> {
         match self.block.as_ref().and_then(SceneBlock::mesh) {
-            Some(mesh) if !program.streams_meshes(MESH_CODE) => Err(SceneError::NoStreaming {
+            Some(mesh) if program.mesh_code().is_empty() => Err(SceneError::NoStreaming {
                 file: self.file.clone(),
                 triangles: mesh.blocks.statistics().triangles,
             }),

@@ -26,6 +26,8 @@ pub struct SpuStatistics {
     pub rays: Rays,
     /// Tests of rays with objects.
     pub tests: Tests,
+    /// Blocks of meshes in main memory.
+    pub blocks: Blocks,
     /// Time at work, in ticks of the decrementer.
     pub busy: u64,
     /// Time waiting for the MFC, in ticks.
@@ -71,6 +73,17 @@ pub struct Tests {
     pub unseen: u64,
     /// Tests of a frustum or of a packet's cone with an object; the numbers above exclude them.
     pub cull: u64,
+}
+
+/// Blocks of meshes in main memory, and how an SPU's cache in local store served them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Blocks {
+    /// How often a batch of rays needed a block.
+    pub used: u64,
+    /// Blocks that were fetched, because they were not in the cache.
+    pub fetched: u64,
+    /// The part of the time waiting for the MFC that was spent waiting for blocks, in ticks.
+    pub wait: u64,
 }
 
 /// Time by phase of the work.
@@ -162,6 +175,11 @@ impl SpuStatistics {
                 hidden: line.tests_hidden.get() * PACKET_RAYS,
                 unseen: line.packets.get() * spheres_unseen * PACKET_RAYS,
                 cull: line.cull_tests.get(),
+            },
+            blocks: Blocks {
+                used: line.blocks_used.get(),
+                fetched: line.blocks_fetched.get(),
+                wait: line.ticks_block_wait.get(),
             },
             busy: line.busy.get(),
             dma_wait: line.dma_wait.get(),

@@ -1,10 +1,14 @@
 //! The memory that the SPUs access by address.
 
+use std::sync::Arc;
+
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
+use crate::scene::mesh::MeshBlocks;
 use crate::shared::SharedMemory;
+use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
     Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
@@ -15,6 +19,11 @@ pub(super) struct Records {
     frame: SharedMemory,
     spheres: SharedMemory,
     scene: SharedMemory,
+    mesh_code: SharedMemory,
+    /// The number of its bytes.
+    mesh_code_bytes: u32,
+    /// The mesh of the last scene, which SPUs read.
+    mesh: Option<Arc<MeshBlocks>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
     /// Room for the largest possible number of units.
@@ -25,12 +34,18 @@ pub(super) struct Records {
 
 impl Records {
     /// Allocates room for frames of this framebuffer's size.
-    pub fn new(framebuffer: Box<dyn Framebuffer>) -> Self {
+    pub fn new(framebuffer: Box<dyn Framebuffer>, program: &Program) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
+        let code = program.mesh_code();
+        let mut mesh_code = SharedMemory::new(code.len());
+        mesh_code.write(0, &code);
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
             scene: SharedMemory::new(SCENE_ROOM as usize),
+            mesh_code,
+            mesh_code_bytes: code.len() as u32,
+            mesh: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
             statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
             units,
@@ -50,6 +65,8 @@ impl Records {
         Addresses {
             spheres: self.spheres.address(),
             scene: self.scene.address(),
+            mesh_code: self.mesh_code.address(),
+            mesh_code_bytes: self.mesh_code_bytes,
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             units: self.units.address(),
@@ -64,6 +81,7 @@ impl Records {
         self.spheres.write(0, plan.spheres().bytes());
         if let Some(block) = scene.block() {
             self.scene.write(0, block.bytes());
+            self.mesh = block.mesh().map(|mesh| mesh.blocks.clone());
         }
         self.units.write(0, plan.units().bytes());
         costs.clear();

@@ -36,15 +36,27 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
     Ok(())
 }
 
-/// Whether something is loaded to an address of local store.
-pub(super) fn is_loaded(image: &[u8], address: u32) -> Result<bool, ProgramError> {
+/// The bytes that are loaded to a range of local store by segments that begin there, up to the
+/// last one's end, in whole quadwords.
+pub(super) fn loaded(image: &[u8], range: Range<u32>) -> Result<Vec<u8>, ProgramError> {
     let file = parse(image)?;
-    let mut headers = file.elf_program_headers().iter();
-    Ok(headers.any(|header| {
+    let mut bytes = Vec::new();
+    for header in file.elf_program_headers() {
         let start = header.p_vaddr(BigEndian);
-        let end = start.saturating_add(header.p_filesz(BigEndian));
-        header.p_type(BigEndian) == object::elf::PT_LOAD && (start..end).contains(&address)
-    }))
+        if header.p_type(BigEndian) != object::elf::PT_LOAD || !range.contains(&start) {
+            continue;
+        }
+        let outside = |()| ProgramError::Malformed("a segment is outside of the file".into());
+        let data = header.data(BigEndian, image).map_err(outside)?;
+        let at = (start - range.start) as usize;
+        let end = (at + data.len()).next_multiple_of(16);
+        if end > range.len() {
+            return Err(ProgramError::TooLarge(u64::from(range.start) + end as u64));
+        }
+        bytes.resize(bytes.len().max(end), 0);
+        bytes[at..at + data.len()].copy_from_slice(data);
+    }
+    Ok(bytes)
 }
 
 /// The names in the table of shaders.

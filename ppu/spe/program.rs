@@ -11,6 +11,7 @@ use super::elf;
 use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
+use protocol::layout::{MESH_CODE, MESH_CODE_ROOM};
 
 /// Bytes with the alignment for the fastest transfers.
 #[repr(C, align(128))]
@@ -131,10 +132,12 @@ impl Program {
             })
     }
 
-    /// Whether the program has the code that traces meshes in main memory, which begins at this
-    /// address of local store.
-    pub(crate) fn streams_meshes(&self, code: u32) -> bool {
-        elf::is_loaded(self.image, code).unwrap_or_default()
+    /// The code that traces meshes in main memory, with its constants and variables: what is
+    /// loaded from `MESH_CODE` on, in whole quadwords. It is empty if the program has none.
+    #[must_use]
+    pub fn mesh_code(&self) -> Vec<u8> {
+        let room = MESH_CODE..MESH_CODE + MESH_CODE_ROOM;
+        elf::loaded(self.image, room).unwrap_or_default()
     }
 
     /// The ranges of its instructions in local store; empty if it has no sections.

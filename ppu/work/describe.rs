@@ -8,10 +8,11 @@ use super::policy::{Skip, Split};
 use super::units::Units;
 use crate::framebuffer::Target;
 use crate::scene::Scene;
+use crate::scene::block::SceneBlock;
 use crate::scene::single::singles;
 use protocol::layout::{
-    FEATURE_CHECK_SHADERS, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED, Frame, MAGIC,
-    SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED,
+    Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -21,6 +22,10 @@ pub struct Addresses {
     pub spheres: u64,
     /// The block of Whitted's model.
     pub scene: u64,
+    /// The program's code that traces meshes.
+    pub mesh_code: u64,
+    /// The number of its bytes.
+    pub mesh_code_bytes: u32,
     /// The unit counter.
     pub unit_counter: u64,
     /// The statistics records.
@@ -73,7 +78,6 @@ pub fn describe(order: &Order) -> Frame {
     frame.magic = MAGIC.into();
     frame.version = VERSION.into();
     frame.size = (size_of::<Frame>() as u32).into();
-    frame.features = features(order).into();
     frame.number = order.number.into();
     frame.spus = order.spus.into();
     frame.split = match order.split {
@@ -129,14 +133,27 @@ pub fn describe(order: &Order) -> Frame {
         frame.ambient = block.ambient();
         frame.eye = quadword(singles(camera.eye));
     }
+    if let Some(mesh) = scene.block().and_then(SceneBlock::mesh) {
+        frame.mesh_eye = mesh.eye;
+        frame.mesh = mesh.blocks.address().into();
+        frame.mesh_blocks = mesh.blocks.count().into();
+        frame.mesh_code = addresses.mesh_code.into();
+        frame.mesh_code_bytes = addresses.mesh_code_bytes.into();
+        frame.mesh_materials = mesh.materials.into();
+        frame.mesh_material_count = mesh.material_count.into();
+        frame.mesh_cache = mesh.cache.into();
+        frame.mesh_slots = mesh.slots.into();
+    }
+    frame.features = features(order, &frame).into();
     frame
 }
 
 /// The frame's feature bits: the scene's needs and the requested options.
-fn features(order: &Order) -> u32 {
+fn features(order: &Order, frame: &Frame) -> u32 {
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
+        | flag(frame.mesh.get() != 0, FEATURE_MESH)
         | flag(!order.scene.render_options().shadows, FEATURE_NO_SHADOWS)
         | flag(order.check_shaders, FEATURE_CHECK_SHADERS)
 }

@@ -15,6 +15,8 @@ pub struct Refusal {
     pub field: &'static str,
     rule: &'static str,
     values: Vec<u64>,
+    /// The number of the mesh's block that was refused.
+    block: Option<u32>,
     shader: Option<ShaderFault>,
 }
 
@@ -49,6 +51,7 @@ impl Refusal {
                 field: "",
                 rule: "",
                 values: Vec::new(),
+                block: None,
                 shader: Some(ShaderFault {
                     rule,
                     register,
@@ -57,6 +60,9 @@ impl Refusal {
                 }),
             });
         }
+        // A status of a block has the block's number in the higher bytes.
+        let block = (status == Status::MeshBlock as u32).then_some(answer >> 8);
+        let answer = block.map_or(answer, |_| status);
         let known = Status::ALL
             .iter()
             .find(|(_, status, ..)| *status as u32 == answer);
@@ -66,10 +72,13 @@ impl Refusal {
                 field: "",
                 rule: "",
                 values: Vec::new(),
+                block: None,
                 shader: None,
             });
         };
-        let values = if status == Status::Address {
+        let values = if block.is_some() {
+            Vec::new()
+        } else if status == Status::Address {
             vec![address]
         } else {
             field
@@ -82,6 +91,7 @@ impl Refusal {
             field,
             rule: rule.trim(),
             values,
+            block,
             shader: None,
         })
     }
@@ -137,7 +147,9 @@ impl fmt::Display for Refusal {
         if self.field.is_empty() {
             return write!(f, "answered with the unknown status {}", self.status);
         }
-        if self.status == Status::Tile as u32 {
+        if let Some(block) = self.block {
+            write!(f, "refused block {block} of the mesh")?;
+        } else if self.status == Status::Tile as u32 {
             write!(f, "refused the work units: {}", self.field)?;
         } else if self.values.is_empty() {
             write!(f, "refused the frame descriptor: {}", self.field)?;

@@ -10,6 +10,8 @@
 //! Invariant: all other pixels are equal in both pictures. The exception is a pixel with two
 //! surfaces at bit-identical distances: each picture may show either.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
@@ -20,6 +22,7 @@ use super::projection::{Projection, Rectangle};
 use super::shadow::Shadow;
 use super::tiles::TileSet;
 use crate::scene::block::{BlockOptions, BoundingSphere, Chains, Light, VisiblePrimitive, widened};
+use crate::scene::mesh::MeshBlocks;
 use crate::scene::{RenderOptions, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
 
@@ -39,6 +42,7 @@ pub struct Snapshot {
     chains: Option<Chains>,
     ambient: [F32; 4],
     lights: Vec<Light>,
+    mesh: Option<Arc<MeshBlocks>>,
     /// The objects by their slots, kind after kind.
     objects: Vec<Option<VisiblePrimitive>>,
     /// The addresses of the slots.
@@ -90,12 +94,14 @@ impl Snapshot {
         self.options = block.map(|block| block.options());
         self.chains = block.map(|block| block.chains());
         self.ambient = Default::default();
+        self.mesh = None;
         self.lights.clear();
         self.objects.clear();
         self.addresses.clear();
         self.bytes.clear();
         let Some(block) = block else { return };
         self.ambient = block.ambient();
+        self.mesh = block.mesh().map(|mesh| mesh.blocks.clone());
         self.lights.extend_from_slice(block.lights());
         self.bytes.extend_from_slice(block.bytes());
         for (address, object) in block.slots(camera.eye) {
@@ -151,6 +157,15 @@ impl Snapshot {
             || self.ambient.as_bytes() != before.ambient.as_bytes()
             || !self.lights_as(before)
         {
+            return changed.add_all();
+        }
+        // Where the mesh shows others or their shadows is not looked for.
+        let same_mesh = match (&self.mesh, &before.mesh) {
+            (None, None) => true,
+            (Some(new), Some(old)) => Arc::ptr_eq(new, old) && self.bytes == before.bytes,
+            _ => false,
+        };
+        if !same_mesh {
             return changed.add_all();
         }
         let mut pairs = 0;

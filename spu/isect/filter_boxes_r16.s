@@ -67,7 +67,7 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers a_again,again
 
-        .section .rodata
+        .section .rodata.mesh,"a",@progbits
         .align  4
 child_of_node:
     .irp child, 0,1,2,3

@@ -1,11 +1,12 @@
 # isect_mesh_pairs_r16   nearest hit of packets' rays with runs of a mesh's triangles
-#   C       void isect_mesh_pairs_r16(const struct mesh_candidate *, int count,
-#                                     const struct mesh_header *);
+#   C       int isect_mesh_pairs_r16(const struct mesh_candidate *, int count,
+#                                    const struct mesh_header *);
 #   In      $3 candidates of runs of triangles, $4 count (0 is none), $5 the runs' block, in local
 #           store and relative to the eye; pointers 16-aligned
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there; object is
 #           MESH_HIT, plus 128 times the block's number, plus the triangle's index
-#   Uses    $3-$5, $10-$61   Saves  -   Stack  0   Calls  -
+#           $3 how many triangles were tested with a packet
+#   Uses    $3-$5, $10-$62   Saves  -   Stack  0   Calls  -
 #   Domain  distances from the origin below 2^60; triangles higher than 2^-50 across the ray; runs
 #           of at least one triangle
 #   Error   6 ulp of t, 8e-5 in barycentric coordinates; edges from 1/100 of the distance to all of
@@ -34,7 +35,7 @@
         # the block
         registers a_vertices,a_faces,hit,both
         # state
-        registers a_candidate
+        registers a_candidate,a_run
         registers triangles                             # minus those that are left
         registers at                                    # in the run: 4 times the index
         # the candidate
@@ -53,22 +54,24 @@
         .set    header,q
         .set    rest,u
 
-        sign_controls_table
+        sign_controls_table .rodata.mesh
 vertex_indices:                                         # three bytes to the ends of three words
         .int    0x80808000,0x80808001,0x80808002,0x80808080
 
 function isect_mesh_pairs_r16
-        biz     $count,$lr
         ori     $a_candidate,$a_first,0
-        il      $triangles,0
+        ori     $a_run,$a_first,0
+        il      $3,0
+        biz     $count,$lr
 next_run:
-        lqd     $candidate,0($a_first)
+        lqd     $candidate,0($a_run)
         rotmi   $candidate,$candidate,-16
-        a       $triangles,$triangles,$candidate
-        ai      $a_first,$a_first,MESH_CANDIDATE_SIZE
+        a       $3,$3,$candidate
+        ai      $a_run,$a_run,MESH_CANDIDATE_SIZE
         ai      $count,$count,-1
         brnz    $count,next_run
 
+        ori     $triangles,$3,0
         sfi     $triangles,$triangles,0
         splat_mask $m_splat
         load_above_one $k_above_one

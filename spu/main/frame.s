@@ -7,7 +7,7 @@
         .include "checks.inc"
 
         .section .bss
-        .align  7
+        .align  4
         .global inverse_across
 inverse_across:                         # one over the number of tiles across
         .skip   16

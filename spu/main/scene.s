@@ -4,14 +4,13 @@
         .include "macros.inc"
         .include "driver.inc"
 
-        .section .arena,"aw",@nobits
-        .align  7
-        .global background, spheres
-        .skip   LINE-SPHERE_SIZE                        # so that the spheres begin on a line
-background:                             # in a sphere's format; only its colour is used
-        .skip   SPHERE_SIZE
-spheres:
-        .skip   (MAX_SPHERES+PADDING_SPHERES)*SPHERE_SIZE
+        # spheres and background, a record in their format of which only the colour is used, are
+        # placed by linker/spu.ld.
+        .global spheres_size
+        .set    spheres_size,(MAX_SPHERES+PADDING_SPHERES)*SPHERE_SIZE
+    .if SPHERE_SIZE != 0x30
+        .error  "linker/spu.ld takes another size of the background"
+    .endif
 
 # scene_fetch   starts to fetch the spheres, and sets up the records around them; or starts to
 # fetch the scene of Whitted's model, which is complete
@@ -33,6 +32,13 @@ function scene_fetch
         load_word $5,FRAME_scene+4,$a_frame
         load_word $6,FRAME_scene_bytes,$a_frame
         il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        lqa     $quad,streamed
+        brz     $quad,started
+        ila     $3,MESH_CODE
+        load_word $4,FRAME_mesh_code,$a_frame
+        load_word $5,FRAME_mesh_code+4,$a_frame
+        load_word $6,FRAME_mesh_code_bytes,$a_frame
         brsl    $lr,dma_get
         br      started
 plain:

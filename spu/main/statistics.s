@@ -5,7 +5,7 @@
         .include "driver.inc"
 
         .section .bss
-        .align  7
+        .align  4
 statistics:
         .skip   STATS_SIZE
         .global counters
@@ -114,6 +114,9 @@ function statistics_put
         put_count \field
     .endr
     .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
+        put_count \field
+    .endr
+    .irp field, blocks_fetched,blocks_used,ticks_block_wait
         put_count \field
     .endr
     .irp field, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade

@@ -50,6 +50,13 @@ prepared:
         phase_ends $g_ticks_fetch,$bad
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
+        lqa     $bad,frame
+        rotqbyi $bad,$bad,FRAME_features
+        andi    $bad,$bad,FEATURE_WHITTED
+        brz     $bad,next_unit
+        lqa     $bad,streamed
+        brz     $bad,next_unit
+        brsl    $lr,mesh_begin
 
 next_unit:
         clgt    $bad,$g_units,$g_unit_next

@@ -57,7 +57,6 @@ pub use error::BlockError;
 pub(crate) use materials::Light;
 pub use options::BlockOptions;
 pub(crate) use options::ShaderEntries;
-pub(crate) use streamed::MESH_CODE;
 pub use streamed::MeshPlace;
 pub(crate) use visible::VisiblePrimitive;
 

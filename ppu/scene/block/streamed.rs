@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use nff::Scene;
-use protocol::layout::{MESH_BLOCK, SCENE_ADDRESS, SCENE_ROOM};
+use protocol::layout::{
+    MESH_BLOCK, MESH_CODE, MESH_CODE_ROOM, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM,
+};
 use zerocopy::big_endian::F32;
 
 use super::error::BlockError;
@@ -13,14 +15,10 @@ use super::objects::{LEAVE, taxicab};
 use crate::scene::mesh::{MeshBlocks, RESIDENT};
 use crate::scene::single::singles;
 
-/// Bytes at the end of the scene's room for the code that traces meshes.
-const CODE_ROOM: usize = 12 * 1024;
-/// The local-store address of that code.
-pub(crate) const MESH_CODE: u32 = SCENE_ADDRESS + SCENE_ROOM - CODE_ROOM as u32;
 /// The fewest blocks that the cache has room for.
 const LEAST_SLOTS: usize = 8;
 /// The bytes that a mesh takes from the room of a scene and its queues, at least.
-pub(super) const LEAST_ROOM: usize = CODE_ROOM + LEAST_SLOTS * MESH_BLOCK as usize;
+pub(super) const LEAST_ROOM: usize = MESH_CODE_ROOM as usize + LEAST_SLOTS * MESH_BLOCK as usize;
 
 /// A scene's mesh in main memory.
 #[derive(Clone, Debug)]
@@ -77,8 +75,8 @@ impl Streamed {
 
     /// Its place beside a scene's block and queues of these sizes.
     pub fn place(&self, used: usize, eye: DVec3) -> MeshPlace<'_> {
-        let room = (SCENE_ROOM as usize).saturating_sub(CODE_ROOM + used);
-        let slots = (room / MESH_BLOCK as usize) as u32;
+        let room = (SCENE_ROOM - MESH_CODE_ROOM).saturating_sub(used as u32);
+        let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS);
         let [x, y, z] = singles(eye);
         MeshPlace {
             blocks: &self.blocks,

@@ -89,6 +89,26 @@ record! {
         ambient: [F32; 4],
         /// The eye in the scene's coordinates: x, y, z, 0; for shaders.
         eye: [F32; 4],
+        /// The eye in the mesh's coordinates: x, y, z, 0.
+        mesh_eye: [F32; 4],
+        /// Effective address of the mesh's first block; a multiple of 128.
+        mesh: U64,
+        /// Effective address of the code that traces meshes; a multiple of 128.
+        mesh_code: U64,
+        /// Blocks of the mesh.
+        mesh_blocks: U32,
+        /// Bytes of that code; a multiple of 16.
+        mesh_code_bytes: U32,
+        /// Where in local store the first of the mesh's materials is, which the others follow.
+        mesh_materials: U32,
+        /// Materials of the mesh.
+        mesh_material_count: U32,
+        /// Where in local store blocks are cached; a multiple of 128.
+        mesh_cache: U32,
+        /// Blocks that are cached.
+        mesh_slots: U32,
+        /// Zero; fills the quadword.
+        unused: [U32; 2],
     }
 }
 
@@ -204,7 +224,13 @@ record! {
         shadow: U64,
         /// Eye, reflected and refracted rays that hit something.
         hits: U64,
+        /// Blocks of meshes that were fetched.
+        blocks_fetched: U64,
+        /// Blocks of meshes that were looked up.
+        blocks_used: U64,
+        /// Ticks of `dma_wait` spent waiting for blocks of meshes.
+        ticks_block_wait: U64,
         /// Zero; fills the second line.
-        reserved: [U64; 7],
+        reserved: [U64; 4],
     }
 }

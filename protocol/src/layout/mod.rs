@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 5;
+    VERSION = 6;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -91,8 +91,10 @@ constants! {
     FEATURE_NO_SHADOWS = 4;
     /// Feature bit: every call of a shader is checked for what it must keep.
     FEATURE_CHECK_SHADERS = 8;
+    /// Feature bit: the scene of Whitted's model has a mesh in main memory.
+    FEATURE_MESH = 16;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 15;
+    FEATURES_KNOWN = 31;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -182,6 +184,14 @@ constants! {
     MESH_RUN = 8;
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
+    /// Bytes at the end of the scene's room for the code that traces meshes.
+    MESH_CODE_ROOM = 12288;
+    /// Address in local store of that code.
+    MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
+    /// Fewest blocks that the cache of an SPU must have room for.
+    MESH_LEAST_SLOTS = 4;
+    /// Most blocks that the cache of an SPU can have.
+    MESH_MOST_SLOTS = 28;
     /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times
     /// 128, and the triangle's index in it.
     MESH_HIT = 0x8000_0000;
@@ -335,11 +345,22 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
+    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 12288.
+    MeshCode = 29, "mesh_code, mesh_code_bytes";
+    /// Must be a multiple of 128, with 1 to 2^24 blocks.
+    Mesh = 30, "mesh, mesh_blocks";
+    /// Must be 1 to 256 materials on quadwords of the scene.
+    MeshMaterials = 31, "mesh_materials, mesh_material_count";
+    /// Must be a multiple of 128, with 4 to 28 blocks behind the rays that wait and before the code.
+    MeshCache = 32, "mesh_cache, mesh_slots";
+    /// A block must be as the work unit's document has it, and its children must come after it.
+    MeshBlock = 33, "mesh";
 }
 
 const _: () = {
     assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
-    assert!(size_of::<Frame>() == 384);
+    assert!(size_of::<Frame>() == 448);
+    assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);

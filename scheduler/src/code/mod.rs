@@ -302,7 +302,7 @@ fn relocate<'data>(
     }
 }
 
-/// Functions and the code between them, without ranges that are only padding.
+/// Functions and the code between them by their addresses, without ranges that are only padding.
 fn functions(
     sections: &[Placed],
     mut ranges: Vec<(u32, u32, String)>,
@@ -343,6 +343,8 @@ fn functions(
             at = at.max(*end);
         }
     }
+    // Sections come in the file's order.
+    functions.sort_by_key(|function| function.start);
     functions
 }
 

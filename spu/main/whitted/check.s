@@ -5,6 +5,12 @@
         .include "driver.inc"
         .include "checks.inc"
 
+        .section .bss
+        .align  4
+        .global streamed
+streamed:                               # not 0 if the scene has a mesh in main memory
+        .skip   16
+
         .set    status,3
         .set    NEXT,15
         registers a_frame,value,limit,bad,a_tree,left,quad,scene_bytes,batch
@@ -23,6 +29,16 @@
 #   Out     $3 STATUS_ value
 #   Uses    $3, $16-$23
 function whitted_check
+        # mesh_begin checks the rest of the mesh's fields, when its code is there.
+        load_word $batch,FRAME_features,$a_frame
+        andi    $batch,$batch,FEATURE_MESH
+        stqa    $batch,streamed
+        brz     $batch,no_mesh
+        require_aligned mesh_code,LINE,MeshCode
+        require_at_most mesh_code_bytes,MESH_CODE_ROOM,MeshCode
+        andi    $bad,$value,15
+        refuse_if $bad,MeshCode
+no_mesh:
         require_aligned scene,LINE,Scene
         require_from_one ray_depth,MAX_DEPTH,RayDepth
         require_from_one batch,MAX_BATCH,Batch
@@ -52,6 +68,10 @@ function whitted_check
         shli    $value,$value,4
         a       $value,$value,$scene_bytes
         load_constant $limit,SCENE_ROOM
+        lqa     $batch,streamed
+        brz     $batch,resident
+        ila     $limit,SCENE_ROOM-MESH_CODE_ROOM
+resident:
         clgt    $bad,$value,$limit
         refuse_if $bad,SceneBytes
 

@@ -110,6 +110,8 @@ function bvhs_plan
         ai      $a_tree,$a_tree,FRAME_trees
         lqd     $tree,BVH_SIZE*BVH_TRIANGLES($a_tree)
         rotqbyi $tree,$tree,BVH_objects
+        lqa     $objects,streamed
+        or      $tree,$tree,$objects
         stqa    $tree,sheared
         ila     $a_plan,plans
         ila     $a_kernel,kernels
@@ -394,7 +396,11 @@ shear:  ila     $3,arena+BATCH_RAYS
         ila     $5,arena+BATCH_SHEARS
         brsl    $lr,shear_packets_r16
         br      next_tree
-traced:
+traced: lqa     $c_more,streamed
+        brnz    $c_more,in_mesh
+        leave
+in_mesh:
+        brsl    $lr,mesh_trace
         leave
 endfunction packets_trace
 

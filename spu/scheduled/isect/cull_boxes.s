@@ -67,7 +67,7 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers a_again,again
 
-        .section .rodata
+        .section .rodata.mesh,"a",@progbits
         .align  4
 # An entry of the list is made by two shuffles. The first one takes the child's word and its near
 # distance to where they belong; the second one puts the packet and the bound between them.

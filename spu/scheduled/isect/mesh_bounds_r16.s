@@ -68,7 +68,7 @@
         .set    planes,origin_min+3
         .set    last,origin_max
 
-        transpose_table
+        transpose_table .rodata.mesh
 near_planes:                                            # the slack goes to their upper halves
         .int    BOXES_lo_x,BOXES_lo_y,BOXES_lo_z,0
 shears_and_farthest:

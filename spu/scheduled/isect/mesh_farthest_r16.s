@@ -23,7 +23,7 @@
         .set    NEXT,t+4
         registers turned,c_greater,c_there,last
 
-        .section .rodata
+        .section .rodata.mesh,"a",@progbits
         .align  4
 last_word_of_another:
         .int    0x00010203,0x04050607,0x08090a0b,0x1c1d1e1f

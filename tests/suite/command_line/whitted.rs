@@ -135,10 +135,6 @@ fn a_scene_that_is_too_large_says_how_much_of_it_fits() {
         " of its 7381 spheres fit",
     ];
     bad(&["render", "sphereflake:4", "--size", "16x16"], &parts);
-    bad(
-        &["render", "tetra:5", "--size", "16x16"],
-        &["tetra:5: 4096 triangles do not fit the local store, and the SPU program can't stream"],
-    );
     let parts = [
         "bytes of local store",
         // No ray with enough weight to be sent reaches depth 16.

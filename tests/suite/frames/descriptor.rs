@@ -15,6 +15,10 @@ pub struct Descriptor {
     pub spheres: Vec<u8>,
     /// The block of Whitted's model, or zeros without such a scene.
     pub block: Vec<u8>,
+    /// The blocks of the scene's mesh, or none.
+    pub mesh: Vec<u8>,
+    /// The program's code that traces meshes.
+    pub mesh_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
     /// The memory for the picture. The frame contains its address.
@@ -30,7 +34,9 @@ impl Descriptor {
         let camera = scene.camera(width, height).unwrap();
         let mut records = EyeSpheres::default();
         let projection = Projection::new(&camera, target.geometry);
-        let program = Settings::default().program.formulations().unwrap();
+        let program = Settings::default().program;
+        let mesh_code = program.mesh_code();
+        let program = program.formulations().unwrap();
         records.cull(
             scene.spheres(),
             &projection,
@@ -46,6 +52,8 @@ impl Descriptor {
             addresses: Addresses {
                 spheres: 0,
                 scene: 0,
+                mesh_code: 0,
+                mesh_code_bytes: mesh_code.len() as u32,
                 unit_counter: 0,
                 statistics: 0,
                 units: 0,
@@ -59,13 +67,16 @@ impl Descriptor {
             skip: Skip::Misses,
             check_shaders: false,
         });
-        let block = scene
-            .block()
-            .map_or(vec![0; 128], |block| block.bytes().to_vec());
+        let block = scene.block();
+        let mesh = block.and_then(|block| block.mesh());
+        let mesh = mesh.map_or(Vec::new(), |mesh| mesh.blocks.bytes().to_vec());
+        let block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
         Self {
             frame,
             spheres: records.bytes().to_vec(),
             block,
+            mesh,
+            mesh_code,
             units: units.bytes().to_vec(),
             framebuffer,
         }

@@ -3,7 +3,9 @@
 
 mod descriptor;
 mod faults;
+mod fixture;
 mod long_frames;
+mod mesh;
 mod pictures;
 mod protocol;
 mod random;

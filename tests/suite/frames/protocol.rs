@@ -1,17 +1,11 @@
 //! The SPU's side of the work-unit protocol: what it refuses, and that it continues afterwards.
 
-use std::time::Duration;
-
-use crate::frames::descriptor::Descriptor;
-use crate::recorder::{Recorder, nff_scene};
-use cellray::framebuffer::Memory;
-use cellray::{Engine, EngineError, Settings, SharedMemory, work};
-use protocol::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
+use crate::frames::fixture::{Fixture, Spoil};
+use crate::recorder::nff_scene;
+use cellray::EngineError;
+use protocol::layout::{SCENE_ADDRESS, SCENE_ROOM, WorkUnit};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
-
-/// Changes one field of a descriptor to a wrong value.
-type Spoil = fn(&mut Frame);
 
 const WHITTED: &[u8] = b"\
 v
@@ -39,97 +33,15 @@ c
 3 0 2 0
 ";
 
-/// An engine, and a valid frame descriptor with everything that it points to.
-struct Fixture {
-    engine: Engine,
-    frame: Frame,
-    units: SharedMemory,
-    _memory: Vec<SharedMemory>,
-    _framebuffer: Memory,
-}
-
 /// A frame with depth shading.
 fn fixture(spus: u32) -> Fixture {
-    fixture_of(&nff_scene("paper13.nff"), spus)
+    Fixture::of(&nff_scene("paper13.nff"), spus)
 }
 
 /// A frame of Whitted's model with spheres, parallelograms, triangles and a cone.
 fn whitted_fixture(spus: u32) -> Fixture {
     let scene = nff::parse(WHITTED, "all shapes", &nff::Limits::default()).unwrap();
-    fixture_of(&scene, spus)
-}
-
-fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
-    let Descriptor {
-        mut frame,
-        spheres,
-        block,
-        units,
-        framebuffer,
-    } = Descriptor::of(scene, spus);
-    let shared = |bytes: &[u8]| {
-        let mut memory = SharedMemory::new(bytes.len());
-        memory.write(0, bytes);
-        memory
-    };
-    let costs = SharedMemory::new(units.len());
-    let [spheres, whitted, units] = [spheres, block, units].map(|bytes| shared(&bytes));
-    let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
-    let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
-    frame.spheres = spheres.address().into();
-    frame.scene = whitted.address().into();
-    frame.unit_counter = unit_counter.address().into();
-    frame.statistics = statistics.address().into();
-    frame.units = units.address().into();
-    frame.costs = costs.address().into();
-    let settings = Settings {
-        spus,
-        timeout: Duration::from_secs(30),
-        ..Settings::default()
-    };
-    let (recorder, _) = Recorder::pair(4, 4);
-    Fixture {
-        engine: Engine::start(settings, recorder).unwrap(),
-        frame,
-        units,
-        _memory: vec![spheres, whitted, unit_counter, statistics, costs],
-        _framebuffer: framebuffer,
-    }
-}
-
-impl Fixture {
-    fn submit(&mut self, frame: &Frame) -> Result<(), EngineError> {
-        // SAFETY: every address is either in the fixture's memory, which stays alive, or one that
-        // the SPUs must refuse without using it. The test checks that they do.
-        unsafe { self.engine.submit(frame, &mut |_| ()) }.map(|_| ())
-    }
-
-    fn refused(&mut self, frame: &Frame) -> work::Refusal {
-        match self.submit(frame) {
-            Err(EngineError::Refused { refusal, .. }) => refusal,
-            Ok(()) => panic!("accepted {frame:?}"),
-            Err(error) => panic!("{error}"),
-        }
-    }
-
-    /// Tries each wrong field, and the valid frame after it. A case has the field's name and a
-    /// part of the message.
-    fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
-        let good = self.frame;
-        for (field, part, spoil) in cases {
-            let mut frame = good;
-            spoil(&mut frame);
-            let refusal = self.refused(&frame);
-            let text = refusal.to_string();
-            assert!(
-                refusal.field.split(", ").any(|name| name == *field),
-                "{field}: {text}"
-            );
-            assert!(text.contains(part), "{field}: {text}");
-            self.submit(&good)
-                .unwrap_or_else(|error| panic!("after {field}: {error}"));
-        }
-    }
+    Fixture::of(&scene, spus)
 }
 
 #[test]

@@ -91,8 +91,11 @@ fn balls() {
 
 #[test]
 fn tetra() {
-    let scene = nff::load(Path::new("tetra:3")).unwrap();
-    corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+    // The second one's triangles are streamed from main memory.
+    for name in ["tetra:3", "tetra:5"] {
+        let scene = nff::load(Path::new(name)).unwrap();
+        corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+    }
 }
 
 /// A gear with this centre and with its upper face at this height.

@@ -1,4 +1,4 @@
-//! Meshes of few triangles, which are in local store, compared with the reference.
+//! Meshes in local store and in main memory, compared with the reference.
 
 use std::sync::Arc;
 
@@ -10,30 +10,29 @@ use oracle::whitted::trace;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (80, 60);
-/// Triangles from the top of the bowl to its rim, and around it.
-const ROWS: u32 = 8;
-const COLUMNS: u32 = 16;
 
-/// Half a sphere that is open at the top. With normals it is smooth, except for the lowest ring.
-fn bowl(normals: bool) -> Mesh {
+/// Half a sphere that is open at the top, of `4 rows^2` triangles. With normals it is smooth, except
+/// for the lowest ring.
+fn bowl(rows: u32, normals: bool) -> Mesh {
+    let columns = 2 * rows;
     let mut mesh = Mesh {
         two_sided: true,
         ..Mesh::default()
     };
-    for row in 0..=ROWS {
-        for column in 0..COLUMNS {
-            let down = std::f64::consts::FRAC_PI_2 * f64::from(row) / f64::from(ROWS);
-            let around = std::f64::consts::TAU * f64::from(column) / f64::from(COLUMNS);
+    for row in 0..=rows {
+        for column in 0..columns {
+            let down = std::f64::consts::FRAC_PI_2 * f64::from(row) / f64::from(rows);
+            let around = std::f64::consts::TAU * f64::from(column) / f64::from(columns);
             let (ring, height) = (libm::cos(down), -libm::sin(down));
             let point = DVec3::new(ring * libm::cos(around), height, -ring * libm::sin(around));
             mesh.positions.push(point.as_vec3().to_array());
-            let normal = if row + 1 < ROWS { point } else { DVec3::ZERO };
+            let normal = if row + 1 < rows { point } else { DVec3::ZERO };
             mesh.normals.push(normal.as_vec3().to_array());
         }
     }
-    for row in 0..ROWS {
-        for column in 0..COLUMNS {
-            let at = |row: u32, column: u32| row * COLUMNS + column % COLUMNS;
+    for row in 0..rows {
+        for column in 0..columns {
+            let at = |row: u32, column: u32| row * columns + column % columns;
             let (a, b) = (at(row, column), at(row, column + 1));
             let (c, d) = (at(row + 1, column), at(row + 1, column + 1));
             mesh.triangles.extend([[a, c, d], [a, d, b]]);
@@ -57,10 +56,18 @@ fn scene(mesh: Mesh) -> nff::Scene {
 }
 
 #[test]
-fn a_small_mesh_is_drawn_as_the_reference_draws_it() {
-    for normals in [false, true] {
-        let scene = scene(bowl(normals));
+fn a_mesh_is_drawn_as_the_reference_draws_it() {
+    for (rows, normals) in [(8, false), (8, true), (24, false), (24, true)] {
+        let scene = scene(bowl(rows, normals));
         let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
+        // Up to 512 triangles may be in local store.
+        let blocks: u64 = found
+            .statistics
+            .spus
+            .iter()
+            .map(|spu| spu.blocks.used)
+            .sum();
+        assert_eq!(blocks > 0, rows > 8);
         let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
         let compared = oracle::compare(&picture(&found.picture), &reference).unwrap();
         assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");

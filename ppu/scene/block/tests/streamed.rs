@@ -1,7 +1,7 @@
 //! Scenes with a mesh: what is in local store, and what in main memory.
 
 use nff::Mesh;
-use protocol::layout::{MESH_BLOCK, SIDES_BOTH};
+use protocol::layout::{MESH_BLOCK, MESH_CODE, SIDES_BOTH};
 
 use super::*;
 

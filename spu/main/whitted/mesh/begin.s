@@ -1,0 +1,62 @@
+# Checks what the frame says of its mesh. The code that traces meshes has just arrived, and this is
+# the first of it that runs.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "driver.inc"
+        .include "checks.inc"
+
+        .set    status,3
+        .set    NEXT,15
+        registers a_frame,value,limit,bad,end
+
+# mesh_begin   checks the fields; gives up if one of them is wrong
+#   Uses    $3, $15-$19
+function mesh_begin
+        ila     $a_frame,frame
+        require_aligned mesh,LINE,Mesh
+        require_from_one mesh_blocks,MESH_BLOCKS,Mesh
+        require_from_one mesh_material_count,MESH_MATERIALS,MeshMaterials
+        mpyi    $limit,$value,MATERIAL_SIZE
+        load_word $value,FRAME_mesh_materials,$a_frame
+        ila     $end,SCENE_ADDRESS
+        sf      $value,$end,$value
+        andi    $bad,$value,15
+        refuse_if $bad,MeshMaterials
+        load_word $end,FRAME_scene_bytes,$a_frame
+        clgt    $bad,$value,$end
+        refuse_if $bad,MeshMaterials
+        a       $limit,$limit,$value
+        clgt    $bad,$limit,$end                        # where they end
+        refuse_if $bad,MeshMaterials
+
+        # The cache comes after the queues: see whitted_check.
+        load_word $value,FRAME_ray_depth,$a_frame
+        load_word $limit,FRAME_batch,$a_frame
+        ai      $value,$value,-1
+        mpyu    $value,$value,$limit
+        mpyi    $value,$value,3*16*QUEUED_SIZE/16
+        shli    $value,$value,4
+        a       $end,$end,$value
+        ila     $value,SCENE_ADDRESS
+        a       $end,$end,$value
+        load_word $value,FRAME_mesh_cache,$a_frame
+        clgt    $bad,$end,$value
+        refuse_if $bad,MeshCache
+        andi    $bad,$value,LINE-1
+        refuse_if $bad,MeshCache
+        ila     $limit,MESH_CODE
+        clgt    $bad,$value,$limit
+        refuse_if $bad,MeshCache
+        load_word $end,FRAME_mesh_slots,$a_frame
+        ai      $bad,$end,-MESH_LEAST_SLOTS
+        clgti   $bad,$bad,MESH_MOST_SLOTS-MESH_LEAST_SLOTS
+        refuse_if $bad,MeshCache
+        shli    $end,$end,MESH_BLOCK_LOG2
+        a       $end,$end,$value
+        clgt    $bad,$end,$limit
+        refuse_if $bad,MeshCache
+        bi      $lr
+refused:
+        br      give_up
+endfunction mesh_begin

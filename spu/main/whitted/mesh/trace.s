@@ -1,0 +1,350 @@
+# Finds the hits of packets of rays with the triangles of the mesh. All packets of a batch go
+# through the blocks together, so that each block is needed once for all of them.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "driver.inc"
+        .include "whitted.inc"
+        .include "mesh.inc"
+
+# Blocks that are fetched before they are needed, with the first of these.
+        .set    PREFETCHED,3
+
+        .section .data.mesh,"aw",@progbits
+        .align  4
+first_candidate:                        # of the batch's first packet, but for the node
+        .skip   16
+farthest:                               # of each packet, as in its MESH_BOUND
+        .skip   32
+packets:                                # the current block's: a bit each, of weight 128 for the
+        .skip   16                      # first packet
+visits_left:                            # blocks: a tree has no more
+        .skip   16
+scattered:                              # whether packets' rays are far apart, as shadow rays are
+        .skip   16
+
+        .section .rodata.mesh,"a",@progbits
+        .align  4
+# A packet's number is in the last bits of its address, which make no difference to loads.
+batch_candidate:
+        .int    0,arena+BATCH_RAYS,arena+BATCH_BOUNDS,0
+shadow_candidate:
+        .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,0
+next_candidate:
+        .int    0,RAYS16_SIZE+1,MESH_BOUND_SIZE,0
+no_entry:
+        .int    0,0,FARTHEST,0
+last_words:                             # of two quadwords
+        .int    0x0c0d0e0f,0x1c1d1e1f,0x0c0d0e0f,0x1c1d1e1f
+first_halves:
+        .int    0x00010203,0x04050607,0x10111213,0x14151617
+# Of a candidate and its packet's bit, an entry of the stack.
+candidate_to_entry:
+        .int    0x00010203,0x10111213,0x0c0d0e0f,0x80808080
+entry_block:                            # without the number of the box
+        .int    (1<<CHILD_SHIFT)-1,-1,-1,-1
+
+# mesh_trace   finds the nearest hits of packets with the mesh, and makes the patches that rays of
+#              a batch have hit
+#   In      w_packets, w_traced as packets_trace has them; the packets' SHEARS
+#   Uses    $3-$79, w_plan, w_first, w_here, w_left
+        .set    NEXT,10
+        registers t_sum,t_add,t_carry
+        registers entry,number,mask,near,beyond,m_word,c_end
+        registers candidate,step,a_out,bit
+        registers levels,other,a_list,header
+        # the children of an inner block
+        registers a_table,a_met,k_one_hundred,m_entry,m_near,k_step
+        registers box,packet,old,new,c_nearer,c_first,a_end
+        # pushing them
+        registers place,below,c_more,left
+        registers last                                  # to 53: a quadword of each packet's bound
+        .set    NEXT,last+8
+
+# Keeps in one place how far each packet's rays count.
+.macro  gather_farthest
+    .irp packet, 0,1,2,3,4,5,6,7
+        lqa     $last+\packet,arena+BATCH_BOUNDS+\packet*MESH_BOUND_SIZE+(MESH_BOUND_farthest&~15)
+    .endr
+        lqa     $m_word,last_words
+    .irp packet, 0,2,4,6
+        shufb   $last+\packet,$last+\packet,$last+\packet+1,$m_word
+    .endr
+        lqa     $m_word,first_halves
+        shufb   $last,$last,$last+2,$m_word
+        shufb   $last+4,$last+4,$last+6,$m_word
+        stqa    $last,farthest
+        stqa    $last+4,farthest+16
+.endm
+
+function mesh_trace
+        hbrr    bounds_call,mesh_bounds_r16
+        enter
+        lqa     $candidate,batch_candidate
+        lqa     $step,shadow_candidate
+        ceqi    $mask,$w_packets,0
+        fsmbi   $m_word,0xffff
+        splat_mask $bit
+        splat   $mask,$mask,$bit
+        selb    $candidate,$step,$candidate,$mask
+        stqa    $candidate,first_candidate
+        rotqbyi $3,$candidate,MESH_CANDIDATE_packet
+        ori     $4,$w_traced,0
+        ila     $5,arena+BATCH_BOUNDS
+        ila     $6,arena+BATCH_SHEARS
+bounds_call:
+        brsl    $lr,mesh_bounds_r16
+        gather_farthest
+        cgti    $mask,$w_depth,1
+        or      $mask,$mask,$w_packets
+        stqa    $mask,scattered
+        lqa     $mask,frame+FRAME_mesh_blocks
+        stqa    $mask,visits_left
+        # No child of a block has been met yet.
+        lqa     $entry,no_entry
+        ila     $a_out,arena+MESH_CHILDREN
+        il      $left,MESH_MOST_NODES/2
+clear:  hbrr    cleared,clear
+    .irp box, 0,1,2,3,4,5,6,7
+        stqd    $entry,16*\box($a_out)
+    .endr
+        ai      $a_out,$a_out,128
+        ai      $left,$left,-1
+cleared:
+        brnz    $left,clear
+        # The first entry: block 0 and all packets.
+        sfi     $left,$w_traced,MAX_BATCH
+        il      $mask,(1<<MAX_BATCH)-1
+        shl     $mask,$mask,$left
+        andi    $mask,$mask,(1<<MAX_BATCH)-1
+        rotqmbyi $mask,$mask,-ENTRY_packets
+        fsmbi   $m_word,0x0f00
+        and     $entry,$mask,$m_word
+        ila     $m_top,arena+MESH_STACK
+        stqd    $entry,0($m_top)
+        ai      $m_top,$m_top,CANDIDATE_SIZE
+
+next_block:
+        ila     $c_end,arena+MESH_STACK
+        ceq     $c_end,$c_end,$m_top
+        brnz    $c_end,traced
+        ai      $m_top,$m_top,-CANDIDATE_SIZE
+        lqd     $entry,0($m_top)
+        # Packets whose rays all hit something nearer are left out.
+        lqa     $last,farthest
+        lqa     $last+1,farthest+16
+        splat_mask $m_word
+        rotqbyi $near,$entry,ENTRY_near
+        splat   $near,$near,$m_word
+        fcgt    $beyond,$near,$last
+        fcgt    $near,$near,$last+1
+        gb      $beyond,$beyond
+        gb      $near,$near
+        shli    $beyond,$beyond,4
+        or      $beyond,$beyond,$near
+        rotqbyi $mask,$entry,ENTRY_packets
+        andc    $mask,$mask,$beyond
+        brz     $mask,next_block
+        hbrr    block_call,mesh_block
+        stqa    $mask,packets
+        lqa     $left,visits_left
+        ori     $3,$entry,0
+        brz     $left,bad_block
+        ai      $left,$left,-1
+        stqa    $left,visits_left
+block_call:
+        brsl    $lr,mesh_block
+        ori     $m_block,$3,0
+
+        # The block's first node and its packets.
+        hbrr    last_packet,next_packet
+        lqa     $candidate,first_candidate
+        lqa     $step,next_candidate
+        lqa     $mask,packets
+        ai      $box,$m_block,MESH_HEADER_SIZE
+        cwd     $m_word,0($sp)
+        shufb   $candidate,$box,$candidate,$m_word
+        ila     $3,arena+MESH_FIRST
+        ori     $a_out,$3,0
+        il      $left,MAX_BATCH
+next_packet:
+        stqd    $candidate,0($a_out)
+        andi    $bit,$mask,1<<(MAX_BATCH-1)
+        rotmi   $bit,$bit,-3
+        a       $a_out,$a_out,$bit
+        shli    $mask,$mask,1
+        a       $candidate,$candidate,$step
+        ai      $left,$left,-1
+last_packet:
+        brnz    $left,next_packet
+        sf      $4,$3,$a_out
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        lqd     $levels,MESH_HEADER_levels&~15($m_block)
+        rotqbyi $m_levels,$levels,MESH_HEADER_levels&15
+        count   cull_tests,$4,$t_sum,$t_add,$t_carry
+next_level:
+        ai      $m_levels,$m_levels,-1
+        brz     $m_levels,lowest
+        # From the nodes of one level to those of the next.
+        hbrr    level_call,cull_boxes
+        ila     $5,arena+MESH_SECOND
+        ila     $other,arena+MESH_FIRST
+        ceq     $c_end,$5,$3
+        selb    $5,$5,$other,$c_end
+        ori     $m_list,$5,0
+        ori     $6,$m_block,0
+level_call:
+        brsl    $lr,cull_boxes
+        sf      $4,$m_list,$3
+        ori     $3,$m_list,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        brz     $4,next_block
+        count   cull_tests,$4,$t_sum,$t_add,$t_carry
+        br      next_level
+
+lowest: hbrr    lowest_call,cull_boxes
+        ila     $5,arena+MESH_LIST
+        il      $6,0
+        lqa     $mask,scattered
+        brnz    $mask,filter
+lowest_call:
+        brsl    $lr,cull_boxes
+met:    ila     $a_list,arena+MESH_LIST
+        sf      $4,$a_list,$3
+        ori     $3,$a_list,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        brz     $4,next_block
+        lqd     $header,MESH_HEADER_kind&~15($m_block)
+        rotqbyi $header,$header,MESH_HEADER_kind&15
+        brz     $header,inner
+
+        # The triangles of a leaf.
+        hbrr    isect_call,isect_mesh_pairs_r16
+        phase_ends $g_ticks_cull,$t_sum
+        ori     $5,$m_block,0
+isect_call:
+        brsl    $lr,isect_mesh_pairs_r16
+        hbrr    farthest_call,mesh_farthest_r16
+        phase_ends $g_ticks_isect,$t_sum
+        count   tests_made,$3,$t_sum,$t_add,$t_carry
+        count   tests_possible,$3,$t_sum,$t_add,$t_carry
+        lqa     $mask,packets
+        clz     $near,$mask
+        ai      $near,$near,-(32-MAX_BATCH)             # the first packet
+        sfi     $bit,$mask,0
+        and     $bit,$bit,$mask
+        clz     $bit,$bit
+        ai      $bit,$bit,-(32-MAX_BATCH)               # the last
+        sf      $4,$near,$bit
+        ai      $4,$4,1
+        lqa     $candidate,first_candidate
+        rotqbyi $3,$candidate,MESH_CANDIDATE_packet
+        mpyi    $step,$near,MESH_BOUND_SIZE
+        il      $bit,RAYS16_SIZE
+        mpyu    $bit,$bit,$near
+        a       $3,$3,$bit
+        ila     $5,arena+BATCH_BOUNDS
+        a       $5,$5,$step
+farthest_call:
+        brsl    $lr,mesh_farthest_r16
+        hbrr    leaf_done,next_block
+        gather_farthest
+leaf_done:
+        br      next_block
+
+filter: brsl    $lr,filter_boxes_r16
+        br      met
+
+inner:
+        # Each child once, with all packets that may meet it, and the nearest of their distances.
+        ila     $a_table,arena+MESH_CHILDREN
+        ila     $a_met,arena+MESH_MET
+        il      $k_one_hundred,1<<(MAX_BATCH-1)
+        lqa     $m_entry,candidate_to_entry
+        fsmbi   $m_near,0x00f0
+        il      $k_step,CANDIDATE_SIZE
+next_child:
+        hbrr    last_child,next_child
+        lqd     $candidate,0($3)
+        rotmi   $box,$candidate,CANDIDATE_SIZE_LOG2-CHILD_SHIFT
+        andi    $box,$box,-CANDIDATE_SIZE
+        rotqbyi $packet,$candidate,MESH_CANDIDATE_packet
+        andi    $packet,$packet,MAX_BATCH-1
+        sfi     $packet,$packet,0
+        rotm    $packet,$k_one_hundred,$packet
+        shufb   $new,$candidate,$packet,$m_entry
+        lqx     $old,$a_table,$box
+        cgt     $c_nearer,$old,$new
+        selb    $c_nearer,$old,$new,$c_nearer
+        or      $new,$old,$new
+        selb    $new,$new,$c_nearer,$m_near
+        stqx    $new,$a_table,$box
+        stqd    $box,0($a_met)
+        ceqi    $c_first,$old,0
+        rotqbyi $c_first,$c_first,ENTRY_packets
+        and     $c_first,$c_first,$k_step
+        a       $a_met,$a_met,$c_first
+        ai      $3,$3,CANDIDATE_SIZE
+        ai      $4,$4,-1
+last_child:
+        brnz    $4,next_child
+
+        # They go to the stack, the nearest of them last. What was there stays below them.
+        ila     $a_end,arena+MESH_MET
+        sf      $step,$a_end,$a_met
+        a       $step,$step,$m_top
+        ila     $c_end,arena+MESH_STACK_END
+        cgt     $c_end,$step,$c_end
+        lqd     $3,MESH_HEADER_number&~15($m_block)
+        rotqbyi $3,$3,MESH_HEADER_number&15
+        brnz    $c_end,bad_block
+        lqa     $m_entry,entry_block
+        lqa     $old,no_entry
+        ori     $a_end,$m_top,0
+next_met:
+        hbrr    pushed,next_met
+        ai      $a_met,$a_met,-CANDIDATE_SIZE
+        lqd     $box,0($a_met)
+        lqx     $new,$a_table,$box
+        stqx    $old,$a_table,$box
+        ori     $place,$m_top,0
+        and     $new,$new,$m_entry
+        rotqbyi $near,$new,ENTRY_near
+higher: ceq     $c_end,$place,$a_end
+        lqd     $below,-CANDIDATE_SIZE($place)
+        rotqbyi $c_more,$below,ENTRY_near
+        cgt     $c_more,$near,$c_more
+        andc    $c_more,$c_more,$c_end
+        brz     $c_more,here
+        stqd    $below,0($place)
+        ai      $place,$place,-CANDIDATE_SIZE
+        br      higher
+here:   stqd    $new,0($place)
+        ai      $m_top,$m_top,CANDIDATE_SIZE
+        ceq     $c_end,$step,$m_top
+pushed: brz     $c_end,next_met
+
+        # The blocks that are needed next start to arrive.
+        ori     $place,$m_top,0
+        il      $left,PREFETCHED
+next_prefetch:
+        ila     $c_end,arena+MESH_STACK
+        ceq     $c_end,$c_end,$place
+        brnz    $c_end,next_block
+        ai      $place,$place,-CANDIDATE_SIZE
+        lqd     $3,ENTRY_block($place)
+        brsl    $lr,mesh_prefetch
+        ai      $left,$left,-1
+        brnz    $left,next_prefetch
+        br      next_block
+
+bad_block:
+        shli    $3,$3,8
+        ori     $3,$3,STATUS_MeshBlock
+        br      give_up
+
+traced: phase_ends $g_ticks_cull,$t_sum
+        brnz    $w_packets,seen
+        brsl    $lr,mesh_hits
+seen:   leave
+endfunction mesh_trace

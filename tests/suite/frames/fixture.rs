@@ -1,0 +1,102 @@
+//! A frame descriptor that can be spoilt, and an engine to send it to.
+
+use std::time::Duration;
+
+use crate::frames::descriptor::Descriptor;
+use crate::recorder::Recorder;
+use cellray::framebuffer::Memory;
+use cellray::{Engine, EngineError, Settings, SharedMemory, work};
+use protocol::layout::{Frame, Statistics, UnitCounter};
+
+/// Changes one field of a descriptor to a wrong value.
+pub type Spoil = fn(&mut Frame);
+
+/// An engine, and a valid frame descriptor with everything that it points to.
+pub struct Fixture {
+    pub engine: Engine,
+    pub frame: Frame,
+    pub units: SharedMemory,
+    /// The blocks of the scene's mesh.
+    pub mesh: SharedMemory,
+    pub framebuffer: Memory,
+    _memory: Vec<SharedMemory>,
+}
+
+impl Fixture {
+    pub fn of(scene: &nff::Scene, spus: u32) -> Self {
+        let Descriptor {
+            mut frame,
+            spheres,
+            block,
+            mesh,
+            mesh_code,
+            units,
+            framebuffer,
+        } = Descriptor::of(scene, spus);
+        let shared = |bytes: &[u8]| {
+            let mut memory = SharedMemory::new(bytes.len());
+            memory.write(0, bytes);
+            memory
+        };
+        let costs = SharedMemory::new(units.len());
+        let [spheres, whitted, mesh, mesh_code, units] =
+            [spheres, block, mesh, mesh_code, units].map(|bytes| shared(&bytes));
+        let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
+        let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
+        frame.spheres = spheres.address().into();
+        frame.scene = whitted.address().into();
+        frame.mesh = mesh.address().into();
+        frame.mesh_code = mesh_code.address().into();
+        frame.unit_counter = unit_counter.address().into();
+        frame.statistics = statistics.address().into();
+        frame.units = units.address().into();
+        frame.costs = costs.address().into();
+        let settings = Settings {
+            spus,
+            timeout: Duration::from_secs(30),
+            ..Settings::default()
+        };
+        let (recorder, _) = Recorder::pair(4, 4);
+        Self {
+            engine: Engine::start(settings, recorder).unwrap(),
+            frame,
+            units,
+            mesh,
+            framebuffer,
+            _memory: vec![spheres, whitted, mesh_code, unit_counter, statistics, costs],
+        }
+    }
+
+    pub fn submit(&mut self, frame: &Frame) -> Result<(), EngineError> {
+        // SAFETY: every address is either in the fixture's memory, which stays alive, or one that
+        // the SPUs must refuse without using it. The test checks that they do.
+        unsafe { self.engine.submit(frame, &mut |_| ()) }.map(|_| ())
+    }
+
+    pub fn refused(&mut self, frame: &Frame) -> work::Refusal {
+        match self.submit(frame) {
+            Err(EngineError::Refused { refusal, .. }) => refusal,
+            Ok(()) => panic!("accepted {frame:?}"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    /// Tries each wrong field, and the valid frame after it. A case has the field's name and a
+    /// part of the message.
+    pub fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
+        let good = self.frame;
+        for (field, part, spoil) in cases {
+            let mut frame = good;
+            spoil(&mut frame);
+            let refusal = self.refused(&frame);
+            let text = refusal.to_string();
+            assert!(
+                refusal.field.split(", ").any(|name| name == *field),
+                "{field}: {text}"
+            );
+            assert!(text.contains(part), "{field}: {text}");
+            self.submit(&good)
+                .unwrap_or_else(|error| panic!("after {field}: {error}"));
+        }
+    }
+}
