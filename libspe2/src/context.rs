@@ -123,8 +123,8 @@ fn create(
     Ok(Box::into_raw(handle))
 }
 
-/// Creates a context. `gang` may be NULL. On the emulator, a gang has no effect that a program could
-/// see.
+/// Creates a context. `gang` may be NULL. On the emulator, a gang has no effect that a program
+/// could see.
 ///
 /// # Safety
 /// `gang` is NULL or a live gang.
@@ -214,8 +214,8 @@ pub unsafe extern "C" fn spe_gang_context_destroy(gang: *mut SpeGangContext) -> 
         if gang.is_null() {
             return Err(Errno(libc::ESRCH));
         }
-        // SAFETY: it came from `Box::into_raw`, and the caller gives it up. Its private part is NULL,
-        // or the reference that `Arc::into_raw` left.
+        // SAFETY: it came from `Box::into_raw`, and the caller gives it up. Its private part is
+        // NULL, or the reference that `Arc::into_raw` left.
         unsafe {
             let owned = Box::from_raw(gang);
             if !owned.base_private.is_null() {

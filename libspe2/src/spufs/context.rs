@@ -84,8 +84,8 @@ impl Spufs {
         neighbor: Option<RawFd>,
         gang: Option<Arc<Gang>>,
     ) -> Result<Self, Errno> {
-        // An isolated context needs a loader for encrypted programs, and the PlayStation 3 has no such
-        // contexts.
+        // An isolated context needs a loader for encrypted programs, and the PlayStation 3 has no
+        // such contexts.
         if flags & SPE_ISOLATE != 0 {
             return Err(Errno(libc::ENODEV));
         }
