@@ -41,14 +41,14 @@ pub enum SceneError {
     Block(#[from] BlockError),
     /// The SPU program has no code for meshes in main memory.
     #[error(
-        "{file}: {triangles} triangles do not fit the local store, and the SPU program can't stream \
-         them from main memory"
+        "{file}: {objects} triangles and spheres do not fit the local store, and the SPU program can't \
+         stream them from main memory"
     )]
     NoStreaming {
         /// Name of the scene's file.
         file: String,
-        /// The triangles of its mesh.
-        triangles: usize,
+        /// The triangles and spheres that would have to be streamed.
+        objects: usize,
     },
     /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
@@ -121,7 +121,7 @@ impl Scene {
         }
         let scene = &*mesh::gathered(scene);
         let shader = |name: &str| program.shader(name).ok();
-        let block = SceneBlock::new(scene, options(render_options), &shader)?;
+        let block = SceneBlock::unchanging(scene, options(render_options), &shader)?;
         let scene = Self::by_whitted(scene, render_options, block);
         scene.check_streaming(program)?;
         Ok(scene)
@@ -132,7 +132,7 @@ impl Scene {
         match self.block.as_ref().and_then(SceneBlock::mesh) {
             Some(mesh) if program.mesh_code().is_empty() => Err(SceneError::NoStreaming {
                 file: self.file.clone(),
-                triangles: mesh.blocks.statistics().triangles,
+                objects: mesh.blocks.statistics().triangles + mesh.blocks.statistics().spheres,
             }),
             _ => Ok(()),
         }

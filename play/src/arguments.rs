@@ -11,33 +11,29 @@ use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::error::PlayError;
+use crate::keys;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
-#[command(name = "cellray-play", version, after_help = KEYS, after_long_help = KEYS)]
+#[command(name = "cellray-play", version, after_help = more_help(), after_long_help = more_help())]
 pub struct Arguments {
     /// The command.
     #[command(subcommand)]
     pub command: Command,
 }
 
-const GAME_KEYS: &str = "\
-Keys:
-  Escape, Q, a pad's PS button   end
-  F1                             show or hide speed and loads
-  F12                            take a picture";
-
-const KEYS: &str = "\
-Keys:
-  Escape, Q, a pad's PS button   end
-  F1                             show or hide speed and loads
-  F12                            take a picture
+const MORE: &str = "
   view: arrows or a drag turn, wheel or page keys zoom, Home goes back
 
 Examples:
   cellray-play play billiards
   cellray-play view scenes/whitted16.nff --display terminal
   cellray-play play orrery --frames 0..250 --out 'f-%05d.png' --size 1280x720";
+
+/// The help after the options.
+fn more_help() -> String {
+    keys::table() + MORE
+}
 
 /// The commands.
 #[derive(Debug, Subcommand)]
@@ -68,7 +64,7 @@ pub struct PlayArguments {
 
 /// The command line of a program of one game.
 #[derive(Debug, Parser)]
-#[command(about = "A game, traced by SPUs", after_help = GAME_KEYS, after_long_help = GAME_KEYS)]
+#[command(about = "A game, traced by SPUs", after_help = keys::table(), after_long_help = keys::table())]
 pub struct OneGame {
     /// Options of the game.
     #[command(flatten)]
@@ -196,7 +192,7 @@ pub struct Options {
     /// Folder for the pictures that F12 takes
     #[arg(long, default_value = ".", value_name = "FOLDER")]
     pub screenshots: PathBuf,
-    /// Start with the overlay hidden
+    /// Start without text on the screen; F1 shows it
     #[arg(long)]
     pub no_overlay: bool,
     /// SPUs to use

@@ -1,10 +1,11 @@
 //! The player's side of a session: display, input devices, signals, and the keys that control the
 //! session itself.
 //!
-//! Escape, Q and a pad's PS button end the session, F1 shows or hides the overlay, and F12 takes a
-//! picture. Invariant: these keys never reach a game. All other events do, once and in order, even
-//! those that arrive while a frame is traced. Events of devices are dropped if the player was
-//! elsewhere: on another virtual terminal, or at the shell while the program was stopped.
+//! Invariant: the keys of the session itself ([`KEYS`](crate::keys::KEYS)) never reach a game. All
+//! other events do, once and in order, even those that arrive while a frame is traced. Events of
+//! devices are dropped if the player was elsewhere: on another virtual terminal, or at the shell
+//! while the program was stopped. While the session is paused, all but the coming and going of
+//! devices is dropped.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -38,8 +39,12 @@ pub struct Requests {
     pub ending: Option<Ending>,
     /// Whether the display has another size now.
     pub resized: bool,
-    /// Whether to hide the overlay, or show it again.
+    /// Whether to show less text, or all of it again.
     pub overlay: bool,
+    /// Whether to show the keys, or hide them.
+    pub help: bool,
+    /// Whether to fill the screen, or no longer.
+    pub full_screen: bool,
     /// Whether to take a picture.
     pub screenshot: bool,
 }
@@ -62,6 +67,7 @@ pub struct Frontend {
     from_devices: Vec<InputEvent>,
     pending: Vec<InputEvent>,
     requests: Requests,
+    is_paused: bool,
     failed: Option<io::Error>,
 }
 
@@ -88,6 +94,7 @@ impl Frontend {
             from_devices: Vec::new(),
             pending: Vec::new(),
             requests: Requests::default(),
+            is_paused: false,
             failed: None,
         })
     }
@@ -118,8 +125,14 @@ impl Frontend {
         }
     }
 
-    /// Shows a message over the last picture, or over black if there is none yet.
-    pub fn tell(&mut self, picture: Option<&RgbImage>, message: String) {
+    /// Whether the player has paused the session.
+    #[must_use]
+    pub fn is_paused(&self) -> bool {
+        self.is_paused
+    }
+
+    /// Shows an overlay over the last picture, or over black if there is none yet.
+    pub fn tell(&mut self, picture: Option<&RgbImage>, overlay: &Overlay) {
         if !self.display.draws() {
             return;
         }
@@ -132,11 +145,7 @@ impl Frontend {
                 &black
             }
         };
-        let overlay = Overlay {
-            message: Some(message),
-            ..Overlay::default()
-        };
-        if let Err(error) = self.display.show(picture, Some(&overlay)) {
+        if let Err(error) = self.display.show(picture, overlay) {
             self.failed = Some(error);
         }
     }
@@ -217,8 +226,15 @@ impl Frontend {
                     }
                 }
                 Key::F1 => self.requests.overlay ^= down,
+                Key::H => self.requests.help ^= down,
+                Key::P => {
+                    if down {
+                        self.pause();
+                    }
+                }
+                Key::F11 => self.requests.full_screen ^= down,
                 Key::F12 => self.requests.screenshot |= down,
-                _ => self.pending.push(event),
+                _ => self.push(event),
             },
             InputEvent::PadButton {
                 button: Button::Ps,
@@ -229,8 +245,23 @@ impl Frontend {
                     self.end(Ending::Closed);
                 }
             }
-            _ => self.pending.push(event),
+            _ => self.push(event),
         }
+    }
+
+    fn push(&mut self, event: InputEvent) {
+        if !self.is_paused || is_of_presence(&event) {
+            self.pending.push(event);
+        }
+    }
+
+    /// Pauses the session, or lets it go on. What is released during the pause is not reported, so
+    /// everything counts as released when it begins.
+    fn pause(&mut self) {
+        if !self.is_paused {
+            self.pending.push(InputEvent::FocusLost);
+        }
+        self.is_paused = !self.is_paused;
     }
 
     fn end(&mut self, ending: Ending) {
@@ -288,7 +319,7 @@ mod tests {
             false
         }
 
-        fn show(&mut self, _: &RgbImage, _: Option<&Overlay>) -> io::Result<()> {
+        fn show(&mut self, _: &RgbImage, _: &Overlay) -> io::Result<()> {
             Ok(())
         }
     }
@@ -376,9 +407,45 @@ mod tests {
     }
 
     #[test]
+    fn what_is_pressed_in_a_pause_is_not_for_the_game() {
+        let mut front = front(vec![
+            vec![
+                key(Key::A, true),
+                key(Key::P, true),
+                key(Key::B, true),
+                DisplayEvent::Input(InputEvent::PadDisconnected { pad: PadId(3) }),
+            ],
+            vec![key(Key::P, false), key(Key::A, false), key(Key::H, true)],
+            vec![key(Key::P, true), key(Key::C, true)],
+        ]);
+        let mut events = Vec::new();
+        let mut poll = || {
+            assert!(front.poll(&mut events).expect("input").is_continue());
+            front.is_paused()
+        };
+        assert_eq!([poll(), poll(), poll()], [true, true, false]);
+        let requests = front.take_requests();
+        assert!(requests.help && !requests.full_screen);
+        let pressed = |key| InputEvent::Key { key, down: true };
+        let expected = [
+            pressed(Key::A),
+            InputEvent::FocusLost,
+            InputEvent::PadDisconnected { pad: PadId(3) },
+            pressed(Key::C),
+        ];
+        assert_eq!(events, expected);
+    }
+
+    #[test]
     fn the_sessions_keys_are_not_the_games() {
         let mut front = front(vec![
-            vec![key(Key::F1, true), key(Key::F1, false), key(Key::B, true)],
+            vec![
+                key(Key::F1, true),
+                key(Key::F1, false),
+                key(Key::F11, true),
+                key(Key::F11, false),
+                key(Key::B, true),
+            ],
             vec![
                 key(Key::F12, true),
                 key(Key::F12, false),

@@ -12,14 +12,16 @@ use image::RgbImage;
 use crate::arguments::Options;
 use crate::display::{Display, Enlarged};
 use crate::error::PlayError;
-use crate::frontend::{Ending, Frontend};
+use crate::frontend::{Ending, Frontend, Requests};
 use crate::input::InputDevices;
 use crate::meter::Meter;
+use crate::overlay::Overlay;
 use crate::pace::{Pace, Traced};
 use crate::recording;
 use crate::reload::Reload;
 use crate::screenshot;
 use crate::talk::say;
+use crate::texts::Texts;
 use crate::viewer::VIEW;
 use crate::waiting::Waiting;
 
@@ -97,7 +99,9 @@ struct Show<'a> {
     waiting: Waiting,
     /// When a frame was last drawn.
     drawn: Option<Instant>,
-    has_overlay: bool,
+    texts: Texts,
+    /// The text that was last shown.
+    overlay: Overlay,
     /// Messages to print at the end.
     kept: Vec<String>,
     /// The events for the session's next step.
@@ -141,7 +145,8 @@ impl<'a> Show<'a> {
             meter: Meter::new(Instant::now()),
             waiting: Waiting::new(Instant::now()),
             drawn: None,
-            has_overlay: !options.no_overlay,
+            texts: Texts::new(!options.no_overlay),
+            overlay: Overlay::default(),
             kept: Vec::new(),
             events: Vec::new(),
             picture: None,
@@ -154,18 +159,32 @@ impl<'a> Show<'a> {
     /// with the overlay, and handles the player's requests.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
         self.reload()?;
-        let step = self.session.wait(clock)?;
+        let is_paused = self.is_paused();
+        let step = if is_paused {
+            // The game's time stands still.
+            clock.tick();
+            Some(Duration::ZERO)
+        } else {
+            self.session.wait(clock)?
+        };
         let heard = self.front.poll(&mut self.events);
         let heard = heard.map_err(SessionError::Input)?;
         let began = Instant::now();
         let flow = match step.filter(|_| heard.is_continue()) {
+            Some(_) if is_paused => {
+                self.trace_again()?;
+                Some(ControlFlow::Continue(()))
+            }
             Some(step) => Some(self.step(step)?),
             None => None,
         };
         let requests = self.front.take_requests();
         if flow.is_some() {
-            self.has_overlay ^= requests.overlay;
-            self.show(requests.overlay || requests.screenshot)?;
+            let is_said = self.change_texts(requests);
+            self.show(is_said || requests.screenshot)?;
+        }
+        if requests.full_screen {
+            self.front.display.change_full_screen();
         }
         self.tell(requests.screenshot);
         if flow != Some(ControlFlow::Continue(())) {
@@ -184,23 +203,50 @@ impl<'a> Show<'a> {
                 &mut self.front,
                 &mut self.waiting,
                 self.picture.as_ref(),
+                &self.overlay,
                 part,
             )
         };
         let flow = self.session.step(step, &mut self.events, &mut tracing)?;
         if self.session.engine().statistics().is_put_off {
             self.coarsen()?;
-            let mut tracing = |part| {
-                keep_responsive(
-                    &mut self.front,
-                    &mut self.waiting,
-                    self.picture.as_ref(),
-                    part,
-                )
-            };
-            self.session.trace_again(&mut tracing)?;
+            self.trace_again()?;
         }
         Ok(flow)
+    }
+
+    /// Traces the last step's world again. In a pause that refines the picture, and shows the text
+    /// where the SPUs write to the screen.
+    fn trace_again(&mut self) -> Result<(), PlayError> {
+        let tiles = self.pace.as_ref().and_then(Pace::tiles);
+        self.session.engine().limit_tiles(tiles);
+        let mut tracing = |part| {
+            keep_responsive(
+                &mut self.front,
+                &mut self.waiting,
+                self.picture.as_ref(),
+                &self.overlay,
+                part,
+            )
+        };
+        Ok(self.session.trace_again(&mut tracing)?)
+    }
+
+    /// Whether the game's time stands still. There is nothing to show before the first frame.
+    fn is_paused(&self) -> bool {
+        self.front.is_paused() && self.session.next_frame() > 0
+    }
+
+    /// Shows other texts if the player wants them. Returns whether they have changed.
+    fn change_texts(&mut self, requests: Requests) -> bool {
+        if requests.overlay {
+            let has_status = !self.session.game().status().is_empty();
+            self.texts.change_level(has_status);
+        }
+        if requests.help {
+            self.texts.change_help();
+        }
+        requests.overlay || requests.help || self.overlay.notice.is_some() != self.is_paused()
     }
 
     /// Ends the refinement of a picture.
@@ -273,15 +319,18 @@ impl<'a> Show<'a> {
     /// Shows the frame on the display, if it is drawn to. While a picture is refined, not every
     /// frame is shown unless `must` is set.
     fn show(&mut self, must: bool) -> Result<(), PlayError> {
+        let is_paused = self.is_paused();
         let Geometry { width, height } = self.front.display.area();
         let sizes = ((self.size.width, self.size.height), (width, height));
         let now = Instant::now();
         let report = self.session.report().clone();
         let last = self.session.engine().statistics();
         let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
-        let overlay = self.meter.frame(now, &report, last, sizes);
-        let overlay = self.has_overlay.then_some(overlay);
+        let measured = self.meter.frame(now, &report, last, sizes);
+        let game = self.session.game().as_ref();
+        self.overlay = self.texts.overlay(measured, game, is_paused, now);
         let display = &mut self.front.display;
+        display.print(&self.overlay);
         let is_recent = |drawn| now.duration_since(drawn) < REFINED_EVERY;
         if !display.draws() || is_partial && !must && self.drawn.is_some_and(is_recent) {
             return Ok(());
@@ -290,7 +339,9 @@ impl<'a> Show<'a> {
             self.picture = self.session.picture();
         }
         if let Some(picture) = &self.picture {
-            display.show(picture, overlay).map_err(PlayError::Show)?;
+            display
+                .show(picture, &self.overlay)
+                .map_err(PlayError::Show)?;
             self.drawn = Some(now);
             self.waiting.is_over(now);
         }
@@ -310,7 +361,7 @@ impl<'a> Show<'a> {
     }
 
     fn say(&mut self, message: String) {
-        self.meter.say(message.clone(), Instant::now());
+        self.texts.say(message.clone(), Instant::now());
         if self.may_talk {
             say(message);
         } else {
@@ -346,11 +397,16 @@ fn keep_responsive(
     front: &mut Frontend,
     waiting: &mut Waiting,
     picture: Option<&RgbImage>,
+    overlay: &Overlay,
     part: f64,
 ) {
     front.tracing();
     if let Some(text) = waiting.text(Instant::now(), part) {
-        front.tell(picture, text);
+        let overlay = Overlay {
+            message: Some((text, 1.0)),
+            ..overlay.clone()
+        };
+        front.tell(picture, &overlay);
     }
 }
 

@@ -14,6 +14,7 @@ mod error;
 mod frontend;
 pub mod input;
 mod interactive;
+mod keys;
 mod meter;
 mod overlay;
 mod pace;
@@ -21,6 +22,7 @@ mod recording;
 mod reload;
 mod screenshot;
 mod talk;
+mod texts;
 mod viewer;
 mod waiting;
 
@@ -100,10 +102,11 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
                     .collect::<Vec<_>>()
                     .join(", "),
             })?;
-            for line in entry.controls {
+            let game = (entry.new)();
+            for line in game.controls() {
                 say(line);
             }
-            self::play((entry.new)(), &play.options)
+            self::play(game, &play.options)
         }
         Command::Show { picture } => show(picture),
         Command::Pages(pages) => {

@@ -1,16 +1,12 @@
-//! Computes the overlay's texts from the statistics of the SPUs and the frame loop.
+//! Computes the overlay's speeds and loads from the statistics of the SPUs and the frame loop.
 
 use std::time::{Duration, Instant};
 
 use cellray::Report;
 use cellray::statistics::FrameStatistics;
 
-use crate::overlay::Overlay;
-
 /// Numbers are averages over this time; for shorter times they change too fast to be read.
 const EVERY: Duration = Duration::from_millis(400);
-/// How long a message is visible.
-const MESSAGE: Duration = Duration::from_secs(5);
 
 /// The clock that the SPUs' speed is measured by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +52,8 @@ pub struct Meter {
     simulated: f64,
     free: f64,
     skipped: f64,
-    message: Option<(String, Instant)>,
-    overlay: Overlay,
+    lines: Vec<String>,
+    loads: Vec<f32>,
 }
 
 impl Meter {
@@ -77,24 +73,19 @@ impl Meter {
             simulated: 0.0,
             free: 100.0,
             skipped: 0.0,
-            message: None,
-            overlay: Overlay::default(),
+            lines: Vec::new(),
+            loads: Vec::new(),
         }
     }
 
-    /// Shows a message for a while.
-    pub fn say(&mut self, message: String, now: Instant) {
-        self.message = Some((message, now));
-    }
-
-    /// The overlay after a frame.
+    /// The speeds in words, and each SPU's load, after a frame.
     pub fn frame(
         &mut self,
         now: Instant,
         report: &Report,
         last: &FrameStatistics,
         (picture, area): ((u32, u32), (u32, u32)),
-    ) -> &Overlay {
+    ) -> (&[String], &[f32]) {
         let passed = now.saturating_duration_since(self.began);
         if passed >= EVERY {
             self.measure(now, passed.as_secs_f64(), report);
@@ -105,12 +96,12 @@ impl Meter {
             let needless = tests.skipped + tests.unseen;
             self.skipped = 100.0 * needless as f64 / (needless + tests.made).max(1) as f64;
             let ticks = last.ticks().max(1);
-            self.overlay.loads.clear();
+            self.loads.clear();
             let load = |busy: u64| busy as f32 / ticks as f32;
             let loads = last.spus.iter().map(|spu| load(spu.busy));
-            self.overlay.loads.extend(loads);
+            self.loads.extend(loads);
         }
-        let lines = &mut self.overlay.lines;
+        let lines = &mut self.lines;
         lines.clear();
         lines.push(format!("{:.1} frames/s are shown here", self.shown));
         let words = self.clock.words(last.spus.len());
@@ -125,10 +116,7 @@ impl Meter {
         ));
         lines.push(format!("{:.1} % of tests skipped", self.skipped));
         lines.push(format!("frame loop {:.1} % free", self.free));
-        let news = self.message.as_ref();
-        let news = news.filter(|(_, said)| now.saturating_duration_since(*said) < MESSAGE);
-        self.overlay.message = news.map(|(message, _)| message.clone());
-        &self.overlay
+        (&self.lines, &self.loads)
     }
 
     fn measure(&mut self, now: Instant, seconds: f64, report: &Report) {
@@ -185,8 +173,8 @@ mod tests {
         };
         let mut meter = Meter::new(now);
         let mut size = |last: &FrameStatistics| {
-            let overlay = meter.frame(now, &report, last, ((64, 36), (128, 72)));
-            overlay.lines[2].clone()
+            let (lines, _) = meter.frame(now, &report, last, ((64, 36), (128, 72)));
+            lines[2].clone()
         };
         assert_eq!(size(&last), "64x36 of 128x72, 3 tiles to come");
         last.tiles_left = 0;

@@ -1,31 +1,63 @@
-//! The overlay over the picture: speed, each SPU's load, and skipped work.
+//! The text over the picture: speeds and loads, what the game says, help, and short notices.
 
-/// The content of the overlay.
+/// A line of text. Its beginning may be emphasised.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Line {
+    /// The text.
+    pub text: String,
+    /// The number of characters at the beginning that are emphasised.
+    pub emphasised: usize,
+}
+
+impl Line {
+    /// A line that is emphasised as a whole.
+    pub fn heading(text: impl Into<String>) -> Self {
+        let text = text.into();
+        Self {
+            emphasised: text.chars().count(),
+            text,
+        }
+    }
+}
+
+impl<T: Into<String>> From<T> for Line {
+    fn from(text: T) -> Self {
+        Self {
+            text: text.into(),
+            emphasised: 0,
+        }
+    }
+}
+
+/// The content of the overlay. What is empty is not shown.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overlay {
-    /// Lines of text.
-    pub lines: Vec<String>,
+    /// Speeds and sizes.
+    pub speeds: Vec<String>,
     /// For each SPU the part of the frame's time in which it was at work, 0 to 1.
     pub loads: Vec<f32>,
-    /// A message that is shown for a while.
-    pub message: Option<String>,
+    /// What the game says: the score, and whose turn it is.
+    pub status: Vec<String>,
+    /// The keys.
+    pub help: Vec<Line>,
+    /// Says why nothing moves.
+    pub notice: Option<String>,
+    /// A message that is shown for a while, and its opacity, 0 to 1.
+    pub message: Option<(String, f32)>,
 }
 
 impl Overlay {
-    /// All of it in one line, for displays with only text. The most important part comes first,
-    /// because the line may be cut off.
+    /// Message, loads and speeds in one line, for displays with only text; `None` if there are none.
+    /// The most important part comes first, because the line may be cut off.
     #[must_use]
-    pub fn line(&self) -> String {
-        let loads: Vec<_> = self
-            .loads
-            .iter()
-            .map(|load| format!("{:.0}", 100.0 * load))
-            .collect();
-        let loads = format!("SPUs {} %", loads.join(" "));
-        let news = self.message.iter().map(String::as_str);
-        let numbers = self.lines.iter().map(String::as_str);
-        let all: Vec<_> = news.chain([loads.as_str()]).chain(numbers).collect();
-        all.join("  ")
+    pub fn line(&self) -> Option<String> {
+        let loads = self.loads.iter().map(|load| format!("{:.0}", 100.0 * load));
+        let loads = loads.collect::<Vec<_>>().join(" ");
+        let loads = (!loads.is_empty()).then(|| format!("SPUs {loads} %"));
+        let message = self.message.as_ref().map(|(message, _)| message.clone());
+        let all = message.into_iter().chain(loads);
+        let all: Vec<_> = all.chain(self.speeds.iter().cloned()).collect();
+        (!all.is_empty()).then(|| all.join("  "))
     }
 }
 
@@ -36,18 +68,23 @@ mod tests {
     #[test]
     fn one_line_has_it_all() {
         let overlay = Overlay {
-            lines: vec!["12 frames/s".into(), "64x48".into()],
+            speeds: vec!["12 frames/s".into(), "64x48".into()],
             loads: vec![0.25, 1.0],
-            message: None,
+            ..Overlay::default()
         };
-        assert_eq!(overlay.line(), "SPUs 25 100 %  12 frames/s  64x48");
+        let numbers = "SPUs 25 100 %  12 frames/s  64x48";
+        assert_eq!(overlay.line().as_deref(), Some(numbers));
         let overlay = Overlay {
-            message: Some("pad 1 is gone".into()),
+            message: Some(("pad 1 is gone".into(), 1.0)),
             ..overlay
         };
-        assert_eq!(
-            overlay.line(),
-            "pad 1 is gone  SPUs 25 100 %  12 frames/s  64x48"
-        );
+        let all = format!("pad 1 is gone  {numbers}");
+        assert_eq!(overlay.line(), Some(all));
+        let status = vec!["Blue's turn".into()];
+        let without = Overlay {
+            status,
+            ..Overlay::default()
+        };
+        assert_eq!(without.line(), None);
     }
 }

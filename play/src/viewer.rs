@@ -26,6 +26,13 @@ const STEEPEST: f64 = 0.995;
 /// The factor by which the distance may become larger or smaller.
 const FARTHEST: f64 = 100.0;
 
+/// The controls.
+const CONTROLS: &[&str] = &[
+    "arrows, a drag, left stick: turn the camera",
+    "wheel, page keys, right stick: nearer, farther",
+    "Home, Start: back to the scene's view",
+];
+
 /// A viewer of one scene.
 pub struct Viewer {
     name: String,
@@ -77,6 +84,10 @@ impl Viewer {
 impl Game for Viewer {
     fn name(&self) -> &str {
         &self.name
+    }
+
+    fn controls(&self) -> &[&str] {
+        CONTROLS
     }
 
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {

@@ -54,6 +54,19 @@ pub trait Game {
     /// Any [`WorldError`] from a change of the world; it ends the session.
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError>;
 
+    /// The controls, each in a line of its own, as `keys: what they do`. The program that shows the
+    /// game lists them as help.
+    fn controls(&self) -> &[&str] {
+        &[]
+    }
+
+    /// What a display shows in words beside the picture, such as the score and whose turn it is:
+    /// short lines of text, or nothing. It is drawn on the display only, never into the picture
+    /// that the SPUs trace, so pictures and recordings are the same with or without it.
+    fn status(&self) -> String {
+        String::new()
+    }
+
     /// Whether the game is over. Asked after each frame; if it is, that frame was the last.
     fn is_over(&self) -> bool {
         false
@@ -67,8 +80,6 @@ pub struct Entry {
     pub name: &'static str,
     /// A description of one line.
     pub line: &'static str,
-    /// The controls, each in a line of its own.
-    pub controls: &'static [&'static str],
     /// Creates the game.
     pub new: fn() -> Box<dyn Game>,
 }

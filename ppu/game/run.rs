@@ -518,6 +518,14 @@ impl<G: Game + ?Sized> Game for Box<G> {
         (**self).update(world, frame)
     }
 
+    fn controls(&self) -> &[&str] {
+        (**self).controls()
+    }
+
+    fn status(&self) -> String {
+        (**self).status()
+    }
+
     fn is_over(&self) -> bool {
         (**self).is_over()
     }

@@ -34,7 +34,6 @@ pub const CONTROLS: &[&str] = &[
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "marbles on a mirror that the player tilts",
-    controls: CONTROLS,
     new: || Box::new(Marbles::default()),
 };
 
@@ -421,6 +420,15 @@ impl Game for Marbles {
         NAME
     }
 
+    fn controls(&self) -> &[&str] {
+        CONTROLS
+    }
+
+    fn status(&self) -> String {
+        let (round, lit) = (self.won / BEADS + 1, self.won % BEADS);
+        format!("Gems: {}\nRound {round}: {lit} of {BEADS}", self.won)
+    }
+
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
         self.chance = Xoshiro256PlusPlus::seed_from_u64(start.seed);
         self.place_marbles();
@@ -451,5 +459,23 @@ impl Game for Marbles {
             world.move_to(marble, body.centre)?;
         }
         self.look(world)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gems_and_rounds_are_counted() {
+        let status = |won| {
+            let marbles = Marbles {
+                won,
+                ..Marbles::default()
+            };
+            marbles.status()
+        };
+        assert_eq!(status(0), "Gems: 0\nRound 1: 0 of 8");
+        assert_eq!(status(13), "Gems: 13\nRound 2: 5 of 8");
     }
 }

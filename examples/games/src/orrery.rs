@@ -41,7 +41,6 @@ pub const CONTROLS: &[&str] = &[
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "the sun, its planets, moons and rings",
-    controls: CONTROLS,
     new: || Box::new(Orrery::default()),
 };
 
@@ -315,6 +314,10 @@ impl Orrery {
 impl Game for Orrery {
     fn name(&self) -> &str {
         NAME
+    }
+
+    fn controls(&self) -> &[&str] {
+        CONTROLS
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {

@@ -35,7 +35,6 @@ pub const CONTROLS: &[&str] = &[
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "sixteen spheres that bounce in a room, for ever",
-    controls: CONTROLS,
     new: || Box::new(Screensaver::default()),
 };
 
@@ -216,6 +215,10 @@ impl Screensaver {
 impl Game for Screensaver {
     fn name(&self) -> &str {
         NAME
+    }
+
+    fn controls(&self) -> &[&str] {
+        CONTROLS
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {

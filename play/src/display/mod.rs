@@ -10,6 +10,7 @@ mod pointer;
 mod scale;
 mod screen;
 mod terminal;
+mod text;
 #[cfg_attr(target_arch = "powerpc64", path = "no_window.rs")]
 mod window;
 
@@ -76,7 +77,13 @@ pub trait Display {
     ///
     /// # Errors
     /// The display fails.
-    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()>;
+    fn show(&mut self, picture: &RgbImage, overlay: &Overlay) -> io::Result<()>;
+
+    /// Sets the overlay of the next frames, on a display that the SPUs write to.
+    fn print(&mut self, _overlay: &Overlay) {}
+
+    /// Fills the screen, or no longer. Only windows can.
+    fn change_full_screen(&mut self) {}
 }
 
 /// Why a display can't be opened.

@@ -56,7 +56,7 @@ impl Display for Window {
         match self.0 {}
     }
 
-    fn show(&mut self, _picture: &RgbImage, _overlay: Option<&Overlay>) -> io::Result<()> {
+    fn show(&mut self, _picture: &RgbImage, _overlay: &Overlay) -> io::Result<()> {
         match self.0 {}
     }
 }

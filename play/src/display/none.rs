@@ -42,7 +42,7 @@ impl Display for NoDisplay {
         false
     }
 
-    fn show(&mut self, _picture: &RgbImage, _overlay: Option<&Overlay>) -> io::Result<()> {
+    fn show(&mut self, _picture: &RgbImage, _overlay: &Overlay) -> io::Result<()> {
         Ok(())
     }
 }

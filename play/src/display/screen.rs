@@ -1,14 +1,17 @@
-//! The console's framebuffer: the SPUs write to it as they do for `cellray fb`.
+//! The console's framebuffer: the SPUs write to it as they do for `cellray fb`, and the overlay is
+//! drawn over each frame before it is shown.
 //!
-//! Known weakness: there is no overlay and no screenshot, because the picture is in the driver's
-//! memory.
+//! Known weaknesses: there is no screenshot, because the picture is in the driver's memory. If the
+//! driver has a single page, which is always visible, text may flicker while a frame is traced.
 
 use std::io;
 use std::path::Path;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use cellray::framebuffer::{self, Framebuffer, FramebufferError, Geometry};
 use image::RgbImage;
 
+use super::text::Printed;
 use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
 use crate::talk::say;
@@ -18,6 +21,7 @@ pub struct Screen {
     /// `None` after it was handed out.
     framebuffer: Option<Box<dyn Framebuffer>>,
     area: Geometry,
+    overlay: Arc<Mutex<Overlay>>,
 }
 
 impl Screen {
@@ -31,6 +35,7 @@ impl Screen {
         Ok(Self {
             area: framebuffer.geometry(),
             framebuffer: Some(framebuffer),
+            overlay: Arc::default(),
         })
     }
 }
@@ -47,9 +52,11 @@ impl Display for Screen {
     fn measure_in(&mut self, _size: Geometry) {}
 
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-        self.framebuffer
+        let inner = self
+            .framebuffer
             .take()
-            .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))
+            .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))?;
+        Ok(Box::new(Printed::new(inner, Arc::clone(&self.overlay))))
     }
 
     fn poll(&mut self, _display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
@@ -60,7 +67,12 @@ impl Display for Screen {
         false
     }
 
-    fn show(&mut self, _picture: &RgbImage, _overlay: Option<&Overlay>) -> io::Result<()> {
+    fn show(&mut self, _picture: &RgbImage, _overlay: &Overlay) -> io::Result<()> {
         Ok(())
+    }
+
+    fn print(&mut self, overlay: &Overlay) {
+        let mut printed = self.overlay.lock().unwrap_or_else(PoisonError::into_inner);
+        printed.clone_from(overlay);
     }
 }

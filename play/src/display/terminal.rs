@@ -7,6 +7,7 @@ mod cells;
 mod events;
 mod keys;
 mod restore;
+mod texts;
 
 use std::io::{self, IsTerminal as _, Write as _};
 use std::sync::Arc;
@@ -26,6 +27,7 @@ use self::cells::Grid;
 use self::events::Events;
 use self::keys::Keys;
 use self::restore::TerminalGuard;
+use self::texts::texts;
 use super::{Display, DisplayError, DisplayEvent, Enlarged, Fit, Pointer};
 use crate::overlay::Overlay;
 
@@ -234,15 +236,15 @@ impl Display for Terminal {
         self.has_pictures
     }
 
-    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
+    fn show(&mut self, picture: &RgbImage, overlay: &Overlay) -> io::Result<()> {
         let fit = self.fit().filled_by(picture.dimensions());
         let enlarged = fit
             .enlarged()
             .map(|size| Enlarged::new(picture, size).all());
         let picture = enlarged.as_ref().unwrap_or(picture);
         let fit = fit.filled_by(picture.dimensions());
-        let line = overlay.map(Overlay::line);
-        let text = self.grid.draw(picture, fit, self.cells, line.as_deref());
+        let texts = texts(overlay, self.cells);
+        let text = self.grid.draw(picture, fit, self.cells, &texts);
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {
             // The system's error for a terminal that has hung up.

@@ -3,7 +3,6 @@
 //! Invariant: every key and button of the window becomes an event, in order, however long a frame
 //! takes, because the window's events are also read while a frame is traced.
 
-mod draw;
 mod keys;
 
 use std::io;
@@ -12,7 +11,7 @@ use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
 use std::time::Duration;
 
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, PixelFormat};
 use cellray::game::{InputEvent, MouseButton};
 use image::RgbImage;
 use winit::application::ApplicationHandler;
@@ -21,9 +20,10 @@ use winit::event::{DeviceEvent, DeviceId, ElementState, MouseScrollDelta, Window
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop};
 use winit::keyboard::PhysicalKey;
 use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
-use winit::window::{Window as Winit, WindowId};
+use winit::window::{Fullscreen, Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
+use super::text::paint::{Canvas, Painter};
 use super::{Display, DisplayError, DisplayEvent, Enlarged, Fit, Pointer};
 use crate::overlay::Overlay;
 
@@ -32,12 +32,24 @@ const PIXELS_A_NOTCH: f64 = 40.0;
 /// The least width and height in pixels; smaller windows show nothing useful.
 const LEAST: u32 = 64;
 
+/// The channels of a window's words, which have red, green and blue in their lowest bytes.
+const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
+    PixelFormat::ARGB
+} else {
+    PixelFormat {
+        red_shift: 8,
+        green_shift: 16,
+        blue_shift: 24,
+    }
+};
+
 type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
 
 /// A window.
 pub struct Window {
     events: EventLoop<()>,
     state: State,
+    painter: Painter,
 }
 
 /// The state that the window's events change.
@@ -111,7 +123,11 @@ impl Window {
         if state.open.is_none() || matches!(status, PumpStatus::Exit(_)) {
             return Err(refused("the display server has not made a window"));
         }
-        Ok(Self { events, state })
+        Ok(Self {
+            events,
+            state,
+            painter: Painter::default(),
+        })
     }
 }
 
@@ -251,7 +267,7 @@ impl Display for Window {
         true
     }
 
-    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
+    fn show(&mut self, picture: &RgbImage, overlay: &Overlay) -> io::Result<()> {
         let State {
             open,
             area,
@@ -270,11 +286,22 @@ impl Display for Window {
         surface.resize(width, height).map_err(failed)?;
         let mut buffer = surface.buffer_mut().map_err(failed)?;
         paint(picture, fit, &mut buffer, area.width as usize);
-        if let Some(overlay) = overlay {
-            draw::draw(overlay, &mut buffer, area.width as usize);
-        }
+        let mut canvas = Canvas {
+            words: &mut buffer,
+            stride: area.width as usize,
+            area: (area.width as usize, area.height as usize),
+            format: FORMAT,
+        };
+        self.painter.paint(overlay, &mut canvas);
         window.pre_present_notify();
         buffer.present().map_err(failed)
+    }
+
+    fn change_full_screen(&mut self) {
+        if let Some((window, _)) = &self.state.open {
+            let is_full = window.fullscreen().is_some();
+            window.set_fullscreen((!is_full).then_some(Fullscreen::Borderless(None)));
+        }
     }
 }
 

@@ -137,8 +137,29 @@ impl SceneBlock {
                 done => return done,
             }
         }
-        let streamed = Streamed::of(scene)?;
+        let streamed = Streamed::of(scene, false)?;
         Self::with_spare(scene, options, shader, Spare::default(), streamed)
+    }
+
+    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres go to main memory if local
+    /// store has no room for them.
+    ///
+    /// # Errors
+    /// As for [`SceneBlock::new`].
+    pub fn unchanging(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+    ) -> Result<Self, BlockError> {
+        let outcome = Self::new(scene, options, shader);
+        let (Err(BlockError::TooLarge { .. }) | Err(BlockError::TooManyObjects { .. })) = &outcome
+        else {
+            return outcome;
+        };
+        match Streamed::of(scene, true)? {
+            None => outcome,
+            streamed => Self::with_spare(scene, options, shader, Spare::default(), streamed),
+        }
     }
 
     /// Without `streamed`, a mesh is in local store.
@@ -162,7 +183,7 @@ impl SceneBlock {
             found,
             objects,
             mut parts,
-        } = Found::of(scene, options.ray_depth, streamed.is_some())?;
+        } = Found::of(scene, options.ray_depth, streamed.as_ref())?;
         let mut materials = vec![None; scene.materials.len()];
         // Those of a mesh in main memory are in a row, in the order of its blocks' numbers.
         let mut used: Vec<u32> = Vec::new();
@@ -417,8 +438,11 @@ struct Found {
 }
 
 impl Found {
-    /// `is_streamed` tells whether the scene's mesh is in main memory, and left out here.
-    fn of(scene: &Scene, ray_depth: u32, is_streamed: bool) -> Result<Self, BlockError> {
+    /// What is in main memory is left out here.
+    fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
+        let without_spheres = streamed.is_some_and(|streamed| streamed.with_spheres);
+        let is_streamed =
+            |shape: &nff::Shape| without_spheres && matches!(shape, nff::Shape::Sphere { .. });
         let Self {
             mut found,
             mut objects,
@@ -430,7 +454,8 @@ impl Found {
         let mut too_many = None;
         for object in &scene.objects {
             let first = parts.len();
-            if let Some(material) = scene.materials.get(object.material as usize) {
+            let material = scene.materials.get(object.material as usize);
+            if let Some(material) = material.filter(|_| !is_streamed(&object.shape)) {
                 let place = SourceLocation {
                     file: &scene.name,
                     line: Some(object.line),
@@ -466,7 +491,12 @@ impl Found {
             objects.push(first..parts.len());
         }
         // A mesh in local store: its triangles are no objects of the scene, and come after them.
-        for triangle in scene.mesh.iter().filter(|_| !is_streamed).flat_map(of_mesh) {
+        for triangle in scene
+            .mesh
+            .iter()
+            .filter(|_| streamed.is_none())
+            .flat_map(of_mesh)
+        {
             let (shape, index, two_sided) = triangle;
             let kind = PrimitiveKind::Triangle;
             let place = SourceLocation {

@@ -1,18 +1,20 @@
-//! The part of a scene that SPUs stream from main memory: its mesh, and what of it is in local
-//! store.
+//! The part of a scene that SPUs stream from main memory: its mesh, and spheres if there are too
+//! many; and what of these is in local store.
 
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::Scene;
+use nff::{Mesh, Scene, Shape};
 use protocol::layout::{
     MESH_BLOCK, MESH_CODE, MESH_CODE_ROOM, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM,
 };
 use zerocopy::big_endian::F32;
 
 use super::error::BlockError;
-use super::objects::{LEAVE, taxicab};
-use crate::scene::mesh::{MeshBlocks, RESIDENT};
+use super::objects::{self, LEAVE, taxicab};
+use super::primitive::Primitive;
+use super::source_location::SourceLocation;
+use crate::scene::mesh::{MeshBlocks, MeshSphere, RESIDENT};
 use crate::scene::single::singles;
 
 /// The fewest blocks that the cache has room for.
@@ -26,6 +28,8 @@ pub(super) struct Streamed {
     pub blocks: Arc<MeshBlocks>,
     /// The corners of the box around it.
     bounds: [DVec3; 2],
+    /// Whether the scene's spheres are there, too.
+    pub with_spheres: bool,
     /// The address of the first of its materials, which are in a row.
     pub materials: u32,
 }
@@ -48,20 +52,36 @@ pub struct MeshPlace<'a> {
 }
 
 impl Streamed {
-    /// The blocks of a scene's mesh; `None` if it has none.
-    pub fn of(scene: &Scene) -> Result<Option<Self>, BlockError> {
-        let Some(mesh) = &scene.mesh else {
-            return Ok(None);
+    /// The blocks of a scene's mesh, and of its spheres if they are to be in main memory too;
+    /// `None` if there is nothing for these.
+    pub fn of(scene: &Scene, with_spheres: bool) -> Result<Option<Self>, BlockError> {
+        let spheres = match with_spheres {
+            true => spheres(scene)?,
+            false => Vec::new(),
         };
+        if scene.mesh.is_none() && spheres.is_empty() {
+            return Ok(None);
+        }
         let wrong = |source| BlockError::Mesh {
             file: scene.name.clone(),
             source,
         };
-        let blocks = MeshBlocks::new(mesh, &scene.materials).map_err(wrong)?;
-        let (low, high) = mesh.bounds().unwrap_or_default();
+        let nothing = Mesh::default();
+        let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
+        let blocks = MeshBlocks::new(mesh, &spheres, &scene.materials).map_err(wrong)?;
+        let corners = spheres.iter().flat_map(|sphere| {
+            let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
+            [centre - radius, centre + radius]
+        });
+        let bounds = mesh.bounds().map(|(low, high)| [low, high]);
+        let bounds = corners.fold(bounds, |bounds, corner| {
+            let [low, high] = bounds.unwrap_or([corner; 2]);
+            Some([low.min(corner), high.max(corner)])
+        });
         Ok(Some(Self {
             blocks: Arc::new(blocks),
-            bounds: [low, high],
+            bounds: bounds.unwrap_or_default(),
+            with_spheres,
             materials: SCENE_ADDRESS,
         }))
     }
@@ -87,6 +107,35 @@ impl Streamed {
             eye: [x, y, z, F32::ZERO],
         }
     }
+}
+
+/// A scene's spheres, with single precision.
+fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
+    let mut found = Vec::new();
+    for object in &scene.objects {
+        let Some(material) = scene.materials.get(object.material as usize) else {
+            continue;
+        };
+        if !matches!(object.shape, Shape::Sphere { .. }) {
+            continue;
+        }
+        let place = SourceLocation {
+            file: &scene.name,
+            line: Some(object.line),
+        };
+        objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
+            if let Primitive::Sphere { centre, radius } = primitive {
+                found.push(MeshSphere {
+                    centre: centre.as_vec3(),
+                    radius: radius as f32,
+                    sides,
+                    material: object.material,
+                });
+            }
+            Ok(())
+        })?;
+    }
+    Ok(found)
 }
 
 /// Whether a scene's mesh is small enough to be tried in local store, where it is faster.

@@ -1,34 +1,28 @@
-//! The order of a leaf block's triangles: runs of at most [`MESH_RUN`], in groups of four, one
-//! group a node.
-
-use protocol::layout::MESH_RUN;
+//! The order of a leaf block's pieces: runs of a few, in groups of four runs, one group a node.
 
 use super::sweep::sweep;
 use super::tree::{Bounds, Piece, around};
 
 /// Children of a node.
 pub(super) const WIDTH: usize = 4;
-/// The most triangles of a leaf whose only node has all runs.
-const FEW: usize = 16;
 
-/// The lengths of the runs of each group; the pieces are sorted so that they follow each other.
-pub(super) fn runs(pieces: &mut [Piece]) -> Vec<Vec<usize>> {
-    if pieces.len() <= FEW {
-        return vec![group(pieces)];
+/// The lengths of the runs of each group, of at most `most` pieces; the pieces are sorted so that
+/// they follow each other. Up to `few` pieces make a single group.
+pub(super) fn runs(pieces: &mut [Piece], most: usize, few: usize) -> Vec<Vec<usize>> {
+    if pieces.len() <= few {
+        return vec![group(pieces, most)];
     }
     let mut groups = Vec::with_capacity(WIDTH);
-    parts(pieces, WIDTH, WIDTH * MESH_RUN as usize, &mut |pieces| {
-        groups.push(group(pieces));
+    parts(pieces, WIDTH, WIDTH * most, &mut |pieces| {
+        groups.push(group(pieces, most));
     });
     groups
 }
 
-/// Divides a group's pieces into runs.
-fn group(pieces: &mut [Piece]) -> Vec<usize> {
+/// Divides a group's pieces into runs of at most `most`.
+fn group(pieces: &mut [Piece], most: usize) -> Vec<usize> {
     let mut runs = Vec::with_capacity(WIDTH);
-    parts(pieces, WIDTH, MESH_RUN as usize, &mut |run| {
-        runs.push(run.len())
-    });
+    parts(pieces, WIDTH, most, &mut |run| runs.push(run.len()));
     runs
 }
 

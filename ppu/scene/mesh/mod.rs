@@ -1,19 +1,20 @@
-//! Meshes in the form that SPUs stream from main memory: a BVH of boxes over triangles, cut into
-//! blocks of one DMA transfer each.
+//! Meshes and spheres in the form that SPUs stream from main memory: a BVH of boxes over triangles
+//! and spheres, cut into blocks of one DMA transfer each.
 //!
 //! A block has nodes in a few complete levels, and a leaf block also its triangles with their
-//! vertices (`docs/work-unit.md`). Positions are the mesh's own singles, so a box holds exactly its
+//! vertices, or its spheres (`docs/work-unit.md`). Positions are the mesh's own singles, so a box holds exactly its
 //! vertices. The triangles are divided by the surface area heuristic until they fit a leaf block
 //! each; near that size the heuristic counts blocks instead of triangles, so that blocks get full.
 //!
-//! Invariant: every triangle with an area is in exactly one leaf block, a child's number is greater
-//! than its parent's, and all triangles of a block have the same sides. A triangle without an area
-//! is left out: no ray hits it.
+//! Invariant: every sphere, and every triangle with an area, is in exactly one leaf block. A child's
+//! number is greater than its parent's, and all triangles of a block have the same sides. A triangle
+//! without an area is left out: no ray hits it.
 
 mod cut;
 mod gather;
 mod leaf;
 mod normal;
+mod sphere;
 mod statistics;
 mod sweep;
 #[cfg(test)]
@@ -25,15 +26,24 @@ use glam::DVec3;
 use nff::{Material, Mesh};
 use protocol::layout::{MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH};
 
-use self::tree::{Bounds, Piece, Tree};
+use self::tree::{Bounds, Kind, Piece, Tree};
 use super::single::LARGEST;
 
 pub(crate) use self::gather::RESIDENT;
 pub use self::gather::gathered;
+pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 
-/// The kinds of sides that triangles have.
-const KINDS: [u32; 4] = [0, SIDES_BOTH, SIDES_SMOOTH, SIDES_BOTH | SIDES_SMOOTH];
+/// The kinds of pieces: triangles by their sides, then spheres.
+const KINDS: [Kind; 5] = [
+    Kind::Triangles(0),
+    Kind::Triangles(SIDES_BOTH),
+    Kind::Triangles(SIDES_SMOOTH),
+    Kind::Triangles(SIDES_BOTH | SIDES_SMOOTH),
+    Kind::Spheres,
+];
+/// The place of spheres among them.
+const SPHERES: usize = 4;
 
 /// Why a mesh can't be converted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -71,16 +81,21 @@ pub struct MeshBlocks {
 }
 
 impl MeshBlocks {
-    /// Builds the BVH of a mesh whose materials are in `materials`, and cuts it into blocks.
+    /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
+    /// blocks.
     ///
     /// # Errors
-    /// - No triangle has an area.
+    /// - No triangle has an area, and there is no sphere.
     /// - A coordinate is out of range.
     /// - There are more materials or blocks than the SPUs support.
     ///
     /// # Panics
-    /// A triangle has a vertex or a material that doesn't exist.
-    pub fn new(mesh: &Mesh, materials: &[Material]) -> Result<Self, MeshError> {
+    /// A triangle has a vertex, or it or a sphere a material, that doesn't exist.
+    pub fn new(
+        mesh: &Mesh,
+        spheres: &[MeshSphere],
+        materials: &[Material],
+    ) -> Result<Self, MeshError> {
         let in_range = |position: &[f32; 3]| {
             let mut numbers = position.iter();
             numbers.all(|number| f64::from(number.abs()) <= LARGEST)
@@ -93,9 +108,22 @@ impl MeshBlocks {
             .iter()
             .map(|material| mesh.two_sided || material.transmittance > 0.0)
             .collect();
-        let mut kinds: [Vec<Piece>; 4] = Default::default();
+        let mut kinds: [Vec<Piece>; KINDS.len()] = Default::default();
         let mut numbers = vec![None; materials.len()];
         let mut used = Vec::new();
+        let mut number = |material: usize| {
+            numbers[material].get_or_insert_with(|| {
+                used.push(material as u32);
+                used.len() - 1
+            });
+        };
+        for (index, sphere) in spheres.iter().enumerate() {
+            number(sphere.material as usize);
+            kinds[SPHERES].push(Piece {
+                bounds: sphere.bounds(),
+                index: index as u32,
+            });
+        }
         for (triangle, &material) in mesh.materials.iter().enumerate() {
             let corners = mesh.corners(triangle);
             let [a, b, c] = corners.map(|corner| corner.as_dvec3());
@@ -103,10 +131,7 @@ impl MeshBlocks {
                 continue;
             }
             let material = material as usize;
-            numbers[material].get_or_insert_with(|| {
-                used.push(material as u32);
-                used.len() - 1
-            });
+            number(material);
             let smooth = mesh.corner_normals(triangle).is_some();
             let kind = usize::from(both[material]) + 2 * usize::from(smooth);
             kinds[kind].push(Piece {
@@ -114,7 +139,7 @@ impl MeshBlocks {
                     low: corners[0].min(corners[1]).min(corners[2]),
                     high: corners[0].max(corners[1]).max(corners[2]),
                 },
-                triangle: triangle as u32,
+                index: triangle as u32,
             });
         }
         if used.is_empty() {
@@ -128,21 +153,22 @@ impl MeshBlocks {
         let mut tree = Tree::new(mesh, kinds.concat());
         let mut start = 0;
         let mut root = None;
-        // The sides of the pieces before each index.
+        // The kind of the pieces before each index.
         let mut ends = Vec::new();
-        for (length, sides) in ranges.into_iter().zip(KINDS) {
+        for (length, kind) in ranges.into_iter().zip(KINDS) {
             if length > 0 {
-                let grown = tree.grow(start..start + length);
+                let grown = tree.grow(kind, start..start + length);
                 root = Some(root.map_or(grown, |root| tree.join([root, grown])));
                 start += length;
-                ends.push((start, sides));
+                ends.push((start, kind));
             }
         }
         let Some(root) = root else {
             return Err(MeshError::NoArea(mesh.triangles.len()));
         };
         let numbers = numbers.into_iter().map(|it| it.unwrap_or_default() as u8);
-        write::blocks(mesh, tree, root, &ends, &numbers.collect::<Vec<_>>(), used)
+        let numbers = numbers.collect::<Vec<_>>();
+        write::blocks(mesh, spheres, tree, root, &ends, &numbers, used)
     }
 
     /// The number of blocks.

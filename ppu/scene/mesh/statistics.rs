@@ -8,6 +8,8 @@ use protocol::layout::MESH_BLOCK;
 pub struct MeshStatistics {
     /// Triangles in blocks.
     pub triangles: usize,
+    /// Spheres in blocks.
+    pub spheres: usize,
     /// Triangles without an area, which are in no block.
     pub left_out: usize,
     /// Leaf blocks.
@@ -20,6 +22,8 @@ pub struct MeshStatistics {
     pub expected_nodes: f64,
     /// Triangles that a ray is tested with.
     pub expected_triangles: f64,
+    /// Spheres that a ray is tested with.
+    pub expected_spheres: f64,
 }
 
 impl MeshStatistics {

@@ -1,11 +1,12 @@
-//! A binary tree over a mesh's triangles, by the surface area heuristic in bins. Its leaves are the
-//! contents of leaf blocks.
+//! A binary tree over a mesh's triangles, or over spheres, by the surface area heuristic in bins. Its
+//! leaves are the contents of leaf blocks.
 //!
 //! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a
 //! block.
 
 use std::ops::Range;
 
+use super::leaf::WIDTH;
 use super::sweep::sweep;
 use glam::Vec3;
 use nff::Mesh;
@@ -18,7 +19,9 @@ const BINS: usize = 16;
 const FILL: f64 = 0.82;
 /// Nodes of a leaf block with two levels.
 const LEAF_NODES: usize = 5;
-/// Up to so many blocks' triangles are divided into whole blocks.
+/// Spheres of a leaf block: four for each of its lowest nodes.
+const SPHERES: usize = WIDTH * (LEAF_NODES - 1);
+/// Up to so many blocks' pieces are divided into whole blocks.
 const FEW_BLOCKS: usize = 8;
 
 /// A box; without points its lower corner is above its upper one.
@@ -51,12 +54,20 @@ impl Bounds {
     }
 }
 
-/// A triangle and its box.
+/// What pieces are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// Triangles with these `SIDES_` bits.
+    Triangles(u32),
+    Spheres,
+}
+
+/// A triangle or a sphere, and its box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub bounds: Bounds,
-    /// The triangle's index in the mesh.
-    pub triangle: u32,
+    /// The triangle's index in the mesh, or the sphere's.
+    pub index: u32,
 }
 
 impl Piece {
@@ -91,7 +102,7 @@ pub(super) struct Tree<'a> {
     pub pieces: Vec<Piece>,
     pub nodes: Vec<Node>,
     /// About how many triangles a leaf block holds.
-    capacity: usize,
+    triangles: usize,
     /// For each vertex the last leaf that it was counted for.
     counted: Vec<u32>,
     count: u32,
@@ -108,16 +119,20 @@ impl<'a> Tree<'a> {
             mesh,
             pieces,
             nodes: Vec::new(),
-            capacity: ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize),
+            triangles: ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize),
             counted: vec![0; mesh.positions.len()],
             count: 0,
         }
     }
 
-    /// Grows the tree of some pieces, and returns the index of its root.
-    pub fn grow(&mut self, pieces: Range<usize>) -> usize {
+    /// Grows the tree of some pieces of one kind, and returns the index of its root.
+    pub fn grow(&mut self, kind: Kind, pieces: Range<usize>) -> usize {
         let bounds = around(&self.pieces[pieces.clone()]);
-        if self.fits(pieces.clone()) {
+        let (fits, capacity) = match kind {
+            Kind::Triangles(_) => (self.fits(pieces.clone()), self.triangles),
+            Kind::Spheres => (pieces.len() <= SPHERES, SPHERES),
+        };
+        if fits {
             self.nodes.push(Node {
                 bounds,
                 pieces,
@@ -126,10 +141,10 @@ impl<'a> Tree<'a> {
             });
             return self.nodes.len() - 1;
         }
-        let middle = pieces.start + split(&mut self.pieces[pieces.clone()], self.capacity);
+        let middle = pieces.start + split(&mut self.pieces[pieces.clone()], capacity);
         let halves = [
-            self.grow(pieces.start..middle),
-            self.grow(middle..pieces.end),
+            self.grow(kind, pieces.start..middle),
+            self.grow(kind, middle..pieces.end),
         ];
         self.join(halves)
     }
@@ -147,7 +162,7 @@ impl<'a> Tree<'a> {
         self.nodes.len() - 1
     }
 
-    /// Whether a leaf block has room for pieces.
+    /// Whether a leaf block has room for triangles.
     fn fits(&mut self, pieces: Range<usize>) -> bool {
         if pieces.len() > MESH_FACES as usize {
             return false;
@@ -155,7 +170,7 @@ impl<'a> Tree<'a> {
         self.count += 1;
         let mut vertices = 0;
         for piece in &self.pieces[pieces.clone()] {
-            for vertex in self.mesh.triangles[piece.triangle as usize] {
+            for vertex in self.mesh.triangles[piece.index as usize] {
                 let last = &mut self.counted[vertex as usize];
                 vertices += usize::from(*last != self.count);
                 *last = self.count;

@@ -5,29 +5,33 @@ use std::ops::Range;
 
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MeshFace, MeshHeader,
-    MeshVertex, NO_BOX, SIDES_SMOOTH,
+    Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
+    MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::cut::{Branch, cut};
-use super::leaf::{run_bounds, runs};
+use super::leaf::{WIDTH, run_bounds, runs};
 use super::normal::packed;
+use super::sphere::MeshSphere;
 use super::statistics::MeshStatistics;
-use super::tree::{Bounds, Node, Tree, around};
+use super::tree::{Bounds, Kind, Node, Tree, around};
 use super::{Block, MeshBlocks, MeshError};
 
+/// The most triangles of a leaf whose only node has all runs.
+const FEW: usize = 16;
 /// Bits of a run's word below the number of its triangles.
 const RUN_SHIFT: u32 = 16;
 
-/// Writes the blocks of a tree. `ends` has the sides of the pieces before each index, `numbers` the
+/// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, `numbers` the
 /// number in blocks of each material of the scene, and `materials` those materials.
 pub(super) fn blocks(
     mesh: &Mesh,
+    spheres: &[MeshSphere],
     tree: Tree<'_>,
     root: usize,
-    ends: &[(usize, u32)],
+    ends: &[(usize, Kind)],
     numbers: &[u8],
     materials: Vec<u32>,
 ) -> Result<MeshBlocks, MeshError> {
@@ -38,12 +42,14 @@ pub(super) fn blocks(
         nodes: &nodes,
         numbers,
         mesh,
+        spheres,
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
         whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
         local: vec![(0, 0); mesh.positions.len()],
         statistics: MeshStatistics {
-            triangles: pieces.len(),
-            left_out: mesh.triangles.len() - pieces.len(),
+            triangles: pieces.len() - spheres.len(),
+            spheres: spheres.len(),
+            left_out: mesh.triangles.len() + spheres.len() - pieces.len(),
             ..MeshStatistics::default()
         },
     };
@@ -54,10 +60,13 @@ pub(super) fn blocks(
         let number = blocks.len() as u32;
         let node = &nodes[at];
         if node.halves.is_none() {
-            let sides = ends.iter().find(|(end, _)| node.pieces.start < *end);
-            let sides = sides.map_or(0, |&(_, sides)| sides);
+            let kind = ends.iter().find(|(end, _)| node.pieces.start < *end);
             let own = &mut pieces[node.pieces.clone()];
-            blocks.push(writer.leaf(number, sides, own));
+            blocks.push(match kind {
+                Some((_, Kind::Spheres)) => writer.spheres(number, own),
+                Some(&(_, Kind::Triangles(sides))) => writer.leaf(number, sides, own),
+                None => continue,
+            });
         } else {
             let mut child = |at: usize| {
                 waiting.push_back(at);
@@ -81,6 +90,7 @@ struct Writer<'a> {
     nodes: &'a [Node],
     numbers: &'a [u8],
     mesh: &'a Mesh,
+    spheres: &'a [MeshSphere],
     /// The surface of the whole mesh's box.
     whole: f64,
     /// For each vertex the last leaf block that has it, counted from 1, and its index there.
@@ -98,7 +108,7 @@ impl Writer<'_> {
     }
 
     fn leaf(&mut self, number: u32, sides: u32, pieces: &mut [super::Piece]) -> Block {
-        let groups = runs(pieces);
+        let groups = runs(pieces, MESH_RUN as usize, FEW);
         let mut first = 0;
         let mut lowest: Vec<Vec<Child>> = Vec::with_capacity(groups.len());
         for lengths in &groups {
@@ -113,19 +123,12 @@ impl Writer<'_> {
             lowest.push(children);
         }
         self.statistics.leaves += 1;
-        let (nodes, levels) = if lowest.len() == 1 {
-            (lowest, 1)
-        } else {
-            let child =
-                |(index, children): (usize, &Vec<Child>)| (all(children), offset(1 + index));
-            let top = lowest.iter().enumerate().map(child).collect();
-            ([vec![top], lowest].concat(), 2)
-        };
+        let (nodes, levels) = under_a_root(lowest);
 
         let mut vertices = Vec::new();
         let mut faces = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
-            let triangle = piece.triangle as usize;
+            let triangle = piece.index as usize;
             let vertex = self.mesh.triangles[triangle].map(|vertex| {
                 let place = &mut self.local[vertex as usize];
                 if place.0 != number + 1 {
@@ -161,6 +164,33 @@ impl Writer<'_> {
             vertices.as_bytes(),
             faces.as_bytes(),
         )
+    }
+
+    fn spheres(&mut self, number: u32, pieces: &mut [super::Piece]) -> Block {
+        let groups = runs(pieces, 1, WIDTH);
+        let nodes = groups.len() + usize::from(groups.len() > 1);
+        let mut rest = pieces.iter();
+        let mut records = Vec::with_capacity(pieces.len());
+        let mut lowest = Vec::with_capacity(groups.len());
+        for group in &groups {
+            let mut children = Vec::with_capacity(group.len());
+            for piece in rest.by_ref().take(group.len()) {
+                let place = records.len() * size_of::<Object>();
+                children.push((piece.bounds, offset(nodes) + place as u32));
+                let sphere = &self.spheres[piece.index as usize];
+                let material = self.numbers[sphere.material as usize];
+                records.push(sphere.record(material.into()));
+                self.statistics.expected_spheres += self.share(piece.bounds);
+            }
+            lowest.push(children);
+        }
+        self.statistics.leaves += 1;
+        let (nodes, levels) = under_a_root(lowest);
+        let header = MeshHeader {
+            triangles: (records.len() as u32).into(),
+            ..header(number, MESH_SPHERES, levels, nodes.len())
+        };
+        self.block(around(pieces), &header, &nodes, records.as_bytes(), &[])
     }
 
     /// Writes an inner block. `child` gives a node of the tree a block's number.
@@ -224,6 +254,16 @@ impl Writer<'_> {
         put(faces);
         block
     }
+}
+
+/// The nodes of a leaf with their root first, and their levels.
+fn under_a_root(lowest: Vec<Vec<Child>>) -> (Vec<Vec<Child>>, usize) {
+    if lowest.len() == 1 {
+        return (lowest, 1);
+    }
+    let child = |(index, children): (usize, &Vec<Child>)| (all(children), offset(1 + index));
+    let top = lowest.iter().enumerate().map(child).collect();
+    ([vec![top], lowest].concat(), 2)
 }
 
 fn header(number: u32, kind: u32, levels: usize, nodes: usize) -> MeshHeader {

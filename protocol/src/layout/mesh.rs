@@ -2,7 +2,7 @@
 //! while it is traced through them.
 //!
 //! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
-//! `MESH_VERTEX` and `MESH_FACE` records, then zeros. Positions are in the mesh's own coordinates
+//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. Positions are in the mesh's own coordinates
 //! until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
@@ -17,15 +17,15 @@ record! {
         magic: U32,
         /// The block's own number.
         number: U32,
-        /// `MESH_INNER` or `MESH_LEAF`.
+        /// `MESH_INNER`, `MESH_LEAF` or `MESH_SPHERES`.
         kind: U32,
         /// Levels of nodes, 1 to `MESH_LEVELS`.
         levels: U32,
         /// Nodes.
         nodes: U32,
-        /// Triangles, at most `MESH_FACES`; 0 in an inner block.
+        /// Triangles, at most `MESH_FACES`, or spheres; 0 in an inner block.
         triangles: U32,
-        /// Vertices, at most `MESH_VERTICES`.
+        /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
         /// `SIDES_BOTH` and `SIDES_SMOOTH`, for all triangles of the block.
         sides: U32,
@@ -50,7 +50,7 @@ record! {
         hi_z: [F32; 4],
         /// Above the lowest level, offsets of nodes in the block. There, in an inner block, numbers
         /// of blocks; in a leaf, runs of triangles: four times the first one's index, and their
-        /// number, 1 to `MESH_RUN`, times 2^16.
+        /// number, 1 to `MESH_RUN`, times 2^16; or the offsets of spheres in the block.
         child: [U32; 4],
     }
 }

@@ -1,4 +1,4 @@
-//! Meshes in main memory: the same bytes whatever the cache holds, and an error for every block
+//! Meshes and spheres in main memory: the same bytes whatever the cache holds, and an error for every block
 //! that is not as it should be.
 
 use std::sync::Arc;
@@ -7,7 +7,8 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
-    Frame, MESH_BLOCK, MESH_CODE, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, NO_BOX, SCENE_ADDRESS,
+    Frame, MESH_BLOCK, MESH_CODE, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES, NO_BOX,
+    SCENE_ADDRESS,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -58,6 +59,23 @@ fn scene() -> nff::Scene {
     scene
 }
 
+/// 1,500 spheres, some of which reflect.
+fn spheres() -> nff::Scene {
+    let mut text = String::from(
+        "v\nfrom 0 0 30\nat 0 0 0\nup 0 1 0\nangle 30\nhither 0\nresolution 8 8\n\
+         b 0.3 0.4 0.6\nl 20 30 40\n",
+    );
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    for number in 0..1500 {
+        if number % 750 == 0 {
+            text += &format!("f 0.9 {} 0.2 0.7 0.{number} 30 0 1\n", number / 750);
+        }
+        let [x, y, z] = std::array::from_fn(|_| random.random_range(-10.0..10.0));
+        text += &format!("s {x} {y} {z} 0.4\n");
+    }
+    nff::parse(text.as_bytes(), "spheres", &nff::Limits::default()).unwrap()
+}
+
 /// A block's word.
 fn word(block: u32, index: usize) -> usize {
     block as usize * MESH_BLOCK as usize + 4 * index
@@ -71,7 +89,11 @@ struct Blocks {
 
 impl Blocks {
     fn new(spus: u32) -> Self {
-        let fixture = Fixture::of(&scene(), spus);
+        Self::of(&scene(), spus)
+    }
+
+    fn of(scene: &nff::Scene, spus: u32) -> Self {
+        let fixture = Fixture::of(scene, spus);
         let mut good = vec![0; fixture.frame.mesh_blocks.get() as usize * MESH_BLOCK as usize];
         fixture.mesh.read(0, &mut good);
         Self { fixture, good }
@@ -124,22 +146,21 @@ impl Blocks {
 
 #[test]
 fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
-    let mut one = Blocks::new(1);
-    let picture = one.traced_with(&[]).unwrap();
-    let background = picture.get_pixel(0, 0);
-    let seen = picture
-        .pixels()
-        .filter(|pixel| *pixel != background)
-        .count();
-    assert!(seen > 500, "{seen} pixels show something");
-    for slots in [MESH_LEAST_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
-        let mut frame = one.fixture.frame;
-        frame.mesh_slots = slots.into();
-        one.fixture.submit(&frame).unwrap();
-        assert!(one.picture() == picture, "{slots} slots");
+    for scene in [scene(), spheres()] {
+        let mut one = Blocks::of(&scene, 1);
+        let picture = one.traced_with(&[]).unwrap();
+        let background = picture.get_pixel(0, 0);
+        let seen = picture.pixels().filter(|pixel| *pixel != background);
+        assert!(seen.count() > 500, "{} is in the picture", scene.name);
+        for slots in [MESH_LEAST_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
+            let mut frame = one.fixture.frame;
+            frame.mesh_slots = slots.into();
+            one.fixture.submit(&frame).unwrap();
+            assert!(one.picture() == picture, "{}: {slots} slots", scene.name);
+        }
+        let mut six = Blocks::of(&scene, 6);
+        assert!(six.traced_with(&[]).unwrap() == picture, "{}", scene.name);
     }
-    let mut six = Blocks::new(6);
-    assert!(six.traced_with(&[]).unwrap() == picture);
 }
 
 #[test]
@@ -157,8 +178,8 @@ fn fields_of_the_mesh_that_are_wrong() {
         ("mesh_code", "a multiple of 128", |frame| {
             frame.mesh_code = (frame.mesh_code.get() + 64).into()
         }),
-        ("mesh_code_bytes", "at most 12288", |frame| {
-            frame.mesh_code_bytes = 12304.into()
+        ("mesh_code_bytes", "at most 13312", |frame| {
+            frame.mesh_code_bytes = 13328.into()
         }),
         ("mesh_code_bytes", "a multiple of 16", |frame| {
             frame.mesh_code_bytes = (frame.mesh_code_bytes.get() - 4).into()
@@ -283,14 +304,50 @@ fn blocks_that_are_not_as_they_should_be() {
     );
 }
 
+#[test]
+fn blocks_of_spheres_that_are_not_as_they_should_be() {
+    let mut blocks = Blocks::of(&spheres(), 2);
+    let leaf = blocks.first(MESH_SPHERES);
+    let header = |index: usize| word(leaf, index);
+    let [nodes, count] = [NODES, TRIANGLES].map(|index| blocks.get(header(index)));
+    let child = header(FIRST + 28 * (nodes as usize - 1) + 24);
+    let first = 32 + 112 * nodes;
+    // The words of an object: its material is the second last.
+    let material = header(first as usize / 4 + 10);
+    let cases = [
+        ("no spheres", (header(TRIANGLES), 0)),
+        ("too much for a block", (header(TRIANGLES), 40)),
+        ("vertices", (header(VERTICES), 1)),
+        ("a sphere before the first", (child, first - 48)),
+        ("a sphere behind the last", (child, first + 48 * count)),
+        ("a sphere between spheres", (child, first + 16)),
+        ("a sphere between quadwords", (child, first + 4)),
+        ("a sphere in another block", (child, u32::MAX)),
+        ("a material that is not there", (material, 2)),
+        (
+            "a leaf that says it has triangles",
+            (header(KIND), MESH_LEAF),
+        ),
+    ];
+    for (what, case) in cases {
+        blocks.refused(what, leaf, &[case]);
+    }
+}
+
 /// Whatever a block says, the SPU answers: it refuses the block, or draws what it says.
 #[test]
 fn any_block_is_drawn_or_refused() {
-    let mut blocks = Blocks::new(1);
+    for scene in [scene(), spheres()] {
+        any_block_of(&scene);
+    }
+}
+
+fn any_block_of(scene: &nff::Scene) {
+    let mut blocks = Blocks::of(scene, 1);
     let mut random = ChaCha8Rng::seed_from_u64(20);
     let picture = blocks.traced_with(&[]).unwrap();
     let (mut drawn, mut refused) = (0, 0);
-    for number in 0..400 {
+    for number in 0..300 {
         let block = random.random_range(0..blocks.fixture.frame.mesh_blocks.get());
         let used = match random.random_range(0..3) {
             0 => 8,

@@ -56,6 +56,19 @@ fn scene(mesh: Mesh) -> nff::Scene {
 }
 
 #[test]
+fn spheres_that_local_store_has_no_room_for() {
+    let scene = nff::load(std::path::Path::new("sphereflake:4")).unwrap();
+    let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
+    let blocks = found.statistics.spus.iter().map(|spu| spu.blocks.used);
+    assert!(blocks.sum::<u64>() > 0);
+    let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
+    let compared = oracle::compare(&picture(&found.picture), &reference).unwrap();
+    assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");
+    // Almost every pixel is on a silhouette.
+    assert!(compared.wrong_fraction < 0.02, "{compared:?}");
+}
+
+#[test]
 fn a_mesh_is_drawn_as_the_reference_draws_it() {
     for (rows, normals) in [(8, false), (8, true), (24, false), (24, true)] {
         let scene = scene(bowl(rows, normals));

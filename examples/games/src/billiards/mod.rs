@@ -1,6 +1,6 @@
 //! Eight-ball for two players on a table with six pockets.
 //!
-//! A sphere on the rail shows whose turn it is by its colour, yellow or blue. It is on the rail
+//! A sphere on the rail shows whose turn it is by its colour, yellow or blue, and the status says it in words. It is on the rail
 //! where that player's pocketed balls are placed: solids in front, stripes behind. While no player
 //! has a group, it is at the foot of the table. It is red after a foul, and changes its colour
 //! after a game is won. The rules are in [`rules`].
@@ -19,6 +19,7 @@ pub mod aim;
 pub mod balls;
 pub mod rules;
 mod scene;
+mod status;
 pub mod table;
 
 use cellray::game::{
@@ -50,7 +51,6 @@ pub const CONTROLS: &[&str] = &[
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "eight-ball for two on a table with six pockets",
-    controls: CONTROLS,
     new: || Box::new(Billiards::default()),
 };
 
@@ -270,6 +270,14 @@ impl Billiards {
 impl Game for Billiards {
     fn name(&self) -> &str {
         NAME
+    }
+
+    fn controls(&self) -> &[&str] {
+        CONTROLS
+    }
+
+    fn status(&self) -> String {
+        status::of(&self.rules, |number| self.balls.on_bed(number))
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {

@@ -38,7 +38,9 @@ impl Group {
         }
     }
 
-    fn numbers(self) -> std::ops::RangeInclusive<usize> {
+    /// The numbers of its balls.
+    #[must_use]
+    pub fn numbers(self) -> std::ops::RangeInclusive<usize> {
         match self {
             Self::Full => 1..=7,
             Self::Striped => 9..=15,
@@ -104,6 +106,12 @@ impl Rules {
     #[must_use]
     pub fn was_foul(&self) -> bool {
         self.foul
+    }
+
+    /// Whether a shot has touched a ball, so that the break is over.
+    #[must_use]
+    pub fn is_broken(&self) -> bool {
+        self.broken
     }
 
     /// The player who has won.

@@ -192,7 +192,7 @@ fn frames_take_no_memory() {
 fn games_are_found_by_the_name_they_have() {
     for game in GAMES {
         assert_eq!((game.new)().name(), game.name);
-        assert!(!game.line.is_empty() && !game.controls.is_empty());
+        assert!(!game.line.is_empty() && !(game.new)().controls().is_empty());
     }
     assert!(find("chess").is_none());
 }

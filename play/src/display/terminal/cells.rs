@@ -10,9 +10,12 @@ use std::ops::Range;
 use image::RgbImage;
 
 use super::super::Fit;
+use super::texts::Text;
 
 const HALF: &str = "\u{2580}";
 const WHITE: [u8; 3] = [255; 3];
+/// The colour of emphasised text.
+const EMPHASIS: [u8; 3] = [255, 215, 135];
 
 /// How colours are encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +87,8 @@ pub struct Grid {
     /// `None` for cells with unknown contents.
     shown: Vec<Option<Cell>>,
     text: Vec<u8>,
+    /// The text over the picture: for each cell the letter and its colour.
+    letters: Vec<Option<(char, [u8; 3])>>,
 }
 
 impl Grid {
@@ -93,6 +98,7 @@ impl Grid {
             size: (0, 0),
             shown: Vec::new(),
             text: Vec::new(),
+            letters: Vec::new(),
         }
     }
 
@@ -101,14 +107,14 @@ impl Grid {
         self.size = (0, 0);
     }
 
-    /// The bytes to write so that the terminal shows the picture, with a line of text at the
-    /// bottom.
+    /// The bytes to write so that the terminal shows the picture, with texts over it. A
+    /// later text covers an earlier one.
     pub fn draw(
         &mut self,
         picture: &RgbImage,
         fit: Fit,
         (columns, rows): (u16, u16),
-        line: Option<&str>,
+        texts: &[Text],
     ) -> &[u8] {
         self.text.clear();
         if self.size != (columns, rows) {
@@ -124,27 +130,33 @@ impl Grid {
                 .unwrap_or_default();
             self.colours.shown(pixel)
         };
-        let mut letters = line.unwrap_or_default().chars();
+        self.letters.clear();
+        self.letters.resize(self.shown.len(), None);
+        for text in texts.iter().filter(|text| text.row < usize::from(rows)) {
+            let across = text.column..usize::from(columns);
+            for (x, letter) in across.zip(text.letters.chars()) {
+                let ink = if x < text.emphasised { EMPHASIS } else { WHITE };
+                self.letters[text.row * usize::from(columns) + x] = Some((letter, ink));
+            }
+        }
         // The position of the terminal's cursor.
         let mut cursor = None;
         let mut ink = None;
         for y in 0..rows {
             for x in 0..columns {
-                let is_text = line.is_some() && y + 1 == rows;
-                let letter = is_text.then(|| letters.next().unwrap_or(' '));
-                let cell = match letter {
-                    Some(_) => Cell {
-                        letter,
-                        above: self.colours.shown(WHITE),
+                let place = usize::from(y) * usize::from(columns) + usize::from(x);
+                let cell = match self.letters[place] {
+                    Some((letter, ink)) => Cell {
+                        letter: Some(letter),
+                        above: self.colours.shown(ink),
                         below: self.colours.shown([0; 3]),
                     },
                     None => Cell {
-                        letter,
+                        letter: None,
                         above: colour(x, 2 * u32::from(y)),
                         below: colour(x, 2 * u32::from(y) + 1),
                     },
                 };
-                let place = usize::from(y) * usize::from(columns) + usize::from(x);
                 if self.shown[place] == Some(cell) {
                     continue;
                 }
@@ -229,7 +241,14 @@ mod tests {
 
     fn draw(grid: &mut Grid, picture: &RgbImage, line: Option<&str>) -> String {
         let fit = Fit::new((2, 4), (2, 4));
-        let text = grid.draw(picture, fit, (2, 2), line);
+        let texts = line.map(|line| Text {
+            column: 0,
+            row: 1,
+            letters: line.to_owned(),
+            emphasised: 0,
+        });
+        let texts: Vec<_> = texts.into_iter().collect();
+        let text = grid.draw(picture, fit, (2, 2), &texts);
         String::from_utf8(text.to_vec()).expect("text")
     }
 

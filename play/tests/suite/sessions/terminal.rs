@@ -178,3 +178,59 @@ fn a_framebuffers_file_that_is_cut_is_named_and_the_terminal_put_back() {
     assert!(pty.seen().contains(device), "{:?}", pty.seen());
     assert!(!pty.is_taken());
 }
+
+#[test]
+fn a_terminal_says_the_keys_and_that_it_is_paused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let record = folder.path().join("session");
+    let mut pty = in_terminal(&record);
+    pty.wait_for("H: help");
+    pty.type_in("h");
+    pty.wait_for("turn the camera");
+    // The keys of the player come after the game's.
+    pty.wait_for("take a picture");
+    pty.type_in("hp");
+    pty.wait_for("Paused");
+    // Neither of them reaches the game, nor what is typed in a pause.
+    pty.type_in("b");
+    thread::sleep(Duration::from_millis(300));
+    pty.type_in("pc");
+    thread::sleep(Duration::from_millis(300));
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+    let recorded = fs::read_to_string(&record).expect("a recording");
+    let has = |key: &str| recorded.contains(&format!("\"key\":\"{key}\",\"down\":true"));
+    assert_eq!(["h", "p", "b", "c"].map(has), [false, false, false, true]);
+    let replay = record.to_str().expect("text");
+    super::good(&["view", SCENE, "--display", "none", "--replay", replay]);
+}
+
+#[test]
+fn a_framebuffer_without_text_holds_the_traced_picture() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let picture = |more: &[&str]| {
+        let path = folder.path().join(more.len().to_string());
+        let device = path.to_str().expect("text");
+        let view = ["view", SCENE, "--size", "240x136", "--frames", "3"];
+        let display = ["--display", "fb", "--device", device];
+        super::good(&[&view[..], &display, more].concat());
+        fs::read(&path).expect("a framebuffer")
+    };
+    let (with, without) = (picture(&[]), picture(&["--no-overlay"]));
+    let out = folder.path().join("f-%d.png");
+    let out = out.to_str().expect("text");
+    super::good(&[
+        "view", SCENE, "--size", "240x136", "--frames", "1", "--out", out,
+    ]);
+    let traced = image::open(folder.path().join("f-0.png")).expect("a picture");
+    let traced = traced.to_rgb8();
+    let shown = without.chunks_exact(4).map(|pixel| &pixel[1..]);
+    assert!(shown.eq(traced.as_raw().chunks_exact(3)));
+    // The text covers less than half of the picture.
+    let same = with
+        .iter()
+        .zip(&without)
+        .filter(|(with, without)| with == without);
+    let same = same.count();
+    assert!(same < with.len() && 2 * same > with.len(), "{same}");
+}

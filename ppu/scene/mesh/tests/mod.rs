@@ -2,6 +2,7 @@
 
 mod meshes;
 mod refusals;
+mod spheres;
 mod structure;
 mod traced;
 mod valid;

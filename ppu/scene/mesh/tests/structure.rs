@@ -6,7 +6,7 @@ use super::valid::check;
 
 fn checked(mesh: &nff::Mesh) -> MeshBlocks {
     let materials = materials();
-    let blocks = MeshBlocks::new(mesh, &materials).unwrap();
+    let blocks = MeshBlocks::new(mesh, &[], &materials).unwrap();
     check(mesh, &materials, &blocks);
     assert_eq!(blocks.bytes().as_ptr().addr() % 128, 0);
     blocks

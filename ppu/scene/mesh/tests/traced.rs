@@ -63,7 +63,7 @@ fn nearest(ray: &Ray, blocks: &MeshBlocks, number: u32) -> f64 {
 }
 
 fn compare(mesh: &Mesh, rays: usize, seed: u64) {
-    let blocks = MeshBlocks::new(mesh, &materials()).unwrap();
+    let blocks = MeshBlocks::new(mesh, &[], &materials()).unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut hits = 0;
     for _ in 0..rays {

@@ -6,7 +6,8 @@ use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_VERTICES, MeshFace, MeshHeader, MeshVertex, NO_BOX, SIDES_BOTH, SIDES_SMOOTH,
+    MESH_SPHERES, MESH_VERTICES, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_BOTH,
+    SIDES_SMOOTH,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
@@ -32,8 +33,11 @@ impl Parts {
             <[Boxes]>::ref_from_prefix_with_elems(rest, count(header.nodes)).unwrap();
         let (vertices, rest) =
             <[MeshVertex]>::ref_from_prefix_with_elems(rest, count(header.vertices)).unwrap();
-        let (faces, rest) =
-            <[MeshFace]>::ref_from_prefix_with_elems(rest, count(header.triangles)).unwrap();
+        let spheres = header.kind.get() == MESH_SPHERES;
+        let faces = if spheres { 0 } else { count(header.triangles) };
+        let (faces, rest) = <[MeshFace]>::ref_from_prefix_with_elems(rest, faces).unwrap();
+        let records = if spheres { count(header.triangles) } else { 0 };
+        let rest = &rest[records * size_of::<Object>()..];
         assert!(rest.iter().all(|&byte| byte == 0), "block {number}");
         Self {
             header,

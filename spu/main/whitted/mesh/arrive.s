@@ -18,6 +18,7 @@
         registers a_node                                # address
         registers below                                 # offset of the next child above the lowest
         registers a_children                              # the code for the node's children
+        registers of_spheres,k_objects,k_last           # where spheres begin, and the last one from there
         registers a_level_end                           # where the current level ends
         registers a_end
         registers boxes                                 # the numbers of the node's boxes, shifted
@@ -27,9 +28,9 @@
         registers bad                                   # not 0 in any lane: not as it should be
         registers t
         # vertices and faces
-        registers a_vertex,left,vertex                  # to 58
+        registers a_vertex,left,vertex                  # to 61
         .set    NEXT,vertex+4
-        registers moved                                 # to 62
+        registers moved                                 # to 65
         .set    NEXT,moved+4
         registers eye,m_xyz,face,limit
         .set    a_face,a_vertex
@@ -56,11 +57,11 @@ eye_axes:
 # mesh_arrive   checks a block, makes its positions relative to the eye, and adds the numbers of
 #               boxes to the children of an inner block; gives up if the block is not as it should be
 #   In      $3 address, $4 number
-#   Uses    $3, $10-$66
+#   Uses    $3, $10-$69
 #
 # What is checked is what makes the traversal end and stay within the lists: the levels of nodes are
 # complete, runs have triangles of the block, triangles have vertices of the block and materials of
-# the scene, and children come after their parents. A lane of a node without a child must have the
+# the scene, as spheres have, and children come after their parents. A lane of a node without a child must have the
 # box that no ray meets.
 function mesh_arrive
         il      $bad,0
@@ -73,7 +74,7 @@ function mesh_arrive
         xor     $wrong,$t,$number
         or      $bad,$bad,$wrong
         rotqbyi $kind,$header,MESH_HEADER_kind
-        clgti   $wrong,$kind,MESH_LEAF
+        clgti   $wrong,$kind,MESH_SPHERES
         or      $bad,$bad,$wrong
         rotqbyi $levels,$header,MESH_HEADER_levels
         ai      $t,$levels,-1
@@ -93,18 +94,22 @@ function mesh_arrive
         load_constant $wrong,SIDES_BOTH|SIDES_SMOOTH
         andc    $wrong,$t,$wrong
         or      $bad,$bad,$wrong
-        # An inner block has neither vertices nor triangles; a leaf has both.
+        # An inner block has neither vertices nor triangles or spheres; only triangles have vertices.
+        ceqi    $of_spheres,$kind,MESH_SPHERES
+        ceqi    $wrong,$kind,MESH_LEAF
+        ceqi    $t,$vertices,0
+        ceq     $wrong,$wrong,$t
+        or      $bad,$bad,$wrong
         ceqi    $kind,$kind,MESH_INNER
         ceqi    $t,$triangles,0
-        xor     $wrong,$t,$kind
-        or      $bad,$bad,$wrong
-        ceqi    $t,$vertices,0
         xor     $wrong,$t,$kind
         or      $bad,$bad,$wrong
         mpyi    $a_end,$nodes,BOXES_SIZE
         shli    $t,$vertices,4
         a       $t,$t,$a_end
-        shli    $wrong,$triangles,2
+        shli    $expected,$triangles,2
+        mpyi    $wrong,$triangles,OBJECT_SIZE
+        selb    $wrong,$expected,$wrong,$of_spheres
         a       $t,$t,$wrong
         il      $wrong,MESH_BLOCK-MESH_HEADER_SIZE
         cgt     $wrong,$t,$wrong
@@ -135,18 +140,25 @@ function mesh_arrive
         ila     $blocks,frame
         load_word $blocks,FRAME_mesh_blocks,$blocks
         splat   $blocks,$blocks,$m_splat
+        ai      $t,$a_end,MESH_HEADER_SIZE
+        splat   $k_objects,$t,$m_splat
+        mpyi    $t,$triangles,OBJECT_SIZE
+        il      $k_last,-OBJECT_SIZE
+        a       $k_last,$k_last,$t
+        splat   $of_spheres,$of_spheres,$m_splat
         il      $below,MESH_HEADER_SIZE+BOXES_SIZE
         ai      $a_node,$a_block,MESH_HEADER_SIZE
         ai      $a_level_end,$a_node,BOXES_SIZE
         a       $a_end,$a_end,$a_node
 next_level:
         # The nodes of a level all have the same kind of children.
-        cgti    $t,$levels,1
-        ila     $a_children,upper
+        ila     $a_children,of_triangles
+        ila     $wrong,sphere_lanes
+        selb    $a_children,$a_children,$wrong,$of_spheres
         ila     $wrong,of_inner
-        selb    $wrong,$wrong,$a_children,$t
-        ila     $a_children,of_leaf
-        or      $t,$t,$kind                             # or inner
+        selb    $a_children,$a_children,$wrong,$kind
+        ila     $wrong,upper
+        cgti    $t,$levels,1
         selb    $a_children,$a_children,$wrong,$t
 next_node:
         hbr     by_kind,$a_children
@@ -213,8 +225,24 @@ upper:  hbrr    upper_done,next_node
         a       $below,$below,$t
         node_done upper_done
 
+        # The offsets of spheres: multiples of their size from the first one on.
+sphere_lanes:
+        hbrr    spheres_done,next_node
+        sf      $t,$k_objects,$child
+        clgt    $wrong,$t,$k_last
+        andi    $firsts,$t,15
+        or      $wrong,$wrong,$firsts
+        rotmi   $t,$t,-4
+        mpyui   $firsts,$t,171                          # a third of it, times 512
+        rotmi   $firsts,$firsts,-9
+        mpyui   $firsts,$firsts,OBJECT_SIZE/16
+        ceq     $firsts,$firsts,$t
+        orc     $wrong,$wrong,$firsts
+        and     $wrong,$wrong,$valid
+        node_done spheres_done
+
         # The runs of triangles.
-of_leaf:
+of_triangles:
         hbrr    leaf_done,next_node
         rotmi   $lengths,$child,-16
         ilhu    $t,0xffff
@@ -245,6 +273,10 @@ level_done:
         # The vertices, four at a time, after the few that are left over.
         ori     $a_vertex,$a_end,0
         fsmbi   $m_xyz,0xfff0
+        ila     $limit,frame
+        load_word $limit,FRAME_mesh_material_count,$limit
+        ai      $limit,$limit,-1
+        brnz    $of_spheres,objects
         andi    $left,$vertices,3
         brz     $left,by_fours
 next_vertex:
@@ -278,11 +310,8 @@ last_four:
         # No index is above the largest one.
 faces:  biz     $triangles,$lr
         ai      $vertices,$vertices,-1
-        ila     $t,frame
-        load_word $t,FRAME_mesh_material_count,$t
-        ai      $t,$t,-1
-        load_constant $limit,0x03030313
-        shufb   $limit,$vertices,$t,$limit
+        load_constant $t,0x03030313
+        shufb   $limit,$vertices,$limit,$t
         ai      $left,$triangles,3
         rotmi   $left,$left,-2
         il      $bad,0
@@ -312,4 +341,22 @@ bad_block:
         shli    $3,$number,8
         ori     $3,$3,STATUS_MeshBlock
         br      give_up
+
+        # The centres of spheres.
+objects:
+        hbrr    last_object,objects
+        lqd     $vertex,OBJECT_centre($a_vertex)
+        lqd     $face,OBJECT_material&~15($a_vertex)
+        fs      $moved,$vertex,$eye
+        rotqbyi $face,$face,OBJECT_material&15
+        clgt    $face,$face,$limit
+        or      $bad,$bad,$face
+        selb    $vertex,$vertex,$moved,$m_xyz
+        stqd    $vertex,OBJECT_centre($a_vertex)
+        ai      $a_vertex,$a_vertex,OBJECT_SIZE
+        ai      $triangles,$triangles,-1
+last_object:
+        brnz    $triangles,objects
+        biz     $bad,$lr
+        br      bad_block
 endfunction mesh_arrive

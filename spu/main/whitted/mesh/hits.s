@@ -1,5 +1,6 @@
-# The triangles of the mesh that rays of a batch have hit, as patches: the records that shading
-# takes. A packet's rays hit the same triangles again and again, so each is made once a packet.
+# The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
+# takes: patches and objects. A packet's rays hit the same ones again and again, so each is made once
+# a packet.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -60,6 +61,17 @@ lanes:
         fa      \out,\out,\t
 .endm
 
+# Puts the address of the material into the last quadword of an object's record, and stores that.
+.macro  put_head quad:req
+        mpyi    $material,$material,MATERIAL_SIZE
+        ila     $address,frame
+        load_word $offset,FRAME_mesh_materials,$address
+        a       $material,$material,$offset
+        cwd     $m_lane,OBJECT_material&15($sp)
+        shufb   $head,$material,\quad,$m_lane
+        stqd    $head,OBJECT_offset($h_patch)
+.endm
+
 # mesh_hits   makes the patches that the rays of BATCH_RAYS have hit, and lets RAYS16 point to them
 #   In      w_traced
 #   Out     RAYS16_object, MESH_POOL
@@ -110,6 +122,12 @@ next_hit:
         brsl    $lr,mesh_block
         ori     $h_block,$3,0
 the_same_block:
+        ilhu    $k_sign,0x8000
+        ilhu    $k_leave,0x3580                         # 2^-20
+        lqd     $counts,MESH_HEADER_magic($h_block)
+        rotqbyi $counts,$counts,MESH_HEADER_kind
+        ceqi    $counts,$counts,MESH_SPHERES
+        brnz    $counts,sphere
         # Its vertices, relative to the eye.
         lqa     $index,hit
         andi    $index,$index,(1<<7)-1
@@ -135,10 +153,8 @@ the_same_block:
         lqx     $c,$a_vertices,$face
 
         # The normal is (b - a) x (c - a), with the edges made about 1 long before.
-        ilhu    $k_sign,0x8000
         ilhu    $k_half,0x3f00
         ilhu    $k_one,0x3f80
-        ilhu    $k_leave,0x3580                         # 2^-20
         fsmbi   $m_xyz,0xfff0
         lqa     $m_next,next_axes
         fs      $to_b,$b,$a
@@ -179,13 +195,7 @@ the_same_block:
         stqd    $normal,OBJECT_axis($h_patch)
         lqa     $m_lane,object_end
         shufb   $leave_object,$leave_object,$counts,$m_lane
-        mpyi    $material,$material,MATERIAL_SIZE
-        ila     $address,frame
-        load_word $offset,FRAME_mesh_materials,$address
-        a       $material,$material,$offset
-        cwd     $m_lane,OBJECT_material&15($sp)
-        shufb   $head,$material,$leave_object,$m_lane
-        stqd    $head,OBJECT_offset($h_patch)
+        put_head $leave_object
         and     $head,$b,$m_xyz
         stqd    $head,TRI_b($h_patch)
         and     $head,$c,$m_xyz
@@ -236,6 +246,27 @@ the_same_block:
         stqd    $part,PATCH_normal_\vertex($h_patch)
     .set    lane_at,lane_at+32
     .endr
+        br      made
+
+        # The record of a sphere, whose number is its offset in quadwords. It lacks `leave`, and has
+        # the number of its material.
+sphere: lqa     $index,hit
+        andi    $index,$index,(1<<7)-1
+        shli    $index,$index,4
+        a       $address,$h_block,$index
+        lqd     $a,OBJECT_centre($address)
+        lqd     $b,OBJECT_axis($address)
+        lqd     $c,OBJECT_offset($address)
+        stqd    $a,OBJECT_centre($h_patch)
+        stqd    $b,OBJECT_axis($h_patch)
+        taxicab $sum,$a,$t_e
+        andc    $size,$c,$k_sign
+        fa      $leave_object,$sum,$size
+        fm      $leave_object,$leave_object,$k_leave
+        cwd     $m_lane,OBJECT_leave&15($sp)
+        shufb   $c,$leave_object,$c,$m_lane
+        rotqbyi $material,$c,OBJECT_material&15
+        put_head $c
 made:   ai      $h_patch,$h_patch,PATCH_SIZE
         br      next_hit
 

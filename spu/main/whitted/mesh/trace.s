@@ -1,5 +1,5 @@
-# Finds the hits of packets of rays with the triangles of the mesh. All packets of a batch go
-# through the blocks together, so that each block is needed once for all of them.
+# Finds the hits of packets of rays with the triangles and spheres of the mesh. All packets of a
+# batch go through the blocks together, so that each block is needed once for all of them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -19,6 +19,13 @@ farthest:                               # of each packet, as in its MESH_BOUND
 packets:                                # the current block's: a bit each, of weight 128 for the
         .skip   16                      # first packet
 visits_left:                            # blocks: a tree has no more
+        .skip   16
+of_spheres:                             # whether the current leaf has spheres
+        .skip   16
+filters:
+        .skip   16
+nodes:  .skip   16                                      # the list of the level above
+node_count:
         .skip   16
 scattered:                              # whether packets' rays are far apart, as shadow rays are
         .skip   16
@@ -193,22 +200,35 @@ next_level:
         selb    $5,$5,$other,$c_end
         ori     $m_list,$5,0
         ori     $6,$m_block,0
+        stqa    $3,nodes
+        stqa    $4,node_count
 level_call:
         brsl    $lr,cull_boxes
         sf      $4,$m_list,$3
         ori     $3,$m_list,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         brz     $4,next_block
+        lqa     $mask,scattered
+        brnz    $mask,was_it_enough
+level_met:
         count   cull_tests,$4,$t_sum,$t_add,$t_carry
         br      next_level
 
 lowest: hbrr    lowest_call,cull_boxes
         ila     $5,arena+MESH_LIST
-        il      $6,0
+        lqd     $header,MESH_HEADER_kind&~15($m_block)
+        rotqbyi $header,$header,MESH_HEADER_kind&15
+        ceqi    $6,$header,MESH_SPHERES
         lqa     $mask,scattered
-        brnz    $mask,filter
+        andc    $mask,$mask,$6                          # a test with a sphere is as quick
+        and     $6,$6,$m_block                          # the children are offsets of spheres
+        stqa    $mask,filters
+        stqa    $3,nodes
+        stqa    $4,node_count
 lowest_call:
         brsl    $lr,cull_boxes
+        lqa     $mask,filters
+        brnz    $mask,filter
 met:    ila     $a_list,arena+MESH_LIST
         sf      $4,$a_list,$3
         ori     $3,$a_list,0
@@ -218,16 +238,20 @@ met:    ila     $a_list,arena+MESH_LIST
         rotqbyi $header,$header,MESH_HEADER_kind&15
         brz     $header,inner
 
-        # The triangles of a leaf.
+        # The triangles or spheres of a leaf.
         hbrr    isect_call,isect_mesh_pairs_r16
         phase_ends $g_ticks_cull,$t_sum
+        ceqi    $c_end,$header,MESH_SPHERES
+        brnz    $c_end,sphere_leaf
         ori     $5,$m_block,0
 isect_call:
         brsl    $lr,isect_mesh_pairs_r16
-        hbrr    farthest_call,mesh_farthest_r16
-        phase_ends $g_ticks_isect,$t_sum
         count   tests_made,$3,$t_sum,$t_add,$t_carry
         count   tests_possible,$3,$t_sum,$t_add,$t_carry
+        il      $c_end,0
+tested: stqa    $c_end,of_spheres
+        hbrr    farthest_call,mesh_farthest_r16
+        phase_ends $g_ticks_isect,$t_sum
         lqa     $mask,packets
         clz     $near,$mask
         ai      $near,$near,-(32-MAX_BATCH)             # the first packet
@@ -245,6 +269,9 @@ isect_call:
         a       $3,$3,$bit
         ila     $5,arena+BATCH_BOUNDS
         a       $5,$5,$step
+        lqa     $c_end,of_spheres
+        brnz    $c_end,to_numbers
+numbered:
 farthest_call:
         brsl    $lr,mesh_farthest_r16
         hbrr    leaf_done,next_block
@@ -252,8 +279,74 @@ farthest_call:
 leaf_done:
         br      next_block
 
-filter: brsl    $lr,filter_boxes_r16
+        # More than one child of each node is left, so the packets' rays are tested with them.
+filter: ila     $5,arena+MESH_LIST
+        lqa     $4,node_count
+        sf      $near,$5,$3
+        rotmi   $near,$near,-CANDIDATE_SIZE_LOG2
+        cgt     $near,$near,$4
+        brz     $near,met
+        lqa     $3,nodes
+        il      $6,0
+        brsl    $lr,filter_boxes_r16
         br      met
+
+        # More than half of the children are left, so their packets' rays are tested with them.
+was_it_enough:
+        lqa     $number,node_count
+        shli    $near,$number,1
+        cgt     $near,$4,$near
+        brz     $near,level_met
+        lqa     $3,nodes
+        ori     $4,$number,0
+        ori     $5,$m_list,0
+        ori     $6,$m_block,0
+        brsl    $lr,filter_boxes_r16
+        sf      $4,$m_list,$3
+        ori     $3,$m_list,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        brz     $4,next_block
+        br      level_met
+
+sphere_leaf:
+        count   tests_made,$4,$t_sum,$t_add,$t_carry
+        count   tests_possible,$4,$t_sum,$t_add,$t_carry
+        brsl    $lr,isect_bounced_spheres
+        il      $c_end,-1
+        br      tested
+
+        # What rays have hit are addresses of spheres in the block, which may leave the cache. They
+        # get numbers, as triangles have: the offset in the block is in quadwords.
+to_numbers:
+        splat_mask $m_word
+        splat   $box,$m_block,$m_word
+        lqd     $header,MESH_HEADER_number&~15($m_block)
+        rotqbyi $header,$header,MESH_HEADER_number&15
+        shli    $header,$header,7
+        ilhu    $t_sum,MESH_HIT>>16
+        or      $header,$header,$t_sum
+        splat   $header,$header,$m_word
+        ori     $place,$3,0
+        ori     $left,$4,0
+next_numbers:
+        hbrr    last_numbers,next_numbers
+    .irp row, 0,1,2,3
+        lqd     $old,RAYS16_object+16*\row($place)
+        sf      $new,$box,$old
+        rotmi   $c_first,$new,-MESH_BLOCK_LOG2
+        rotmi   $new,$new,-4
+        ceqi    $c_first,$c_first,0
+        or      $new,$new,$header
+        selb    $old,$old,$new,$c_first
+        stqd    $old,RAYS16_object+16*\row($place)
+    .endr
+    .rept   2                                           # ai reaches to 511
+        ai      $place,$place,RAYS16_SIZE/2
+    .endr
+        ai      $left,$left,-1
+last_numbers:
+        brnz    $left,next_numbers
+        br      numbered
 
 inner:
         # Each child once, with all packets that may meet it, and the nearest of their distances.

@@ -1,0 +1,88 @@
+//! Places the overlay's text on a terminal's characters: speeds and messages in the last line, and
+//! the rest as panels over the picture.
+
+use super::super::text::{Grid, Placed, place, words};
+use crate::overlay::Overlay;
+
+/// Text at a place of the terminal, all in one row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Text {
+    /// Its first column.
+    pub column: usize,
+    /// Its row.
+    pub row: usize,
+    /// The characters. The first ones are emphasised.
+    pub letters: String,
+    /// The column after the emphasised characters.
+    pub emphasised: usize,
+}
+
+/// The overlay's text on a terminal of so many columns and rows.
+pub fn texts(overlay: &Overlay, (columns, rows): (u16, u16)) -> Vec<Text> {
+    let (columns, rows) = (usize::from(columns), usize::from(rows));
+    let line = overlay.line();
+    let grid = Grid {
+        area: (columns, rows.saturating_sub(usize::from(line.is_some()))),
+        cell: (1, 1),
+        margin: (1, 0),
+        bar: (0, 0),
+    };
+    let panels = place(words(overlay), grid);
+    let mut texts: Vec<_> = panels.iter().flat_map(rows_of).collect();
+    if let Some(line) = line.filter(|_| rows > 0) {
+        texts.push(Text {
+            column: 0,
+            row: rows - 1,
+            letters: format!("{line:columns$}"),
+            emphasised: 0,
+        });
+    }
+    texts
+}
+
+/// A panel's rows, as wide as the panel.
+fn rows_of(placed: &Placed) -> impl Iterator<Item = Text> {
+    let ((column, top), (width, height)) = (placed.corner, placed.size);
+    let lines = placed.panel.lines.iter().take(height);
+    lines.enumerate().map(move |(number, line)| Text {
+        column,
+        row: top + number,
+        letters: format!("{:width$}", format!(" {}", line.text)),
+        emphasised: match line.emphasised {
+            0 => column,
+            letters => column + 1 + letters,
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn panels_are_as_wide_as_their_longest_line_and_stay_above_the_last() {
+        let overlay = Overlay {
+            speeds: vec!["60 frames/s".into()],
+            status: vec!["Blue's turn".into(), "3 of 7".into()],
+            ..Overlay::default()
+        };
+        let texts = texts(&overlay, (30, 10));
+        let parts: Vec<_> = texts
+            .iter()
+            .map(|text| (text.column, text.row, text.letters.as_str()))
+            .collect();
+        let last = format!("{:30}", "60 frames/s");
+        let expected = [
+            (16, 0, " Blue's turn "),
+            (16, 1, " 3 of 7      "),
+            (0, 9, last.as_str()),
+        ];
+        assert_eq!(parts, expected);
+        // Everything is cut off on a terminal that is too small.
+        for size in [(1, 1), (3, 2), (80, 1)] {
+            for text in super::texts(&overlay, size) {
+                assert!(text.row < usize::from(size.1), "{text:?}");
+            }
+        }
+    }
+}

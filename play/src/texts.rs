@@ -1,0 +1,238 @@
+//! Chooses what the screen says: speeds, the game's status, help, a pause, and a hint at the start.
+//!
+//! Invariant: a pause is always told of, because nothing else says why the picture stands still.
+
+use std::time::{Duration, Instant};
+
+use cellray::game::Game;
+
+use crate::keys::KEYS;
+use crate::overlay::{Line, Overlay};
+
+/// What the screen says for the first seconds.
+const HINT: &str = "H: help";
+/// How long the hint is visible, including the time in which it fades.
+const HINT_SECONDS: f32 = 6.0;
+/// The time in which it fades.
+const FADE_SECONDS: f32 = 1.5;
+/// How long a message is visible.
+const MESSAGE: Duration = Duration::from_secs(5);
+/// What the screen says while nothing moves.
+const PAUSED: &str = "Paused. P: go on";
+
+/// How much the screen says besides help and notices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Level {
+    /// Speeds, the game's status and messages.
+    All,
+    /// The game's status and messages.
+    Status,
+    Nothing,
+}
+
+/// Chooses the texts of a session.
+#[derive(Debug)]
+pub struct Texts {
+    /// When a picture was first shown.
+    began: Option<Instant>,
+    level: Level,
+    /// Whether the keys are listed.
+    has_help: bool,
+    message: Option<(String, Instant)>,
+}
+
+impl Texts {
+    /// The texts of a session, with the overlay or without.
+    #[must_use]
+    pub fn new(has_overlay: bool) -> Self {
+        Self {
+            began: None,
+            level: if has_overlay {
+                Level::All
+            } else {
+                Level::Nothing
+            },
+            has_help: false,
+            message: None,
+        }
+    }
+
+    /// Says less, or everything again after nothing. `has_status` says whether the game says
+    /// something.
+    pub fn change_level(&mut self, has_status: bool) {
+        self.level = match self.level {
+            Level::All if has_status => Level::Status,
+            Level::All | Level::Status => Level::Nothing,
+            Level::Nothing => Level::All,
+        };
+    }
+
+    /// Shows the keys, or hides them.
+    pub fn change_help(&mut self) {
+        self.has_help = !self.has_help;
+    }
+
+    /// Shows a message for a while.
+    pub fn say(&mut self, message: String, now: Instant) {
+        self.message = Some((message, now));
+    }
+
+    /// The overlay with these speeds and loads, for a picture that is shown now.
+    pub fn overlay(
+        &mut self,
+        (speeds, loads): (&[String], &[f32]),
+        game: &dyn Game,
+        is_paused: bool,
+        now: Instant,
+    ) -> Overlay {
+        self.began.get_or_insert(now);
+        let mut overlay = Overlay {
+            notice: is_paused.then(|| PAUSED.to_owned()),
+            ..Overlay::default()
+        };
+        if self.has_help {
+            overlay.help = help(game);
+        }
+        if self.level != Level::Nothing {
+            overlay.message = self.message(now);
+            overlay.status = game.status().lines().map(str::to_owned).collect();
+        }
+        if self.level == Level::All {
+            overlay.speeds = speeds.to_vec();
+            overlay.loads = loads.to_vec();
+        }
+        overlay
+    }
+
+    /// The last message while it is new, otherwise the hint at the start.
+    fn message(&self, now: Instant) -> Option<(String, f32)> {
+        if let Some((message, said)) = &self.message
+            && now.saturating_duration_since(*said) < MESSAGE
+        {
+            return Some((message.clone(), 1.0));
+        }
+        let began = self.began.unwrap_or(now);
+        let passed = now.saturating_duration_since(began).as_secs_f32();
+        let opacity = ((HINT_SECONDS - passed) / FADE_SECONDS).min(1.0);
+        (opacity > 0.0 && !self.has_help).then(|| (HINT.to_owned(), opacity))
+    }
+}
+
+/// The keys of a game, and those of the player's program.
+fn help(game: &dyn Game) -> Vec<Line> {
+    let row = |keys: &str, what: &str| Line {
+        text: format!("  {keys}: {what}"),
+        emphasised: keys.chars().count() + 3,
+    };
+    let controls = game.controls().iter();
+    let of_game = controls.map(|line| match line.split_once(": ") {
+        Some((keys, what)) => row(keys, what),
+        None => format!("  {line}").into(),
+    });
+    let mut lines = Vec::new();
+    if !game.controls().is_empty() {
+        lines.push(Line::heading(game.name()));
+        lines.extend(of_game);
+        lines.push(Line::default());
+    }
+    lines.push(Line::heading("everywhere"));
+    lines.extend(KEYS.iter().map(|(keys, what)| row(keys, what)));
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cellray::game::{Frame, Start, World, WorldError};
+
+    struct Chess(&'static str);
+
+    impl Game for Chess {
+        fn name(&self) -> &str {
+            "chess"
+        }
+        fn controls(&self) -> &[&str] {
+            &["mouse: move a piece"]
+        }
+        fn status(&self) -> String {
+            self.0.to_owned()
+        }
+        fn set_up(&mut self, _: &mut World, _: &Start) -> Result<(), WorldError> {
+            Ok(())
+        }
+        fn update(&mut self, _: &mut World, _: &Frame<'_>) -> Result<(), WorldError> {
+            Ok(())
+        }
+    }
+
+    const WHITE: Chess = Chess("White's turn\n0 : 0");
+
+    fn shown(texts: &mut Texts, now: Instant) -> Overlay {
+        let speeds = ["60 frames/s".to_owned()];
+        texts.overlay((&speeds, &[0.5]), &WHITE, false, now)
+    }
+
+    #[test]
+    fn everything_then_the_status_then_nothing() {
+        let now = Instant::now();
+        let mut texts = Texts::new(true);
+        let mut parts = || {
+            let overlay = shown(&mut texts, now);
+            texts.change_level(true);
+            (overlay.speeds.len(), overlay.loads.len(), overlay.status)
+        };
+        let status = vec!["White's turn".to_owned(), "0 : 0".to_owned()];
+        assert_eq!(parts(), (1, 1, status.clone()));
+        assert_eq!(parts(), (0, 0, status.clone()));
+        assert_eq!(parts(), (0, 0, Vec::new()));
+        assert_eq!(parts(), (1, 1, status));
+
+        // A game that says nothing has no step of its own for that.
+        let mut texts = Texts::new(true);
+        texts.change_level(false);
+        assert_eq!(shown(&mut texts, now), Overlay::default());
+        texts.change_level(false);
+        assert_eq!(shown(&mut texts, now).speeds.len(), 1);
+    }
+
+    #[test]
+    fn a_screen_without_text_still_tells_of_a_pause_and_helps() {
+        let now = Instant::now();
+        let mut texts = Texts::new(false);
+        assert_eq!(shown(&mut texts, now), Overlay::default());
+        let paused = texts.overlay((&[], &[]), &WHITE, true, now);
+        assert_eq!(paused.notice.as_deref(), Some(PAUSED));
+        texts.change_help();
+        let help = shown(&mut texts, now).help;
+        assert_eq!(help[0], Line::heading("chess"));
+        assert_eq!(help[1].text, "  mouse: move a piece");
+        assert_eq!(help[1].emphasised, "  mouse:".len());
+        assert!(KEYS.iter().all(|(keys, what)| {
+            let row = format!("  {keys}: {what}");
+            help.iter().any(|line| line.text == row)
+        }));
+        texts.change_help();
+        assert_eq!(shown(&mut texts, now), Overlay::default());
+    }
+
+    #[test]
+    fn the_hint_fades_and_messages_come_before_it() {
+        let began = Instant::now();
+        let mut texts = Texts::new(true);
+        let after = |seconds| began + Duration::from_secs_f32(seconds);
+        let message = |texts: &mut Texts, seconds| shown(texts, after(seconds)).message;
+        assert_eq!(message(&mut texts, 0.0), Some((HINT.to_owned(), 1.0)));
+        let fading = message(&mut texts, HINT_SECONDS - FADE_SECONDS / 2.0);
+        let (_, opacity) = fading.expect("a hint");
+        assert!((opacity - 0.5).abs() < 0.01, "{opacity}");
+        assert_eq!(message(&mut texts, HINT_SECONDS + 0.1), None);
+        texts.say("pad 1 is gone".to_owned(), after(1.0));
+        let news = Some(("pad 1 is gone".to_owned(), 1.0));
+        assert_eq!(message(&mut texts, 5.9), news);
+        assert_eq!(message(&mut texts, 6.1), None);
+        // Who has the help open needs no hint.
+        let mut texts = Texts::new(true);
+        texts.change_help();
+        assert_eq!(message(&mut texts, 1.0), None);
+    }
+}
