@@ -175,18 +175,23 @@ impl<'data> Image<'data> {
     /// the effective address of the image. The program's references to addresses in the image are
     /// set from it.
     pub fn load(&self, store: &LocalStore, image_ea: u64) {
+        self.load_with(image_ea, |address, bytes| store.write(address, bytes));
+    }
+
+    /// As [`load`](Self::load), into a local store that `write` writes to.
+    pub fn load_with(&self, image_ea: u64, mut write: impl FnMut(u32, &[u8])) {
         for segment in &self.segments {
-            store.write(segment.address, segment.bytes);
+            write(segment.address, segment.bytes);
             let in_file = segment.bytes.len() as u32;
             let zeros = vec![0; (segment.memory_size - in_file) as usize];
-            store.write(segment.address + in_file, &zeros);
+            write(segment.address + in_file, &zeros);
         }
         for reference in &self.references {
             let ea = image_ea.wrapping_add_signed(i64::from(reference.offset));
             if reference.wide {
-                store.write(reference.address, &ea.to_be_bytes());
+                write(reference.address, &ea.to_be_bytes());
             } else {
-                store.write(reference.address, &(ea as u32).to_be_bytes());
+                write(reference.address, &(ea as u32).to_be_bytes());
             }
         }
     }

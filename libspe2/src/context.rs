@@ -1,24 +1,24 @@
 //! Contexts and gangs: how they are created and destroyed, and what state they hold.
 
 use std::ffi::c_uint;
+use std::os::fd::RawFd;
 use std::ptr;
 use std::sync::atomic::AtomicU32;
 use std::sync::{Arc, Mutex};
 
 use libc::{c_int, c_void};
 use spu_emulator::local_store::SIZE;
-use spu_emulator::signal::SignalMode;
-use spu_emulator::spe::{Config, Spe};
 
+use crate::backend::{Backend, Choice, chosen};
+use crate::emulated::Emulated;
 use crate::error::{self, Errno};
-use crate::machine::{machine, policy, write_reports};
-use crate::problem_state::{Areas, RunState};
-use crate::process_memory::ProcessMemory;
+use crate::machine::write_reports;
+use crate::spufs::{Gang, Spufs};
 use crate::stop_record::StopRecords;
 use crate::types::{
-    SPE_AFFINITY_MEMORY, SPE_CFG_SIGNOTIFY1_OR, SPE_CFG_SIGNOTIFY2_OR, SPE_EVENTS_ENABLE,
-    SPE_ISOLATE, SPE_ISOLATE_EMULATE, SPE_MAP_PS, SPE_NOSCHED, SPE_SIG_NOTIFY_2_AREA, SpeContext,
-    SpeGangContext, SpeProgramHandle,
+    SPE_AFFINITY_MEMORY, SPE_CFG_SIGNOTIFY1_OR, SPE_CFG_SIGNOTIFY2_OR, SPE_EVENT_SPE_STOPPED,
+    SPE_EVENTS_ENABLE, SPE_ISOLATE, SPE_ISOLATE_EMULATE, SPE_MAP_PS, SPE_NOSCHED,
+    SPE_SIG_NOTIFY_2_AREA, SpeContext, SpeGangContext, SpeProgramHandle,
 };
 
 const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
@@ -33,19 +33,23 @@ const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
 /// The object behind a context pointer. Every user holds a reference to it, so a program may
 /// destroy a context while another thread still runs it.
 pub(crate) struct Context {
-    pub(crate) spe: Arc<Spe>,
+    pub(crate) backend: Box<dyn Backend>,
     pub(crate) events_enabled: bool,
     /// Entry point of the program that was loaded last.
     pub(crate) entry: AtomicU32,
-    /// Proxy tags that were used and have not been reported complete.
-    pub(crate) issued_tags: Mutex<u32>,
     pub(crate) stops: StopRecords,
     /// The program's data for each kind of event.
     pub(crate) event_data: Mutex<[u64; 4]>,
-    /// The SPU's state as its registers show it.
-    pub(crate) run_state: Arc<RunState>,
-    /// The mapped problem state, if the program asked for it.
-    pub(crate) areas: Option<Areas>,
+}
+
+impl Context {
+    /// The file whose readiness is this event, on spufs.
+    pub(crate) fn event_file(&self, event: c_uint) -> Result<Option<RawFd>, Errno> {
+        match event {
+            SPE_EVENT_SPE_STOPPED => Ok(self.stops.file()),
+            event => self.backend.event_file(event),
+        }
+    }
 }
 
 /// Returns the context behind a pointer from the program.
@@ -65,76 +69,76 @@ pub(crate) unsafe fn context(pointer: *mut SpeContext) -> Result<Arc<Context>, E
     }
 }
 
-fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
-    let has = |flag| flags & flag != 0;
-    if flags & !KNOWN_FLAGS != 0 || has(SPE_ISOLATE_EMULATE) {
-        return Err(Errno(libc::EINVAL));
-    }
-    if has(SPE_ISOLATE) {
-        return Err(Errno(libc::ENODEV));
-    }
-    // A PlayStation 3 kernel does not know where its SPEs are, so affinity is not supported.
-    if has(SPE_AFFINITY_MEMORY) {
-        return Err(Errno(libc::EINVAL));
-    }
-    // SAFETY: geteuid can't fail and takes no pointers.
-    if has(SPE_NOSCHED) && unsafe { libc::geteuid() } != 0 {
-        return Err(Errno(libc::EPERM));
-    }
-    ProcessMemory::prepare().map_err(|_| Errno(libc::EFAULT))?;
-    let mode = |flag| {
-        if has(flag) {
-            SignalMode::Or
-        } else {
-            SignalMode::Overwrite
+/// # Safety
+/// `gang` is NULL or a live gang.
+unsafe fn gang_behind(gang: *mut SpeGangContext) -> Option<Arc<Gang>> {
+    // SAFETY: the caller vouches for the pointer. Its private part is NULL, or came from
+    // `Arc::into_raw`, which holds a reference until the gang is destroyed.
+    unsafe {
+        let shared: *const Gang = gang.as_ref()?.base_private.cast();
+        if shared.is_null() {
+            return None;
         }
-    };
-    let config = Config {
-        signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
-        policy: policy()?,
-    };
-    let spe = Spe::new(&machine()?.emulated, config);
-    let area = spe.local_store().as_ptr();
-    spe.map_local_store(area.expose_provenance() as u64);
-    let run_state = Arc::new(RunState::default());
-    let areas = has(SPE_MAP_PS)
-        .then(|| Areas::map(&spe, &run_state))
-        .transpose()?;
-    let context = Arc::new(Context {
-        spe,
-        run_state,
-        areas,
-        events_enabled: has(SPE_EVENTS_ENABLE),
-        entry: AtomicU32::new(0),
-        issued_tags: Mutex::new(0),
-        stops: StopRecords::default(),
-        event_data: Mutex::new([0; 4]),
-    });
-    Ok(Box::into_raw(Box::new(SpeContext {
+        Arc::increment_strong_count(shared);
+        Some(Arc::from_raw(shared))
+    }
+}
+
+fn create(
+    flags: c_uint,
+    neighbor: Option<&Context>,
+    gang: Option<Arc<Gang>>,
+) -> Result<*mut SpeContext, Errno> {
+    if flags & !KNOWN_FLAGS != 0 || flags & SPE_ISOLATE_EMULATE != 0 {
+        return Err(Errno(libc::EINVAL));
+    }
+    let mut handle = Box::new(SpeContext {
         handle: SpeProgramHandle {
             handle_size: 0,
             elf_image: ptr::null_mut(),
             toe_shadow: ptr::null_mut(),
         },
-        base_private: Arc::into_raw(context).cast_mut().cast(),
+        base_private: ptr::null_mut(),
         event_private: ptr::null_mut(),
-    })))
+    });
+    let events_enabled = flags & SPE_EVENTS_ENABLE != 0;
+    let (backend, stops): (Box<dyn Backend>, _) = match chosen()? {
+        Choice::Emulator if neighbor.is_some() => return Err(Errno(libc::EINVAL)),
+        Choice::Emulator => (Box::new(Emulated::create(flags)?), StopRecords::default()),
+        Choice::Spufs => {
+            let neighbor = neighbor.and_then(|neighbor| neighbor.backend.directory());
+            let number = ptr::from_ref(&*handle).addr();
+            let spufs = Spufs::create(flags, number, neighbor, gang)?;
+            (Box::new(spufs), StopRecords::with_file()?)
+        }
+    };
+    let context = Arc::new(Context {
+        backend,
+        events_enabled,
+        entry: AtomicU32::new(0),
+        stops,
+        event_data: Mutex::new([0; 4]),
+    });
+    handle.base_private = Arc::into_raw(context).cast_mut().cast();
+    Ok(Box::into_raw(handle))
 }
 
-/// Creates a context. `gang` may be NULL. A gang has no effect that a program could see.
+/// Creates a context. `gang` may be NULL. On the emulator, a gang has no effect that a program
+/// could see.
 ///
 /// # Safety
 /// `gang` is NULL or a live gang.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_context_create(
     flags: c_uint,
-    _gang: *mut SpeGangContext,
+    gang: *mut SpeGangContext,
 ) -> *mut SpeContext {
-    error::pointer(|| create(flags))
+    // SAFETY: the caller vouches for the pointer.
+    error::pointer(|| create(flags, None, unsafe { gang_behind(gang) }))
 }
 
-/// Creates a context in a gang. A request for affinity fails with EINVAL, as on a PlayStation 3,
-/// whose kernel has no affinity tables.
+/// Creates a context in a gang. A request for affinity fails with EINVAL on the emulator, as on a
+/// PlayStation 3, whose kernel has no affinity tables.
 ///
 /// # Safety
 /// `neighbor` is NULL or a live context, `gang` NULL or a live gang.
@@ -148,10 +152,14 @@ pub unsafe extern "C" fn spe_context_create_affinity(
         if gang.is_null() {
             return Err(Errno(libc::ESRCH));
         }
-        if !neighbor.is_null() {
-            return Err(Errno(libc::EINVAL));
-        }
-        create(flags)
+        let neighbor = if neighbor.is_null() {
+            None
+        } else {
+            // SAFETY: the caller vouches for the pointer.
+            Some(unsafe { context(neighbor)? })
+        };
+        // SAFETY: the caller vouches for the pointer.
+        create(flags, neighbor.as_deref(), unsafe { gang_behind(gang) })
     })
 }
 
@@ -183,10 +191,16 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_gang_context_create(_flags: c_uint) -> *mut SpeGangContext {
     error::pointer(|| {
-        Ok(Box::into_raw(Box::new(SpeGangContext {
+        let mut gang = Box::new(SpeGangContext {
             base_private: ptr::null_mut(),
             event_private: ptr::null_mut(),
-        })))
+        });
+        if chosen()? == Choice::Spufs {
+            let number = ptr::from_ref(&*gang).addr();
+            let shared = Arc::new(Gang::create(number)?);
+            gang.base_private = Arc::into_raw(shared).cast_mut().cast();
+        }
+        Ok(Box::into_raw(gang))
     })
 }
 
@@ -200,8 +214,14 @@ pub unsafe extern "C" fn spe_gang_context_destroy(gang: *mut SpeGangContext) -> 
         if gang.is_null() {
             return Err(Errno(libc::ESRCH));
         }
-        // SAFETY: it came from `Box::into_raw`, and the caller gives it up.
-        drop(unsafe { Box::from_raw(gang) });
+        // SAFETY: it came from `Box::into_raw`, and the caller gives it up. Its private part is
+        // NULL, or the reference that `Arc::into_raw` left.
+        unsafe {
+            let owned = Box::from_raw(gang);
+            if !owned.base_private.is_null() {
+                drop(Arc::from_raw(owned.base_private.cast::<Gang>()));
+            }
+        }
         Ok(0)
     })
 }
@@ -215,9 +235,9 @@ pub unsafe extern "C" fn spe_ls_area_get(spe: *mut SpeContext) -> *mut c_void {
     error::pointer(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        let area = context.spe.local_store().as_ptr();
+        let area = context.backend.local_store();
         area.expose_provenance();
-        if let Some(simulation) = context.spe.simulation() {
+        if let Some(simulation) = context.backend.simulation() {
             simulation.serialise();
         }
         Ok(area.cast())
@@ -250,7 +270,7 @@ pub unsafe extern "C" fn spe_ps_area_get(spe: *mut SpeContext, area: c_uint) -> 
         if area > SPE_SIG_NOTIFY_2_AREA {
             return Err(Errno(libc::EINVAL));
         }
-        let areas = context.areas.as_ref().ok_or(Errno(libc::EACCES))?;
-        areas.area(area as usize).ok_or(Errno(libc::EINVAL))
+        let area = context.backend.area(area as usize);
+        area.ok_or(Errno(libc::EACCES))
     })
 }

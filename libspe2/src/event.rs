@@ -3,8 +3,11 @@
 //! Events are level-triggered, not edge-triggered: a waiting thread checks each registered context
 //! and then sleeps on the handler's bell until some context rings it. Invariant: the bell is read
 //! before the check, so a change during the check ends the sleep at once.
+//!
+//! On spufs, an event is the readiness of a file, and a handler sleeps on an epoll descriptor.
 
 use std::ptr;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -12,9 +15,10 @@ use libc::{c_int, c_uint, c_void};
 use spu_emulator::simulated::{Simulation, WaitKey};
 use spu_emulator::spe::Watcher;
 
+use crate::backend::{Choice, chosen};
 use crate::context::{Context, context};
 use crate::error::{self, Errno};
-use crate::mfc::tag_waiting;
+use crate::spufs::Epoll;
 use crate::types::{
     SPE_EVENT_ALL_EVENTS, SPE_EVENT_IN_MBOX, SPE_EVENT_OUT_INTR_MBOX, SPE_EVENT_SPE_STOPPED,
     SPE_EVENT_TAG_GROUP, SpeContext, SpeEventData, SpeEventUnit,
@@ -80,6 +84,8 @@ struct Registration {
     context: Arc<Context>,
     /// Index in [`EVENTS`].
     event: usize,
+    /// By which epoll names the registration.
+    number: usize,
 }
 
 // SAFETY: the pointer is only returned to the program and never dereferenced.
@@ -87,11 +93,11 @@ unsafe impl Send for Registration {}
 
 impl Registration {
     fn is_up(&self) -> bool {
-        let spe = &self.context.spe;
+        let spe = &self.context.backend;
         match EVENTS[self.event] {
-            SPE_EVENT_OUT_INTR_MBOX => spe.outbound_interrupt_waiting() > 0,
-            SPE_EVENT_IN_MBOX => spe.inbound_room() > 0,
-            SPE_EVENT_TAG_GROUP => tag_waiting(&self.context),
+            SPE_EVENT_OUT_INTR_MBOX => matches!(spe.outbound_interrupt_waiting(), Ok(1..)),
+            SPE_EVENT_IN_MBOX => matches!(spe.inbound_room(), Ok(1..)),
+            SPE_EVENT_TAG_GROUP => spe.tag_waiting(),
             _ => self.context.stops.waiting(),
         }
     }
@@ -109,10 +115,11 @@ impl Registration {
 }
 
 /// The object behind an event handler pointer.
-#[derive(Default)]
 struct Handler {
     bell: Arc<Bell>,
     registrations: Mutex<Vec<Registration>>,
+    /// How the handler waits on spufs.
+    epoll: Option<Epoll>,
 }
 
 impl Handler {
@@ -134,14 +141,22 @@ impl Handler {
         if registrations.iter().any(same) {
             return Err(Errno(libc::EEXIST));
         }
+        if let Some(epoll) = &self.epoll
+            && let Some(file) = registration
+                .context
+                .event_file(EVENTS[registration.event])?
+        {
+            let out = EVENTS[registration.event] == SPE_EVENT_IN_MBOX;
+            epoll.add(file, out, registration.number)?;
+        }
         if EVENTS[registration.event] == SPE_EVENT_SPE_STOPPED {
             registration.context.stops.register();
         }
-        if let Some(simulation) = registration.context.spe.simulation() {
+        if let Some(simulation) = registration.context.backend.simulation() {
             let key = || (Arc::clone(simulation), simulation.new_key());
             self.bell.simulated.get_or_init(key);
         }
-        registration.context.spe.watch(self.watcher());
+        registration.context.backend.watch(self.watcher());
         registrations.push(registration);
         drop(registrations);
         // A sleeping waiter has to check the new registration.
@@ -161,7 +176,12 @@ impl Handler {
     }
 
     fn ended(&self, registration: &Registration) {
-        registration.context.spe.unwatch(&self.watcher());
+        if let Some(epoll) = &self.epoll
+            && let Ok(Some(file)) = registration.context.event_file(EVENTS[registration.event])
+        {
+            epoll.remove(file);
+        }
+        registration.context.backend.unwatch(&self.watcher());
         if EVENTS[registration.event] == SPE_EVENT_SPE_STOPPED {
             registration.context.stops.deregister();
         }
@@ -177,7 +197,29 @@ impl Handler {
             .collect()
     }
 
-    fn wait(&self, most: usize, limit: Option<Duration>) -> Vec<SpeEventUnit> {
+    /// The events of the registrations with these numbers.
+    fn numbered(&self, numbers: &[usize]) -> Vec<SpeEventUnit> {
+        self.registrations()
+            .iter()
+            .filter(|registration| numbers.contains(&registration.number))
+            .map(Registration::unit)
+            .collect()
+    }
+
+    fn wait(&self, most: usize, limit: Option<Duration>) -> Result<Vec<SpeEventUnit>, Errno> {
+        let Some(epoll) = &self.epoll else {
+            return Ok(self.wait_for_bell(most, limit));
+        };
+        loop {
+            let units = self.numbered(&epoll.wait(most, limit)?);
+            // Without a limit, there are no units only if their registrations have just ended.
+            if !units.is_empty() || limit.is_some() {
+                return Ok(units);
+            }
+        }
+    }
+
+    fn wait_for_bell(&self, most: usize, limit: Option<Duration>) -> Vec<SpeEventUnit> {
         if let Some((simulation, key)) = self.bell.simulated.get() {
             let poll = || Some(self.up(most)).filter(|units| !units.is_empty());
             return simulation.wait(*key, limit, poll).unwrap_or_default();
@@ -217,7 +259,17 @@ unsafe fn handler<'a>(pointer: *mut c_void) -> Result<&'a Handler, Errno> {
 /// None beyond the C calling convention.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_handler_create() -> *mut c_void {
-    error::pointer(|| Ok(Box::into_raw(Box::<Handler>::default()).cast()))
+    error::pointer(|| {
+        let handler = Handler {
+            bell: Arc::default(),
+            registrations: Mutex::default(),
+            epoll: match chosen()? {
+                Choice::Emulator => None,
+                Choice::Spufs => Some(Epoll::new()?),
+            },
+        };
+        Ok(Box::into_raw(Box::new(handler)).cast())
+    })
 }
 
 /// Destroys an event handler.
@@ -257,7 +309,7 @@ unsafe fn each_event(
         }
         // SAFETY: the caller vouches for the context.
         let context = unsafe { context(unit.spe)? };
-        let of_tags = context.areas.is_some() && unit.events & SPE_EVENT_TAG_GROUP != 0;
+        let of_tags = context.backend.maps_areas() && unit.events & SPE_EVENT_TAG_GROUP != 0;
         if !context.events_enabled || unit.events & !SPE_EVENT_ALL_EVENTS != 0 || of_tags {
             return Err(Errno(libc::ENOTSUP));
         }
@@ -283,6 +335,7 @@ pub unsafe extern "C" fn spe_event_handler_register(
     // SAFETY: the caller vouches for the pointers.
     unsafe {
         each_event(evhandler, event, |handler, unit, context, event| {
+            static NUMBERS: AtomicUsize = AtomicUsize::new(0);
             let mut data = context
                 .event_data
                 .lock()
@@ -293,6 +346,7 @@ pub unsafe extern "C" fn spe_event_handler_register(
                 pointer: unit.spe,
                 context,
                 event,
+                number: NUMBERS.fetch_add(1, Relaxed),
             })
         })
     }
@@ -336,7 +390,7 @@ pub unsafe extern "C" fn spe_event_wait(
             _ => return Err(Errno(libc::EINVAL)),
         };
         let limit = u64::try_from(timeout).ok().map(Duration::from_millis);
-        let units = handler.wait(most, limit);
+        let units = handler.wait(most, limit)?;
         // SAFETY: the caller vouches for the room, and there are at most as many units.
         unsafe { ptr::copy_nonoverlapping(units.as_ptr(), events, units.len()) };
         Ok(units.len() as c_int)

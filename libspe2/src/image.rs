@@ -11,7 +11,6 @@ use std::sync::atomic::Ordering::SeqCst;
 use libc::{c_char, c_int};
 use spu_emulator::elf::{self, ElfError, Image, TOE_SIZE};
 use spu_emulator::memory::MainMemory;
-use spu_emulator::profile::ProgramId;
 
 use crate::context::context;
 use crate::error::{self, Errno};
@@ -155,8 +154,10 @@ pub unsafe extern "C" fn spe_program_load(
         let ea = handle.elf_image.expose_provenance() as u64;
         let bytes = image_at(ea)?;
         let image = Image::parse(&bytes).map_err(|error| refuse(&error))?;
-        let store = context.spe.local_store();
-        image.load(store, ea);
+        let backend = &context.backend;
+        image.load_with(ea, |address, bytes| {
+            backend.write_local_store(address, bytes)
+        });
         if let Some(toe) = image.toe()
             && !handle.toe_shadow.is_null()
         {
@@ -165,11 +166,10 @@ pub unsafe extern "C" fn spe_program_load(
             ProcessMemory
                 .read(shadow_ea, &mut shadow)
                 .map_err(|_| Errno(libc::EINVAL))?;
-            store.write(toe, &shadow);
+            backend.write_local_store(toe, &shadow);
         }
-        context.spe.profile_as(ProgramId::of(&bytes));
         context.entry.store(image.entry(), SeqCst);
-        context.spe.expect_run();
+        backend.loaded(&bytes);
         Ok(0)
     })
 }

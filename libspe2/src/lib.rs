@@ -1,9 +1,10 @@
-//! The libspe2 C API (level 2.3, 38 functions) on the SPU emulator.
+//! The libspe2 C API (level 2.3, 38 functions) on the SPU emulator, or on real SPEs by the kernel's
+//! spufs.
 //!
 //! Built as `libspe2.so.2`, it replaces the console's library. As an rlib, it is linked into host
 //! programs. Effective addresses are addresses of the process, as on the console.
 //!
-//! It differs from the library on a PlayStation 3 in these ways:
+//! On the emulator, it differs from the library on a PlayStation 3 in these ways:
 //! - An access to a problem-state area doesn't wait until the context runs, and must be a plain
 //!   load or store of 32 bits. `SPE_MAP_PS` needs a processor of PowerPC or x86-64.
 //! - A proxy DMA command is carried out whether or not the context runs; the console's waits until
@@ -14,9 +15,18 @@
 //! - Of the system calls that a console's kernel carries out for stop 0x2104, the common ones are
 //!   served, and the others fail with ENOSYS.
 //!
+//! On spufs, it differs from that library in these ways:
+//! - If no tag is outstanding, `spe_mfcio_tag_status_read` stores 0 there, too. `SPE_TAG_ALL` waits
+//!   for all tags.
+//! - With `SPE_MAP_PS`, mailboxes and signals still go by the files.
+//! - `spe_cpu_info_get` counts only SPEs.
+//! - Any number of stop records may stay unread.
+//!
 //! These environment variables are read when the first context is created:
+//! - `LIBSPE2_BACKEND` is `emulator` or `spufs`. The default is `spufs` where it is mounted on
+//!   `/spu` and the kernel has its system calls, and otherwise `emulator`.
 //! - `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` returns. The default
-//!   is 6.
+//!   is 6, or on spufs the kernel's number.
 //! - `LIBSPE2_MFC` is `at-once` (the default) or `at-last`. `at-last` carries out DMA commands as
 //!   late and in as unexpected an order as the architecture allows, which exposes missing waits.
 //! - `LIBSPE2_TIMING=1` counts cycles. SPEs then run in simulated time (see
@@ -33,10 +43,12 @@
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 
+mod backend;
 mod builtin;
 pub mod callback;
 pub mod context;
 pub mod cpu_info;
+mod emulated;
 mod error;
 pub mod event;
 mod fault_signal;
@@ -50,5 +62,6 @@ mod process_memory;
 mod report;
 pub mod run;
 mod scratch;
+mod spufs;
 mod stop_record;
 pub mod types;

@@ -97,6 +97,11 @@ fn switch(name: &str) -> Result<bool, Errno> {
     }
 }
 
+/// Whether the environment asks for simulated time.
+pub(crate) fn timing() -> Result<bool, Errno> {
+    switch(TIMING)
+}
+
 /// What runs the SPUs' instructions.
 fn engine(timing: bool) -> Result<Engine, Errno> {
     let engine = match env::var_os(ENGINE) {
@@ -176,7 +181,7 @@ fn description(timing: bool) -> Result<Timing, Errno> {
 impl Machine {
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
-        let timing = switch(TIMING)?;
+        let timing = timing()?;
         let engine = engine(timing)?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;

@@ -1,11 +1,9 @@
 //! Mailboxes, signal notification and multisource synchronisation.
 
-use std::time::Instant;
-
 use libc::{c_int, c_uint};
 use spu_emulator::signal::SignalRegister;
-use spu_emulator::spe::Spe;
 
+use crate::backend::Backend;
 use crate::context::context;
 use crate::error::{self, Errno, set_errno};
 use crate::types::{
@@ -34,20 +32,16 @@ fn checked_count(data: *mut c_uint, count: c_int) -> Result<usize, Errno> {
 fn move_words(
     count: usize,
     wait_for: usize,
-    mut one: impl FnMut(usize, Option<Instant>) -> bool,
-) -> c_int {
+    mut one: impl FnMut(usize, bool) -> Result<bool, Errno>,
+) -> Result<c_int, Errno> {
     let mut moved = 0;
-    while moved < count {
-        let deadline = (moved >= wait_for).then(Instant::now);
-        if !one(moved, deadline) {
-            break;
-        }
+    while moved < count && one(moved, moved < wait_for)? {
         moved += 1;
     }
     if moved == 0 {
         set_errno(0);
     }
-    moved as c_int
+    Ok(moved as c_int)
 }
 
 /// Reads up to `count` words of `take` into `data`.
@@ -58,15 +52,15 @@ unsafe fn read_words(
     data: *mut c_uint,
     count: usize,
     wait_for: usize,
-    take: impl Fn(Option<Instant>) -> Option<u32>,
-) -> c_int {
-    move_words(count, wait_for, |at, deadline| match take(deadline) {
-        Some(word) => {
+    take: impl Fn(bool) -> Result<Option<u32>, Errno>,
+) -> Result<c_int, Errno> {
+    move_words(count, wait_for, |at, wait| {
+        let word = take(wait)?;
+        if let Some(word) = word {
             // SAFETY: `at` is less than `count`, for which the caller vouches.
             unsafe { data.add(at).write(word) };
-            true
         }
-        None => false,
+        Ok(word.is_some())
     })
 }
 
@@ -85,21 +79,20 @@ pub unsafe extern "C" fn spe_out_mbox_read(
         let context = unsafe { context(spe)? };
         let count = checked_count(data, count)?;
         // SAFETY: the caller vouches for the room.
-        Ok(unsafe {
-            read_words(data, count, 0, |deadline| {
-                context.spe.read_outbound(deadline)
-            })
-        })
+        unsafe { read_words(data, count, 0, |_| context.backend.read_outbound()) }
     })
 }
 
 /// # Safety
 /// `spe` is NULL or a live context.
-unsafe fn status(spe: *mut SpeContext, words: impl FnOnce(&Spe) -> usize) -> c_int {
+unsafe fn status(
+    spe: *mut SpeContext,
+    words: impl FnOnce(&dyn Backend) -> Result<usize, Errno>,
+) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        Ok(words(&context.spe) as c_int)
+        words(&*context.backend).map(|words| words as c_int)
     })
 }
 
@@ -110,7 +103,7 @@ unsafe fn status(spe: *mut SpeContext, words: impl FnOnce(&Spe) -> usize) -> c_i
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_out_mbox_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { status(spe, Spe::outbound_waiting) }
+    unsafe { status(spe, |backend| backend.outbound_waiting()) }
 }
 
 /// Writes words to the inbound mailbox and returns how many it took.
@@ -129,11 +122,11 @@ pub unsafe extern "C" fn spe_in_mbox_write(
         let context = unsafe { context(spe)? };
         let count = checked_count(data, count)?;
         let wait_for = words_to_wait_for(count, behavior)?;
-        Ok(move_words(count, wait_for, |at, deadline| {
+        move_words(count, wait_for, |at, wait| {
             // SAFETY: `at` is less than `count`, for which the caller vouches.
             let word = unsafe { data.add(at).read() };
-            context.spe.write_inbound(word, deadline)
-        }))
+            context.backend.write_inbound(word, wait)
+        })
     })
 }
 
@@ -144,7 +137,7 @@ pub unsafe extern "C" fn spe_in_mbox_write(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_in_mbox_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { status(spe, Spe::inbound_room) }
+    unsafe { status(spe, |backend| backend.inbound_room()) }
 }
 
 /// Reads words from the outbound interrupt mailbox and returns how many.
@@ -164,11 +157,11 @@ pub unsafe extern "C" fn spe_out_intr_mbox_read(
         let count = checked_count(data, count)?;
         let wait_for = words_to_wait_for(count, behavior)?;
         // SAFETY: the caller vouches for the room.
-        Ok(unsafe {
-            read_words(data, count, wait_for, |deadline| {
-                context.spe.read_outbound_interrupt(deadline)
+        unsafe {
+            read_words(data, count, wait_for, |wait| {
+                context.backend.read_outbound_interrupt(wait)
             })
-        })
+        }
     })
 }
 
@@ -179,7 +172,7 @@ pub unsafe extern "C" fn spe_out_intr_mbox_read(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_out_intr_mbox_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { status(spe, Spe::outbound_interrupt_waiting) }
+    unsafe { status(spe, |backend| backend.outbound_interrupt_waiting()) }
 }
 
 /// Writes a signal-notification register without waiting.
@@ -200,21 +193,20 @@ pub unsafe extern "C" fn spe_signal_write(
             SPE_SIG_NOTIFY_REG_2 => SignalRegister::Two,
             _ => return Err(Errno(libc::EINVAL)),
         };
-        context.spe.signal(register, data);
-        Ok(0)
+        context.backend.signal(register, data).map(|()| 0)
     })
 }
 
-/// A multisource synchronisation is over as soon as it starts, because transfers are seen in order.
-/// Without a mapped problem state, both functions fail with EINVAL, as on the console.
-///
 /// # Safety
 /// `spe` is NULL or a live context.
-unsafe fn mssync(spe: *mut SpeContext) -> c_int {
+unsafe fn mssync(spe: *mut SpeContext, body: impl FnOnce(&dyn Backend) -> c_int) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        context.areas.as_ref().map(|_| 0).ok_or(Errno(libc::EINVAL))
+        if !context.backend.maps_areas() {
+            return Err(Errno(libc::EINVAL));
+        }
+        Ok(body(&*context.backend))
     })
 }
 
@@ -225,7 +217,12 @@ unsafe fn mssync(spe: *mut SpeContext) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { mssync(spe) }
+    unsafe {
+        mssync(spe, |backend| {
+            backend.synchronise();
+            0
+        })
+    }
 }
 
 /// Returns 0 when a multisource synchronisation is over. Without a mapped problem state, it fails
@@ -236,5 +233,5 @@ pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_mssync_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { mssync(spe) }
+    unsafe { mssync(spe, |backend| backend.synchronisation() as c_int) }
 }

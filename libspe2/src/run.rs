@@ -5,36 +5,32 @@ use std::sync::atomic::Ordering::SeqCst;
 
 use libc::{c_int, c_uint, c_void};
 use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::SIZE;
+use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::memory::MainMemory;
-use spu_emulator::mfc::DmaError;
-use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::LIMIT_MASK;
 
+use crate::callback;
 use crate::context::{Context, context};
 use crate::error::{self, Errno, set_errno};
-use crate::fault_signal::{After, FaultSignal};
 use crate::process_memory::ProcessMemory;
 use crate::stop_record::StopRecord;
 use crate::types::{
-    SPE_CALLBACK_ERROR, SPE_DEFAULT_ENTRY, SPE_DMA_ALIGNMENT, SPE_DMA_STORAGE, SPE_EXIT,
-    SPE_INVALID_DMA, SPE_ISOLATION_ERROR, SPE_NO_CALLBACKS, SPE_RUN_USER_REGS, SPE_RUNTIME_ERROR,
-    SPE_RUNTIME_EXCEPTION, SPE_RUNTIME_FATAL, SPE_SPU_HALT, SPE_SPU_INVALID_CHANNEL,
-    SPE_SPU_INVALID_INSTR, SPE_SPU_STOPPED_BY_STOP, SPE_STOP_AND_SIGNAL, SpeContext, SpeStopInfo,
+    SPE_CALLBACK_ERROR, SPE_DEFAULT_ENTRY, SPE_EXIT, SPE_ISOLATION_ERROR, SPE_NO_CALLBACKS,
+    SPE_RUN_USER_REGS, SPE_RUNTIME_ERROR, SPE_RUNTIME_EXCEPTION, SPE_RUNTIME_FATAL,
+    SPE_SPU_STOPPED_BY_STOP, SPE_STOP_AND_SIGNAL, SpeContext, SpeStopInfo,
 };
-use crate::{builtin, callback};
 
 /// Where the library puts the zero back chain: the initial stack pointer.
-const STACK_TOP: u32 = SIZE - 16;
+pub(crate) const STACK_TOP: u32 = SIZE - 16;
 /// The library's start block. It overwrites any program data at the top of local store.
-const START_BLOCK: usize = 128;
+pub(crate) const START_BLOCK: usize = 128;
 /// The word after a library call's stop is data.
 const CALL_WORD: u32 = 4;
 /// Size in bytes of the three registers of `SPE_RUN_USER_REGS`.
 const USER_REGISTERS: usize = 48;
 
 /// How a run ended, as reported to the program.
-struct Outcome {
+pub(crate) struct Outcome {
     /// The return value, or the errno if the call returns -1.
     returned: Result<c_int, Errno>,
     record: StopRecord,
@@ -52,32 +48,53 @@ impl Outcome {
         }
     }
 
-    fn error(status: c_int) -> Self {
-        Self::failed(libc::EFAULT, SPE_RUNTIME_ERROR, status, status)
+    /// The SPU met something that it can't run: a bit of its status.
+    pub(crate) fn error(bit: c_int, spu_status: c_int) -> Self {
+        Self::failed(libc::EFAULT, SPE_RUNTIME_ERROR, bit, spu_status)
     }
 
-    fn exception(event: c_int) -> Self {
+    /// A DMA error, with the event that reports it.
+    pub(crate) fn exception(event: c_int) -> Self {
         Self::failed(libc::EIO, SPE_RUNTIME_EXCEPTION, event, -1)
     }
 
-    fn fatal(result: c_int) -> Self {
+    /// The run itself failed, with this errno or -1.
+    pub(crate) fn fatal(result: c_int) -> Self {
         Self::failed(libc::EFAULT, SPE_RUNTIME_FATAL, result, -1)
     }
 
-    fn stopped(returned: c_int, stop_reason: c_uint, result: c_int, code: u16) -> Self {
+    #[cfg(test)]
+    pub(crate) fn record(&self) -> StopRecord {
+        self.record
+    }
+
+    fn stopped(returned: c_int, stop_reason: c_uint, result: c_int, spu_status: c_int) -> Self {
         Self {
             returned: Ok(returned),
             record: StopRecord {
                 stop_reason,
                 result,
-                spu_status: stop_status(code),
+                spu_status,
             },
         }
     }
 }
 
-fn stop_status(code: u16) -> c_int {
+/// The status of an SPU after a stop instruction with this code.
+pub(crate) fn stop_status(code: u16) -> c_int {
     c_int::from(code) << 16 | SPE_SPU_STOPPED_BY_STOP
+}
+
+/// Why the SPU has stopped.
+pub(crate) enum Ended {
+    /// A stop instruction.
+    Stop {
+        code: u16,
+        status: c_int,
+    },
+    /// Nothing that the library or the program must handle: the SPU continues.
+    Resume,
+    Return(Outcome),
 }
 
 /// What happens after a stop.
@@ -87,81 +104,38 @@ enum Next {
     Return(Outcome),
 }
 
-fn raise(signal: FaultSignal, npc: u32) -> Next {
-    match signal.raise() {
-        After::Resume => Next::Resume(npc),
-        After::Interrupted => Next::Return(Outcome::fatal(libc::EINTR)),
-    }
-}
-
 /// The next instruction after a library call: behind the stop and the word that follows it.
-fn after_call(npc: u32) -> Next {
-    Next::Resume(npc.wrapping_add(CALL_WORD) & LIMIT_MASK)
+pub(crate) fn after_call(npc: u32) -> u32 {
+    npc.wrapping_add(CALL_WORD) & LIMIT_MASK
 }
 
-fn call_back(context: &Context, code: u16, npc: u32) -> Next {
-    let ls_base = context.spe.local_store().as_ptr();
+fn call_back(context: &Context, code: u16, status: c_int, npc: u32) -> Next {
+    let ls_base = context.backend.local_store();
     match callback::call(c_uint::from(code & 0xff), ls_base.cast(), npc) {
-        0 => after_call(npc),
+        0 => Next::Resume(after_call(npc)),
         result => Next::Return(Outcome::failed(
             libc::EFAULT,
             SPE_CALLBACK_ERROR,
             result,
-            stop_status(code),
+            status,
         )),
     }
 }
 
-fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
+fn after_stop(context: &Context, flags: c_uint, code: u16, status: c_int, npc: u32) -> Next {
     let value = c_int::from(code);
     match code {
-        0x2104 if builtin::system_call(context.spe.local_store().as_ref(), npc) => after_call(npc),
-        0x2100..=0x21ff if flags & SPE_NO_CALLBACKS == 0 => call_back(context, code, npc),
-        0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, code)),
+        0x2100..=0x21ff if flags & SPE_NO_CALLBACKS == 0 => call_back(context, code, status, npc),
+        0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, status)),
         // The isolation loader's "load complete" is not reported to the program.
         0x2206 => Next::Resume(npc),
         0x2200..=0x220f => Next::Return(Outcome::failed(
             libc::EFAULT,
             SPE_ISOLATION_ERROR,
             value & 0xf,
-            stop_status(code),
+            status,
         )),
-        0x3fff => raise(FaultSignal::breakpoint(), npc),
-        _ => Next::Return(Outcome::stopped(value, SPE_STOP_AND_SIGNAL, value, code)),
-    }
-}
-
-fn after(context: &Context, flags: c_uint, stopped: &Stopped) -> Next {
-    let npc = stopped.npc;
-    if let Some((_, difference)) = context.spe.difference() {
-        eprintln!("libspe2: {difference}");
-        return Next::Return(Outcome::fatal(-1));
-    }
-    let dma = |event, signal| {
-        if context.events_enabled {
-            Next::Return(Outcome::exception(event))
-        } else {
-            raise(signal, npc)
-        }
-    };
-    match &stopped.reason {
-        Stop::Signal(code) => after_signal(context, flags, *code, npc),
-        Stop::Halt => Next::Return(Outcome::error(SPE_SPU_HALT)),
-        Stop::InvalidInstruction(_) if context.events_enabled => {
-            Next::Return(Outcome::error(SPE_SPU_INVALID_INSTR))
-        }
-        Stop::InvalidInstruction(_) => raise(FaultSignal::invalid_instruction(stopped.pc), npc),
-        Stop::InvalidChannel(..) => Next::Return(Outcome::error(SPE_SPU_INVALID_CHANNEL)),
-        Stop::Dma(DmaError::Alignment { .. }) => {
-            dma(SPE_DMA_ALIGNMENT, FaultSignal::dma_alignment())
-        }
-        Stop::Dma(DmaError::InvalidCommand { .. }) => {
-            dma(SPE_INVALID_DMA, FaultSignal::invalid_dma())
-        }
-        Stop::Dma(DmaError::Storage { ea, .. }) => {
-            dma(SPE_DMA_STORAGE, FaultSignal::dma_storage(*ea))
-        }
-        Stop::Requested => Next::Return(Outcome::fatal(-1)),
+        _ => Next::Return(Outcome::stopped(value, SPE_STOP_AND_SIGNAL, value, status)),
     }
 }
 
@@ -170,7 +144,7 @@ fn pointer_quad(address: usize) -> Quad {
 }
 
 /// The initial values of a program's registers.
-struct StartRegisters {
+pub(crate) struct StartRegisters {
     arguments: [Quad; 3],
     local_store: Quad,
 }
@@ -198,23 +172,29 @@ impl StartRegisters {
                 pointer_quad(envp.expose_provenance()),
             ]
         };
-        let area = context.spe.local_store().as_ptr();
+        let area = context.backend.local_store();
         Ok(Self {
             arguments,
             local_store: pointer_quad(area.expose_provenance()),
         })
     }
 
-    fn set(&self, context: &Context, spu: &mut Spu) {
+    /// Registers 3 to 6.
+    pub(crate) fn arguments(&self) -> [Quad; 4] {
+        let [first, second, third] = self.arguments;
+        [first, second, third, self.local_store]
+    }
+
+    /// Sets the registers of an emulated SPU.
+    pub(crate) fn set(&self, store: &LocalStore, spu: &mut Spu) {
         const FIRST_ARGUMENT: u8 = 3;
         let top = SIZE - START_BLOCK as u32;
-        context.spe.local_store().write(top, &[0; START_BLOCK]);
+        store.write(top, &[0; START_BLOCK]);
         spu.set_register(1, Quad::scalar(STACK_TOP));
         spu.set_register(2, Quad::ZERO);
-        for (register, value) in (FIRST_ARGUMENT..).zip(self.arguments) {
+        for (register, value) in (FIRST_ARGUMENT..).zip(self.arguments()) {
             spu.set_register(register, value);
         }
-        spu.set_register(6, self.local_store);
     }
 }
 
@@ -254,19 +234,19 @@ pub unsafe extern "C" fn spe_context_run(
         };
         let outcome = loop {
             let start = registers.take();
-            context.run_state.starts();
-            let stopped = context.spe.run_prepared(at, |spu| {
-                if let Some(start) = start {
-                    start.set(&context, spu);
-                }
-            });
-            at = stopped.npc;
-            match after(&context, runflags, &stopped) {
+            let (npc, ended) = context.backend.run(at, start.as_ref());
+            let next = match ended {
+                Ended::Stop { code, status } => after_stop(&context, runflags, code, status, npc),
+                Ended::Resume => Next::Resume(npc),
+                Ended::Return(outcome) => Next::Return(outcome),
+            };
+            at = npc;
+            match next {
                 Next::Resume(npc) => at = npc,
                 Next::Return(outcome) => break outcome,
             }
         };
-        context.run_state.stops(outcome.record.spu_status, at);
+        context.backend.stopped(outcome.record.spu_status, at);
         // SAFETY: the caller vouches for the pointers.
         unsafe {
             entry.write(at);
@@ -275,10 +255,9 @@ pub unsafe extern "C" fn spe_context_run(
             }
         }
         if context.events_enabled {
-            context.spe.act(|| {
-                context.stops.append(outcome.record);
-                context.spe.announce();
-            });
+            context
+                .backend
+                .change(&mut || context.stops.append(outcome.record));
         }
         outcome.returned
     })
@@ -302,7 +281,8 @@ pub unsafe extern "C" fn spe_stop_info_read(
         if stopinfo.is_null() {
             return Err(Errno(libc::EINVAL));
         }
-        let taken = context.spe.act(|| context.stops.take());
+        let mut taken = None;
+        context.backend.act(&mut || taken = context.stops.take());
         let record = taken.ok_or(Errno(libc::EAGAIN))?;
         // SAFETY: the caller vouches for the pointer.
         unsafe { stopinfo.write(record.to_c()) };

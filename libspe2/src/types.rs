@@ -153,6 +153,8 @@ pub const SPE_ISOLATION_ERROR: c_uint = 7;
 pub const SPE_SPU_STOPPED_BY_STOP: c_int = 0x02;
 /// Runtime error and SPU status: halt.
 pub const SPE_SPU_HALT: c_int = 0x04;
+/// SPU status: waiting on a channel.
+pub const SPE_SPU_WAITING_ON_CHANNEL: c_int = 0x08;
 /// Runtime error and SPU status: invalid instruction.
 pub const SPE_SPU_INVALID_INSTR: c_int = 0x20;
 /// Runtime error and SPU status: invalid channel.
@@ -205,6 +207,8 @@ pub const SPE_COUNT_USABLE_SPES: c_int = 3;
 pub const SPE_CPU_TYPE: c_int = 4;
 /// The first Cell/B.E., the PlayStation 3's.
 pub const SPE_CPU_IS_CELLBE: c_int = 1;
+/// The PowerXCell 8i, with fast double precision.
+pub const SPE_CPU_IS_CELLEDP: c_int = 2;
 
 /// Signal register 1.
 pub const SPE_SIG_NOTIFY_REG_1: c_uint = 1;

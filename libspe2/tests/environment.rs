@@ -51,7 +51,29 @@ fn put_and_look_twice() -> [u8; 3] {
     }
 }
 
+/// Fails to create a context, and returns the errno.
+fn refusal() -> Option<i32> {
+    // SAFETY: a context needs no gang.
+    let refused = unsafe { spe_context_create(0, ptr::null_mut()) };
+    assert!(refused.is_null());
+    errno()
+}
+
 fn main() {
+    // A machine for tests has no SPEs. A wrong choice is refused each time, and none is made.
+    for (backend, timing, expected) in [
+        ("spufs", "0", libc::ENOSYS),
+        ("spufs", "1", libc::EINVAL),
+        ("hardware", "0", libc::EINVAL),
+        ("", "0", libc::EINVAL),
+    ] {
+        set("LIBSPE2_BACKEND", backend);
+        set("LIBSPE2_TIMING", timing);
+        assert_eq!(refusal(), Some(expected), "{backend} {timing}");
+    }
+    set("LIBSPE2_BACKEND", "emulator");
+    set("LIBSPE2_TIMING", "0");
+
     for (value, expected) in [("1", 1), ("16", 16), ("6", 6)] {
         set("LIBSPE2_SPES", value);
         assert_eq!(spes(), expected);
@@ -65,10 +87,7 @@ fn main() {
     for (engine, check) in [("fast", "0"), ("compiler", "yes"), ("interpreter", "1")] {
         set("LIBSPE2_ENGINE", engine);
         set("LIBSPE2_CHECK", check);
-        // SAFETY: a context needs no gang.
-        let refused = unsafe { spe_context_create(0, ptr::null_mut()) };
-        assert!(refused.is_null(), "{engine} {check}");
-        assert_eq!(errno(), Some(libc::EINVAL));
+        assert_eq!(refusal(), Some(libc::EINVAL), "{engine} {check}");
     }
     set("LIBSPE2_ENGINE", "compiler");
     set("LIBSPE2_CHECK", "1");
@@ -81,9 +100,6 @@ fn main() {
     set("LIBSPE2_MFC", "at-last");
     assert_eq!(put_and_look_twice(), [0, 0, 1]);
     set("LIBSPE2_MFC", "sometimes");
-    // SAFETY: a context needs no gang.
-    let refused = unsafe { spe_context_create(0, ptr::null_mut()) };
-    assert!(refused.is_null());
-    assert_eq!(errno(), Some(libc::EINVAL));
+    assert_eq!(refusal(), Some(libc::EINVAL));
     println!("environment: ok");
 }

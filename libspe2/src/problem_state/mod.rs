@@ -35,12 +35,12 @@ use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::Spe;
 
 use crate::error::Errno;
-use registers::{Registers, SIGNAL_1, SIGNAL_2, SIZE};
+use registers::{Registers, SIGNAL_1, SIGNAL_2};
 
-pub(crate) use registers::RunState;
+pub(crate) use registers::{RunState, SIZE};
 
 /// The offsets of the areas in the map, in the order of `enum ps_area`.
-const AREAS: [usize; 5] = [0, 0x3000, 0x4000, 0x14000, 0x1c000];
+pub(crate) const AREAS: [usize; 5] = [0, 0x3000, 0x4000, 0x14000, 0x1c000];
 
 /// All areas of the process, for the signal handler.
 static MAPPED: RwLock<Vec<(usize, Arc<Registers>)>> = RwLock::new(Vec::new());

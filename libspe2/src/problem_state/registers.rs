@@ -10,7 +10,7 @@ use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::{ProxyCommand, Spe, TagWait};
 
 /// Size of the map in bytes.
-pub(super) const SIZE: usize = 0x20000;
+pub(crate) const SIZE: usize = 0x20000;
 
 pub(super) const SIGNAL_1: usize = 0x1400c;
 pub(super) const SIGNAL_2: usize = 0x1c00c;

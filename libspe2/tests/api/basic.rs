@@ -9,7 +9,6 @@ use spe2::context::{
     spe_context_create, spe_context_create_affinity, spe_context_destroy, spe_gang_context_create,
     spe_gang_context_destroy, spe_ls_area_get, spe_ls_size_get, spe_ps_area_get,
 };
-use spe2::cpu_info::spe_cpu_info_get;
 use spe2::mailbox::{
     spe_in_mbox_status, spe_in_mbox_write, spe_mssync_start, spe_mssync_status,
     spe_out_intr_mbox_read, spe_out_intr_mbox_status, spe_out_mbox_read, spe_out_mbox_status,
@@ -264,23 +263,6 @@ fn signals_by_register_and_mode() {
     assert_eq!(elsewhere(|| context.run(), || ()).returned, 0);
     assert_eq!(context.local_store(0x8000, 4), [0, 0, 0, 0x11]);
     assert_eq!(context.local_store(0x8010, 4), [0, 0, 0, 0x01]);
-}
-
-#[test]
-fn the_machine_is_a_playstation_3() {
-    unsafe {
-        assert_eq!(spe_cpu_info_get(1, -1), 1);
-        assert_fails(spe_cpu_info_get(1, 0), libc::EINVAL);
-        for request in [2, 3] {
-            assert_eq!(spe_cpu_info_get(request, -1), 6);
-            assert_eq!(spe_cpu_info_get(request, 0), 6);
-            assert_fails(spe_cpu_info_get(request, 1), libc::EINVAL);
-            assert_fails(spe_cpu_info_get(request, -2), libc::EINVAL);
-        }
-        assert_eq!(spe_cpu_info_get(4, 99), 1);
-        assert_fails(spe_cpu_info_get(0, -1), libc::EINVAL);
-        assert_fails(spe_cpu_info_get(5, -1), libc::EINVAL);
-    }
 }
 
 unsafe extern "C" fn any_handler(_: *mut libc::c_void, _: u32) -> i32 {

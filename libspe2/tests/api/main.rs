@@ -10,6 +10,7 @@ mod basic;
 mod event;
 mod exports;
 mod images;
+mod machine;
 mod mfc;
 mod problem_state;
 mod run;

@@ -137,21 +137,23 @@ fn tag_status(context: &Context, behavior: u32) -> u32 {
 fn proxy_transfers() {
     let context = Context::new(0);
     let mut there = Aligned::<256>::new();
-    for (get, put) in GETS.into_iter().zip(PUTS) {
-        there.0.fill(3);
-        let pointer = there.pointer();
-        let got = unsafe { get(context.pointer(), 0x8000, pointer, 128, 1, 0, 0) };
-        assert_eq!(got, 0);
-        assert_eq!(tag_status(&context, SPE_TAG_ALL), 1 << 1);
-        assert_eq!(context.local_store(0x8000, 128), [3; 128]);
-        for (tag, half) in [(0, 128), (15, 192)] {
-            let to = unsafe { pointer.byte_add(half) };
-            let queued = unsafe { put(context.pointer(), 0x8000, to, 64, tag, 0, 0) };
-            assert_eq!(queued, 0);
+    context.while_it_runs(|| {
+        for (get, put) in GETS.into_iter().zip(PUTS) {
+            there.0.fill(3);
+            let pointer = there.pointer();
+            let got = unsafe { get(context.pointer(), 0x8000, pointer, 128, 1, 0, 0) };
+            assert_eq!(got, 0);
+            assert_eq!(tag_status(&context, SPE_TAG_ALL), 1 << 1);
+            assert_eq!(context.local_store(0x8000, 128), [3; 128]);
+            for (tag, half) in [(0, 128), (15, 192)] {
+                let to = unsafe { pointer.byte_add(half) };
+                let queued = unsafe { put(context.pointer(), 0x8000, to, 64, tag, 0, 0) };
+                assert_eq!(queued, 0);
+            }
+            assert_eq!(tag_status(&context, SPE_TAG_ALL), 1 << 15 | 1);
+            assert_eq!(there.0, [3; 256]);
         }
-        assert_eq!(tag_status(&context, SPE_TAG_ALL), 1 << 15 | 1);
-        assert_eq!(there.0, [3; 256]);
-    }
+    });
     // Every tag has been reported.
     for behavior in [SPE_TAG_ALL, SPE_TAG_ANY, SPE_TAG_IMMEDIATE] {
         assert_eq!(tag_status(&context, behavior), 0);

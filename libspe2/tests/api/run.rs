@@ -126,7 +126,10 @@ fn doublewords(context: &Context, register: u32) -> [u64; 2] {
 fn start_registers() {
     let context = Context::with_program(STORE_REGISTERS);
     context.set_local_store(0x3fff0, &[0xee; 16]);
-    let (argp, envp) = (0x1234_5678_9abc_def0, 0xfedc_ba98_7654_3210);
+    // Programs of 32 bits have the lower halves.
+    let pointer = |value: u64| value as usize as u64;
+    let argp = pointer(0x1234_5678_9abc_def0);
+    let envp = pointer(0xfedc_ba98_7654_3210);
     let run = |entry, argp| context.run_from(entry, 0, argp, envp);
     let stop = elsewhere(|| run(SPE_DEFAULT_ENTRY, argp), || ());
     assert_eq!(stop.returned, 1);
@@ -152,6 +155,15 @@ fn start_registers() {
     let stop = elsewhere(|| run(stop.entry, 1), || ());
     assert_eq!(stop.returned, 2);
     assert_eq!(doublewords(&context, 3)[0], expected[2]);
+}
+
+#[test]
+fn every_start_clears_the_environment() {
+    let context = Context::with_program("stqa $2,0x8000\n il $2,7\n stop 0x2000\n");
+    for _ in 0..2 {
+        assert_eq!(elsewhere(|| context.run(), || ()).returned, 0);
+        assert_eq!(context.local_store(0x8000, 16), [0; 16]);
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ use std::time::Duration;
 
 use spe2::context::{spe_context_create, spe_context_destroy, spe_ls_area_get};
 use spe2::image::{spe_image_close, spe_image_open, spe_program_load};
+use spe2::mailbox::spe_in_mbox_write;
 use spe2::run::spe_context_run;
 use spe2::types::{
     SPE_DEFAULT_ENTRY, SPE_EVENTS_ENABLE, SpeContext, SpeProgramHandle, SpeStopInfo, SpeStopResult,
@@ -75,6 +76,17 @@ unsafe impl Sync for Context {}
 impl Drop for Context {
     fn drop(&mut self) {
         assert_eq!(unsafe { spe_context_destroy(self.0) }, 0);
+    }
+}
+
+/// Sends a word to a context when dropped.
+struct Wakes<'a>(&'a Context);
+
+impl Drop for Wakes<'_> {
+    fn drop(&mut self) {
+        let mut word = 0;
+        let written = unsafe { spe_in_mbox_write(self.0.0, &raw mut word, 1, 1) };
+        assert_eq!(written, 1);
     }
 }
 
@@ -153,6 +165,20 @@ impl Context {
 
     pub fn run(&self) -> Stop {
         self.run_from(SPE_DEFAULT_ENTRY, 0, 0, 0)
+    }
+
+    /// Calls `body` while the context runs, as a console's proxy commands need it.
+    pub fn while_it_runs(&self, body: impl FnOnce()) {
+        self.load("rdch $10,$ch29\n stop 0x2000\n");
+        let stop = elsewhere(
+            || self.run(),
+            || {
+                // Also if the body fails, so that the run ends.
+                let _end = Wakes(self);
+                body();
+            },
+        );
+        assert_eq!(stop.returned, 0);
     }
 
     /// Returns `length` bytes of local store from `address` on.

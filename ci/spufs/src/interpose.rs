@@ -1,0 +1,315 @@
+//! The C library's functions that the stand-in takes the place of.
+//!
+//! Invariant: calls that are not for spufs reach the C library.
+
+use std::ffi::CStr;
+use std::mem;
+use std::slice;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+
+use libc::{c_char, c_int, c_long, c_void, mode_t, off_t, off64_t, size_t, ssize_t};
+
+use crate::context;
+use crate::error::Errno;
+use crate::file::{self, File};
+use crate::run;
+use crate::table::{self, Open, table};
+
+/// The library's numbers of the calls: the kernel's, negative where no kernel has them.
+const SIGN: c_long = if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) {
+    1
+} else {
+    -1
+};
+const SPU_RUN: c_long = SIGN * 278;
+const SPU_CREATE: c_long = SIGN * 279;
+
+/// A function of the C library, which is looked up when it is first called.
+struct Next {
+    name: &'static CStr,
+    address: AtomicUsize,
+}
+
+impl Next {
+    const fn new(name: &'static CStr) -> Self {
+        Self {
+            name,
+            address: AtomicUsize::new(0),
+        }
+    }
+
+    /// # Safety
+    /// `F` must be the type of a function pointer that fits the function.
+    unsafe fn get<F: Copy>(&self) -> F {
+        let mut address = self.address.load(Relaxed);
+        if address == 0 {
+            // SAFETY: the name is a zero-terminated string.
+            let found = unsafe { libc::dlsym(libc::RTLD_NEXT, self.name.as_ptr()) };
+            assert!(!found.is_null(), "no {:?} behind this object", self.name);
+            address = found.expose_provenance();
+            self.address.store(address, Relaxed);
+        }
+        // SAFETY: the caller's promise; function pointers have the size of an address.
+        unsafe { mem::transmute_copy(&address) }
+    }
+}
+
+/// A result in the C convention.
+fn answer<T: From<i8>>(result: Result<T, Errno>) -> T {
+    result.unwrap_or_else(|Errno(errno)| {
+        // SAFETY: the address is this thread's errno.
+        unsafe { *libc::__errno_location() = errno };
+        T::from(-1)
+    })
+}
+
+/// Calls `body` with an open file of spufs.
+fn with_file<T>(descriptor: c_int, body: impl FnOnce(&File) -> T) -> Option<T> {
+    let Some(Open::File {
+        context,
+        kind,
+        waits,
+    }) = table::find(descriptor)
+    else {
+        return None;
+    };
+    Some(body(&File {
+        descriptor,
+        context: &context,
+        kind,
+        waits,
+    }))
+}
+
+/// # Safety
+/// The arguments are those of `spu_create`.
+unsafe fn spu_create(path: *const c_char, flags: c_long) -> Result<c_long, Errno> {
+    // SAFETY: the caller's promise.
+    let path = unsafe { CStr::from_ptr(path) };
+    let path = path.to_str().map_err(|_| Errno(libc::EINVAL))?;
+    context::create(path, flags as u32).map(c_long::from)
+}
+
+/// # Safety
+/// The arguments are those of `spu_run`.
+unsafe fn spu_run(descriptor: c_long, npc: *mut u32, event: *mut u32) -> Result<c_long, Errno> {
+    let context = match table::find(descriptor as c_int) {
+        Some(Open::Context(_, context)) => context,
+        Some(_) => return Err(Errno(libc::EINVAL)),
+        None => return Err(Errno(libc::EBADF)),
+    };
+    // SAFETY: the caller's promise.
+    unsafe {
+        let mut at = npc.read();
+        let result = run::run(&context, &mut at);
+        npc.write(at);
+        let (status, events) = result?;
+        if !event.is_null() {
+            event.write(events);
+        }
+        Ok(status.into())
+    }
+}
+
+static NEXT_SYSCALL: Next = Next::new(c"syscall");
+
+/// # Safety
+/// As the C library's `syscall`. Its arguments are taken as a fixed number of words, of which a
+/// caller may leave out the last: those are never looked at.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn syscall(
+    number: c_long,
+    a: c_long,
+    b: c_long,
+    c: c_long,
+    d: c_long,
+    e: c_long,
+    f: c_long,
+) -> c_long {
+    type Syscall = unsafe extern "C" fn(c_long, ...) -> c_long;
+    // SAFETY: the caller's promise.
+    unsafe {
+        match number {
+            SPU_CREATE => answer(spu_create(a as *const c_char, b)),
+            SPU_RUN => answer(spu_run(a, b as *mut u32, c as *mut u32)),
+            _ => NEXT_SYSCALL.get::<Syscall>()(number, a, b, c, d, e, f),
+        }
+    }
+}
+
+static NEXT_OPENAT: Next = Next::new(c"openat");
+
+/// # Safety
+/// As the C library's `openat`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn openat(
+    directory: c_int,
+    path: *const c_char,
+    flags: c_int,
+    mode: mode_t,
+) -> c_int {
+    type Openat = unsafe extern "C" fn(c_int, *const c_char, c_int, ...) -> c_int;
+    // SAFETY: the caller's promise; variable arguments that are integers are passed as others are.
+    unsafe {
+        match table::find(directory) {
+            Some(Open::Context(_, context)) => {
+                let name = CStr::from_ptr(path).to_string_lossy();
+                answer(file::open(&context, &name, flags))
+            }
+            _ => NEXT_OPENAT.get::<Openat>()(directory, path, flags, mode),
+        }
+    }
+}
+
+static NEXT_CLOSE: Next = Next::new(c"close");
+
+/// # Safety
+/// As the C library's `close`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn close(descriptor: c_int) -> c_int {
+    type Close = unsafe extern "C" fn(c_int) -> c_int;
+    table::close(descriptor);
+    // SAFETY: the caller's promise.
+    unsafe { NEXT_CLOSE.get::<Close>()(descriptor) }
+}
+
+static NEXT_READ: Next = Next::new(c"read");
+
+/// # Safety
+/// As the C library's `read`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn read(descriptor: c_int, into: *mut c_void, size: size_t) -> ssize_t {
+    type Read = unsafe extern "C" fn(c_int, *mut c_void, size_t) -> ssize_t;
+    // SAFETY: the caller's promise.
+    unsafe {
+        let read = with_file(descriptor, |file| {
+            file.read(slice::from_raw_parts_mut(into.cast(), size))
+        });
+        match read {
+            Some(result) => answer(result.map(|size| size as ssize_t)),
+            None => NEXT_READ.get::<Read>()(descriptor, into, size),
+        }
+    }
+}
+
+static NEXT_WRITE: Next = Next::new(c"write");
+
+/// # Safety
+/// As the C library's `write`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn write(descriptor: c_int, from: *const c_void, size: size_t) -> ssize_t {
+    type Write = unsafe extern "C" fn(c_int, *const c_void, size_t) -> ssize_t;
+    // SAFETY: the caller's promise.
+    unsafe {
+        let written = with_file(descriptor, |file| {
+            file.write(slice::from_raw_parts(from.cast(), size))
+        });
+        match written {
+            Some(result) => answer(result.map(|size| size as ssize_t)),
+            None => NEXT_WRITE.get::<Write>()(descriptor, from, size),
+        }
+    }
+}
+
+static NEXT_PWRITE64: Next = Next::new(c"pwrite64");
+
+/// # Safety
+/// As the C library's `pwrite64`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn pwrite64(
+    descriptor: c_int,
+    from: *const c_void,
+    size: size_t,
+    offset: off64_t,
+) -> ssize_t {
+    type Pwrite64 = unsafe extern "C" fn(c_int, *const c_void, size_t, off64_t) -> ssize_t;
+    // SAFETY: the caller's promise.
+    unsafe {
+        let written = with_file(descriptor, |file| {
+            file.write_at(slice::from_raw_parts(from.cast(), size), offset as u64)
+        });
+        match written {
+            Some(result) => answer(result.map(|size| size as ssize_t)),
+            None => NEXT_PWRITE64.get::<Pwrite64>()(descriptor, from, size, offset),
+        }
+    }
+}
+
+static NEXT_MMAP: Next = Next::new(c"mmap");
+
+/// # Safety
+/// As the C library's `mmap`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn mmap(
+    address: *mut c_void,
+    size: size_t,
+    protection: c_int,
+    flags: c_int,
+    descriptor: c_int,
+    offset: off_t,
+) -> *mut c_void {
+    type Mmap =
+        unsafe extern "C" fn(*mut c_void, size_t, c_int, c_int, c_int, off_t) -> *mut c_void;
+    let Some(Open::File {
+        context,
+        kind,
+        waits,
+    }) = table::find(descriptor)
+    else {
+        // SAFETY: the caller's promise.
+        return unsafe {
+            NEXT_MMAP.get::<Mmap>()(address, size, protection, flags, descriptor, offset)
+        };
+    };
+    let file = File {
+        descriptor,
+        context: &context,
+        kind,
+        waits,
+    };
+    let mapped = match offset {
+        0 => file.map(size, flags),
+        _ => Err(Errno(libc::EINVAL)),
+    };
+    match mapped {
+        Ok(address) => {
+            table().map(address, context);
+            std::ptr::with_exposed_provenance_mut(address)
+        }
+        Err(Errno(errno)) => {
+            // SAFETY: the address is this thread's errno.
+            unsafe { *libc::__errno_location() = errno };
+            libc::MAP_FAILED
+        }
+    }
+}
+
+static NEXT_MUNMAP: Next = Next::new(c"munmap");
+
+/// # Safety
+/// As the C library's `munmap`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn munmap(address: *mut c_void, size: size_t) -> c_int {
+    type Munmap = unsafe extern "C" fn(*mut c_void, size_t) -> c_int;
+    if table::unmap(address.addr()) {
+        return 0;
+    }
+    // SAFETY: the caller's promise.
+    unsafe { NEXT_MUNMAP.get::<Munmap>()(address, size) }
+}
+
+/// The addresses of the functions. A program that links the stand-in calls this, so that the linker
+/// takes these functions and not the C library's.
+#[must_use]
+pub fn linked() -> [*const (); 8] {
+    [
+        syscall as *const (),
+        openat as *const (),
+        close as *const (),
+        read as *const (),
+        write as *const (),
+        pwrite64 as *const (),
+        mmap as *const (),
+        munmap as *const (),
+    ]
+}
