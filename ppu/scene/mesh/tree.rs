@@ -1,5 +1,5 @@
-//! A binary tree over a mesh's triangles, or over spheres, by the surface area heuristic in bins. Its
-//! leaves are the contents of leaf blocks.
+//! A binary tree over a mesh's triangles, or over spheres, by the surface area heuristic in bins.
+//! Its leaves are the contents of leaf blocks.
 //!
 //! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a
 //! block.

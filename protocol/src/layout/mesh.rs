@@ -2,8 +2,8 @@
 //! while it is traced through them.
 //!
 //! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
-//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. Positions are in the mesh's own coordinates
-//! until a block is in local store, and relative to the eye there.
+//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. Positions are
+//! in the mesh's own coordinates until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};

@@ -59,13 +59,7 @@ no_mesh:
         a       $limit,$limit,$value
         clgt    $bad,$limit,$scene_bytes                # where they end
         refuse_if $bad,LightCount
-        # At most three batches are queued at each depth from the second on.
-        load_word $batch,FRAME_batch,$a_frame
-        load_word $value,FRAME_ray_depth,$a_frame
-        ai      $value,$value,-1
-        mpyu    $value,$value,$batch
-        mpyi    $value,$value,3*16*QUEUED_SIZE/16
-        shli    $value,$value,4
+        queue_bytes $value,$batch
         a       $value,$value,$scene_bytes
         load_constant $limit,SCENE_ROOM
         lqa     $batch,streamed

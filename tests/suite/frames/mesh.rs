@@ -1,5 +1,5 @@
-//! Meshes and spheres in main memory: the same bytes whatever the cache holds, and an error for every block
-//! that is not as it should be.
+//! Meshes and spheres in main memory: the same bytes whatever the cache holds, and an error for
+//! every block that is not as it should be.
 
 use std::sync::Arc;
 

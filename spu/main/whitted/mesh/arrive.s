@@ -55,14 +55,14 @@ eye_axes:
 .endm
 
 # mesh_arrive   checks a block, makes its positions relative to the eye, and adds the numbers of
-#               boxes to the children of an inner block; gives up if the block is not as it should be
+#               boxes to the children of an inner block; gives up if the block is damaged
 #   In      $3 address, $4 number
 #   Uses    $3, $10-$69
 #
 # What is checked is what makes the traversal end and stay within the lists: the levels of nodes are
-# complete, runs have triangles of the block, triangles have vertices of the block and materials of
-# the scene, as spheres have, and children come after their parents. A lane of a node without a child must have the
-# box that no ray meets.
+# complete, runs have triangles of the block, triangles have vertices of the block, they and spheres
+# have materials of the scene, and children come after their parents. A lane of a node without a
+# child must have the box that no ray meets.
 function mesh_arrive
         il      $bad,0
         lqd     $header,MESH_HEADER_magic($a_block)
@@ -94,7 +94,7 @@ function mesh_arrive
         load_constant $wrong,SIDES_BOTH|SIDES_SMOOTH
         andc    $wrong,$t,$wrong
         or      $bad,$bad,$wrong
-        # An inner block has neither vertices nor triangles or spheres; only triangles have vertices.
+        # An inner block has no triangles or spheres, and only triangles have vertices.
         ceqi    $of_spheres,$kind,MESH_SPHERES
         ceqi    $wrong,$kind,MESH_LEAF
         ceqi    $t,$vertices,0

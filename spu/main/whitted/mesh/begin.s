@@ -30,13 +30,8 @@ function mesh_begin
         clgt    $bad,$limit,$end                        # where they end
         refuse_if $bad,MeshMaterials
 
-        # The cache comes after the queues: see whitted_check.
-        load_word $value,FRAME_ray_depth,$a_frame
-        load_word $limit,FRAME_batch,$a_frame
-        ai      $value,$value,-1
-        mpyu    $value,$value,$limit
-        mpyi    $value,$value,3*16*QUEUED_SIZE/16
-        shli    $value,$value,4
+        # The cache comes after the queues.
+        queue_bytes $value,$limit
         a       $end,$end,$value
         ila     $value,SCENE_ADDRESS
         a       $end,$end,$value

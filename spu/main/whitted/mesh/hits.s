@@ -1,6 +1,6 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
-# takes: patches and objects. A packet's rays hit the same ones again and again, so each is made once
-# a packet.
+# takes: patches and objects. A packet's rays hit the same ones again and again, so each is made
+# once a packet.
 
         .include "work_unit.inc"
         .include "macros.inc"
