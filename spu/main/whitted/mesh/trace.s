@@ -22,7 +22,7 @@ visits_left:                            # blocks: a tree has no more
         .skip   16
 of_spheres:                             # whether the current leaf has spheres
         .skip   16
-filters:
+filters:                                # whether the lowest boxes may be tested with the rays
         .skip   16
 nodes:  .skip   16                                      # the list of the level above
 node_count:
@@ -61,7 +61,7 @@ entry_block:                            # without the number of the box
         registers candidate,step,a_out,bit
         registers levels,other,a_list,header
         # the children of an inner block
-        registers a_table,a_met,k_one_hundred,m_entry,m_near,k_step
+        registers a_table,a_met,k_first_packet,m_entry,m_near,k_step
         registers box,packet,old,new,c_nearer,c_first,a_end
         # pushing them
         registers place,below,c_more,left
@@ -97,6 +97,8 @@ function mesh_trace
         stqa    $candidate,first_candidate
         rotqbyi $3,$candidate,MESH_CANDIDATE_packet
         ori     $4,$w_traced,0
+        brnz    $w_packets,shadow_rays
+unblocked:
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
 bounds_call:
@@ -272,6 +274,7 @@ tested: stqa    $c_end,of_spheres
         lqa     $c_end,of_spheres
         brnz    $c_end,to_numbers
 numbered:
+        brnz    $w_packets,blocked
 farthest_call:
         brsl    $lr,mesh_farthest_r16
         hbrr    leaf_done,next_block
@@ -348,11 +351,19 @@ last_numbers:
         brnz    $left,next_numbers
         br      numbered
 
+        # A shadow ray that is blocked needs no more tests, so it stops to be one.
+shadow_rays:
+        brsl    $lr,mesh_drop_blocked
+        br      unblocked
+blocked:
+        brsl    $lr,mesh_drop_blocked
+        br      farthest_call
+
 inner:
         # Each child once, with all packets that may meet it, and the nearest of their distances.
         ila     $a_table,arena+MESH_CHILDREN
         ila     $a_met,arena+MESH_MET
-        il      $k_one_hundred,1<<(MAX_BATCH-1)
+        il      $k_first_packet,1<<(MAX_BATCH-1)
         lqa     $m_entry,candidate_to_entry
         fsmbi   $m_near,0x00f0
         il      $k_step,CANDIDATE_SIZE
@@ -364,7 +375,7 @@ next_child:
         rotqbyi $packet,$candidate,MESH_CANDIDATE_packet
         andi    $packet,$packet,MAX_BATCH-1
         sfi     $packet,$packet,0
-        rotm    $packet,$k_one_hundred,$packet
+        rotm    $packet,$k_first_packet,$packet
         shufb   $new,$candidate,$packet,$m_entry
         lqx     $old,$a_table,$box
         cgt     $c_nearer,$old,$new
@@ -441,3 +452,34 @@ traced: phase_ends $g_ticks_cull,$t_sum
         brsl    $lr,mesh_hits
 seen:   leave
 endfunction mesh_trace
+
+# mesh_drop_blocked   takes the shadow rays that have hit something out of packets
+#   In      $3 packets, $4 how many
+#   Out     t of these rays: -1
+#   Uses    $10-$16
+        .set    NEXT,10
+        registers a_packet,packets_left,k_no_ray,background
+        registers row_t,row_object,c_lit
+
+function mesh_drop_blocked
+        ori     $a_packet,$3,0
+        ori     $packets_left,$4,0
+        ilhu    $k_no_ray,0xbf80                        # -1
+        ila     $background,SCENE_ADDRESS
+next_blocked:
+        hbrr    last_blocked,next_blocked
+    .irp row, 0,1,2,3
+        lqd     $row_t,RAYS16_t+16*\row($a_packet)
+        lqd     $row_object,RAYS16_object+16*\row($a_packet)
+        ceq     $c_lit,$row_object,$background
+        selb    $row_t,$k_no_ray,$row_t,$c_lit
+        stqd    $row_t,RAYS16_t+16*\row($a_packet)
+    .endr
+    .rept   2                                           # ai reaches to 511
+        ai      $a_packet,$a_packet,RAYS16_SIZE/2
+    .endr
+        ai      $packets_left,$packets_left,-1
+last_blocked:
+        brnz    $packets_left,next_blocked
+        bi      $lr
+endfunction mesh_drop_blocked
