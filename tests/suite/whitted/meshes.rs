@@ -55,6 +55,32 @@ fn scene(mesh: Mesh) -> nff::Scene {
     scene
 }
 
+/// From inside a closed mesh, no primary ray finds its way out between two triangles.
+#[test]
+fn a_closed_mesh_has_no_cracks() {
+    let lower = bowl(24, false);
+    let mut mesh = Mesh {
+        two_sided: true,
+        ..lower.clone()
+    };
+    let first = mesh.positions.len() as u32;
+    let above = |[x, y, z]: &[f32; 3]| [*x, -y, *z];
+    mesh.positions.extend(lower.positions.iter().map(above));
+    let upper = |triangle: &[u32; 3]| triangle.map(|corner| corner + first);
+    mesh.triangles.extend(lower.triangles.iter().map(upper));
+    mesh.materials.extend(&lower.materials);
+    let mut scene = scene(mesh);
+    scene.objects.clear();
+    scene.view.from = DVec3::new(0.1, 0.05, -0.2);
+    scene.view.angle = 100.0;
+    for at in [[1.0, 0.2, 0.1], [-0.3, 1.0, 0.2], [0.1, -0.2, -1.0]] {
+        scene.view.at = at.into();
+        let found = Frame::of(&scene, WHITTED, (320, 240), Settings::default());
+        let rays = found.rays();
+        assert_eq!((rays.eye, rays.eye_hit), (320 * 240, 320 * 240), "{at:?}");
+    }
+}
+
 #[test]
 fn spheres_that_local_store_has_no_room_for() {
     let scene = nff::load(std::path::Path::new("sphereflake:4")).unwrap();
