@@ -77,6 +77,14 @@ pub enum Fault {
         /// The number of its vertices.
         corners: usize,
     },
+    /// A corner of a face in an OBJ file has a number that no vertex has.
+    #[error("line {line}: a face has the corner {corner}, but there is no such vertex")]
+    Corner {
+        /// The line.
+        line: u32,
+        /// The corner's numbers.
+        corner: String,
+    },
     /// The text of an OBJ file.
     #[error("not a valid OBJ file: {0}")]
     Obj(#[from] tobj::LoadError),

@@ -44,6 +44,7 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
             }
         }
     };
+    check_faces(bytes)?;
     let (models, materials) = tobj::load_obj_buf(&mut &bytes[..], &options, library)?;
     trouble.into_inner()?;
     for note in notes.into_inner() {
@@ -129,6 +130,38 @@ fn material(found: &tobj::Material) -> Material {
         refraction_index: f64::from(index.unwrap_or(1.0)).clamp(1.0, 10.0),
         ..plain(colour)
     }
+}
+
+/// Refuses faces that [`tobj::load_obj_buf`] multiplies without a check: corners without a vertex,
+/// and numbers that count back beyond the file's beginning. It refuses all other numbers itself.
+fn check_faces(text: &[u8]) -> Result<(), Fault> {
+    // Vertices, texture coordinates, and normals so far.
+    let mut counts = [0_i64; 3];
+    for (line, text) in (1..).zip(text.split(|&byte| byte == b'\n')) {
+        let text = String::from_utf8_lossy(text);
+        let mut words = text.split_whitespace();
+        match words.next() {
+            Some("v") => counts[0] += 1,
+            Some("vt") => counts[1] += 1,
+            Some("vn") => counts[2] += 1,
+            Some("f") => {
+                let is_wrong = |corner: &str| {
+                    let mut numbers = corner.split('/').zip(counts).enumerate();
+                    numbers.any(|(place, (number, count))| {
+                        let known = number.parse::<i64>().unwrap_or(1);
+                        let range = -count..=i64::from(u32::MAX);
+                        (number.is_empty() && place == 0) || known == 0 || !range.contains(&known)
+                    })
+                };
+                if let Some(corner) = words.find(|corner| is_wrong(corner)) {
+                    let corner = corner.to_owned();
+                    return Err(Fault::Corner { line, corner });
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
 }
 
 /// Refuses lines that [`tobj::load_mtl_buf`] can't take: colours with fewer than three numbers.

@@ -10,6 +10,7 @@
 
 use std::time::{Duration, Instant};
 
+use protocol::layout::MESH_CODE;
 use rand::{RngCore as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::channel::NoChannels;
@@ -27,13 +28,14 @@ use crate::time::{Time, Watch};
 const RETURN: u16 = 0x1fff;
 /// The stop code that a program runs into if it leaves its code.
 const LOST: u16 = 0x1ffe;
-/// The top of the stack. The arena is below it, and nothing is above it.
+/// The top of the stack. Nothing is above it.
 const STACK: u32 = 0x3f000;
-/// The end of the arena. Kernels may write between it and the stack.
-const ARENA_END: u32 = STACK - 0x1000;
+/// The end of the arena: where the linker script places the kernels for meshes.
+const ARENA_END: u32 = MESH_CODE;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
-const ARENA: u32 = 0x30000;
+/// The beginning of the arena, behind the other kernels.
+const ARENA: u32 = 0x2a000;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
@@ -181,6 +183,15 @@ impl Bench {
             junk: ChaCha8Rng::seed_from_u64(1),
         };
         for machine in [&bench.plain, &bench.scheduled] {
+            for segment in machine.image.segments() {
+                let end = segment.address + segment.memory_size;
+                let is_free = end <= ARENA || segment.address >= ARENA_END;
+                assert!(
+                    is_free,
+                    "the kernels reach into the arena: {:#x}",
+                    segment.address
+                );
+            }
             machine.load();
         }
         bench

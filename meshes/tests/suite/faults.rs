@@ -32,6 +32,17 @@ fn numbers_that_are_not_finite() {
 fn indices_out_of_range() {
     let found = refusal("t.obj", OBJ.replace("f 1 2 4", "f 1 2 9").as_bytes());
     assert!(found.contains("face vertex index out of bounds"), "{found}");
+    for corner in ["-9", "0", "/1", "2/0", "1//-7", "99999999999"] {
+        let found = refusal(
+            "t.obj",
+            OBJ.replace("f 1 2 4", &format!("f 1 2 {corner}"))
+                .as_bytes(),
+        );
+        assert!(
+            found.contains(&format!("a face has the corner {corner},")),
+            "{found}"
+        );
+    }
     let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 4").as_bytes());
     assert_eq!(
         found,
