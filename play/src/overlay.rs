@@ -47,7 +47,7 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// Message, loads and speeds in one line, for displays with only text; `None` if there are none.
+    /// Message, loads and speeds in one line, for displays with only text; `None` without any.
     /// The most important part comes first, because the line may be cut off.
     #[must_use]
     pub fn line(&self) -> Option<String> {

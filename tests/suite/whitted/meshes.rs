@@ -11,8 +11,8 @@ use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (80, 60);
 
-/// Half a sphere that is open at the top, of `4 rows^2` triangles. With normals it is smooth, except
-/// for the lowest ring.
+/// Half a sphere that is open at the top, of `4 rows^2` triangles. With normals it is smooth,
+/// except for the lowest ring.
 fn bowl(rows: u32, normals: bool) -> Mesh {
     let columns = 2 * rows;
     let mut mesh = Mesh {

@@ -127,8 +127,8 @@ pub fn panels(overlay: &Overlay) -> Vec<Panel> {
     panels
 }
 
-/// Places panels, the most important last. A panel that would cover an earlier one goes below it, or
-/// above it at the bottom. If there is no room for that, the earlier one is left out.
+/// Places panels, the most important last. A panel that would cover an earlier one goes below it,
+/// or above it at the bottom. If there is no room for that, the earlier one is left out.
 pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
     let mut all: Vec<Placed> = Vec::new();
     for panel in panels {
