@@ -43,7 +43,7 @@ function units_trace
         brsl    $lr,pixels_prepare
         br      prepared
 whitted:
-        brsl    $lr,queues_prepare
+        brsl    $lr,queue_prepare
         brsl    $lr,bvhs_plan
         brsl    $lr,shading_prepare
 prepared:

@@ -3,8 +3,8 @@
 #   In      $3 rays, $4 surfaces, $5 packets (at least 1); both one behind the other, 16-aligned
 #   Out     the rays' pixels: sums of red, green, blue; the fourth word anything
 #   Uses    $3-$5, $10-$50   Saves  -   Stack  0   Calls  -
-#   Domain  each lane's pixel is the address of a quadword, also of a ray that is not there; any
-#           lanes may have the same one
+#   Domain  each lane's pixel has the address of a quadword in its last three bytes, also of a ray
+#           that is not there; any lanes may have the same one
 #   Error   1.5 ulp of the sum, each addition, shares not below 0
 #   Twin    lab/twins/src/accumulate.rs
 #
@@ -25,7 +25,7 @@
         .set    NEXT,10
         registers a_nothing                             # 0, the base of all sums
         registers m_behind,m_first,m_second,m_third,m_fourth
-        registers m_lane0                               # words of a row of addresses
+        registers m_lane0                               # addresses of a row of pixels
         registers m_lane1,m_lane2,m_lane3
         .set    NEXT,43
         registers rays_step,surfaces_step
@@ -75,10 +75,10 @@ function accumulate_r16
         lqa     $m_third,third
         lqa     $m_fourth,fourth
         fsmbi   $m_behind,0x00ff
-        load_constant $m_lane0,0x00010203
-        load_constant $m_lane1,0x04050607
-        load_constant $m_lane2,0x08090a0b
-        load_constant $m_lane3,0x0c0d0e0f
+        load_constant $m_lane0,0x80010203
+        load_constant $m_lane1,0x80050607
+        load_constant $m_lane2,0x80090a0b
+        load_constant $m_lane3,0x800d0e0f
         il      $a_nothing,0
         il      $rays_step,RAYS16_SIZE
         il      $surfaces_step,SURFACES_SIZE

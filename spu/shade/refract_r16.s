@@ -1,10 +1,12 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
 #   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float
-#           least);
+#           least, unsigned deepest);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
-#   Out     a ray for each lane that lets something through, of a weight not below the least, in
-#           order; surfaces' mirror: T F more; $3 the rays' end
+#           there may be, $6 least weight of a ray that is sent on, $7 CHAIN_STEP times the
+#           rays that may come before the last of a chain; pointers 16-aligned
+#   Out     a ray for each lane that lets something through, of a weight not below the least, unless
+#           the lane's is the last of its chain, in order; surfaces' mirror: T F more; $3 the rays'
+#           end
 #   Uses    $3-$4, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side; ratio from
 #           1/4 to 4

@@ -14,7 +14,7 @@ pub struct Bounce {
     pub direction: [Single; 3],
     /// Its share in its pixel's colour.
     pub weight: Single,
-    /// Its pixel.
+    /// Its pixel, and `CHAIN_STEP` for each ray that came before it in its chain.
     pub pixel: u32,
     /// Point on the surface.
     pub point: [Single; 3],
@@ -36,6 +36,26 @@ pub struct Bounce {
     pub grazing: Single,
 }
 
+/// What each ray adds to the `pixel` of those that it sends on.
+pub const CHAIN_STEP: u32 = 0x0100_0000;
+
+/// What ends chains of rays.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// The least weight of a ray that is sent on.
+    pub least: Single,
+    /// `CHAIN_STEP` times the rays that may come before the last of a chain.
+    pub deepest: u32,
+}
+
+impl Limits {
+    /// Every ray is sent on.
+    pub const NONE: Self = Self {
+        least: 0,
+        deepest: i32::MAX as u32,
+    };
+}
+
 /// A ray that waits to be traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Queued {
@@ -45,27 +65,29 @@ pub struct Queued {
     pub weight: Single,
     /// Unit direction.
     pub direction: [Single; 3],
-    /// Its pixel.
+    /// As of the hit, with one more ray before it.
     pub pixel: u32,
 }
 
 impl Bounce {
-    /// The ray of this share, if that is above 0 and its weight is not below `least`: as signed
-    /// integers, singles above 0 are.
+    /// The ray of this share, if that is above 0 and `limits` allow it: as signed integers, singles
+    /// above 0 are.
     pub(super) fn queued(
         &self,
         share: Single,
-        least: Single,
+        limits: Limits,
         origin: [Single; 3],
         direction: [Single; 3],
     ) -> Option<Queued> {
         let weight = fm(self.weight, share);
-        let is_sent = share as i32 > 0 && fcgt(least, weight) == 0;
+        let is_sent = share as i32 > 0
+            && fcgt(limits.least, weight) == 0
+            && limits.deepest as i32 > self.pixel as i32;
         is_sent.then(|| Queued {
             origin,
             weight,
             direction: unit(direction),
-            pixel: self.pixel,
+            pixel: self.pixel.wrapping_add(CHAIN_STEP),
         })
     }
 }

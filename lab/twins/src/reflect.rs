@@ -2,12 +2,11 @@
 
 use spu_emulator::float::single::{fa, fma, fnms};
 
-use super::Single;
-use super::bounce::{Bounce, Queued, dot, less};
+use super::bounce::{Bounce, Limits, Queued, dot, less};
 
-/// The ray that the hit reflects; none if its share is not above 0 or its weight below `least`.
+/// The ray that the hit reflects; none if its share is not above 0 or the limits forbid it.
 #[must_use]
-pub fn reflect(hit: &Bounce, least: Single) -> Option<Queued> {
+pub fn reflect(hit: &Bounce, limits: Limits) -> Option<Queued> {
     let along = dot(hit.direction, hit.normal);
     let along_plane = dot(hit.direction, hit.plane);
     let cosine = dot(hit.normal, hit.plane);
@@ -19,5 +18,5 @@ pub fn reflect(hit: &Bounce, least: Single) -> Option<Queued> {
     };
     let direction = less(hit.direction, fa(along, along), normal);
     let origin = std::array::from_fn(|axis| fma(hit.leave, hit.plane[axis], hit.point[axis]));
-    hit.queued(hit.mirror, least, origin, direction)
+    hit.queued(hit.mirror, limits, origin, direction)
 }

@@ -2,7 +2,7 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 
-use super::bounce::{Bounce, Queued, dot, less};
+use super::bounce::{Bounce, Limits, Queued, dot, less};
 use super::math::sqrt;
 use super::{ONE, Single, below_zero};
 
@@ -16,10 +16,10 @@ struct Beyond {
     cosine: Single,
 }
 
-/// What the hit lets through, if anything of a weight not below `least`, and the share `mirror`
+/// What the hit lets through, if anything within the limits, and the share `mirror`
 /// with what it reflects.
 #[must_use]
-pub fn refract(hit: &Bounce, least: Single) -> (Option<Queued>, Single) {
+pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);
     let first = beyond(hit, hit.normal, along);
     let side = fnms(
@@ -47,7 +47,7 @@ pub fn refract(hit: &Bounce, least: Single) -> (Option<Queued>, Single) {
     let through = fnms(hit.transmittance, share, hit.transmittance);
     let direction = less(taken.sine, taken.cosine, normal);
     let origin = less(hit.point, hit.leave, hit.plane);
-    (hit.queued(through, least, origin, direction), mirror)
+    (hit.queued(through, limits, origin, direction), mirror)
 }
 
 fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {

@@ -74,7 +74,7 @@ pub enum BlockError {
     },
     /// The local store is too small for the scene.
     #[error(
-        "{file}: the scene takes {needed} bytes of local store, but {room} are free (with queues for rays of depth {ray_depth}): {consumers}; {fits}"
+        "{file}: the scene takes {needed} bytes of local store, but {room} are free (with a queue for rays of depth {ray_depth}): {consumers}; {fits}"
     )]
     TooLarge {
         /// Name of the file.

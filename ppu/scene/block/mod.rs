@@ -8,7 +8,7 @@
 //!
 //! The block of a scene that changes has spare room, and is edited in place.
 //!
-//! Invariant: a block fits the local store together with the queues of rays, and all addresses in
+//! Invariant: a block fits the local store together with the queue of rays, and all addresses in
 //! it are within it. The order of the file is not kept: a ray that hits several surfaces at equal
 //! distance may take any of them.
 
@@ -60,8 +60,6 @@ pub(crate) use options::ShaderEntries;
 pub use streamed::MeshPlace;
 pub(crate) use visible::VisiblePrimitive;
 
-/// Room of a queue, in batches. Each depth from the second on has a queue.
-const QUEUES: usize = 3;
 /// The number of rays in a packet.
 const PACKET: usize = 16;
 
@@ -330,7 +328,7 @@ impl SceneBlock {
         (1..=MAX_BATCH).rev().find(fits)
     }
 
-    /// The bytes that the queues of rays, and a mesh's cache and code, leave for the scene.
+    /// The bytes that the queue of rays, and a mesh's cache and code, leave for the scene.
     fn room(&self, batch: u32, ray_depth: u32) -> usize {
         let mesh = self.streamed.as_ref().map_or(0, |_| LEAST_ROOM);
         room(batch, ray_depth).saturating_sub(mesh)
@@ -341,8 +339,8 @@ impl SceneBlock {
     #[must_use]
     pub fn mesh(&self) -> Option<MeshPlace<'_>> {
         let streamed = self.streamed.as_ref()?;
-        let queues = queue_bytes(self.batch(), self.ray_depth());
-        Some(streamed.place(self.bytes().len() + queues, self.eye.unwrap_or_default()))
+        let queue = queue_bytes(self.batch(), self.ray_depth());
+        Some(streamed.place(self.bytes().len() + queue, self.eye.unwrap_or_default()))
     }
 
     /// Computes the bounds of the chains from the scene's materials and lights. Call it after
@@ -376,15 +374,16 @@ impl SceneBlock {
     }
 }
 
-/// The bytes that the queues of rays leave for a scene.
+/// The bytes that the queue of rays leaves for a scene.
 fn room(batch: u32, ray_depth: u32) -> usize {
     (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
 }
 
-/// The bytes of all queues of rays.
+/// The bytes of the queue of rays: a batch for each ray of a chain, and one more, if chains have more
+/// than one.
 fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
-    let queued = QUEUES * PACKET * size_of::<QueuedRay>();
-    queued * (batch * (ray_depth - 1)) as usize
+    let batches = if ray_depth > 1 { ray_depth + 1 } else { 0 };
+    PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
 }
 
 /// Begins a block with the background's object, for rays that hit nothing.

@@ -19,7 +19,7 @@ use crate::scene::single::singles;
 
 /// The fewest blocks that the cache has room for.
 const LEAST_SLOTS: usize = 8;
-/// The bytes that a mesh takes from the room of a scene and its queues, at least.
+/// The bytes that a mesh takes from the room of a scene and its queue, at least.
 pub(super) const LEAST_ROOM: usize = MESH_CODE_ROOM as usize + LEAST_SLOTS * MESH_BLOCK as usize;
 
 /// A scene's mesh in main memory.
@@ -93,7 +93,7 @@ impl Streamed {
         LEAVE * (taxicab(farthest) + taxicab(high - low))
     }
 
-    /// Its place beside a scene's block and queues of these sizes.
+    /// Its place beside a scene's block and queue of these sizes.
     pub fn place(&self, used: usize, eye: DVec3) -> MeshPlace<'_> {
         let room = (SCENE_ROOM - MESH_CODE_ROOM).saturating_sub(used as u32);
         let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS);

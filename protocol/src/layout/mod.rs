@@ -146,6 +146,8 @@ constants! {
     MAX_LEVELS = 6;
     /// Most rays in a chain, including the primary ray.
     MAX_DEPTH = 16;
+    /// In a ray's `pixel`: what one ray that came before it in its chain adds.
+    CHAIN_STEP = 0x0100_0000;
     /// Most packets that are traced together.
     MAX_BATCH = 8;
     /// Index of the tree of spheres in the frame's `trees`.
@@ -335,7 +337,7 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: three times 16 `batch` at each depth from the second on.
+    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: 16 `batch` for each ray of a chain, and 16 `batch` more, if chains have more than one.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";

@@ -195,7 +195,8 @@ record! {
         object: [U32; 16],
         /// Weight of the ray's colour in its pixel.
         weight: [F32; 16],
-        /// Address of its pixel's sum: a quadword of red, green, blue, anything.
+        /// Address of its pixel's sum, a quadword of red, green, blue, anything, plus `CHAIN_STEP`
+        /// for each ray of its chain that came before.
         pixel: [U32; 16],
     }
 }
@@ -209,7 +210,7 @@ record! {
         weight: F32,
         /// Unit direction: x, y, z.
         direction: [F32; 3],
-        /// Address of its pixel's sum.
+        /// As in `RAYS16`.
         pixel: U32,
     }
 }

@@ -6,17 +6,14 @@
         .include "driver.inc"
         .include "whitted.inc"
 
-        .section .bss
-        .align  4
-bounce_from:                            # where the rays of the next depth begin
-        .skip   16
-
         .set    amount,10
         .set    t_sum,11
         .set    t_add,12
         .set    t_carry,13
-        .set    depth,14
-        .set    c_end,15
+        .set    c_sent,14
+        .set    NEXT,15
+        registers a_rays,a_surfaces,left,deepest_pixel,flags
+        registers pixel0,pixel1,pixel2,pixel3,rays_step,surfaces_step,both
 
 # Calls a kernel for the packets with a flag, and counts the secondary rays.
 .macro  send_on kernel:req, flag:req, counter:req
@@ -32,38 +29,63 @@ bounce_from:                            # where the rays of the next depth begin
         sf      $4,$5,$3
         rotmi   $4,$4,-SITE_SIZE_LOG2
         ori     $3,$5,0
-        lqa     $5,bounce_from
+        lqa     $5,queued
         ila     $6,frame
         load_word $6,FRAME_least_weight,$6
+        lqa     $7,deepest
         brsl    $lr,\kernel
-        lqa     $5,bounce_from
+        lqa     $5,queued
+        stqa    $3,queued
         sf      $amount,$5,$3
         rotmi   $amount,$amount,-QUEUED_SIZE_LOG2
-        stqa    $3,bounce_from
         count   \counter,$amount,$t_sum,$t_add,$t_carry
-        ori     $w_sites,$amount,0
-        ai      $3,$w_depth,1
-        brsl    $lr,queue_end
-        lqd     $t_sum,0($4)
-        a       $t_sum,$t_sum,$w_sites
-        stqd    $t_sum,0($4)
 none_\@:
 .endm
 
 # batch_bounce   sends the reflected and refracted rays of the batch's surfaces
-#   Uses    $3-$79, w_sites
+#   Uses    $3-$79
+#
+# Packets all of whose rays are the last of their chains need no kernel: the flags of their surfaces
+# say afterwards that they neither mirror nor transmit.
 function batch_bounce
         enter
-        ila     $depth,frame
-        load_word $depth,FRAME_ray_depth,$depth
-        cgt     $c_end,$depth,$w_depth
-        brz     $c_end,sent
-        lqa     $c_end,batch_flags
-        andi    $c_end,$c_end,MATERIAL_TRANSMITS|MATERIAL_MIRRORS
-        brz     $c_end,sent
-        ai      $3,$w_depth,1
-        brsl    $lr,queue_end
-        stqa    $3,bounce_from
+        lqa     $c_sent,deepest
+        brz     $c_sent,sent
+        lqa     $c_sent,batch_flags
+        andi    $c_sent,$c_sent,MATERIAL_TRANSMITS|MATERIAL_MIRRORS
+        brz     $c_sent,sent
+        ceqi    $c_sent,$w_depth,1
+        brnz    $c_sent,may_send
+        lqa     $deepest_pixel,deepest
+        ila     $a_rays,arena+BATCH_RAYS
+        ila     $a_surfaces,arena+BATCH_SURFACES
+        il      $rays_step,RAYS16_SIZE
+        il      $surfaces_step,SURFACES_SIZE
+        il      $both,MATERIAL_TRANSMITS|MATERIAL_MIRRORS
+        ori     $left,$w_count,0
+next_packet:
+        hbrr    last_packet,next_packet
+    .irp row, 0,1,2,3
+        lqd     $pixel\row,RAYS16_pixel+16*\row($a_rays)
+    .endr
+        lqd     $flags,SURFACES_flags($a_surfaces)
+        a       $a_rays,$a_rays,$rays_step
+    .irp row, 0,1,2,3
+        cgt     $pixel\row,$deepest_pixel,$pixel\row
+    .endr
+        or      $pixel0,$pixel0,$pixel1
+        or      $pixel2,$pixel2,$pixel3
+        ai      $left,$left,-1
+        or      $pixel0,$pixel0,$pixel2
+        orx     $pixel0,$pixel0
+        ceqi    $pixel0,$pixel0,0
+        and     $pixel0,$pixel0,$both
+        andc    $flags,$flags,$pixel0
+        stqd    $flags,SURFACES_flags($a_surfaces)
+        a       $a_surfaces,$a_surfaces,$surfaces_step
+last_packet:
+        brnz    $left,next_packet
+may_send:
         send_on refract_r16,MATERIAL_TRANSMITS,refracted
         send_on reflect_r16,MATERIAL_MIRRORS,reflected
 sent:

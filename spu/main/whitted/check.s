@@ -59,7 +59,7 @@ no_mesh:
         a       $limit,$limit,$value
         clgt    $bad,$limit,$scene_bytes                # where they end
         refuse_if $bad,LightCount
-        queue_bytes $value,$batch
+        queue_size $value,$batch
         a       $value,$value,$scene_bytes
         load_constant $limit,SCENE_ROOM
         lqa     $batch,streamed

@@ -10,7 +10,7 @@
         .set    NEXT,10
         registers amount
         registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
-        registers m_pair,m_third
+        registers m_pair,m_third,next_flags,listed,further
 
         .section .rodata
         .align  4
@@ -21,7 +21,7 @@ third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
 #   In      $3 where the sites go, $4 mask, $5 the masked flags' value, $6 packet of
 #           shadow rays of the first site
 #   Out     $3 behind the last site
-#   Uses    $3, $6, $14-$22
+#   Uses    $3, $6, $14-$27
         .global sites_list
 function sites_list
         ila     $a_surfaces,arena+BATCH_SURFACES
@@ -31,21 +31,24 @@ function sites_list
         lqa     $m_pair,pair
         lqa     $m_third,third
         ori     $left,$w_count,0
-next_surfaces:
         hbrr    last_surfaces,next_surfaces
         lqd     $flags,SURFACES_flags($a_surfaces)
+next_surfaces:
+        # The next surfaces' flags are loaded early; after the last ones, they are anything.
         and     $flags,$flags,$mask
-        ceq     $flags,$flags,$value
         shufb   $site,$a_surfaces,$a_rays,$m_pair
-        shufb   $site,$site,$a_shadow,$m_third
-        stqd    $site,0($a_site)
-        andi    $site,$flags,SITE_SIZE
-        a       $a_site,$a_site,$site
-        and     $site,$flags,$step_rays
-        a       $a_shadow,$a_shadow,$site
         a       $a_surfaces,$a_surfaces,$step_surfaces
+        lqd     $next_flags,SURFACES_flags($a_surfaces)
+        ceq     $flags,$flags,$value
+        shufb   $site,$site,$a_shadow,$m_third
+        andi    $listed,$flags,SITE_SIZE
+        and     $further,$flags,$step_rays
         a       $a_rays,$a_rays,$step_rays
         ai      $left,$left,-1
+        stqd    $site,0($a_site)
+        a       $a_site,$a_site,$listed
+        a       $a_shadow,$a_shadow,$further
+        ori     $flags,$next_flags,0
 last_surfaces:
         brnz    $left,next_surfaces
         bi      $lr
@@ -73,14 +76,14 @@ function batch_light
         rotmi   $w_shining,$w_shining,-SITE_SIZE_LOG2
         ceq     $value,$w_shining,$w_count
         ori     $w_sites,$w_shining,0
-        brnz    $value,listed
+        brnz    $value,sites_listed
 none_shines:
         il      $value,MATERIAL_LIT
         brsl    $lr,sites_list
         ila     $value,arena+BATCH_SITES
         sf      $w_sites,$value,$a_site
         rotmi   $w_sites,$w_sites,-SITE_SIZE_LOG2
-listed:
+sites_listed:
         ila     $w_light,frame
         load_word $w_light,FRAME_lights,$w_light
 next_light:

@@ -30,13 +30,16 @@ cleared:
 next_batch:
         times_checked late,$left,$amount
 in_time:
-        brsl    $lr,queue_full
-        brnz    $3,waiting
+        lqa     $amount,queued
+        lqa     $left,queue
+        sf      $amount,$left,$amount
+        shli    $left,$w_most,QUEUED_SIZE_LOG2
+        cgt     $left,$left,$amount
+        brz     $left,waiting
         brnz    $w_eye_left,from_eye
-        brsl    $lr,queue_rest
-        brz     $3,traced
+        brz     $amount,traced
 waiting:
-        ori     $w_depth,$3,0
+        il      $w_depth,2
         brsl    $lr,queue_take
         br      trace
 from_eye:

@@ -1,23 +1,30 @@
 # Finds the hits of packets of rays. For each kind of primitive, the tree is traversed level by
-# level with all packets together, and then the primitives are tested.
+# level with all packets together, and then the primitives are tested. Where so many nodes pass that
+# the lists might overflow, the tree is traversed again by as many packets as always have room.
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
         .include "whitted.inc"
 
-        .set    NODE_LIST_BYTES,(MAX_NODES+LIST_MARGIN)*CANDIDATE_SIZE
+        # The lists of a tree's levels: the lowest level's is in OBJECT_LIST, the next one's in
+        # NODE_LISTS, and so on in turn. This many nodes have room for all their children.
+        .set    OBJECT_LIST_NODES,MAX_CANDIDATES/4
+        .set    NODE_LIST_NODES,(2*MAX_NODES+LIST_MARGIN)/4
 
 # The plan for traversing a tree, made once a frame for every tree that isn't empty.
         .set    PLAN_candidates,0                       # the tree's top with BATCH_RAYS' packets
-        .set    PLAN_at_once,4                          # packets whose candidates fit the lists
+        .set    PLAN_at_once,4                          # packets whose candidates always fit
         .set    PLAN_levels,8
         .set    PLAN_test,12                            # the address of the kernel
         .set    PLAN_roots,16                           # how many nodes or objects are at the top
         .set    PLAN_objects,20
         .set    PLAN_flat,24                            # whether its objects are flat
         .set    PLAN_eye_test,28                        # the kernel for primary rays
-        .set    PLAN_SIZE,32
+        # cull_nodes' argument `lanes`: of scattered rays from surfaces, then of those to a light
+        .set    PLAN_bounced,32
+        .set    PLAN_shadow,36
+        .set    PLAN_SIZE,48
 # After these come the candidates with the packets of SHADOW_RAYS.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
 
@@ -28,8 +35,6 @@ plans_end:                              # the address after the last plan
         .skip   16
 sheared:                                # objects that need their packets' shears
         .skip   16
-next_list:
-        .skip   16
 fan:                                    # whether all rays go through one point
         .skip   16
 of_eye:                                 # whether the rays are primary rays
@@ -38,9 +43,19 @@ along:                                  # the input of cull_faces
         .skip   16
 any_deep:                               # whether scattered shadow rays are worth a test themselves
         .skip   16
-scattered:                              # whether the rays go every way
+lanes:                                  # the bytes that turn PLAN_bounced to these rays' argument
         .skip   16
-filtered:                               # whether this tree's children are tested with the rays
+level_list:                             # where the level's list is
+        .skip   16
+to_shear:                               # whether the packets' shears are still to be made
+        .skip   16
+held:   .skip   16                      # the count of candidates meanwhile
+most_here:                              # how many packets may traverse the tree at once
+        .skip   16
+culled:                                 # the calls' counts, until they are added up
+        .skip   16
+tested: .skip   16
+possible:
         .skip   16
 
         .section .rodata
@@ -141,6 +156,9 @@ another:
 as_many:
         lqd     $test,0($a_kernel)
         rotqbyi $levels,$tree,BVH_levels
+        # Where the children of scattered rays' nodes are tested with the rays: of shadow rays in
+        # deep trees, unless their objects are as quickly tested; of others if a level above them
+        # passes or the objects take long.
         cgti    $c_room,$levels,DEEP-1
         ila     $room,isect_rectangle_pairs_r16
         ceq     $room,$room,$test
@@ -148,6 +166,16 @@ as_many:
         lqa     $room,any_deep
         or      $room,$room,$c_room
         stqa    $room,any_deep
+        andi    $c_room,$c_room,4
+        store_word $c_room,PLAN_shadow,$a_plan,$t_quad,$t_mask
+        cgti    $room,$levels,1
+        ila     $c_room,isect_cone_pairs_r16
+        ceq     $c_room,$c_room,$test
+        or      $c_room,$c_room,$room
+        andi    $c_room,$c_room,4
+        store_word $c_room,PLAN_bounced,$a_plan,$t_quad,$t_mask
+        il      $room,0
+        store_word $room,PLAN_bounced+8,$a_plan,$t_quad,$t_mask
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
         il      $room,NODE_SIZE
@@ -182,16 +210,23 @@ not_there:
         bi      $lr
 endfunction bvhs_plan
 
-        .set    amount,10
-        .set    t_sum,11
-        .set    t_add,12
-        .set    t_carry,13
-        .set    c_more,14
-        .set    plan,15
-        .set    sizes,16
-        .set    counts,17
-        .set    cull,18
-        .set    c_filtered,19
+        .set    NEXT,10
+        registers amount,t_sum,t_add,t_carry
+        registers c_more,plan,sizes,kinds,counts,even,t_list,c_over
+        # at the end
+        registers low_word,culled_low,culled_sum,culled_carry,tested_low,tested_sum,tested_carry
+        registers possible_low,possible_sum,possible_carry
+
+        .set    COUNT_OF_culled,COUNT_cull_tests
+        .set    COUNT_OF_tested,COUNT_tests_made
+        .set    COUNT_OF_possible,COUNT_tests_possible
+
+# Adds to a count of packets_trace.
+.macro  tally name:req, amount:req
+        lqa     $t_sum,\name
+        a       $t_sum,$t_sum,\amount
+        stqa    $t_sum,\name
+.endm
 
 # The depth from which on rays are scattered: eye rays are not, but what curved surfaces send on is.
         .set    SCATTERED_DEPTH,2
@@ -220,7 +255,12 @@ function packets_trace
         ceq     $counts,$counts,$3
         or      $t_sum,$t_sum,$counts
         and     $amount,$amount,$t_sum
-        stqa    $amount,scattered
+        # 0, or 4 for rays to a light, or 8 for those that aren't scattered.
+        andi    $kinds,$counts,4
+        sfi     $kinds,$kinds,4
+        il      $t_add,8
+        selb    $kinds,$t_add,$kinds,$amount
+        stqa    $kinds,lanes
         or      $5,$5,$amount
         ori     $6,$5,0
         ilhu    $7,0x3f80
@@ -249,131 +289,143 @@ bound_call:
 spheres: brz     $g_skip,open
 bounded:
         lqa     $c_more,sheared
-        brnz    $c_more,shear
+        il      $t_sum,0
+        stqa    $t_sum,culled
+        stqa    $t_sum,tested
+        stqa    $t_sum,possible
+        stqa    $c_more,to_shear
 next_tree:
         lqa     $c_more,plans_end
+        il      $w_first,0
+        stqa    $w_traced,most_here
         ceq     $c_more,$c_more,$w_plan
         brnz    $c_more,traced
-        il      $w_first,0
 next_packets:
-        hbrr    cull_call,cull_nodes
+        lqa     $w_here,most_here
         lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
-        lqa     $c_filtered,scattered
-        sf      $w_here,$w_first,$w_traced
-        ila     $cull,isect_rectangle_pairs_r16
-        ceqi    $t_sum,$w_packets,0
-        rotqbyi $amount,$plan,PLAN_at_once
-        rotqbyi $w_left,$plan,PLAN_levels
-        rotqbyi $t_add,$plan,PLAN_test
+        sf      $amount,$w_first,$w_traced
         minimum $w_here,$w_here,$amount,$c_more
-        cgti    $t_carry,$w_left,DEEP-1
-        ceq     $t_add,$t_add,$cull
+        rotqbyi $w_left,$plan,PLAN_levels
         mpyu    $4,$sizes,$w_here                       # candidates
         mpyu    $3,$sizes,$w_first
-        andc    $t_carry,$t_carry,$t_add
-        or      $t_carry,$t_carry,$t_sum
-        cgti    $t_sum,$w_left,1
-        and     $c_filtered,$c_filtered,$t_carry
-        and     $c_filtered,$c_filtered,$t_sum
-        ila     $5,arena+OBJECT_LIST
+        a       $plan,$plan,$w_packets
         shli    $3,$3,CANDIDATE_SIZE_LOG2
-        andi    $6,$c_filtered,4
-        stqa    $c_filtered,filtered
         a       $3,$3,$plan
-        a       $3,$3,$w_packets
         brz     $w_left,found
-        count   cull_tests,$4,$t_sum,$t_add,$t_carry
-        cgti    $c_more,$w_left,1
-        brnz    $c_more,high_level
+next_level:
+        hbrr    cull_call,cull_nodes
+        lqd     $kinds,PLAN_bounced($w_plan)
+        lqa     $counts,lanes
+        andi    $even,$w_left,1
+        ila     $5,arena+OBJECT_LIST
+        ila     $t_list,arena+NODE_LISTS
+        ceqi    $even,$even,0
+        il      $c_over,OBJECT_LIST_NODES
+        il      $amount,NODE_LIST_NODES
+        selb    $5,$5,$t_list,$even
+        selb    $c_over,$c_over,$amount,$even
+        stqa    $5,level_list
+        tally   culled,$4
+        cgt     $c_over,$4,$c_over
+        rotqby  $6,$kinds,$counts
+        brnz    $c_over,crowded
+roomy:
 cull_call:
         brsl    $lr,cull_nodes
-        lqa     $c_filtered,filtered
-        ila     $5,arena+OBJECT_LIST
+        lqa     $5,level_list
+        lqd     $kinds,PLAN_bounced($w_plan)
+        lqa     $counts,lanes
         sf      $4,$5,$3
-        ori     $3,$5,0
+        ai      $w_left,$w_left,-1
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-        brnz    $c_filtered,filter
+        rotqby  $kinds,$kinds,$counts
+        ori     $3,$5,0
+        brnz    $kinds,filter
+passed: brnz    $w_left,next_level
 found:
         # From here on the candidates are objects.
         lqd     $sizes,PLAN_roots($w_plan)
-        rotqbyi $plan,$sizes,PLAN_flat-PLAN_roots
-        brnz    $plan,flat
-seen:   lqd     $plan,0($w_plan)
-        lqd     $sizes,PLAN_roots($w_plan)
+        lqd     $plan,0($w_plan)
         lqa     $counts,of_eye
-        rotqbyi $plan,$plan,PLAN_test
+        lqa     $t_sum,possible
+        rotqbyi $even,$sizes,PLAN_flat-PLAN_roots
+        brnz    $even,flat
         rotqbyi $amount,$sizes,PLAN_eye_test-PLAN_roots
+        rotqbyi $plan,$plan,PLAN_test
         selb    $plan,$plan,$amount,$counts
         hbr     test_call,$plan
-        phase_ends $g_ticks_cull,$amount
-        count   tests_made,$4,$t_sum,$t_add,$t_carry
         rotqbyi $counts,$sizes,PLAN_objects-PLAN_roots
         mpyu    $counts,$counts,$w_here
-        count   tests_possible,$counts,$t_sum,$t_add,$t_carry
+        a       $t_sum,$t_sum,$counts
+        stqa    $t_sum,possible
+        brz     $4,none_found
+        tally   tested,$4
+        phase_ends $g_ticks_cull,$amount
 test_call:
         bisl    $lr,$plan
+        hbrr    tree_done,next_tree
         phase_ends $g_ticks_isect,$amount
+none_found:
         a       $w_first,$w_first,$w_here
         cgt     $c_more,$w_traced,$w_first
         brnz    $c_more,next_packets
         ai      $w_plan,$w_plan,PLAN_SIZE
+tree_done:
         br      next_tree
 
-high_level:
-        # Candidates of nodes above other nodes go from one list to the other.
-        ila     $5,arena+NODE_LISTS
-        ila     $t_sum,arena+NODE_LISTS+NODE_LIST_BYTES
-        ceq     $t_add,$5,$3
-        selb    $5,$5,$t_sum,$t_add
-        stqa    $5,next_list
-        lqa     $c_filtered,filtered
-        andi    $6,$c_filtered,4
-        brsl    $lr,cull_nodes
-        lqa     $5,next_list
-        sf      $4,$5,$3
-        ori     $3,$5,0
-        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-        lqa     $c_filtered,filtered
-        brnz    $c_filtered,high_filter
-high_found:
-        ai      $w_left,$w_left,-1
-        count   cull_tests,$4,$t_sum,$t_add,$t_carry
-        ila     $5,arena+OBJECT_LIST
-        cgti    $c_more,$w_left,1
-        brnz    $c_more,high_level
-        lqa     $c_filtered,filtered
-        andi    $6,$c_filtered,4
-        br      cull_call
-
-high_filter:
-        brsl    $lr,filter_children_r16
-        lqa     $5,next_list
-        sf      $4,$5,$3
-        ori     $3,$5,0
-        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-        br      high_found
-
 filter: brsl    $lr,filter_children_r16
-        ila     $5,arena+OBJECT_LIST
+        hbrr    filtered,passed
+        lqa     $5,level_list
         sf      $4,$5,$3
         ori     $3,$5,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-        br      found
+filtered:
+        br      passed
+
+crowded:
+        lqd     $plan,0($w_plan)
+        rotqbyi $amount,$plan,PLAN_at_once
+        cgt     $c_more,$w_here,$amount
+        brz     $c_more,roomy
+        stqa    $amount,most_here
+        br      next_packets
 
 flat:   hbrr    faces_call,cull_faces
-        count   cull_tests,$4,$t_sum,$t_add,$t_carry
-        ila     $5,arena+OBJECT_LIST
         lqa     $6,along
+        ila     $5,arena+OBJECT_LIST
+        rotqbyi $counts,$sizes,PLAN_objects-PLAN_roots
+        mpyu    $counts,$counts,$w_here
+        a       $t_sum,$t_sum,$counts
+        stqa    $t_sum,possible
+        brz     $4,none_found
+        tally   culled,$4
 faces_call:
         brsl    $lr,cull_faces
-        hbrr    faces_done,seen
+        # The kernel for flat objects is the same for all rays.
+        lqd     $plan,0($w_plan)
+        lqa     $counts,to_shear
         ila     $5,arena+OBJECT_LIST
+        ila     $amount,isect_triangles
         sf      $4,$5,$3
-        ori     $3,$5,0
+        lqa     $t_sum,tested
+        rotqbyi $plan,$plan,PLAN_test
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-faces_done:
-        br      seen
+        ceq     $amount,$amount,$plan
+        and     $counts,$counts,$amount
+        brz     $4,none_found
+        brnz    $counts,shear
+ready:  ori     $3,$5,0
+        hbr     flat_call,$plan
+        a       $t_sum,$t_sum,$4
+        stqa    $t_sum,tested
+        phase_ends $g_ticks_cull,$amount
+flat_call:
+        bisl    $lr,$plan
+        hbrr    flat_done,none_found
+        phase_ends $g_ticks_isect,$amount
+flat_done:
+        br      none_found
 
 from_all_over:
         ila     $3,arena+BATCH_RAYS
@@ -385,24 +437,67 @@ from_all_over:
         brsl    $lr,bound_origins_r16
         br      spheres
 open:   brsl    $lr,bounds_open
-        il      $cull,0
-        stqa    $cull,scattered
+        il      $counts,8
+        stqa    $counts,lanes
         br      bounded
-shear:  ila     $3,arena+BATCH_RAYS
+        # Most batches meet no triangle, so shears are made only when there is one to test.
+shear:  stqa    $4,held
+        brsl    $lr,shears_make
+        lqa     $4,held
+        lqd     $plan,0($w_plan)
+        lqa     $t_sum,tested
+        ila     $5,arena+OBJECT_LIST
+        rotqbyi $plan,$plan,PLAN_test
+        br      ready
+traced:
+        # Three counts at once, so that none waits for itself.
+    .irp name, culled,tested,possible
+        lqa     $\name\()_low,\name
+    .endr
+        fsmbi   $low_word,0x0f00
+    .irp name, culled,tested,possible
+        lqa     $\name\()_sum,counters+COUNT_OF_\name
+        rotqmbyi $\name\()_low,$\name\()_low,-4
+    .endr
+    .irp name, culled,tested,possible
+        and     $\name\()_low,$\name\()_low,$low_word
+    .endr
+    .irp name, culled,tested,possible
+        cg      $\name\()_carry,$\name\()_sum,$\name\()_low
+        a       $\name\()_sum,$\name\()_sum,$\name\()_low
+        shlqbyi $\name\()_carry,$\name\()_carry,4
+    .endr
+    .irp name, culled,tested,possible
+        a       $\name\()_sum,$\name\()_sum,$\name\()_carry
+        stqa    $\name\()_sum,counters+COUNT_OF_\name
+    .endr
+        lqa     $c_more,streamed
+        brnz    $c_more,in_mesh
+        leave
+in_mesh:
+        lqa     $c_more,to_shear
+        brz     $c_more,have_shears
+        brsl    $lr,shears_make
+have_shears:
+        brsl    $lr,mesh_trace
+        leave
+endfunction packets_trace
+
+# shears_make   makes the shears of the packets
+#   Uses    $3-$79
+function shears_make
+        enter
+        il      $3,0
+        stqa    $3,to_shear
+        ila     $3,arena+BATCH_RAYS
         ila     $4,arena+SHADOW_RAYS
         ceqi    $5,$w_packets,0
         selb    $3,$4,$3,$5
         ori     $4,$w_traced,0
         ila     $5,arena+BATCH_SHEARS
         brsl    $lr,shear_packets_r16
-        br      next_tree
-traced: lqa     $c_more,streamed
-        brnz    $c_more,in_mesh
         leave
-in_mesh:
-        brsl    $lr,mesh_trace
-        leave
-endfunction packets_trace
+endfunction shears_make
 
 # bounds_open   makes bounds that contain everything, so that every ray is tested with every object
 #   Uses    $10-$13

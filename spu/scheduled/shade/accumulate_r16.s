@@ -3,8 +3,8 @@
 #   In      $3 rays, $4 surfaces, $5 packets (at least 1); both one behind the other, 16-aligned
 #   Out     the rays' pixels: sums of red, green, blue; the fourth word anything
 #   Uses    $2-$48, $79   Saves  -   Stack  0   Calls  -
-#   Domain  each lane's pixel is the address of a quadword, also of a ray that is not there; any
-#           lanes may have the same one
+#   Domain  each lane's pixel has the address of a quadword in its last three bytes, also of a ray
+#           that is not there; any lanes may have the same one
 #   Error   1.5 ulp of the sum, each addition, shares not below 0
 #   Twin    lab/twins/src/accumulate.rs
 #
@@ -26,7 +26,7 @@
         .set    NEXT,10
         registers a_nothing                             # 0, the base of all sums
         registers m_behind,m_first,m_second,m_third,m_fourth
-        registers m_lane0                               # words of a row of addresses
+        registers m_lane0                               # addresses of a row of pixels
         registers m_lane1,m_lane2,m_lane3
         .set    NEXT,43
         registers rays_step,surfaces_step
@@ -102,13 +102,13 @@ function accumulate_r16
         .set share0_6,32; .set share1_8,29; .set high_5,20; .set pixel1_5,22; .set share3_6,2
         .set share2_6,20; .set c_same_25,25; .set more3_6,2; .set blue_14,7; .set red_11,8
         .set green_10,9; .set sum1_7,2; .set share1_9,20; .set share3_7,6
-        ilhu    $m_lane0,1                              # 0e
+        ilhu    $m_lane0,0x8001                         # 0e
         lqa     $m_first,first                          # 0o
-        ilhu    $m_lane1,0x405                          # 1e
+        ilhu    $m_lane1,0x8005                         # 1e
         lqa     $m_second,second                        # 1o
-        ilhu    $m_lane2,0x809                          # 2e
+        ilhu    $m_lane2,0x8009                         # 2e
         lqa     $m_third,third                          # 2o
-        ilhu    $m_lane3,0xc0d                          # 3e
+        ilhu    $m_lane3,0x800d                         # 3e
         lqa     $m_fourth,fourth                        # 3o
         clgti   $count_2,$count,1                       # 4e at least as many passes as overlap
         fsmbi   $m_behind,255                           # 4o

@@ -31,7 +31,7 @@ function mesh_begin
         refuse_if $bad,MeshMaterials
 
         # The cache comes after the queues.
-        queue_bytes $value,$limit
+        queue_size $value,$limit
         a       $end,$end,$value
         ila     $value,SCENE_ADDRESS
         a       $end,$end,$value

@@ -4,7 +4,7 @@
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bounce::{Bounce, Queued};
+use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
 use zerocopy::{FromZeros as _, IntoBytes};
 
 use crate::bench::{Bench, Place, SEED};
@@ -72,7 +72,7 @@ fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
         })
     };
     let packets: Vec<[Bounce; 16]> = (0..count).map(packet).collect();
-    Sites::put(bench, &packets, &mut random).arguments(0)
+    Sites::put(bench, &packets, &mut random).arguments(Limits::NONE)
 }
 
 /// Sites in local store for a call, and the queue for their rays.
@@ -111,11 +111,17 @@ impl Sites {
         }
     }
 
-    /// The arguments of a kernel, with the least weight of a ray that is sent on.
+    /// The arguments of a kernel.
     #[must_use]
-    pub fn arguments(&self, least: u32) -> Vec<u32> {
+    pub fn arguments(&self, limits: Limits) -> Vec<u32> {
         let count = self.surfaces.len() as u32;
-        vec![self.sites.address, count, self.queue.address, least]
+        vec![
+            self.sites.address,
+            count,
+            self.queue.address,
+            limits.least,
+            limits.deepest,
+        ]
     }
 
     /// The rays that a kernel appended, up to the end that it returned.
@@ -227,7 +233,7 @@ pub fn hit(random: &mut impl Rng) -> Bounce {
     Bounce {
         direction: point(direction),
         weight: from_f64(random.random_range(0.0..1.0)),
-        pixel: random.random(),
+        pixel: random.random_range(0..16 * CHAIN_STEP),
         point: point(in_cube(10.0, random)),
         normal: point(normal),
         plane: point(plane),
@@ -308,13 +314,13 @@ fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth)
         });
         bench.reset();
         let sites = Sites::put(bench, &[packet], random);
-        let end = bench.call(kernel, &sites.arguments(0)).value;
+        let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;
         let queued = sites.queued(bench, end);
         for (pixel, hit) in (0..).zip(&packet) {
             let Some((exact, _)) = truth(hit) else {
                 continue;
             };
-            let found = queued.iter().find(|ray| ray.pixel == pixel);
+            let found = queued.iter().find(|ray| ray.pixel == pixel + CHAIN_STEP);
             worst = worst.max(found.map_or(f64::INFINITY, |ray| off(ray, exact)));
         }
     }

@@ -6,19 +6,19 @@ use kernels::single::bits;
 use kernels::source::Source;
 use rand::Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bounce::{Bounce, Queued};
+use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
 use twins::reflect::reflect;
 use twins::refract::refract;
 
 /// Runs both kernels on these hits, each separately, and compares with the twins. Returns the
 /// refracted and the reflected rays.
 fn check(bench: &mut Bench, random: &mut impl Rng, packets: &[[Bounce; 16]]) -> [Vec<Queued>; 2] {
-    check_above(0, bench, random, packets)
+    check_within(Limits::NONE, bench, random, packets)
 }
 
-/// The same, if rays with a weight below `least` are not sent on.
-fn check_above(
-    least: u32,
+/// The same with limits.
+fn check_within(
+    limits: Limits,
     bench: &mut Bench,
     random: &mut impl Rng,
     packets: &[[Bounce; 16]],
@@ -26,24 +26,24 @@ fn check_above(
     bench.reset();
     let sites = Sites::put(bench, packets, random);
     let before = sites.surfaces(bench);
-    let end = bench.call("reflect_r16", &sites.arguments(least)).value;
+    let end = bench.call("reflect_r16", &sites.arguments(limits)).value;
     let thrown_back = sites.queued(bench, end);
     let expected: Vec<Queued> = packets
         .iter()
         .flatten()
-        .filter_map(|hit| reflect(hit, least))
+        .filter_map(|hit| reflect(hit, limits))
         .collect();
     assert_eq!(thrown_back, expected, "{packets:x?}");
     assert_surfaces(&sites, bench, &before, |packet, lane| {
         packets[packet][lane].mirror
     });
 
-    let end = bench.call("refract_r16", &sites.arguments(least)).value;
+    let end = bench.call("refract_r16", &sites.arguments(limits)).value;
     let through = sites.queued(bench, end);
     let expected: Vec<_> = packets
         .iter()
         .flatten()
-        .map(|hit| refract(hit, least))
+        .map(|hit| refract(hit, limits))
         .collect();
     let rays: Vec<Queued> = expected.iter().filter_map(|(ray, _)| *ray).collect();
     assert_eq!(through, rays, "{packets:x?}");
@@ -97,7 +97,11 @@ fn rays_below_the_least_weight_are_not_sent_on() {
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
         let least = random.random_range(0.0..1.0);
-        let found = check_above(from_f64(least), &mut bench, &mut random, &[packet]);
+        let limits = Limits {
+            least: from_f64(least),
+            ..Limits::NONE
+        };
+        let found = check_within(limits, &mut bench, &mut random, &[packet]);
         let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(least));
         assert!(!found.iter().flatten().any(light), "{least}: {found:x?}");
         let open = check(&mut bench, &mut random, &[packet]);
@@ -113,11 +117,34 @@ fn rays_below_the_least_weight_are_not_sent_on() {
 }
 
 #[test]
+fn the_last_ray_of_a_chain_sends_none() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut sent = [0; 2];
+    for _ in 0..200 {
+        let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
+        let limits = Limits {
+            deepest: random.random_range(0..16) * CHAIN_STEP,
+            ..Limits::NONE
+        };
+        let found = check_within(limits, &mut bench, &mut random, &[packet]);
+        let open = check(&mut bench, &mut random, &[packet]);
+        for kernel in 0..2 {
+            let short = |ray: &&Queued| ray.pixel < limits.deepest + CHAIN_STEP;
+            let expected = open[kernel].iter().filter(short);
+            assert!(expected.eq(&found[kernel]), "{limits:?}: {packet:x?}");
+            sent[kernel] += found[kernel].len();
+        }
+    }
+    assert!(sent.iter().all(|sent| *sent > 100), "{sent:?} rays");
+}
+
+#[test]
 fn any_bits_at_all_equal_the_twins() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut rays = [0; 2];
-    for _ in 0..1500 {
+    for _ in 0..3000 {
         let packet = std::array::from_fn(|_| Bounce {
             direction: random.random(),
             weight: random.random(),
@@ -132,8 +159,11 @@ fn any_bits_at_all_equal_the_twins() {
             schlick: random.random(),
             grazing: random.random(),
         });
-        let least = random.random();
-        let found = check_above(least, &mut bench, &mut random, &[packet]);
+        let limits = Limits {
+            least: random.random(),
+            deepest: random.random(),
+        };
+        let found = check_within(limits, &mut bench, &mut random, &[packet]);
         for (rays, found) in rays.iter_mut().zip(found) {
             *rays += found.len();
         }
@@ -156,7 +186,7 @@ fn keep_their_error_bounds() {
         let found = check(&mut bench, &mut random, &[packet]);
         for (kernel, queued) in found.iter().enumerate() {
             for ray in queued {
-                let hit = &packet[ray.pixel as usize];
+                let hit = &packet[(ray.pixel - CHAIN_STEP) as usize];
                 let [x, y, z] = ray.direction.map(to_f64);
                 let ulps = ((x * x + y * y + z * z).sqrt() - 1.0).abs() * 2_f64.powi(23);
                 length = length.max(ulps);
@@ -210,7 +240,7 @@ fn keeps_its_error_near_the_critical_angle() {
             let ratio = to_f64(hit.ratio);
             let sine = ratio * (x * x / (x * x + y * y + z * z)).sqrt();
             let squared = 1.0 - sine * sine;
-            let found = through.iter().find(|ray| ray.pixel == pixel);
+            let found = through.iter().find(|ray| ray.pixel == pixel + CHAIN_STEP);
             if squared.abs() < UNDECIDED * ulp {
                 undecided += 1;
                 continue;
@@ -263,7 +293,7 @@ fn follow(hit: Bounce) -> [Option<Queued>; 2] {
     bench.reset();
     let sites = Sites::put(&mut bench, &[packet], &mut random);
     ["refract_r16", "reflect_r16"].map(|kernel| {
-        let end = bench.call(kernel, &sites.arguments(0)).value;
+        let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;
         let queued = sites.queued(&bench, end);
         assert!(queued.len() <= 1, "{queued:?}");
         queued.first().copied()
@@ -290,7 +320,7 @@ fn critical_grazing_and_head_on() {
         let through = through.expect("a ray");
         assert!(off(&through, [0.0, 0.0, -1.0]) <= 1.0, "{through:x?}");
         assert_eq!(to_f64(through.origin[2]), 5.875);
-        assert_eq!(through.pixel, 0x1230);
+        assert_eq!(through.pixel, 0x1230 + CHAIN_STEP);
         assert_eq!(back, None);
     }
     // Almost parallel to the surface, Schlick's formula reflects almost everything.

@@ -1,6 +1,7 @@
 //! Calls the surface kernels with the inputs of their twins.
 
 use twins::accumulate::Share;
+use twins::bounce::CHAIN_STEP;
 use twins::surfaces::{Material, Object, Ray, Surface};
 use twins::{Single, shadow_rays};
 use zerocopy::FromZeros as _;
@@ -245,11 +246,12 @@ pub fn accumulate(
     let mut rays = Vec::new();
     let mut surfaces = Vec::new();
     for shares in packets {
-        rays.push(records::rays(&shares.map(|share| PacketRay {
+        // Rays of one pixel may come after any number of others.
+        rays.push(records::rays(&std::array::from_fn(|lane| PacketRay {
             ray,
             object: ANYTHING,
-            weight: share.weight,
-            pixel: address::<[F32; 4]>(place, share.pixel),
+            weight: shares[lane].weight,
+            pixel: address::<[F32; 4]>(place, shares[lane].pixel) + lane as u32 * CHAIN_STEP,
         })));
         surfaces.push(records::lit_surfaces(&shares.map(|share| share.lit)));
     }
