@@ -20,7 +20,7 @@ use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::single::bits;
 use rand::{Rng as _, SeedableRng as _};
 use twins::Single;
-use twins::bounce::{Bounce, Queued};
+use twins::bounce::{Bounce, Limits, Queued};
 use twins::pairs::Sides;
 use twins::rectangle::Rectangle;
 use twins::reflect::reflect;
@@ -239,7 +239,7 @@ impl Bounces {
         bench.reset();
         let sites = Sites::put(bench, &[packet], &mut Generator::seed_from_u64(0));
         let queue = |kernel: &str, bench: &mut Bench| -> [Option<Queued>; 16] {
-            let end = bench.call(kernel, &sites.arguments(0)).value;
+            let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;
             let queued = sites.queued(bench, end);
             std::array::from_fn(|lane| queued.iter().find(|ray| ray.pixel == lane as u32).copied())
         };
@@ -247,7 +247,10 @@ impl Bounces {
         let through = queue("refract_r16", bench);
         let mirrors = sites.surfaces(bench)[0].mirror.map(bits);
         for lane in 0..16 {
-            let expected = (reflect(&packet[lane], 0), refract(&packet[lane], 0));
+            let expected = (
+                reflect(&packet[lane], Limits::NONE),
+                refract(&packet[lane], Limits::NONE),
+            );
             let same = expected == (back[lane], (through[lane], mirrors[lane]));
             tally.verdict(same, || hits[lane].to_vec());
         }

@@ -8,7 +8,7 @@ use kernels::single::bits;
 use kernels::vector::{Vector, dot, unit};
 use rand::{Rng as _, SeedableRng as _};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bounce::Bounce;
+use twins::bounce::{Bounce, Limits};
 use twins::{ONE, Single};
 
 use crate::space::{along, direction};
@@ -151,7 +151,7 @@ impl Critical {
         // Fills the parts of the records that the kernel does not read.
         let mut junk = Generator::seed_from_u64(0);
         let sites = Sites::put(bench, &[packet], &mut junk);
-        let end = bench.call(KERNEL, &sites.arguments(0)).value;
+        let end = bench.call(KERNEL, &sites.arguments(Limits::NONE)).value;
         let queued = sites.queued(bench, end);
         let mirrors = sites.surfaces(bench)[0]
             .mirror
