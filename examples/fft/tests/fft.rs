@@ -100,7 +100,7 @@ fn an_impulse_gives_the_roots_of_unity() {
         .output;
     for (k, [real, imaginary]) in output.into_iter().enumerate() {
         let (sine, cosine) = libm::sincos(std::f64::consts::TAU * k as f64 / 4096.0);
-        let error = (f64::from(real) - cosine).hypot(f64::from(imaginary) + sine);
+        let error = libm::hypot(f64::from(real) - cosine, f64::from(imaginary) + sine);
         assert!(error < 1e-6, "{k}: {error:e}");
     }
 }
