@@ -1,6 +1,6 @@
 //! The frame loop alone, without a display: it plays on from a demonstration's moment, or traces a
 //! scene's frame anew again and again. `ci/ppe` counts the instructions that the PPE executes, with
-//! an SPU program that only answers.
+//! an SPU program that only answers. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
 //!
 //!     cargo run --release -p games --example frame_loop -- NAME|FILE.nff FRAMES [PROGRAM.elf]
 
@@ -11,7 +11,7 @@ use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::World;
 use cellray::scene::RenderOptions;
 use cellray::spe::Program;
-use cellray::{Engine, Settings};
+use cellray::{Engine, Report, Settings};
 use games::demo::demo;
 
 const SIZE: (u32, u32) = (1280, 720);
@@ -36,14 +36,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => settings,
     };
     let mut engine = Engine::start(started, Box::new(picture))?;
+    let mut report = Report::new(&name, SIZE, started.spus);
     let mut show = |world: &mut World| -> Result<(), Box<dyn Error>> {
-        engine.render(world.scene(&settings.program)?, &mut |_| {})?;
+        report.add(engine.render(world.scene(&settings.program)?, &mut |_| {})?);
         Ok(())
     };
     if is_file {
         let mut world = World::from_nff(&nff::load(file)?, RenderOptions::default())?;
-        return (0..frames).try_for_each(|_| show(&mut world));
+        (0..frames).try_for_each(|_| show(&mut world))?;
+    } else {
+        let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;
+        demo.play(SIZE, frames, show)?;
     }
-    let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;
-    demo.play(SIZE, frames, show)
+    println!("{:.2}", report.frames_per_second);
+    Ok(())
 }
