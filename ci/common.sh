@@ -39,6 +39,24 @@ linux_image() {
     [ -n "$image" ] && printf '%s\n' "$image"
 }
 
+# put NAME TABLE: replaces a table in the document that has lines for it. The rest of the document
+# stays.
+put() {
+    local name=$1 table=$2 document
+    document=$(grep -l "^<!-- $name: written by" README.md docs/*.md) || die "no document has lines for the table $name"
+    awk -v name="$name" -v table="$table" '
+        index($0, "<!-- " name ": written by") == 1 {
+            print; print ""
+            while ((getline line < table) > 0) print line
+            print ""; inside = 1; next
+        }
+        inside && /^<!-- end of what is written -->/ { inside = 0 }
+        !inside { print }' "$document" >"$out/document"
+    grep -q . "$out/document" || die "$document would be empty"
+    cat "$out/document" >"$document"
+    say "written to $document: $name"
+}
+
 # Runs a step and reports how long it took.
 step() {
     local what=$1 start=$SECONDS

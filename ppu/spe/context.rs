@@ -76,8 +76,20 @@ impl Context {
     /// # Errors
     /// libspe2 fails, for example because there is no SPE.
     pub fn create() -> Result<Self, SpeError> {
+        Self::with_flags(sys::SPE_EVENTS_ENABLE)
+    }
+
+    /// Creates a context whose signal registers have addresses, to which other SPEs can send.
+    ///
+    /// # Errors
+    /// libspe2 fails.
+    pub fn create_mapped() -> Result<Self, SpeError> {
+        Self::with_flags(sys::SPE_EVENTS_ENABLE | sys::SPE_MAP_PS)
+    }
+
+    fn with_flags(flags: c_uint) -> Result<Self, SpeError> {
         // SAFETY: the only pointer is the gang, which may be null.
-        let context = unsafe { sys::spe_context_create(sys::SPE_EVENTS_ENABLE, ptr::null_mut()) };
+        let context = unsafe { sys::spe_context_create(flags, ptr::null_mut()) };
         NonNull::new(context)
             .map(Self)
             .ok_or_else(|| SpeError::last("spe_context_create"))
@@ -173,6 +185,16 @@ impl Context {
     pub fn local_store_address(&self) -> Option<u64> {
         self.local_store(0)
             .map(|base| base.expose_provenance() as u64)
+    }
+
+    /// The effective address of signal register 1, for `sndsig` of other SPEs. `None` if libspe2
+    /// doesn't map it.
+    #[must_use]
+    pub fn signal_address(&self) -> Option<u64> {
+        // SAFETY: the context lives.
+        let area = unsafe { sys::spe_ps_area_get(self.as_ptr(), sys::SPE_SIG_NOTIFY_1_AREA) };
+        let area = NonNull::new(area)?;
+        Some(area.as_ptr().expose_provenance() as u64 + sys::SPE_SIG_NOTIFY_1_REGISTER)
     }
 
     /// Reads a word of local store, in a context that is not running.

@@ -57,6 +57,7 @@ const _: () = {
 };
 
 pub const SPE_EVENTS_ENABLE: c_uint = 0x1000;
+pub const SPE_MAP_PS: c_uint = 0x40;
 pub const SPE_DEFAULT_ENTRY: c_uint = 0xffff_ffff;
 
 pub const SPE_EXIT: c_uint = 1;
@@ -79,6 +80,9 @@ pub const SPE_MBOX_ALL_BLOCKING: c_uint = 1;
 pub const SPE_MBOX_ANY_NONBLOCKING: c_uint = 3;
 
 pub const SPE_SIG_NOTIFY_REG_1: c_uint = 1;
+pub const SPE_SIG_NOTIFY_1_AREA: c_uint = 3;
+/// The offset of the register in that area.
+pub const SPE_SIG_NOTIFY_1_REGISTER: u64 = 12;
 
 pub const SPE_COUNT_USABLE_SPES: c_int = 3;
 
@@ -121,6 +125,7 @@ unsafe extern "C" {
         count: c_int,
         behavior: c_uint,
     ) -> c_int;
+    pub fn spe_ps_area_get(spe: spe_context_ptr_t, area: c_uint) -> *mut c_void;
     pub fn spe_ls_area_get(spe: spe_context_ptr_t) -> *mut c_void;
     pub fn spe_ls_size_get(spe: spe_context_ptr_t) -> c_int;
     pub fn spe_cpu_info_get(info_requested: c_int, cpu_node: c_int) -> c_int;

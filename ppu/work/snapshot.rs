@@ -168,7 +168,7 @@ impl Snapshot {
         if !same_mesh {
             return changed.add_all();
         }
-        let mut pairs = 0;
+        let mut are_few = false;
         // If the bounds of chains differ, everything that is reflected or refracted may differ.
         let mut any = self.chains != before.chains;
         for (new, old) in self.objects.iter().zip(&before.objects) {
@@ -177,14 +177,18 @@ impl Snapshot {
                 continue;
             }
             any = true;
+            let has_moved = change == Change::Place && shadows;
+            if has_moved && !are_few {
+                if self.has_many_shadows(before) {
+                    return changed.add_all();
+                }
+                are_few = true;
+            }
             for (seen, all) in [(old, before), (new, self)] {
                 let Some(seen) = seen else { continue };
                 changed.add(&place(seen, projection));
-                if change == Change::Place && shadows {
-                    pairs += self.lights.len() * self.objects.len();
-                    if pairs > MOST_SHADOWS || !all.shadows(seen, projection, changed) {
-                        return changed.add_all();
-                    }
+                if has_moved && !all.shadows(seen, projection, changed) {
+                    return changed.add_all();
                 }
             }
         }
@@ -198,6 +202,18 @@ impl Snapshot {
                 changed.add(&place(seen, projection));
             }
         }
+    }
+
+    /// Whether the objects that have moved have more shadows than are looked at.
+    fn has_many_shadows(&self, before: &Self) -> bool {
+        let of_one = self.lights.len() * self.objects.len();
+        let mut pairs = 0;
+        self.objects.iter().zip(&before.objects).any(|(new, old)| {
+            if self.change(new.as_ref(), before, old.as_ref()) == Change::Place {
+                pairs += of_one * new.iter().chain(old).count();
+            }
+            pairs > MOST_SHADOWS
+        })
     }
 
     fn lights_as(&self, other: &Self) -> bool {

@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
         let mut engine = Engine::start(settings, Box::new(picture))?;
         let mut objects = 0;
-        demo.play(SIZE, |world| -> Result<(), Box<dyn Error>> {
+        demo.play(SIZE, 1, |world| -> Result<(), Box<dyn Error>> {
             objects = world.object_count();
             let scene = world.scene(&settings.program)?;
             report.add(engine.render(scene, &mut |_| {})?);

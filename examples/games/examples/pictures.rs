@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     for demo in wanted {
         let path = folder.join(demo.name).with_extension("png");
-        demo.play((width, height), |world| -> Result<(), Box<dyn Error>> {
+        demo.play((width, height), 1, |world| -> Result<(), Box<dyn Error>> {
             let settings = Settings::default();
             let picture = Png::new(&path, Geometry::new(width, height)?)?;
             let mut engine = Engine::start(settings, Box::new(picture))?;

@@ -76,17 +76,19 @@ pub const DEMOS: &[Demo] = &[
 ];
 
 impl Demo {
-    /// Plays from the first frame to the moment, and calls `show` with the game's world.
+    /// Plays from the first frame to the moment, and calls `show` with the game's world for as many
+    /// frames from there on, at least 1.
     pub fn play<E: From<WorldError>>(
         &self,
         size: (u32, u32),
-        show: impl FnOnce(&mut World) -> Result<(), E>,
+        frames: u64,
+        mut show: impl FnMut(&mut World) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut game = (self.game.new)();
         let mut world = World::new();
         let mut input = Input::default();
         game.set_up(&mut world, &Start { seed: 0, size })?;
-        for frame in 0..=self.frame {
+        for frame in 0..self.frame + frames.max(1) {
             input.begin_frame();
             for &(key, from, to) in self.keys {
                 if frame == from || frame == to {
@@ -108,8 +110,11 @@ impl Demo {
                 last: None,
             };
             game.update(&mut world, &frame)?;
+            if frame.number >= self.frame {
+                show(&mut world)?;
+            }
         }
-        show(&mut world)
+        Ok(())
     }
 }
 

@@ -18,6 +18,7 @@ table:  .word   stream
         .word   list
         .word   mail
         .word   signals
+        .word   signals_of_spes
         .word   hinted_loop
         .word   taken_branches
         .word   double_pairs

@@ -49,22 +49,16 @@ const CHOICES: &str = "
 - *Unloaded latency.* Nobody has published the latency of a `get` from main memory without load. 280 cycles after the
   line's own time stand in the model. About 10 GB/s for one SPE alone are remembered from the literature; that would
   need twice that latency or half the lines in flight.
+- *Signals.* A signal of another SPE is timed like a transfer to its local store. The numbers of SPUs are those of
+  contexts: which places on the rings they have is the kernel's choice, and the program doesn't know it.
 - *The PPE.* Its calls are estimates of Linux, and the only figure found is of another system.
 
 ## The PPE's share
 
-The PPE's own computations take no simulated time, so the clock does not say how busy it is. A count of instructions gives
-a bound. On an x86-64 host, the thread that runs the frame loop executes about 730,000 instructions for a frame of paper16
-at 1280x720 and 570,000 for one of the cluster, everything traced anew (`valgrind --tool=callgrind --separate-threads=yes
-cellray render ... --retrace --frames N`, thread 1: the difference of 6 and 2 frames of paper16, and of 32 and 2 of the
-cluster, divided by their number). That includes the calls into our libspe2, which a console makes into its kernel
-instead, and it varies by some 30 % because the thread polls.
-
-Assumed, not measured: 1.3 instructions of the PPE for one of x86-64, and 4 cycles for each, as an in-order processor with
-misses in its caches may need. Then a frame of paper16 takes 3.8 million cycles of the PPE, so 60 frames/s take 7 % of its
-3.192 GHz, and it is 93 % free; at 2.5 cycles, 95.5 %. The paper's figure is over 95 %. By the same assumptions the PPE
-prepares a frame in 1.2 ms. Where this project's documents give the SPUs less than that for a frame, a console would be
-slower than they say, unless the frame shows what the last one showed.
+The PPE's own computations take no simulated time, so the clock does not say how busy it is.
+[ps3.md](ps3.md#the-ppes-share) has a bound by a count of instructions. Where the documents give the SPUs less time for a
+frame than the PPE needs to prepare one, a console would be slower than they say, unless the frame shows what the last
+one showed.
 
 ## Another machine
 

@@ -11,6 +11,7 @@ pub enum Benchmark {
     List,
     Mail,
     Signals,
+    SignalsOfSpes,
     HintedLoop,
     TakenBranches,
     DoublePairs,

@@ -34,9 +34,14 @@ pub enum ClockError {
         /// How it ended.
         ended: String,
     },
-    /// libspe2 doesn't map local store.
-    #[error("libspe2 doesn't map the local store of SPE {0}")]
-    NotMapped(usize),
+    /// libspe2 doesn't map what other SPEs should reach.
+    #[error("libspe2 doesn't map the {what} of SPE {number}")]
+    NotMapped {
+        /// What it should map.
+        what: &'static str,
+        /// The SPE's number.
+        number: usize,
+    },
     /// An SPU does not answer.
     #[error("SPU {0} has not answered for a minute")]
     Silent(usize),
@@ -64,7 +69,8 @@ pub enum Ppe {
 /// Addresses that orders need.
 pub struct Place {
     memory: u64,
-    stores: Vec<u64>,
+    /// What [`Mapped`] asks for, of each SPE.
+    mapped: Vec<u64>,
 }
 
 impl Place {
@@ -75,40 +81,51 @@ impl Place {
 
     /// The buffers in the local store of SPE `number`.
     pub fn store(&self, number: usize) -> u64 {
-        self.stores[number] + BUFFERS
+        self.mapped[number] + BUFFERS
+    }
+
+    /// The signal register of SPE `number`.
+    pub fn signal(&self, number: usize) -> u64 {
+        self.mapped[number]
     }
 }
 
-/// Whether orders use local stores of other SPEs.
+/// What orders use of other SPEs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stores {
-    Unused,
-    Mapped,
+pub enum Mapped {
+    Nothing,
+    Stores,
+    Signals,
 }
 
 /// Runs one order on each of `count` SPEs, at the same time. `order` gets the SPE's number.
 pub fn run(
     count: usize,
-    stores: Stores,
+    mapped: Mapped,
     ppe: Ppe,
     order: impl Fn(&Place, usize) -> Order,
 ) -> Result<Vec<Measured>, ClockError> {
     let program = Program::from_image(IMAGE)?;
-    let contexts = (0..count).map(|_| Context::create());
+    let contexts = (0..count).map(|_| match mapped {
+        Mapped::Signals => Context::create_mapped(),
+        Mapped::Nothing | Mapped::Stores => Context::create(),
+    });
     let contexts = contexts.collect::<Result<Vec<_>, _>>()?;
     let area = SharedMemory::new(count * OWN_BYTES as usize);
-    let mapped = |(number, context): (usize, &Context)| match stores {
-        Stores::Unused => Ok(0),
-        Stores::Mapped => context
-            .local_store_address()
-            .ok_or(ClockError::NotMapped(number)),
+    let address = |(number, context): (usize, &Context)| {
+        let (what, address) = match mapped {
+            Mapped::Nothing => return Ok(0),
+            Mapped::Stores => ("local store", context.local_store_address()),
+            Mapped::Signals => ("signal register", context.signal_address()),
+        };
+        address.ok_or(ClockError::NotMapped { what, number })
     };
     let place = Place {
         memory: area.address(),
-        stores: contexts
+        mapped: contexts
             .iter()
             .enumerate()
-            .map(mapped)
+            .map(address)
             .collect::<Result<_, _>>()?,
     };
     let mut orders = SharedMemory::new(count * 2 * BYTES);

@@ -1,7 +1,7 @@
 //! Bounding spheres.
 //!
-//! Invariant: the sphere that [`enclose`] returns contains all spheres that it was given, in spite
-//! of `f64`'s rounding.
+//! Invariant: the spheres that [`enclose`] and [`enclose_quickly`] return contain all spheres that
+//! they were given, in spite of `f64`'s rounding.
 
 use glam::DVec3;
 
@@ -24,6 +24,31 @@ impl BoundingSphere {
         Self {
             centre,
             radius: 0.0,
+        }
+    }
+
+    /// The smallest sphere around this one and another.
+    fn with(&self, other: &Self) -> Self {
+        let way = other.centre - self.centre;
+        let distance = way.length();
+        let (larger, smaller) = match self.radius < other.radius {
+            true => (other, self),
+            false => (self, other),
+        };
+        if distance + smaller.radius <= larger.radius {
+            return larger.rounded();
+        }
+        let radius = 0.5 * (distance + self.radius + other.radius);
+        let centre = self.centre + way * ((radius - self.radius) / distance);
+        Self { centre, radius }.rounded()
+    }
+
+    /// A sphere that is larger by the rounding of the operations that made it.
+    fn rounded(self) -> Self {
+        let rounding = ROUNDING * (self.centre.abs().max_element() + self.radius);
+        Self {
+            radius: self.radius + rounding,
+            ..self
         }
     }
 
@@ -89,11 +114,32 @@ pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
         centre += (way + beyond) / f64::from(step + 1);
     }
     let (radius, centre) = best;
-    let rounding = ROUNDING * (centre.abs().max_element() + radius);
-    Some(BoundingSphere {
-        centre,
-        radius: radius + rounding,
-    })
+    Some(BoundingSphere { centre, radius }.rounded())
+}
+
+/// A sphere around a few spheres, for a fiftieth of the instructions of [`enclose`]. Around four it
+/// is 3 % larger in the mean of a test, and at most 20 %.
+///
+/// It begins with the smallest sphere around the two that are farthest apart, and is widened for
+/// each that sticks out, after Ritter.
+pub(super) fn enclose_quickly(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
+    let mut around = *spheres.first()?;
+    let mut widest = 0.0;
+    for (number, one) in spheres.iter().enumerate() {
+        for other in &spheres[number + 1..] {
+            let width = one.farthest(other.centre) + other.radius;
+            if width > widest {
+                widest = width;
+                around = one.with(other);
+            }
+        }
+    }
+    for sphere in spheres {
+        if sphere.farthest(around.centre) > around.radius {
+            around = around.with(sphere);
+        }
+    }
+    Some(around)
 }
 
 #[cfg(test)]
@@ -116,15 +162,37 @@ mod tests {
                     radius: spread * random.random_range(0.0..2.0),
                 })
                 .collect();
-            let around = enclose(&spheres).expect("a sphere");
-            for sphere in &spheres {
-                assert!(
-                    sphere.farthest(around.centre) <= around.radius,
-                    "{spheres:?}"
-                );
+            for enclose in [enclose, enclose_quickly] {
+                let around = enclose(&spheres).expect("a sphere");
+                for sphere in &spheres {
+                    assert!(
+                        sphere.farthest(around.centre) <= around.radius,
+                        "{spheres:?}"
+                    );
+                }
             }
         }
         assert_eq!(enclose(&[]), None);
+        assert_eq!(enclose_quickly(&[]), None);
+    }
+
+    #[test]
+    fn a_quick_sphere_around_four_is_little_larger() {
+        let mut random = ChaCha8Rng::seed_from_u64(3);
+        let (mut sum, mut worst) = (0.0, 0.0_f64);
+        const COUNT: u32 = 2000;
+        for _ in 0..COUNT {
+            let spheres = [(); 4].map(|()| BoundingSphere {
+                centre: unit(&mut random) * random.random_range(0.0..1.0),
+                radius: random.random_range(0.0..0.3),
+            });
+            let radius = |sphere: Option<BoundingSphere>| sphere.expect("a sphere").radius;
+            let ratio = radius(enclose_quickly(&spheres)) / radius(enclose(&spheres));
+            sum += ratio;
+            worst = worst.max(ratio);
+        }
+        let mean = sum / f64::from(COUNT);
+        assert!(mean < 1.04 && worst < 1.2, "{mean} {worst}");
     }
 
     #[test]

@@ -13,7 +13,7 @@ use glam::DVec3;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
-use super::bounding_sphere::{BoundingSphere, Hull, enclose};
+use super::bounding_sphere::{BoundingSphere, Hull, enclose, enclose_quickly};
 use crate::scene::single::{single, up};
 use protocol::layout::{self, FARTHEST, MAX_ROOTS, Node, SCENE_ADDRESS};
 
@@ -126,7 +126,7 @@ impl Bvh {
             for (place, sphere) in level[0].iter_mut().enumerate() {
                 let children = place * LANES..below.len().min((place + 1) * LANES);
                 let touched = self.touched[children.clone()].contains(&true);
-                if touched && let Some(around) = enclose(&below[children]) {
+                if touched && let Some(around) = enclose_quickly(&below[children]) {
                     *sphere = around;
                 }
                 // The places to the right don't need the entry that is overwritten.

@@ -2,7 +2,7 @@
 
 use super::{ALL, Row, Stream, cycles, read};
 use crate::order::{Benchmark, GET, Measured, Order};
-use crate::spes::{ClockError, Ppe, Stores, run};
+use crate::spes::{ClockError, Mapped, Ppe, run};
 
 const STREAM: Stream = Stream {
     opcode: GET,
@@ -50,13 +50,32 @@ pub fn rows() -> Vec<Row> {
             None,
             move || flows(ALL, |number| (number == 0).then_some(other)),
         ));
+        rows.push(Row::new(
+            format!("store-both-{other}"),
+            format!("SPUs 0 and {other} read each other's local stores"),
+            "GB/s",
+            None,
+            move || {
+                flows(ALL, |number| match number {
+                    0 => Some(other),
+                    _ => (number == other).then_some(0),
+                })
+            },
+        ));
+        rows.push(Row::new(
+            format!("signal-{other}"),
+            format!("a signal of SPU 0 to SPU {other} by sndsig, and one back"),
+            "cycles",
+            None,
+            move || signals(other),
+        ));
     }
     rows
 }
 
 /// GB/s of SPUs that read the local store of which the function has the number, if any.
 fn flows(spes: usize, from: impl Fn(usize) -> Option<usize>) -> Result<f64, ClockError> {
-    STREAM.rate(spes, Stores::Mapped, |place, number| {
+    STREAM.rate(spes, Mapped::Stores, |place, number| {
         from(number).map(|other| place.store(other))
     })
 }
@@ -70,7 +89,7 @@ fn latency(other: usize) -> Result<f64, ClockError> {
         ..STREAM
     };
     let of = |benchmark| {
-        let measured = run(ALL, Stores::Mapped, Ppe::Waits, |place, number| {
+        let measured = run(ALL, Mapped::Stores, Ppe::Waits, |place, number| {
             if number == 0 {
                 Order {
                     benchmark,
@@ -85,4 +104,22 @@ fn latency(other: usize) -> Result<f64, ClockError> {
         Ok::<f64, ClockError>(cycles(first) / f64::from(stream.passes))
     };
     Ok(of(Benchmark::Stream)? - of(Benchmark::StreamWithoutCommand)?)
+}
+
+/// Cycles of a signal of SPU 0 to another one, and of its answer.
+fn signals(other: usize) -> Result<f64, ClockError> {
+    let passes = 1000;
+    let measured = run(ALL, Mapped::Signals, Ppe::Waits, |place, number| {
+        let partner = match number {
+            0 => other,
+            _ if number == other => 0,
+            _ => return Order::new(Benchmark::HintedLoop, 1),
+        };
+        Order {
+            ea: place.signal(partner),
+            number: number as u32,
+            ..Order::new(Benchmark::SignalsOfSpes, passes)
+        }
+    })?;
+    Ok(cycles(&measured[..1]) / f64::from(passes))
 }

@@ -2,7 +2,7 @@
 
 use super::{ALL, LINE, Row, Stream, cycles, read};
 use crate::order::{Benchmark, GET, Measured, Order, PUT};
-use crate::spes::{ClockError, Ppe, Stores, run};
+use crate::spes::{ClockError, Mapped, Ppe, run};
 
 /// Six busy SPUs lose a share to the console's own system: what they do takes 1.062 times as long.
 const NET: &str = "a benchmark on six SPUs, divided by 1.062";
@@ -48,7 +48,7 @@ fn atomics() -> Vec<Row> {
             "cycles a put",
             read(200.0, NET, 0.05),
             || {
-                let measured = run(ALL, Stores::Unused, Ppe::Waits, |place, _| Order {
+                let measured = run(ALL, Mapped::Nothing, Ppe::Waits, |place, _| Order {
                     opcode: PUT,
                     size: 32,
                     depth: 16,
@@ -157,7 +157,7 @@ fn stream(opcode: u32, size: u32, depth: u32, passes: u32) -> Stream {
 
 /// GB/s of SPEs that use each their own main memory.
 fn in_memory(stream: Stream, spes: usize) -> Result<f64, ClockError> {
-    stream.rate(spes, Stores::Unused, |place, number| {
+    stream.rate(spes, Mapped::Nothing, |place, number| {
         Some(place.memory(number))
     })
 }
@@ -173,7 +173,7 @@ fn on_one_line(
     benchmark: Benchmark,
     passes: u32,
 ) -> Result<Vec<Measured>, ClockError> {
-    run(spes, Stores::Unused, Ppe::Waits, |place, number| Order {
+    run(spes, Mapped::Nothing, Ppe::Waits, |place, number| Order {
         ea: place.memory(0),
         number: number as u32,
         ..Order::new(benchmark, passes)

@@ -7,7 +7,7 @@ mod ppe;
 
 use crate::order::{Benchmark, Measured, Order};
 use crate::results::Value;
-use crate::spes::{ClockError, OWN_BYTES, Place, Ppe, Stores, run};
+use crate::spes::{ClockError, Mapped, OWN_BYTES, Place, Ppe, run};
 use crate::{CYCLES_PER_TICK, GIGAHERTZ};
 
 /// The number of SPEs that PS3 Linux has.
@@ -150,7 +150,7 @@ fn cycles(measured: &[Measured]) -> f64 {
 
 /// Cycles of a pass of a benchmark that one SPU runs alone.
 fn alone(order: Order) -> Result<f64, ClockError> {
-    let measured = run(1, Stores::Unused, Ppe::Waits, |place, number| Order {
+    let measured = run(1, Mapped::Nothing, Ppe::Waits, |place, number| Order {
         ea: place.memory(number),
         ..order
     })?;
@@ -184,16 +184,16 @@ impl Stream {
     fn rate(
         self,
         spes: usize,
-        stores: Stores,
+        mapped: Mapped,
         ea: impl Fn(&Place, usize) -> Option<u64>,
     ) -> Result<f64, ClockError> {
         let idle = Order::new(Benchmark::HintedLoop, 1);
-        let measured = run(spes, stores, Ppe::Waits, |place, number| {
+        let measured = run(spes, mapped, Ppe::Waits, |place, number| {
             ea(place, number).map_or(idle, |ea| Order {
                 // Only buffers of another local store.
-                mask: match stores {
-                    Stores::Mapped => 0,
-                    Stores::Unused => self.order(ea).mask,
+                mask: match mapped {
+                    Mapped::Stores | Mapped::Signals => 0,
+                    Mapped::Nothing => self.order(ea).mask,
                 },
                 ..self.order(ea)
             })
@@ -208,7 +208,7 @@ impl Stream {
     /// Cycles from a command until it is complete, of commands that are waited for one by one.
     fn latency(self, spes: usize) -> Result<f64, ClockError> {
         let of = |benchmark| {
-            let measured = run(spes, Stores::Unused, Ppe::Waits, |place, number| Order {
+            let measured = run(spes, Mapped::Nothing, Ppe::Waits, |place, number| Order {
                 benchmark,
                 mask: 0,
                 ..self.order(place.memory(number))

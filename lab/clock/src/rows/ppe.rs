@@ -4,7 +4,7 @@
 use super::{Row, cycles};
 use crate::GIGAHERTZ;
 use crate::order::{Benchmark, Order};
-use crate::spes::{ClockError, Ppe, Stores, run};
+use crate::spes::{ClockError, Mapped, Ppe, run};
 
 pub fn rows() -> Vec<Row> {
     let row = |name: &str, what: &str, benchmark, ppe| {
@@ -25,6 +25,8 @@ pub fn rows() -> Vec<Row> {
 /// Microseconds of a word to the PPE, which polls, and of its answer.
 fn round_trip(benchmark: Benchmark, ppe: Ppe) -> Result<f64, ClockError> {
     let passes = 300;
-    let measured = run(1, Stores::Unused, ppe, |_, _| Order::new(benchmark, passes))?;
+    let measured = run(1, Mapped::Nothing, ppe, |_, _| {
+        Order::new(benchmark, passes)
+    })?;
     Ok(cycles(&measured) / f64::from(passes) / GIGAHERTZ / 1000.0)
 }

@@ -1,0 +1,53 @@
+//! The frame loop alone, without a display: it plays on from a demonstration's moment, or traces a
+//! scene's frame anew again and again. `ci/ppe` counts the instructions that the PPE executes, with
+//! an SPU program that only answers. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
+//!
+//!     cargo run --release -p games --example frame_loop -- NAME|FILE.nff FRAMES [PROGRAM.elf]
+
+use std::error::Error;
+use std::path::Path;
+
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::World;
+use cellray::scene::RenderOptions;
+use cellray::spe::Program;
+use cellray::{Engine, Report, Settings};
+use games::demo::demo;
+
+const SIZE: (u32, u32) = (1280, 720);
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let usage = "usage: frame_loop NAME|FILE.nff FRAMES [PROGRAM.elf]";
+    let mut arguments = std::env::args().skip(1);
+    let name = arguments.next().ok_or(usage)?;
+    let frames: u64 = arguments.next().ok_or(usage)?.parse()?;
+    let file = Path::new(&name);
+    let is_file = file.extension().is_some_and(|extension| extension == "nff");
+    let settings = Settings {
+        retain: !is_file,
+        ..Settings::default()
+    };
+    let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+    let started = match arguments.next() {
+        Some(file) => Settings {
+            program: Program::from_file(Path::new(&file))?,
+            ..settings
+        },
+        None => settings,
+    };
+    let mut engine = Engine::start(started, Box::new(picture))?;
+    let mut report = Report::new(&name, SIZE, started.spus);
+    let mut show = |world: &mut World| -> Result<(), Box<dyn Error>> {
+        report.add(engine.render(world.scene(&settings.program)?, &mut |_| {})?);
+        Ok(())
+    };
+    if is_file {
+        let mut world = World::from_nff(&nff::load(file)?, RenderOptions::default())?;
+        (0..frames).try_for_each(|_| show(&mut world))?;
+    } else {
+        let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;
+        demo.play(SIZE, frames, show)?;
+    }
+    println!("{:.2}", report.frames_per_second);
+    Ok(())
+}
