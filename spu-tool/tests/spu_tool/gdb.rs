@@ -27,6 +27,7 @@ impl Session {
             .args(["run", "--gdb", "0"])
             .args(options)
             .arg(program)
+            .current_dir(program.parent().unwrap())
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
