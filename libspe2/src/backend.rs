@@ -12,7 +12,7 @@ use spu_emulator::simulated::Simulation;
 use spu_emulator::spe::{TagWait, Watcher};
 
 use crate::error::Errno;
-use crate::machine::timing;
+use crate::machine::{debugger_port, timing};
 use crate::mfc::Transfer;
 use crate::run::{Ended, StartRegisters};
 use crate::spufs;
@@ -29,18 +29,23 @@ pub(crate) enum Choice {
 }
 
 /// Returns the choice: the environment's, or else spufs where it is mounted and the kernel has its
-/// calls. Simulated time is only to be had from the emulator.
+/// calls. Simulated time and a debugger are only to be had from the emulator.
 pub(crate) fn chosen() -> Result<Choice, Errno> {
     if let Some(choice) = CHOSEN.get() {
         return Ok(*choice);
     }
     let timing = timing()?;
+    let debugged = debugger_port()?.is_some();
     let choice = match env::var_os(VARIABLE) {
-        None if !timing && spufs::is_there() => Choice::Spufs,
+        None if !timing && !debugged && spufs::is_there() => Choice::Spufs,
         None => Choice::Emulator,
         Some(name) if name == "emulator" => Choice::Emulator,
         Some(name) if name == "spufs" && timing => {
             eprintln!("libspe2: {VARIABLE}=spufs does not go with simulated time (LIBSPE2_TIMING)");
+            return Err(Errno(libc::EINVAL));
+        }
+        Some(name) if name == "spufs" && debugged => {
+            eprintln!("libspe2: {VARIABLE}=spufs does not go with a debugger (LIBSPE2_GDB)");
             return Err(Errno(libc::EINVAL));
         }
         Some(name) if name == "spufs" => {

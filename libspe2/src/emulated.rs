@@ -4,6 +4,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use libc::{c_int, c_uint, c_void};
+use spu_debugger::{Attached, signal_of};
+use spu_emulator::interp::Spu;
 use spu_emulator::mfc::{DmaError, MAX_TRANSFER};
 use spu_emulator::profile::ProgramId;
 use spu_emulator::signal::{SignalMode, SignalRegister};
@@ -36,6 +38,8 @@ pub(crate) struct Emulated {
     run_state: Arc<RunState>,
     /// The mapped problem state, if the program asked for it.
     areas: Option<Areas>,
+    /// The SPE as a debugger's thread, if there is one.
+    debugged: Option<Attached>,
 }
 
 impl Emulated {
@@ -65,14 +69,17 @@ impl Emulated {
             signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
             policy: policy()?,
         };
-        let spe = Spe::new(&machine()?.emulated, config);
+        let machine = machine()?;
+        let spe = Spe::new(&machine.emulated, config);
         let area = spe.local_store().as_ptr();
         spe.map_local_store(area.expose_provenance() as u64);
         let run_state = Arc::new(RunState::default());
         let areas = has(SPE_MAP_PS)
             .then(|| Areas::map(&spe, &run_state))
             .transpose()?;
+        let debugged = machine.debugger.as_ref();
         Ok(Self {
+            debugged: debugged.map(|debugger| debugger.attach(&spe)),
             spe,
             events_enabled: has(SPE_EVENTS_ENABLE),
             issued_tags: Mutex::new(0),
@@ -85,6 +92,20 @@ impl Emulated {
         self.issued_tags
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Runs the SPU, and obeys the debugger before each instruction. Returns `None` if it has
+    /// killed the program.
+    fn run_under(
+        &self,
+        thread: &Attached,
+        at: u32,
+        prepare: impl FnOnce(&mut Spu),
+    ) -> Option<Stopped> {
+        let look = |spu: &mut Spu, cycles| thread.before_instruction(spu, cycles);
+        let stopped = self.spe.run_stepwise(at, look, prepare)?;
+        thread.stopped(&self.spe, &stopped, signal_of(&stopped.reason));
+        Some(stopped)
     }
 
     fn after(&self, stopped: &Stopped) -> (u32, Ended) {
@@ -172,12 +193,19 @@ impl Backend for Emulated {
 
     fn run(&self, at: u32, start: Option<&StartRegisters>) -> (u32, Ended) {
         self.run_state.starts();
-        let stopped = self.spe.run_prepared(at, |spu| {
+        let prepare = |spu: &mut Spu| {
             if let Some(start) = start {
                 start.set(self.spe.local_store(), spu);
             }
-        });
-        self.after(&stopped)
+        };
+        let stopped = match &self.debugged {
+            None => Some(self.spe.run_prepared(at, prepare)),
+            Some(thread) => self.run_under(thread, at, prepare),
+        };
+        match stopped {
+            Some(stopped) => self.after(&stopped),
+            None => (at, Ended::Return(Outcome::fatal(-1))),
+        }
     }
 
     fn stopped(&self, status: c_int, npc: u32) {

@@ -40,6 +40,8 @@
 //! - `LIBSPE2_TIMELINE` is the path of the timeline, which records when each SPE slept and when its
 //!   MFC moved data. It is written at the same times and needs `LIBSPE2_TIMING=1`;
 //!   `cellray render --inspect` draws it.
+//! - `LIBSPE2_GDB` is a port of the loopback interface, or 0 for any free one. The emulated SPEs
+//!   wait there for a debugger and obey it ([`spu_debugger`]).
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 

@@ -7,8 +7,9 @@ use std::env;
 use std::ffi::OsString;
 use std::io;
 use std::path::PathBuf;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use spu_debugger::Debugger;
 use spu_emulator::engine::Engine;
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
@@ -26,6 +27,7 @@ const MFC: &str = "LIBSPE2_MFC";
 const ENGINE: &str = "LIBSPE2_ENGINE";
 const CHECK: &str = "LIBSPE2_CHECK";
 const DESCRIPTION: &str = "LIBSPE2_MACHINE";
+const GDB: &str = "LIBSPE2_GDB";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
@@ -35,10 +37,15 @@ pub(crate) struct Machine {
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
     timeline: Option<ReportFile>,
+    /// Obeys a debugger, if the environment asks for one.
+    pub(crate) debugger: Option<Arc<Debugger>>,
 }
 
 /// Returns the machine, creating it on the first call.
 pub(crate) fn machine() -> Result<&'static Machine, Errno> {
+    // One thread makes the machine, because the debugger's port is to be had only once.
+    static MAKING: Mutex<()> = Mutex::new(());
+    let _making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(machine) = MACHINE.get() {
         return Ok(machine);
     }
@@ -100,6 +107,37 @@ fn switch(name: &str) -> Result<bool, Errno> {
 /// Whether the environment asks for simulated time.
 pub(crate) fn timing() -> Result<bool, Errno> {
     switch(TIMING)
+}
+
+/// The port for a debugger, if the environment asks for one.
+pub(crate) fn debugger_port() -> Result<Option<u16>, Errno> {
+    let Some(value) = env::var_os(GDB) else {
+        return Ok(None);
+    };
+    let port = value.to_str().and_then(|value| value.parse().ok());
+    port.map(Some)
+        .ok_or_else(|| refused(GDB, "is a port, or 0 for any free one", &value))
+}
+
+/// Waits for a debugger, if the environment asks for one.
+fn debugger() -> Result<Option<Arc<Debugger>>, Errno> {
+    let Some(port) = debugger_port()? else {
+        return Ok(None);
+    };
+    let debugger = Debugger::new(kill_this_process);
+    match debugger.listen(port) {
+        Ok(address) => eprintln!("libspe2: waiting for a debugger: target remote {address}"),
+        Err(error) => {
+            eprintln!("libspe2: {GDB}={port}: {error}");
+            return Err(Errno(error.raw_os_error().unwrap_or(libc::EIO)));
+        }
+    }
+    Ok(Some(debugger))
+}
+
+fn kill_this_process() {
+    // SAFETY: the function takes no pointers.
+    unsafe { libc::raise(libc::SIGKILL) };
 }
 
 /// What runs the SPUs' instructions.
@@ -201,6 +239,7 @@ impl Machine {
         emulated.compile_in_background();
         Ok(Self {
             emulated,
+            debugger: debugger()?,
             report,
             profile,
             timeline,

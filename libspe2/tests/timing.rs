@@ -8,6 +8,7 @@ use std::os::unix::ffi::OsStrExt;
 use std::path::Path;
 use std::process::{Command, Output};
 use std::ptr;
+use std::sync::{Arc, Barrier};
 use std::thread;
 use std::time::Duration;
 
@@ -15,7 +16,9 @@ use serde_json::Value;
 use spe2::context::{spe_context_create, spe_context_destroy};
 use spe2::event::{spe_event_handler_create, spe_event_handler_register, spe_event_wait};
 use spe2::image::{spe_image_open, spe_program_load};
-use spe2::mailbox::{spe_in_mbox_write, spe_out_intr_mbox_read, spe_out_mbox_read};
+use spe2::mailbox::{
+    spe_in_mbox_status, spe_in_mbox_write, spe_out_intr_mbox_read, spe_out_mbox_read,
+};
 use spe2::run::{spe_context_run, spe_stop_info_read};
 use spe2::types::{
     SPE_DEFAULT_ENTRY, SPE_EVENT_OUT_INTR_MBOX, SPE_EVENT_SPE_STOPPED, SPE_EVENTS_ENABLE,
@@ -177,6 +180,49 @@ fn program(image: &OsStr, delay: Duration) {
         for context in &contexts[1..] {
             assert_eq!(spe_context_destroy(context.0), 0);
         }
+    }
+}
+
+/// Two threads that call the library and wait for each other in a barrier. One always sleeps there
+/// while the other makes its calls.
+fn meet() {
+    const ROUNDS: usize = 200;
+    // SAFETY: a context needs no gang.
+    let context = Shared(unsafe { spe_context_create(0, ptr::null_mut()) });
+    assert!(!context.0.is_null(), "{}", last_error());
+    let barrier = Arc::new(Barrier::new(2));
+    let threads = [1, 3].map(|calls| {
+        let barrier = Arc::clone(&barrier);
+        thread::spawn(move || {
+            let context = context;
+            for _ in 0..ROUNDS {
+                for _ in 0..calls {
+                    // SAFETY: the context lives to the end of the process.
+                    assert_eq!(unsafe { spe_in_mbox_status(context.0) }, 4);
+                }
+                barrier.wait();
+            }
+        })
+    });
+    for thread in threads {
+        thread.join().unwrap();
+    }
+}
+
+/// Nobody waits for a thread that certainly sleeps until another one wakes it. So the host's time
+/// has no part in that.
+fn a_barrier_is_no_time_out(folder: &Path) {
+    let path = folder.join("report.json");
+    let environment = [
+        ("LIBSPE2_TIMING", OsStr::new("1")),
+        ("LIBSPE2_REPORT", path.as_os_str()),
+    ];
+    let output = child(&[OsStr::new("meet")], &environment);
+    assert!(output.status.success(), "{output:?}");
+    let report: Value = serde_json::from_str(&take(&path)).unwrap();
+    // QEMU shows other system calls than the program makes.
+    if cfg!(target_arch = "x86_64") {
+        assert_eq!(number(&report, "timeouts"), 0);
     }
 }
 
@@ -386,6 +432,7 @@ fn main() {
             let delay = arguments[3].to_str().unwrap().parse().unwrap();
             return program(&arguments[2], Duration::from_millis(delay));
         }
+        Some("meet") => return meet(),
         Some("create") => {
             // SAFETY: a context needs no gang.
             let context = unsafe { spe_context_create(0, ptr::null_mut()) };
@@ -440,6 +487,7 @@ fn main() {
     let farther = tag(&far) - tag(&first);
     assert!(farther.abs_diff(2000 * gets) < 35 * gets, "{farther}");
     fs::remove_file(&machine).unwrap();
+    a_barrier_is_no_time_out(folder.path());
     // Nothing new is left in the folder of the report.
     let beside = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(beside, 3);

@@ -21,6 +21,7 @@
 
 mod arena;
 mod c99;
+mod cpuinfo;
 mod directive;
 mod errno;
 mod float_syntax;

@@ -7,6 +7,7 @@
 use std::ffi::CString;
 
 use super::Errno;
+use super::cpuinfo;
 use super::errno::check;
 use super::host::Host;
 use super::scan::Input;
@@ -102,8 +103,7 @@ impl Stream {
         const EVERYONE: libc::c_uint = 0o666;
         let mode = Mode::parse(mode)?;
         let path = c_path(path)?;
-        // SAFETY: the path ends in 0.
-        let descriptor = check(unsafe { libc::open(path.as_ptr(), mode.flags, EVERYONE) })?;
+        let descriptor = cpuinfo::open(&path, mode.flags, EVERYONE)?;
         let buffering = if host.is_terminal(descriptor) {
             Buffering::Line
         } else {

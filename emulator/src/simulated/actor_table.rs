@@ -1,11 +1,13 @@
 //! The table of actors and their order.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::SeqCst;
 use std::sync::{Arc, Condvar};
 
 use portable_atomic::AtomicU64;
 
+use super::host_threads::ThreadId;
 use super::time::NEVER;
 use super::timeout::Timeout;
 
@@ -46,6 +48,8 @@ pub(super) struct Runner {
     /// none.
     pub passed_wait: AtomicU64,
     pub called: Condvar,
+    /// The host's thread that acts as it, or 0.
+    pub thread: AtomicU32,
 }
 
 /// The state of an actor.
@@ -108,6 +112,24 @@ impl ActorTable {
                 entry.place().is_none()
             }
         })
+    }
+
+    /// The host's threads that can't go on before `leader` does: those of waiting actors, and those
+    /// that run SPUs, because the end of a run is an act.
+    pub fn threads_behind(&self, leader: Rank) -> Vec<ThreadId> {
+        let behind = |(&rank, entry): (&Rank, &Entry)| {
+            let waits = matches!(entry.status, Status::Waiting { .. } | Status::Free(None));
+            (rank != leader && waits).then(|| entry.runner.thread.load(SeqCst))
+        };
+        self.actors.iter().filter_map(behind).collect()
+    }
+
+    /// The time-out of an actor, if it may never act again.
+    pub fn timeout(&mut self, rank: Rank) -> Option<&mut Timeout> {
+        match &mut self.actors.get_mut(&rank)?.status {
+            Status::Free(timeout) => timeout.as_mut(),
+            _ => None,
+        }
     }
 
     pub fn set(&mut self, rank: Rank, status: Status) {

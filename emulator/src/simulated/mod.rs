@@ -23,6 +23,7 @@ mod actor_table;
 mod arrivals;
 mod check;
 mod figures;
+mod host_threads;
 mod memo;
 mod memory_system;
 mod path;

@@ -59,7 +59,7 @@ impl SpeReport {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
     /// How often actors stopped waiting for a thread or an SPE that might still have acted. If
-    /// this exceeds the program's number of joins, two runs may differ.
+    /// there are any, two runs may differ.
     pub timeouts: u64,
     /// The SPEs in the order of creation.
     pub spes: Vec<SpeReport>,

@@ -8,8 +8,8 @@
 //! backwards. Data that was sent to a local store is in it as soon as all clocks have reached its
 //! arrival.
 
-use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicU32};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
@@ -17,8 +17,9 @@ use portable_atomic::AtomicU64;
 
 use super::actor_table::{ActorTable, Entry, Rank, Runner, Status, WaitKey};
 use super::arrivals::Arrivals;
+use super::host_threads;
 use super::time::NEVER;
-use super::timeout::{POLL_INTERVAL, Timeout};
+use super::timeout::{Timeout, Verdict};
 use crate::lock::lock;
 
 /// Cycles between two checks of the other actors' clocks: few enough not to delay them, and so
@@ -135,9 +136,32 @@ impl Scheduler {
         check.min(sent).min(self.arrivals.next())
     }
 
-    fn await_turn(
-        &self,
-        mut table: MutexGuard<'_, ActorTable>,
+    fn give_up(&self, table: &mut ActorTable, rank: Rank) {
+        table.set(rank, Status::Outside);
+        self.call_next(table);
+    }
+
+    /// Gives the leader up if all threads of the process wait for each other. Meanwhile the table
+    /// is not locked, because a thread that waits for the lock would seem to wait for others.
+    fn ask_about<'a>(
+        &'a self,
+        mut table: MutexGuard<'a, ActorTable>,
+        leader: Rank,
+    ) -> MutexGuard<'a, ActorTable> {
+        let behind = table.threads_behind(leader);
+        let since = table.timeout(leader).map(|timeout| timeout.since());
+        drop(table);
+        let certain = host_threads::all_wait(&behind);
+        let mut table = lock(&self.table);
+        if certain && since == table.timeout(leader).map(|timeout| timeout.since()) {
+            self.give_up(&mut table, leader);
+        }
+        table
+    }
+
+    fn await_turn<'a>(
+        &'a self,
+        mut table: MutexGuard<'a, ActorTable>,
         me: &Actor,
         mut pause: Option<Duration>,
     ) -> u64 {
@@ -159,19 +183,19 @@ impl Scheduler {
                         }
                     }
                 }
-                Some((_, rank)) => {
-                    if let Some(entry) = table.actors.get_mut(&rank)
-                        && let Status::Free(Some(timeout)) = &mut entry.status
-                    {
-                        if timeout.has_expired() {
-                            entry.status = Status::Outside;
-                            table.timeouts += 1;
-                            self.call_next(&table);
-                            continue;
-                        }
-                        limit = Some(POLL_INTERVAL);
+                Some((_, rank)) => match table.timeout(rank).map(Timeout::look) {
+                    None => {}
+                    Some(Verdict::Wait(time)) => limit = Some(time),
+                    Some(Verdict::Ask) => {
+                        table = self.ask_about(table, rank);
+                        continue;
                     }
-                }
+                    Some(Verdict::GiveUp) => {
+                        table.timeouts += 1;
+                        self.give_up(&mut table, rank);
+                        continue;
+                    }
+                },
                 None => {}
             }
             let called = &me.runner.called;
@@ -203,6 +227,7 @@ impl Actor {
     ) -> Self {
         let runner = Arc::new(Runner {
             clock: AtomicU64::new(from.unwrap_or(0)),
+            thread: AtomicU32::new(host_threads::this_thread().unwrap_or(0)),
             ..Runner::default()
         });
         let mut table = lock(&scheduler.table);
@@ -372,6 +397,8 @@ impl Actor {
         other.runner.clock.fetch_max(clock, SeqCst);
         table.set(self.rank, Status::Outside);
         table.set(other.rank, Status::Free(other.timeout()));
+        let thread = host_threads::this_thread().unwrap_or(0);
+        other.runner.thread.store(thread, SeqCst);
         self.scheduler.call_next(&table);
     }
 }

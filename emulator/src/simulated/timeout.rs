@@ -6,20 +6,25 @@
 //! clock. This is the only place where the host's time matters. A thread that was given up joins
 //! again at its own clock with its next call. SPEs may be ahead of it by then, and its actions
 //! take effect at their clocks.
+//!
+//! Where all threads of the process wait for each other, it is certain that no thread will act
+//! before one is given up. That is found at once, does not depend on the host's time, and is not
+//! counted among the time-outs.
 
-use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use super::host_threads::{self, Sleep};
+
 /// How often a waiting actor checks a PPE thread that delays it. The thread is given up if it is
-/// asleep at two checks in a row (in a join, for example) and did not run in between.
+/// asleep at two checks in a row (in a system call, for example) and did not run in between.
 pub const POLL_INTERVAL: Duration = Duration::from_millis(25);
+/// How long after an actor has begun to wait it first asks whether all threads wait for each other.
+/// Most waits are over by then. After that it asks less and less often.
+const FIRST_LOOK: Duration = Duration::from_micros(100);
 /// A PPE thread that computes this long between two calls, or an SPE that is loaded this long
 /// without a run, is given up.
 pub const TIME_LIMIT: Duration = Duration::from_secs(2);
-
-/// How often a sleeping thread has gone to sleep, according to Linux.
-type Sleep = String;
 
 /// The time-out of an actor.
 #[derive(Debug)]
@@ -28,33 +33,60 @@ pub(super) struct Timeout {
     /// The thread's folder in /proc.
     thread: Option<PathBuf>,
     last: Option<(Instant, Sleep)>,
+    /// When to ask next whether all threads wait for each other.
+    next_look: Duration,
 }
 
-thread_local! {
-    static THIS_THREAD: Option<PathBuf> =
-        fs::read_link("/proc/thread-self").ok().map(|thread| PathBuf::from("/proc").join(thread));
+/// What is to be done about an actor that others wait for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Verdict {
+    /// Look again after this time.
+    Wait(Duration),
+    /// Ask whether all threads wait for each other.
+    Ask,
+    /// It is waited for no longer.
+    GiveUp,
 }
 
 impl Timeout {
     pub fn of_this_thread() -> Self {
-        Self {
-            since: Instant::now(),
-            // A thread that is ending has no folder, and only the time limit applies to it.
-            thread: THIS_THREAD.try_with(Clone::clone).ok().flatten(),
-            last: None,
-        }
+        // A thread that is ending has no folder, and only the time limit applies to it.
+        Self::of(host_threads::this_thread().map(host_threads::folder))
     }
 
     /// The time-out of an actor that has no thread yet.
     pub fn without_thread() -> Self {
+        Self::of(None)
+    }
+
+    fn of(thread: Option<PathBuf>) -> Self {
         Self {
             since: Instant::now(),
-            thread: None,
+            thread,
             last: None,
+            next_look: FIRST_LOOK,
         }
     }
 
-    pub fn has_expired(&mut self) -> bool {
+    /// Decides what to do about the actor.
+    pub fn look(&mut self) -> Verdict {
+        let waited = self.since.elapsed();
+        if waited >= self.next_look {
+            self.next_look = waited * 2;
+            return Verdict::Ask;
+        }
+        if self.has_expired() {
+            return Verdict::GiveUp;
+        }
+        Verdict::Wait((self.next_look - waited).min(POLL_INTERVAL))
+    }
+
+    /// Distinguishes this time-out from a later one of the same actor.
+    pub fn since(&self) -> Instant {
+        self.since
+    }
+
+    fn has_expired(&mut self) -> bool {
         let now = Instant::now();
         if now.duration_since(self.since) >= TIME_LIMIT {
             return true;
@@ -66,10 +98,7 @@ impl Timeout {
         if now.duration_since(checked) < POLL_INTERVAL {
             return false;
         }
-        let Some(sleep) = self.thread.as_deref().and_then(|thread| {
-            let status = fs::read_to_string(thread.join("status")).ok()?;
-            sleep_of(&status)
-        }) else {
+        let Some(sleep) = self.thread.as_deref().and_then(host_threads::sleep) else {
             self.last = None;
             return false;
         };
@@ -79,30 +108,11 @@ impl Timeout {
     }
 }
 
-/// The count in a thread's `status`. `None` if the thread is not asleep.
-fn sleep_of(status: &str) -> Option<Sleep> {
-    let field = |name| {
-        let line = status.lines().find(|line| line.starts_with(name))?;
-        line.split(':').nth(1).map(str::trim)
-    };
-    field("State")?
-        .starts_with('S')
-        .then(|| field("voluntary_ctxt_switches").map(str::to_owned))?
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use std::sync::mpsc;
     use std::thread;
-
-    #[test]
-    fn only_a_sleeping_thread_has_a_sleep() {
-        let status = |state| format!("Name:\tx\nState:\t{state}\nvoluntary_ctxt_switches:\t17\n");
-        assert_eq!(sleep_of(&status("S (sleeping)")), Some("17".to_owned()));
-        assert_eq!(sleep_of(&status("R (running)")), None);
-        assert_eq!(sleep_of("State:\tS (sleeping)\n"), None);
-    }
 
     #[test]
     fn a_thread_that_sleeps_for_long_is_given_up_and_one_that_computes_is_not() {

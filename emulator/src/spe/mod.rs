@@ -15,6 +15,7 @@ mod proxy;
 mod running;
 
 use std::cell::RefCell;
+use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex, Weak};
 use std::time::Instant;
 
@@ -52,6 +53,22 @@ struct Engine {
     clock: RefCell<SpuClock>,
     /// Runs compiled code, if the machine compiles.
     runner: Option<Runner>,
+}
+
+/// What a run works with.
+struct Parts<'a, 'b> {
+    spu: &'a mut Spu,
+    channels: &'a mut RunningChannels<'b>,
+    runner: Option<&'a mut Runner>,
+    clock: &'a RefCell<SpuClock>,
+}
+
+fn stop_at(pc: u32, reason: Stop) -> Stopped {
+    Stopped {
+        reason,
+        pc,
+        npc: pc,
+    }
 }
 
 /// A synergistic processor element.
@@ -129,6 +146,73 @@ impl Spe {
         observer: &mut O,
         prepare: impl FnOnce(&mut Spu),
     ) -> Option<Stopped> {
+        self.run_by(entry, prepare, |parts| {
+            let Parts {
+                spu,
+                channels,
+                runner,
+                clock,
+            } = parts;
+            let runner = runner.filter(|_| !observer.wants_all());
+            let store = &self.local_store;
+            match (&self.simulated, runner) {
+                (None, Some(runner)) => runner.run_observed(spu, store, channels, limit, observer),
+                (None, None) => spu.run_observed(store, channels, limit, observer),
+                (Some(side), runner) => {
+                    let method = side.simulation.options().method;
+                    let mut timed = Timed::new(clock, &side.actor, method, runner);
+                    timed.run(spu, store, channels, limit, observer)
+                }
+            }
+        })
+    }
+
+    /// As [`run_prepared`](Self::run_prepared), but calls `look` before each instruction, with the
+    /// clock in simulated time. It may change registers and the program counter, and take as long
+    /// as it likes: simulated time stands still meanwhile. If it breaks, the run ends before that
+    /// instruction and returns `None`.
+    pub fn run_stepwise(
+        &self,
+        entry: u32,
+        mut look: impl FnMut(&mut Spu, Option<u64>) -> ControlFlow<()>,
+        prepare: impl FnOnce(&mut Spu),
+    ) -> Option<Stopped> {
+        const ONE: u64 = 1;
+        self.run_by(entry, prepare, |parts| {
+            let Parts {
+                spu,
+                channels,
+                clock,
+                ..
+            } = parts;
+            let store = &self.local_store;
+            loop {
+                let now = self.simulated.as_ref().map(|_| clock.borrow().now());
+                if look(spu, now).is_break() {
+                    return None;
+                }
+                let stopped = match &self.simulated {
+                    None => spu.step(store, channels),
+                    Some(side) => {
+                        let method = side.simulation.options().method;
+                        let mut timed = Timed::new(clock, &side.actor, method, None);
+                        timed.run(spu, store, channels, ONE, &mut ())
+                    }
+                };
+                if stopped.is_some() {
+                    return stopped;
+                }
+            }
+        })
+    }
+
+    /// The start and the end of a run, with `run` between them.
+    fn run_by(
+        &self,
+        entry: u32,
+        prepare: impl FnOnce(&mut Spu),
+        run: impl FnOnce(Parts<'_, '_>) -> Option<Stopped>,
+    ) -> Option<Stopped> {
         let mut engine = lock(&self.engine);
         let Engine {
             spu,
@@ -147,26 +231,16 @@ impl Spe {
             spe: self,
             clock,
         };
-        let stop_at = |pc, reason| Stopped {
-            reason,
-            pc,
-            npc: pc,
-        };
         let mut stopped = if self.problem_state.stop_requested() {
             Some(stop_at(spu.pc(), Stop::Requested))
         } else {
-            let runner = runner.as_mut().filter(|_| !observer.wants_all());
-            match (&self.simulated, runner) {
-                (None, Some(runner)) => {
-                    runner.run_observed(spu, &self.local_store, &mut channels, limit, observer)
-                }
-                (None, None) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
-                (Some(side), runner) => {
-                    let method = side.simulation.options().method;
-                    let mut timed = Timed::new(clock, &side.actor, method, runner);
-                    timed.run(spu, &self.local_store, &mut channels, limit, observer)
-                }
-            }
+            let parts = Parts {
+                spu,
+                channels: &mut channels,
+                runner: runner.as_mut(),
+                clock,
+            };
+            run(parts)
         };
         if let Err(fault) = channels.finish_commands() {
             let pc = spu.pc();

@@ -8,6 +8,7 @@
 
 mod calls;
 mod engines;
+mod gdb;
 #[cfg(test)]
 mod seeds;
 
@@ -26,6 +27,7 @@ use spu_isa::{Instruction, disassemble};
 
 pub use calls::calls;
 pub use engines::engines;
+pub use gdb::gdb;
 
 /// How long a guest may run. Most stop by themselves within microseconds.
 const PATIENCE: Duration = Duration::from_millis(5);

@@ -46,10 +46,8 @@ fn both_engines() {
     });
 }
 
-/// Calls with random arguments: for a second, or for `SPU_FUZZ_SECONDS`, from `SPU_FUZZ_SEED` on.
-/// Most words are small, so that they point to the input, or are the numbers of streams.
-#[test]
-fn library_calls() {
+/// Random inputs: for a second, or for `SPU_FUZZ_SECONDS`, from `SPU_FUZZ_SEED` on.
+fn random_inputs(oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
     let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
     let end = Instant::now() + Duration::from_secs(number("SPU_FUZZ_SECONDS", 1));
     let first: u64 = number("SPU_FUZZ_SEED", 0);
@@ -58,7 +56,27 @@ fn library_calls() {
             println!("{} inputs", seed - first);
             break;
         }
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let input = input(&mut ChaCha8Rng::seed_from_u64(seed));
+        let run = std::panic::catch_unwind(|| oracle(&input));
+        assert!(run.is_ok(), "SPU_FUZZ_SEED={seed} panics");
+    }
+}
+
+/// Most packets are well-formed, and one input in eight is arbitrary bytes.
+#[test]
+fn debuggers() {
+    random_inputs(crate::gdb, |random| {
+        let mut input = vec![0; random.random_range(1..400)];
+        random.fill(&mut input[..]);
+        input[0] = random.random_ratio(7, 8).into();
+        input
+    });
+}
+
+/// Most words are small, so that they point to the input, or are the numbers of streams.
+#[test]
+fn library_calls() {
+    random_inputs(crate::calls, |random| {
         let mut input: Vec<u8> = Vec::new();
         for _ in 0..64 {
             input.push(random.random());
@@ -75,9 +93,8 @@ fn library_calls() {
                 }
             }));
         }
-        let run = std::panic::catch_unwind(|| crate::calls(&input));
-        assert!(run.is_ok(), "SPU_FUZZ_SEED={seed} panics");
-    }
+        input
+    });
 }
 
 /// Programs that nobody has kept: for some seconds, or for `SPU_FUZZ_SECONDS`, from

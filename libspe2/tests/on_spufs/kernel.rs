@@ -101,9 +101,19 @@ fn a_proxy_command_waits_for_the_run() {
         queued.store(true, SeqCst);
         got
     };
+    // Meanwhile its tag is in use and not complete, and asking for it does not wait.
+    let ask = || {
+        let mut status = u32::MAX;
+        let status_ptr = &raw mut status;
+        let read = unsafe {
+            spe_mfcio_tag_status_read(context.pointer(), 0, SPE_TAG_IMMEDIATE, status_ptr)
+        };
+        (read, status)
+    };
     let got = elsewhere(give, || {
         std::thread::sleep(std::time::Duration::from_millis(50));
         assert!(!queued.load(SeqCst));
+        assert_eq!(elsewhere(ask, || ()), (0, 0));
         context.while_it_runs(|| {
             while !queued.load(SeqCst) {
                 std::thread::yield_now();

@@ -1,10 +1,10 @@
 //! The debugger's server, with a client that speaks gdb's remote protocol.
 
-use std::io::{BufRead as _, BufReader, Read as _, Write as _};
-use std::net::TcpStream;
+use std::io::{BufRead as _, BufReader};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+
+use spu_debugger::client::{Client, from_hex};
 
 use super::support::Bench;
 
@@ -13,10 +13,12 @@ const INTERRUPT: u8 = 2;
 const ILLEGAL_INSTRUCTION: u8 = 4;
 const TRAP: u8 = 5;
 
+const PC: usize = 129;
+
 /// A program that waits for its debugger, and the connection to it.
 struct Session {
     spu: Child,
-    stream: TcpStream,
+    client: Client,
 }
 
 impl Session {
@@ -25,6 +27,7 @@ impl Session {
             .args(["run", "--gdb", "0"])
             .args(options)
             .arg(program)
+            .current_dir(program.parent().unwrap())
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
@@ -32,80 +35,49 @@ impl Session {
         let mut said = BufReader::new(spu.stderr.take().unwrap());
         said.read_line(&mut line).unwrap();
         let address = line.trim().rsplit(' ').next().unwrap();
-        let stream = TcpStream::connect(address).unwrap();
-        let patience = Some(Duration::from_secs(60));
-        stream.set_read_timeout(patience).unwrap();
-        Self { spu, stream }
+        let client = Client::connect(address).unwrap();
+        Self { spu, client }
     }
 
-    fn send(&mut self, packet: &str) {
-        let sum = packet.bytes().fold(0_u8, u8::wrapping_add);
-        write!(self.stream, "${packet}#{sum:02x}").unwrap();
-    }
-
-    fn byte(&mut self) -> u8 {
-        let mut byte = [0];
-        self.stream.read_exact(&mut byte).unwrap();
-        byte[0]
-    }
-
-    /// The next packet, which is acknowledged. A character before `*` is repeated as often as the
-    /// character behind it says.
-    fn receive(&mut self) -> String {
-        const NO_TIMES: u8 = 29;
-        while self.byte() != b'$' {}
-        let mut packet = String::new();
-        loop {
-            match self.byte() {
-                b'#' => break,
-                b'*' => {
-                    let last = packet.chars().next_back().unwrap();
-                    let times = self.byte() - NO_TIMES;
-                    packet.extend(std::iter::repeat_n(last, times.into()));
-                }
-                byte => packet.push(byte as char),
-            }
-        }
-        let _sum = [self.byte(), self.byte()];
-        self.stream.write_all(b"+").unwrap();
-        packet
+    fn ask(&mut self, packet: &str) -> String {
+        self.client.ask(packet).unwrap()
     }
 
     /// Lets the program run by `packet`, and returns the signal with which it halts.
     fn halt(&mut self, packet: &str) -> u8 {
-        self.send(packet);
+        self.client.send(packet).unwrap();
         self.halted()
     }
 
     fn halted(&mut self) -> u8 {
-        let packet = self.receive();
+        let packet = self.client.receive().unwrap();
         assert!(packet.starts_with(['S', 'T']), "{packet}");
         u8::from_str_radix(&packet[1..3], 16).unwrap()
     }
 
-    fn ask(&mut self, packet: &str) -> String {
-        self.send(packet);
-        self.receive()
+    fn interrupt(&mut self) {
+        self.client.send("c").unwrap();
+        self.client.interrupt().unwrap();
+        assert_eq!(self.halted(), INTERRUPT);
     }
 
-    /// The first word of a register, or the program counter as register 129.
     fn register(&mut self, number: usize) -> u32 {
-        let all = self.ask("g");
-        let at = if number < 128 {
-            number * 32
-        } else {
-            128 * 32 + 8
-        };
-        u32::from_str_radix(&all[at..at + 8], 16).unwrap()
+        self.client.register(number).unwrap()
     }
 
     fn pc(&mut self) -> u32 {
-        self.register(129)
+        self.register(PC)
+    }
+
+    /// Kills the program, and checks that it ends with this status.
+    fn kill(mut self) {
+        self.client.send("k").unwrap();
+        assert_eq!(self.end(), 125);
     }
 
     /// The exit status.
     fn end(mut self) -> i32 {
-        drop(self.stream);
+        drop(self.client);
         self.spu.wait().unwrap().code().unwrap()
     }
 }
@@ -174,21 +146,47 @@ fn a_transfer_is_stepped_over_and_the_clock_is_shown() {
     assert_eq!(gdb.halt("s"), TRAP);
     assert_eq!(gdb.pc(), 0x2c);
     assert_eq!(gdb.ask("m9000,10"), gdb.ask("m0,10"));
-    gdb.send("qRcmd,6379636c6573");
-    assert!(gdb.receive().starts_with('O'));
-    assert_eq!(gdb.receive(), "OK");
+    let none = gdb.client.monitor("cycles").unwrap();
+    assert!(none.contains("in simulated time"), "{none}");
     assert_eq!(gdb.ask("c"), "W00");
     assert_eq!(gdb.end(), 0);
 
     let mut gdb = Session::new(&["--timing=figures"], &program);
-    assert_eq!(gdb.halt("s"), TRAP);
-    gdb.send("qRcmd,6379636c6573");
-    let cycles = gdb.receive();
-    // `O`, digits of the clock and a line end, in hexadecimal.
-    assert!(cycles.starts_with("O3"), "{cycles}");
-    assert_eq!(gdb.receive(), "OK");
-    gdb.send("k");
-    assert_eq!(gdb.end(), 125);
+    let mut clocks = [0, 0].map(|_: u64| {
+        assert_eq!(gdb.halt("s"), TRAP);
+        let text = gdb.client.monitor("cycles").unwrap();
+        let clock = text.strip_prefix("SPE 1: ").unwrap();
+        clock.trim().parse::<u64>().unwrap()
+    });
+    clocks.sort_unstable();
+    // An instruction takes its own cycles and nothing else.
+    let step = clocks[1] - clocks[0];
+    assert!((1..40).contains(&step), "{clocks:?}");
+    gdb.kill();
+}
+
+#[test]
+fn a_debugger_takes_no_simulated_time() {
+    let bench = Bench::new();
+    let program = bench.program("dma");
+    let path = bench.path("figures");
+    let option = format!("--timing={}", path.display());
+    let options = [
+        &option,
+        "--main-memory",
+        "4K@0x60000000",
+        "--arg",
+        "0x60000000:64",
+    ];
+    bench.run(&options, &program, 0);
+    let figures = bench.read("figures");
+    let mut gdb = Session::new(&options, &program);
+    for _ in 0..5 {
+        assert_eq!(gdb.halt("s"), TRAP);
+    }
+    assert_eq!(gdb.ask("c"), "W00");
+    assert_eq!(gdb.end(), 0);
+    assert_eq!(bench.read("figures"), figures);
 }
 
 #[test]
@@ -196,11 +194,8 @@ fn a_loop_is_interrupted_and_a_fault_can_be_looked_at() {
     let bench = Bench::new();
     let endless = bench.instructions("        br      _start");
     let mut gdb = Session::new(&[], &endless);
-    gdb.send("c");
-    gdb.stream.write_all(&[3]).unwrap();
-    assert_eq!(gdb.halted(), INTERRUPT);
-    gdb.send("k");
-    assert_eq!(gdb.end(), 125);
+    gdb.interrupt();
+    gdb.kill();
 
     let invalid = bench.instructions("        il      $3,9\n        .long   0x00800000");
     let mut gdb = Session::new(&[], &invalid);
@@ -208,4 +203,86 @@ fn a_loop_is_interrupted_and_a_fault_can_be_looked_at() {
     assert_eq!(gdb.register(3), 9);
     assert_eq!(gdb.ask("c"), "X04");
     assert_eq!(gdb.end(), 121);
+}
+
+#[test]
+fn a_program_that_sleeps_is_interrupted() {
+    let bench = Bench::new();
+    // It waits for a mail, or for a tag whose status it has not asked for.
+    for (channel, options) in [(29, &[][..]), (24, &[]), (24, &["--timing=figures"])] {
+        let program = bench.instructions(&format!("        nop\n        rdch    $3,$ch{channel}"));
+        let mut gdb = Session::new(options, &program);
+        assert_eq!(gdb.halt("s"), TRAP);
+        // The first interrupt may come before the program has gone on.
+        let mut what = String::new();
+        while what != "SPE 1: waits in rdch" {
+            gdb.interrupt();
+            what = from_hex(&gdb.ask("qThreadExtraInfo,1"));
+            assert!(what.starts_with("SPE 1"), "{what}");
+        }
+        assert_eq!(gdb.pc(), 4);
+        // It is in the middle of an instruction.
+        let all = gdb.ask("g");
+        assert!(gdb.ask(&format!("G{all}")).starts_with('E'));
+        gdb.interrupt();
+        gdb.kill();
+    }
+}
+
+#[test]
+fn reads_are_watched() {
+    let bench = Bench::new();
+    let program = bench.instructions(
+        "        il      $3,5
+        lqa     $4,0x8010
+        lqa     $4,0x8000
+        stqa    $3,0x8000
+        il      $5,0
+        stqa    $5,0x9000
+        wrch    $ch17,$5
+        ila     $6,0x8000
+        wrch    $ch16,$6
+        wrch    $ch18,$5
+        il      $7,16
+        wrch    $ch19,$7
+        wrch    $ch20,$5
+        il      $8,0x20
+        wrch    $ch21,$8
+        stop    0x2000",
+    );
+    // Both a load and a put.
+    let mut gdb = Session::new(&["--main-memory", "4K@0"], &program);
+    assert_eq!(gdb.ask("Z3,8004,4"), "OK");
+    let stop = gdb.ask("c");
+    assert!(stop.contains("rwatch:8004"), "{stop}");
+    assert_eq!(gdb.pc(), 12);
+    let stop = gdb.ask("c");
+    assert!(stop.contains("rwatch:8004"), "{stop}");
+    assert_eq!(gdb.pc(), 60);
+    assert_eq!(gdb.ask("z3,8004,4"), "OK");
+    assert_eq!(gdb.ask("c"), "W00");
+    assert_eq!(gdb.end(), 0);
+    // A store, too, even one that changes nothing.
+    let mut gdb = Session::new(&["--main-memory", "4K@0"], &program);
+    assert_eq!(gdb.ask("Z4,9000,10"), "OK");
+    let stop = gdb.ask("c");
+    assert!(stop.contains("awatch:9000"), "{stop}");
+    assert_eq!(gdb.pc(), 24);
+    gdb.kill();
+}
+
+#[test]
+fn a_debugger_may_leave_and_another_may_come() {
+    let bench = Bench::new();
+    let endless = bench.instructions("        ai      $3,$3,1\n        br      _start");
+    let mut gdb = Session::new(&[], &endless);
+    assert_eq!(gdb.ask("Z0,4,4"), "OK");
+    assert_eq!(gdb.halt("c"), TRAP);
+    let address = gdb.client.address().unwrap();
+    assert_eq!(gdb.ask("D"), "OK");
+    gdb.client = Client::connect(&address).unwrap();
+    assert_eq!(gdb.halt("?"), TRAP);
+    // The breakpoint went with the debugger that set it.
+    gdb.interrupt();
+    gdb.kill();
 }

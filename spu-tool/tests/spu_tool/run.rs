@@ -19,6 +19,26 @@ fn files_by_streams_and_descriptors() {
     assert_eq!(bench.read("written.txt"), "through a file\n");
 }
 
+/// The interface of GCC's `-pg` for the SPU, and of newlib's run time for it.
+#[test]
+fn a_program_that_profiles_itself() {
+    const TICKS_PER_SECOND: &str = "79800000";
+    for options in [&[][..], &["--timing=figures"]] {
+        let bench = Bench::new();
+        let outcome = bench.run(options, &bench.program("profiled"), 0);
+        let numbers: Vec<&str> = outcome.output.split_whitespace().collect();
+        assert_eq!(numbers[0], TICKS_PER_SECOND);
+        let [process, calls] = [1, 2].map(|n: usize| numbers[n].parse::<u32>().unwrap());
+        assert!(process > 0 && calls > 0, "{}", outcome.output);
+        let file = std::fs::read(bench.path("gmon.out")).unwrap();
+        let samples = file
+            .chunks(2)
+            .map(|count| u32::from(count[0]) << 8 | u32::from(count[1]));
+        assert_eq!(file.len(), 0x1000);
+        assert!(samples.sum::<u32>() >= 5);
+    }
+}
+
 #[test]
 fn scanf_from_standard_input() {
     let bench = Bench::new();

@@ -4,6 +4,7 @@ use std::ffi::CString;
 use std::mem::MaybeUninit;
 
 use super::super::Errno;
+use super::super::cpuinfo;
 use super::super::errno::check;
 use super::super::guest::{Block, Reply};
 use super::super::stream::c_path;
@@ -23,8 +24,7 @@ pub(super) fn open(block: Block<'_>) -> Result<i32, Errno> {
     if flags & !OPEN_FLAGS != 0 {
         return Err(Errno(libc::EINVAL));
     }
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::open(path.as_ptr(), flags, mode) })
+    cpuinfo::open(&path, flags, mode)
 }
 
 pub(super) fn creat(block: Block<'_>) -> Result<i32, Errno> {

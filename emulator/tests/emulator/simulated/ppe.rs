@@ -4,7 +4,7 @@ use std::sync::{Arc, Barrier, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use spu_emulator::simulated::timeout::TIME_LIMIT;
+use spu_emulator::simulated::timeout::{POLL_INTERVAL, TIME_LIMIT};
 use spu_emulator::simulated::{PpeFigures, Simulation, ticks};
 
 use super::support::{Disturbance, Load, Machine, TIMEOUT, assemble, register, start};
@@ -140,12 +140,12 @@ fn threads_that_do_not_come_back_hold_nobody_up_for_long() {
     let image = assemble(ECHO);
     let (spe, entry) = machine.loaded(&image);
     let running = start(&spe, entry, 0, Duration::ZERO);
-    // This thread sends a mail, and then sleeps in a system call that the machine does not know
-    // of.
+    // This thread sends a mail, and then sleeps for longer than it is waited for.
     spe.write_inbound(0, None);
-    let start_of_sleep = Instant::now();
+    thread::sleep(8 * POLL_INTERVAL);
+    let start_of_join = Instant::now();
     running.end();
-    assert!(start_of_sleep.elapsed() < TIME_LIMIT);
+    assert!(start_of_join.elapsed() < TIME_LIMIT);
     assert!(machine.report().timeouts >= 1);
 }
 

@@ -27,8 +27,8 @@ pub enum RunError {
     Arguments(usize),
     #[error("--root {path}: {error}")]
     Root { path: PathBuf, error: io::Error },
-    #[error("the debugger on port {port}: {what}")]
-    Debugger { port: u16, what: String },
+    #[error("--gdb {port}: {error}")]
+    Debugger { port: u16, error: io::Error },
     #[error("can't start the thread that watches the program: {0}")]
     Thread(io::Error),
 }

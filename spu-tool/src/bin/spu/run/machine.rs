@@ -2,11 +2,13 @@
 
 use std::fs;
 use std::io::{self, Write as _};
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use spu_debugger::{Attached, Debugger, signal_of};
 use spu_emulator::elf::Image;
-use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::interp::{Observer as _, Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
@@ -17,13 +19,12 @@ use spu_emulator::ppe_call::{
 use spu_emulator::simulated::{Method, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
-use spu_isa::LIMIT_MASK;
+use spu_isa::{Instruction, LIMIT_MASK};
 use spu_reports::Figures;
 
 use super::arguments;
 use super::bench::Bench;
 use super::error::RunError;
-use super::gdb;
 use super::map::{HEAP_EA, IMAGE_EA, LOCAL_STORE_EA};
 use super::options::Options;
 use super::output::{json, write_file, write_text};
@@ -185,23 +186,20 @@ impl Machine {
     }
 
     fn run_with(&mut self, options: &Options, bench: &mut Bench<'_>) -> Result<End, RunError> {
-        let debugged = match options.gdb {
-            Some(port) => gdb::serve(port, self, bench)?,
-            None => None,
-        };
+        if let Some(port) = options.gdb {
+            return self.debug(port, bench);
+        }
         let most = options.max_instructions.unwrap_or(u64::MAX);
         if most == 0 {
             self.start();
         }
-        Ok(debugged.unwrap_or_else(|| {
-            let end = self.advance(most, bench);
-            end.unwrap_or(End::Limit(self.at))
-        }))
+        let end = self.run_limited(most, bench);
+        Ok(end.unwrap_or(End::Limit(self.at)))
     }
 
     /// Runs at most so many instructions, and handles library calls. Returns how the program
     /// ended, if it did.
-    pub fn advance(&mut self, most: u64, bench: &mut Bench<'_>) -> Option<End> {
+    fn run_limited(&mut self, most: u64, bench: &mut Bench<'_>) -> Option<End> {
         let mut left = most;
         while left > 0 {
             let before = self.spe.with_spu(Spu::executed);
@@ -211,65 +209,98 @@ impl Machine {
                     self.prepare(spu, arguments);
                 }
             });
-            self.spe.with_spu(|spu| bench.stopped(spu));
             left -= self.spe.with_spu(Spu::executed) - before;
-            if let Some((at, difference)) = self.spe.difference() {
-                return Some(End::Differs(difference, at));
-            }
-            let Some(stopped) = stopped else {
-                self.at = self.spe.with_spu(Spu::pc);
-                continue;
-            };
-            match stopped.reason {
-                Stop::Signal(code @ 0x2000..=0x20ff) => return Some(End::Exit(code as u8)),
-                Stop::Signal(code @ 0x2100..=0x21ff) => {
-                    if let Err(error) = self.call(code as u8, stopped.npc, bench) {
-                        return Some(End::Call(error, stopped.pc));
-                    }
-                    self.at = stopped.npc.wrapping_add(CALL_WORD) & LIMIT_MASK;
-                }
-                Stop::Requested => return Some(End::Asleep(stopped.pc, bench.why_asleep())),
-                _ => return Some(End::Fault(stopped)),
+            if let Some(end) = self.after(stopped, bench) {
+                return Some(end);
             }
         }
         None
     }
 
-    /// Where the program continues.
-    pub fn at(&self) -> u32 {
-        self.at
+    /// Waits for a debugger on this port and runs the program under it.
+    fn debug(&mut self, port: u16, bench: &mut Bench<'_>) -> Result<End, RunError> {
+        let debugger = Debugger::new(|| ());
+        let address = debugger
+            .listen(port)
+            .map_err(|error| RunError::Debugger { port, error })?;
+        eprintln!("spu: waiting for a debugger: target remote {address}");
+        let thread = debugger.attach(&self.spe);
+        let end = loop {
+            let stopped = self.run_under(&thread, bench);
+            if debugger.has_killed() {
+                return Ok(End::Killed(self.at));
+            }
+            let end = self.after(stopped.clone(), bench);
+            if let Some(stopped) = &stopped {
+                thread.stopped(&self.spe, stopped, end.as_ref().and_then(End::signal));
+            }
+            if let Some(end) = end {
+                break end;
+            }
+        };
+        match (&end, end.signal()) {
+            (End::Exit(status), _) => debugger.ended(spu_debugger::End::Exit(*status)),
+            (_, Some(signal)) => debugger.ended(spu_debugger::End::Signal(signal)),
+            (_, None) => {}
+        }
+        Ok(end)
     }
 
-    /// All registers.
-    pub fn registers(&mut self) -> [Quad; 128] {
-        self.start();
-        self.spe.with_spu(|spu| spu.registers)
+    /// Runs the program until it stops, and obeys the debugger before each instruction.
+    fn run_under(&mut self, thread: &Attached, bench: &mut Bench<'_>) -> Option<Stopped> {
+        let arguments = self.arguments.take();
+        let look = |spu: &mut Spu, cycles| {
+            thread.before_instruction(spu, cycles)?;
+            let word = self.local_store().load_word(spu.pc());
+            if let Some(instruction) = Instruction::decode(word) {
+                bench.before_instruction(spu, instruction);
+            }
+            ControlFlow::Continue(())
+        };
+        let stopped = self.spe.run_stepwise(self.at, look, |spu| {
+            if let Some(arguments) = &arguments {
+                self.prepare(spu, arguments);
+            }
+        });
+        self.at = stopped
+            .as_ref()
+            .map_or_else(|| self.spe.with_spu(Spu::pc), |stopped| stopped.npc);
+        stopped
     }
 
-    /// Sets all registers, and where the program continues.
-    pub fn set_registers(&mut self, values: &[Quad; 128], pc: u32) {
-        self.start();
-        self.at = pc & LIMIT_MASK & !3;
-        self.without_running(|spu| spu.registers = *values);
+    /// The SPU has stopped, or can continue. Carries out a library call. Returns how the program
+    /// ended, if it did.
+    fn after(&mut self, stopped: Option<Stopped>, bench: &mut Bench<'_>) -> Option<End> {
+        self.spe.with_spu(|spu| bench.stopped(spu));
+        if let Some((at, difference)) = self.spe.difference() {
+            return Some(End::Differs(difference, at));
+        }
+        let Some(stopped) = stopped else {
+            self.at = self.spe.with_spu(Spu::pc);
+            return None;
+        };
+        match stopped.reason {
+            Stop::Signal(code @ 0x2000..=0x20ff) => return Some(End::Exit(code as u8)),
+            Stop::Signal(code @ 0x2100..=0x21ff) => {
+                if let Err(error) = self.call(code as u8, stopped.npc, bench) {
+                    return Some(End::Call(error, stopped.pc));
+                }
+                self.at = stopped.npc.wrapping_add(CALL_WORD) & LIMIT_MASK;
+            }
+            Stop::Requested => return Some(End::Asleep(stopped.pc, bench.why_asleep())),
+            _ => return Some(End::Fault(stopped)),
+        }
+        None
     }
 
     /// Gives the registers their first values, if no instruction has run.
     fn start(&mut self) {
         if let Some(arguments) = self.arguments.take() {
-            self.without_running(|spu| self.prepare(spu, &arguments));
+            const NO_INSTRUCTIONS: u64 = 0;
+            let prepare = |spu: &mut Spu| self.prepare(spu, &arguments);
+            self.spe
+                .run_observed(self.at, NO_INSTRUCTIONS, &mut (), prepare);
         }
-    }
-
-    fn without_running(&self, change: impl FnOnce(&mut Spu)) {
-        const NO_INSTRUCTIONS: u64 = 0;
-        self.spe
-            .run_observed(self.at, NO_INSTRUCTIONS, &mut (), change);
-    }
-
-    /// The clock of simulated time.
-    pub fn cycles(&self) -> Option<u64> {
-        let report = self.spe.simulation()?.report();
-        report.spes.first().map(|spe| spe.clock)
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
@@ -332,6 +363,18 @@ fn registers(spu: &Spu) -> String {
 }
 
 impl End {
+    /// gdb's number of the signal with which the program ends, if it fails.
+    fn signal(&self) -> Option<u8> {
+        const SIGABRT: u8 = 6;
+        const SIGSYS: u8 = 12;
+        match self {
+            Self::Fault(stopped) => Some(signal_of(&stopped.reason).unwrap_or(SIGABRT)),
+            Self::Call(..) => Some(SIGSYS),
+            Self::Limit(_) | Self::Asleep(..) | Self::Differs(..) => Some(SIGABRT),
+            Self::Exit(_) | Self::Killed(_) => None,
+        }
+    }
+
     /// Reports a fault on standard error and returns the exit status.
     pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
         let (message, at, status) = match self {

@@ -58,6 +58,8 @@ pub struct Mailboxes {
     /// In simulated time, the PPE's calls happen at simulated times for which the SPU's own thread
     /// can't wait. No words are then exchanged, and the options exclude each other.
     closed: bool,
+    /// A debugger can interrupt a program that waits for ever.
+    debugged: bool,
 }
 
 impl Mailboxes {
@@ -72,6 +74,7 @@ impl Mailboxes {
             interrupt: output(&options.out_intr_mbox)?,
             stuck: None,
             closed: options.timing.is_some(),
+            debugged: options.gdb.is_some(),
         })
     }
 
@@ -117,7 +120,7 @@ impl Mailboxes {
             ),
             _ => None,
         };
-        if self.stuck.is_some() {
+        if self.stuck.is_some() && !self.debugged {
             spe.request_stop();
         }
     }

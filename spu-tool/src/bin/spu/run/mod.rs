@@ -3,7 +3,6 @@
 mod arguments;
 mod bench;
 mod error;
-mod gdb;
 mod machine;
 mod mailboxes;
 mod map;

@@ -163,8 +163,12 @@ impl Options {
         }
     }
 
+    /// How long a program may sleep. A debugger can interrupt it.
     pub fn patience(&self) -> Duration {
-        Duration::from_secs(self.patience)
+        match self.gdb {
+            Some(_) => Duration::MAX,
+            None => Duration::from_secs(self.patience),
+        }
     }
 }
 

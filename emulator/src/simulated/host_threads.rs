@@ -1,0 +1,111 @@
+//! The process's threads, as Linux shows them: who sleeps until another thread wakes him.
+//!
+//! Known weakness: under QEMU, Linux shows the host's system calls, whose numbers may be others.
+//! Then nobody is found to wait for a thread, and only time-outs are left.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const TASKS: &str = "/proc/self/task";
+
+/// A thread's number.
+pub(super) type ThreadId = u32;
+
+thread_local! {
+    static THIS_THREAD: Option<ThreadId> = this_thread_of_linux();
+}
+
+fn this_thread_of_linux() -> Option<ThreadId> {
+    let link = fs::read_link("/proc/thread-self").ok()?;
+    link.file_name()?.to_str()?.parse().ok()
+}
+
+/// This thread's number. A thread that is ending has none.
+pub(super) fn this_thread() -> Option<ThreadId> {
+    THIS_THREAD.try_with(Clone::clone).ok().flatten()
+}
+
+/// A thread's folder.
+pub(super) fn folder(thread: ThreadId) -> PathBuf {
+    Path::new(TASKS).join(thread.to_string())
+}
+
+/// How often a sleeping thread has gone to sleep.
+pub(super) type Sleep = String;
+
+/// The sleep of the thread with this folder. `None` if it is not asleep.
+pub(super) fn sleep(folder: &Path) -> Option<Sleep> {
+    sleep_of(&fs::read_to_string(folder.join("status")).ok()?)
+}
+
+/// The count in a thread's `status`. `None` if the thread is not asleep.
+fn sleep_of(status: &str) -> Option<Sleep> {
+    let field = |name| {
+        let line = status.lines().find(|line| line.starts_with(name))?;
+        line.split(':').nth(1).map(str::trim)
+    };
+    field("State")?
+        .starts_with('S')
+        .then(|| field("voluntary_ctxt_switches").map(str::to_owned))?
+}
+
+/// Whether a thread's `syscall` is a wait for another thread that has no time limit: in a lock, a
+/// condition, a barrier or a join.
+fn waits_for_a_thread(syscall: &str) -> bool {
+    let mut words = syscall.split_ascii_whitespace();
+    let number = words.next().and_then(|number| number.parse().ok());
+    const TIME_LIMIT: usize = 3;
+    number == Some(libc::SYS_futex) && words.nth(TIME_LIMIT) == Some("0x0")
+}
+
+/// The sleeps of all threads but `others` and this one. `None` if one of them could go on without
+/// being woken.
+fn sleeps(others: &[ThreadId]) -> Option<Vec<(PathBuf, Sleep)>> {
+    let this = this_thread()?;
+    let mut sleeps = Vec::new();
+    for entry in fs::read_dir(TASKS).ok()? {
+        let folder = entry.ok()?.path();
+        let thread = folder.file_name()?.to_str()?.parse().ok()?;
+        if thread == this || others.contains(&thread) {
+            continue;
+        }
+        let sleep = sleep(&folder)?;
+        if !waits_for_a_thread(&fs::read_to_string(folder.join("syscall")).ok()?) {
+            return None;
+        }
+        sleeps.push((folder, sleep));
+    }
+    Some(sleeps)
+}
+
+/// Whether all threads sleep until another thread wakes them, but `others` and this one. Then none
+/// of them goes on before one of these does, unless the process gets a signal.
+///
+/// A thread may wake one that was looked at before. So all are looked at twice, and count only if
+/// they slept in between.
+pub(super) fn all_wait(others: &[ThreadId]) -> bool {
+    let first = sleeps(others);
+    first.is_some() && first == sleeps(others)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_sleeping_thread_has_a_sleep() {
+        let status = |state| format!("Name:\tx\nState:\t{state}\nvoluntary_ctxt_switches:\t17\n");
+        assert_eq!(sleep_of(&status("S (sleeping)")), Some("17".to_owned()));
+        assert_eq!(sleep_of(&status("R (running)")), None);
+        assert_eq!(sleep_of("State:\tS (sleeping)\n"), None);
+    }
+
+    #[test]
+    fn a_wait_with_a_time_limit_is_no_wait_for_a_thread() {
+        let futex = |limit: &str| format!("{} 0x7f00 0x189 0x0 {limit} 0x0", libc::SYS_futex);
+        assert!(waits_for_a_thread(&futex("0x0")));
+        assert!(!waits_for_a_thread(&futex("0x7ffe1230")));
+        assert!(!waits_for_a_thread("running"));
+        assert!(!waits_for_a_thread("-1 0x7ffe 0x7ffe"));
+    }
+}
