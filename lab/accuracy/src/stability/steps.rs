@@ -11,6 +11,7 @@ use protocol::layout::{
     Candidate, Light, Material, Object, QueuedRay, RayPacket, Shear, Site, Surfaces,
 };
 use twins::Single;
+use twins::bounce::{CHAIN_STEP, Limits};
 use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
@@ -153,13 +154,16 @@ pub fn leave(
     let queue = put(bench, &[QueuedRay::new_zeroed(); 17]);
     for (number, (surfaces, shadow)) in found.iter().zip(&shadows).enumerate() {
         let mut queued = |kernel| {
-            let arguments = [address::<Site>(sites, number), 1, queue.address, 0];
+            let Limits { least, deepest } = Limits::NONE;
+            let site = address::<Site>(sites, number);
+            let arguments = [site, 1, queue.address, least, deepest];
             let end = bench.call(kernel, &arguments).value;
             let count = (end - queue.address) as usize / size_of::<QueuedRay>();
             let mut lanes = [None; 16];
             for ray in &bench.read_all::<QueuedRay>(queue)[..count] {
                 let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(bits));
-                lanes[ray.pixel.get() as usize] = Some(fresh(origin, direction));
+                let lane = ray.pixel.get() - CHAIN_STEP;
+                lanes[lane as usize] = Some(fresh(origin, direction));
             }
             lanes
         };

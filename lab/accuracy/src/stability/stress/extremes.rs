@@ -20,7 +20,7 @@ use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::single::bits;
 use rand::{Rng as _, SeedableRng as _};
 use twins::Single;
-use twins::bounce::{Bounce, Limits, Queued};
+use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
 use twins::pairs::Sides;
 use twins::rectangle::Rectangle;
 use twins::reflect::reflect;
@@ -241,7 +241,8 @@ impl Bounces {
         let queue = |kernel: &str, bench: &mut Bench| -> [Option<Queued>; 16] {
             let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;
             let queued = sites.queued(bench, end);
-            std::array::from_fn(|lane| queued.iter().find(|ray| ray.pixel == lane as u32).copied())
+            let of_lane = |ray: &&Queued, lane| ray.pixel == lane as u32 + CHAIN_STEP;
+            std::array::from_fn(|lane| queued.iter().find(|ray| of_lane(ray, lane)).copied())
         };
         let back = queue("reflect_r16", bench);
         let through = queue("refract_r16", bench);

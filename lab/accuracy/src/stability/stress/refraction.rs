@@ -8,7 +8,7 @@ use kernels::single::bits;
 use kernels::vector::{Vector, dot, unit};
 use rand::{Rng as _, SeedableRng as _};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bounce::{Bounce, Limits};
+use twins::bounce::{Bounce, CHAIN_STEP, Limits};
 use twins::{ONE, Single};
 
 use crate::space::{along, direction};
@@ -158,7 +158,9 @@ impl Critical {
             .map(|share| to_f64(bits(share)));
         for (hit, mirror) in packet.iter().zip(mirrors) {
             let truth = truth(hit);
-            let ray = queued.iter().find(|ray| ray.pixel == hit.pixel);
+            let ray = queued
+                .iter()
+                .find(|ray| ray.pixel == hit.pixel + CHAIN_STEP);
             let input = || {
                 let words = [
                     &hit.direction[..],
