@@ -167,7 +167,10 @@ fn every_path_in_backquotes_exists() {
             }
             let exists = match name {
                 "" if !is_below_a_folder(path) => continue,
-                "" => root().join(path).exists(),
+                // From the repository's root or from the document's folder.
+                "" => [Path::new(""), document.parent().unwrap()]
+                    .iter()
+                    .any(|folder| root().join(folder).join(path).exists()),
                 // A function: `engine.rs: Engine::start`. The folder may be left out.
                 _ if path.contains('.') && !name.contains(' ') => all.iter().any(|file| {
                     let function = name.rsplit("::").next().unwrap_or(name);
