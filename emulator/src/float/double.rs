@@ -7,6 +7,7 @@
 //! available, so here they treat operands as the other instructions do.
 
 use super::fpscr::{Flags, Rounding};
+use super::host_double;
 use super::softfloat::{DOUBLE, Format, Number, SINGLE, Value, unpack};
 use std::cmp::Ordering;
 
@@ -93,6 +94,11 @@ fn raise((value, raised): (u64, Flags), flags: Flags) -> (u64, Flags) {
 /// `a + b`
 #[must_use]
 pub fn dfa(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
+    if rounding == Rounding::NearestEven
+        && let Some(sum) = host_double::sum(a, b)
+    {
+        return sum;
+    }
     let mut flags = Flags::NONE;
     let a = operand(DOUBLE, a, &mut flags);
     let b = operand(DOUBLE, b, &mut flags);
@@ -108,6 +114,11 @@ pub fn dfs(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
 /// `a * b`
 #[must_use]
 pub fn dfm(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
+    if rounding == Rounding::NearestEven
+        && let Some(product) = host_double::product(a, b)
+    {
+        return product;
+    }
     let mut flags = Flags::NONE;
     let a = operand(DOUBLE, a, &mut flags);
     let b = operand(DOUBLE, b, &mut flags);
@@ -124,6 +135,11 @@ pub fn dfm(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
 /// `a * b + t`
 #[must_use]
 pub fn dfma(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
+    if rounding == Rounding::NearestEven
+        && let Some(fused) = host_double::fused(a, b, t)
+    {
+        return fused;
+    }
     let mut flags = Flags::NONE;
     let a = operand(DOUBLE, a, &mut flags);
     let b = operand(DOUBLE, b, &mut flags);

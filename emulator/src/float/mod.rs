@@ -2,14 +2,14 @@
 //!
 //! These functions know neither registers nor instruction words. The interpreter calls them, and
 //! so may any test or twin of a kernel that has to agree with the SPU bit for bit. Nothing here
-//! depends on the host's rounding mode or on its treatment of NaN payloads. Of the host's `f32`
-//! and `f64` arithmetic, only correctly rounded sums, exact products and exact conversions are
-//! used.
+//! depends on the host's treatment of NaN payloads. Of its `f32` and `f64` arithmetic, only
+//! correctly rounded sums and products, fused or not, and exact conversions are used.
 
 pub mod convert;
 pub mod double;
 pub mod estimate;
 pub mod fpscr;
+mod host_double;
 pub mod ordinary;
 #[cfg_attr(target_arch = "x86_64", path = "sign_x86_64.rs")]
 mod sign;

@@ -215,7 +215,9 @@ fn edges_by_edges() {
 fn random_operands(random: &mut Random) -> [u64; 3] {
     let [a, b, c] = [random.next(), random.next(), random.next()];
     let moderate = |x: u64| x & 0x801f_ffff_ffff_ffff | 0x3fe0_0000_0000_0000;
-    match random.below(5) {
+    // Sums and products of numbers of few digits are often exact.
+    let short = |x: u64| moderate(x) & 0xffff_ffc0_0000_0000;
+    match random.below(6) {
         0 => [a, b, c],
         1 => [moderate(a), moderate(b), moderate(c)],
         2 => [a, a ^ SIGN ^ b & 0xff, a ^ SIGN ^ c & 0x3f_ffff_ffff_ffff],
@@ -223,6 +225,7 @@ fn random_operands(random: &mut Random) -> [u64; 3] {
             let (product, _) = double::dfm(a, b, Rounding::TowardZero);
             [a, b, (product ^ SIGN).wrapping_add(c % 5).wrapping_sub(2)]
         }
+        4 => [short(a), short(b), short(c)],
         // Products near the smallest numbers.
         _ => [
             a & 0x800f_ffff_ffff_ffff | (0x1f0 + (c & 0x1f)) << 52,
