@@ -25,6 +25,7 @@ use std::time::{Duration, Instant};
 
 use gdbstub::common::Tid;
 use spu_emulator::interp::Spu;
+use spu_emulator::simulated::HelperThread;
 use spu_emulator::spe::Spe;
 use spu_emulator::stop::{Stop, Stopped};
 
@@ -83,6 +84,7 @@ impl Debugger {
         self.lock().halted = true;
         let debugger = Arc::clone(self);
         let serve = move || {
+            let _helper = HelperThread::current();
             for stream in listener.incoming().flatten() {
                 // A connection that fails is over, and the next one is served.
                 let _ = stream.set_nodelay(true);

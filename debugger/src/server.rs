@@ -9,6 +9,7 @@ use gdbstub::common::{Signal, Tid};
 use gdbstub::conn::Connection;
 use gdbstub::stub::state_machine::GdbStubStateMachine as Machine;
 use gdbstub::stub::{DisconnectReason, GdbStub, MultiThreadStopReason};
+use spu_emulator::simulated::HelperThread;
 
 use crate::state::Halt;
 use crate::target::Target;
@@ -46,6 +47,7 @@ impl<W: Write> Connection for Output<W> {
 /// Passes on what the debugger sends, from a thread of its own.
 fn receive(mut reader: impl Read + Send + 'static, to: Sender<Event>) -> io::Result<()> {
     let receive = move || {
+        let _helper = HelperThread::current();
         let mut bytes = [0; 4096];
         while let Ok(length @ 1..) = reader.read(&mut bytes) {
             if to.send(Event::Received(bytes[..length].to_vec())).is_err() {

@@ -13,7 +13,7 @@ use super::check::Difference;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
 use crate::local_store::LocalStore;
 use crate::lock::lock;
-use crate::simulated::Path;
+use crate::simulated::{HelperThread, Path};
 
 /// The most units that may start at one address. Code that is rewritten again and again is not
 /// worth more.
@@ -112,6 +112,7 @@ impl Translations {
         let shared = Arc::clone(&self.shared);
         // The thread ends when the translations, and with them the sender, are dropped.
         let compile = move || {
+            let _helper = HelperThread::current();
             for (trace, mode) in requests {
                 shared.compile(trace, mode);
             }

@@ -5,6 +5,9 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use crate::lock::lock;
 
 const TASKS: &str = "/proc/self/task";
 
@@ -23,6 +26,30 @@ fn this_thread_of_linux() -> Option<ThreadId> {
 /// This thread's number. A thread that is ending has none.
 pub(super) fn this_thread() -> Option<ThreadId> {
     THIS_THREAD.try_with(Clone::clone).ok().flatten()
+}
+
+/// The threads of all [`HelperThread`]s.
+static HELPERS: Mutex<Vec<ThreadId>> = Mutex::new(Vec::new());
+
+/// While it lives, the thread that created it is known to act for no PPE thread and to wake none.
+/// So simulated time does not wait for what it does: it compiles, or it serves a debugger.
+#[derive(Debug)]
+pub struct HelperThread(Option<ThreadId>);
+
+impl HelperThread {
+    /// The current thread is such a thread from now on.
+    #[must_use]
+    pub fn current() -> Self {
+        let thread = this_thread();
+        lock(&HELPERS).extend(thread);
+        Self(thread)
+    }
+}
+
+impl Drop for HelperThread {
+    fn drop(&mut self) {
+        lock(&HELPERS).retain(|&thread| Some(thread) != self.0);
+    }
 }
 
 /// A thread's folder.
@@ -58,34 +85,70 @@ fn waits_for_a_thread(syscall: &str) -> bool {
     number == Some(libc::SYS_futex) && words.nth(TIME_LIMIT) == Some("0x0")
 }
 
-/// The sleeps of all threads but `others` and this one. `None` if one of them could go on without
-/// being woken.
-fn sleeps(others: &[ThreadId]) -> Option<Vec<(PathBuf, Sleep)>> {
+/// What threads do while one of them is waited for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Sleeps {
+    /// Of those that are not behind it.
+    others: Vec<(PathBuf, Sleep)>,
+    /// Of those behind it. `None` if one of them is running.
+    behind: Option<Vec<(PathBuf, Sleep)>>,
+}
+
+/// The sleeps of all threads but helpers and this one. `None` if one of them could go on without
+/// being woken, unless it is in `behind`.
+fn sleeps(behind: &[ThreadId]) -> Option<Sleeps> {
     let this = this_thread()?;
-    let mut sleeps = Vec::new();
+    let helpers = lock(&HELPERS).clone();
+    let mut sleeps = Sleeps {
+        others: Vec::new(),
+        behind: Some(Vec::new()),
+    };
     for entry in fs::read_dir(TASKS).ok()? {
         let folder = entry.ok()?.path();
         let thread = folder.file_name()?.to_str()?.parse().ok()?;
-        if thread == this || others.contains(&thread) {
+        if thread == this || helpers.contains(&thread) {
             continue;
         }
-        let sleep = sleep(&folder)?;
+        let sleep = sleep(&folder);
+        if behind.contains(&thread) {
+            match (sleep, &mut sleeps.behind) {
+                (Some(sleep), Some(all)) => all.push((folder, sleep)),
+                _ => sleeps.behind = None,
+            }
+            continue;
+        }
+        let sleep = sleep?;
         if !waits_for_a_thread(&fs::read_to_string(folder.join("syscall")).ok()?) {
             return None;
         }
-        sleeps.push((folder, sleep));
+        sleeps.others.push((folder, sleep));
     }
     Some(sleeps)
 }
 
-/// Whether all threads sleep until another thread wakes them, but `others` and this one. Then none
-/// of them goes on before one of these does, unless the process gets a signal.
+/// Who might wake a thread that is waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wakers {
+    /// Nobody: all other threads sleep until another thread wakes them, or until it acts. This is
+    /// certain, unless the process gets a signal.
+    Nobody,
+    /// A thread behind it, which is running and may hold a lock for a moment.
+    Behind,
+    /// Any thread.
+    Anybody,
+}
+
+/// Who might wake a thread that is waited for. The threads `behind` it do not act before it does,
+/// and helpers and this one wake nobody.
 ///
 /// A thread may wake one that was looked at before. So all are looked at twice, and count only if
 /// they slept in between.
-pub(super) fn all_wait(others: &[ThreadId]) -> bool {
-    let first = sleeps(others);
-    first.is_some() && first == sleeps(others)
+pub(super) fn wakers(behind: &[ThreadId]) -> Wakers {
+    match (sleeps(behind), sleeps(behind)) {
+        (Some(first), Some(second)) if first == second && first.behind.is_some() => Wakers::Nobody,
+        (Some(first), Some(second)) if first.others == second.others => Wakers::Behind,
+        _ => Wakers::Anybody,
+    }
 }
 
 #[cfg(test)]

@@ -46,6 +46,7 @@ mod transfers;
 pub use actor_table::WaitKey;
 pub use check::Difference;
 pub use figures::{MemoryFigures, Method, PpeFigures, SimulationOptions, Timing};
+pub use host_threads::HelperThread;
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, Tenths, cycle_of_tick, ticks};

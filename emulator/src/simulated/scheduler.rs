@@ -17,7 +17,7 @@ use portable_atomic::AtomicU64;
 
 use super::actor_table::{ActorTable, Entry, Rank, Runner, Status, WaitKey};
 use super::arrivals::Arrivals;
-use super::host_threads;
+use super::host_threads::{self, Wakers};
 use super::time::NEVER;
 use super::timeout::{Timeout, Verdict};
 use crate::lock::lock;
@@ -141,19 +141,26 @@ impl Scheduler {
         self.call_next(table);
     }
 
-    /// Gives the leader up if all threads of the process wait for each other. Meanwhile the table
-    /// is not locked, because a thread that waits for the lock would seem to wait for others.
+    /// Gives the leader up if all threads of the process wait for each other, or if it has
+    /// `expired`. That counts as a time-out if another thread might still wake the leader, except
+    /// those behind it: they can't before it acts, but for a moment in which one holds a lock.
+    ///
+    /// Meanwhile the table is not locked, because a thread that waits for the lock would seem to
+    /// wait for others.
     fn ask_about<'a>(
         &'a self,
         mut table: MutexGuard<'a, ActorTable>,
         leader: Rank,
+        expired: bool,
     ) -> MutexGuard<'a, ActorTable> {
         let behind = table.threads_behind(leader);
         let since = table.timeout(leader).map(|timeout| timeout.since());
         drop(table);
-        let certain = host_threads::all_wait(&behind);
+        let wakers = host_threads::wakers(&behind);
         let mut table = lock(&self.table);
-        if certain && since == table.timeout(leader).map(|timeout| timeout.since()) {
+        let is_the_same = since == table.timeout(leader).map(|timeout| timeout.since());
+        if is_the_same && (expired || wakers == Wakers::Nobody) {
+            table.timeouts += u64::from(wakers == Wakers::Anybody);
             self.give_up(&mut table, leader);
         }
         table
@@ -187,12 +194,11 @@ impl Scheduler {
                     None => {}
                     Some(Verdict::Wait(time)) => limit = Some(time),
                     Some(Verdict::Ask) => {
-                        table = self.ask_about(table, rank);
+                        table = self.ask_about(table, rank, false);
                         continue;
                     }
                     Some(Verdict::GiveUp) => {
-                        table.timeouts += 1;
-                        self.give_up(&mut table, rank);
+                        table = self.ask_about(table, rank, true);
                         continue;
                     }
                 },
