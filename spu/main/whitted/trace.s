@@ -35,8 +35,6 @@ plans_end:                              # the address after the last plan
         .skip   16
 sheared:                                # objects that need their packets' shears
         .skip   16
-fan:                                    # whether all rays go through one point
-        .skip   16
 of_eye:                                 # whether the rays are primary rays
         .skip   16
 along:                                  # the input of cull_faces
@@ -51,6 +49,8 @@ to_shear:                               # whether the packets' shears are still 
         .skip   16
 held:   .skip   16                      # the count of candidates meanwhile
 most_here:                              # how many packets may traverse the tree at once
+        .skip   16
+first_here:                             # the first packet that traverses it
         .skip   16
 culled:                                 # the calls' counts, until they are added up
         .skip   16
@@ -67,11 +67,11 @@ first_candidate:
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
-# For each tree: the test, the size of an object, whether it is flat, the test for primary rays.
+# For each tree: the test, the size of an object, -1 if it is flat, the test for primary rays.
 kernels:
         .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
-        .int    isect_rectangle_pairs_r16,RECT_SIZE,1,isect_rectangle_pairs_r16
-        .int    isect_triangles,TRI_SIZE,1,isect_triangles
+        .int    isect_rectangle_pairs_r16,RECT_SIZE,-1,isect_rectangle_pairs_r16
+        .int    isect_triangles,TRI_SIZE,-1,isect_triangles
         .int    isect_cone_pairs_r16,CONE_SIZE,0,isect_cone_pairs_r16
 
 # bvhs_plan   makes the plans for the frame's trees
@@ -228,6 +228,14 @@ endfunction bvhs_plan
         stqa    $t_sum,\name
 .endm
 
+# The packets that are being traced.
+.macro  packets_address out:req, t_other:req, t_first:req
+        ila     \out,arena+BATCH_RAYS
+        ila     \t_other,arena+SHADOW_RAYS
+        ceqi    \t_first,$w_packets,0
+        selb    \out,\t_other,\out,\t_first
+.endm
+
 # The depth from which on rays are scattered: eye rays are not, but what curved surfaces send on is.
         .set    SCATTERED_DEPTH,2
 # The levels of a tree from which on it pays to test scattered shadow rays themselves, unless its
@@ -238,12 +246,14 @@ endfunction bvhs_plan
 #   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1, $5 through what
 #           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which
 #           they go
-#   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
+#   Uses    $3-$79, w_packets, w_traced, w_plan, w_after, w_here, w_left
 #
 # The cones of scattered rays let through nearly everything. So the children of nodes that pass are
 # tested with the rays themselves, if the tree has enough levels for that to pay.
 #
-# Calls are hinted, because with so few packets for each call, mispredictions would matter.
+# With so few packets for each call, mispredicted branches would matter. So calls are hinted, and
+# where to go on after a call is computed before it: as an address in w_after, which is hinted when
+# the call returns. If that is a kernel's address, the link register has been set for it.
 function packets_trace
         hbrr    bound_call,bound_fan_r16
         enter
@@ -272,7 +282,9 @@ function packets_trace
         ila     $amount,eye
         selb    $6,$amount,$6,$counts
         cgti    $counts,$5,-1
-        stqa    $counts,fan
+        ila     $w_after,bound_origins_r16
+        ila     $amount,bounded
+        selb    $w_after,$w_after,$amount,$counts
         ceqi    $counts,$5,0
         stqa    $counts,of_eye
         ila     $5,arena+BATCH_BOUNDS
@@ -284,122 +296,173 @@ function packets_trace
         ila     $w_plan,plans
 bound_call:
         brsl    $lr,bound_fan_r16
-        lqa     $counts,fan
-        brz     $counts,from_all_over
-spheres: brz     $g_skip,open
-bounded:
+        hbr     fan_end,$w_after
+        # Without a point that all rays go through, their origins are bounded, too.
         lqa     $c_more,sheared
+        packets_address $3,$4,$5
+        ori     $4,$w_traced,0
+        ila     $5,arena+BATCH_BOUNDS
+        ila     $lr,bounded
         il      $t_sum,0
         stqa    $t_sum,culled
         stqa    $t_sum,tested
         stqa    $t_sum,possible
         stqa    $c_more,to_shear
+fan_end:
+        bi      $w_after
+bounded:
+        brz     $g_skip,open
 next_tree:
         lqa     $c_more,plans_end
-        il      $w_first,0
-        stqa    $w_traced,most_here
-        ceq     $c_more,$c_more,$w_plan
-        brnz    $c_more,traced
-next_packets:
-        lqa     $w_here,most_here
         lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
-        sf      $amount,$w_first,$w_traced
-        minimum $w_here,$w_here,$amount,$c_more
+        lqa     $t_sum,possible
+        stqa    $w_traced,most_here
+        il      $amount,0
+        stqa    $amount,first_here
+        ceq     $c_more,$c_more,$w_plan
+        a       $3,$plan,$w_packets
+        mpyu    $4,$sizes,$w_traced                     # candidates
+        rotqbyi $counts,$sizes,PLAN_objects-PLAN_roots
         rotqbyi $w_left,$plan,PLAN_levels
-        mpyu    $4,$sizes,$w_here                       # candidates
-        mpyu    $3,$sizes,$w_first
-        a       $plan,$plan,$w_packets
-        shli    $3,$3,CANDIDATE_SIZE_LOG2
-        a       $3,$3,$plan
-        brz     $w_left,found
+        mpyu    $counts,$counts,$w_traced
+        ori     $w_here,$w_traced,0
+        brnz    $c_more,traced
+        a       $t_sum,$t_sum,$counts
+        stqa    $t_sum,possible
+        brz     $w_left,at_objects
 next_level:
         hbrr    cull_call,cull_nodes
         lqd     $kinds,PLAN_bounced($w_plan)
+        lqd     $sizes,PLAN_roots($w_plan)
         lqa     $counts,lanes
+        lqa     $t_sum,culled
         andi    $even,$w_left,1
+        ila     $w_after,found
+        ila     $t_list,flat
+        rotqbyi $sizes,$sizes,PLAN_flat-PLAN_roots
+        ceqi    $amount,$w_left,1
         ila     $5,arena+OBJECT_LIST
-        ila     $t_list,arena+NODE_LISTS
         ceqi    $even,$even,0
+        selb    $t_list,$w_after,$t_list,$sizes
+        ila     $w_after,next_level
+        selb    $w_after,$w_after,$t_list,$amount
+        ila     $t_list,arena+NODE_LISTS
         il      $c_over,OBJECT_LIST_NODES
         il      $amount,NODE_LIST_NODES
         selb    $5,$5,$t_list,$even
         selb    $c_over,$c_over,$amount,$even
-        stqa    $5,level_list
-        tally   culled,$4
-        cgt     $c_over,$4,$c_over
         rotqby  $6,$kinds,$counts
+        stqa    $5,level_list
+        a       $t_sum,$t_sum,$4
+        cgt     $c_over,$4,$c_over
+        stqa    $t_sum,culled
+        ila     $t_list,filter_children_r16
+        ceqi    $amount,$6,0
         brnz    $c_over,crowded
-roomy:
+roomy:  selb    $w_after,$t_list,$w_after,$amount
 cull_call:
         brsl    $lr,cull_nodes
+        hbr     level_end,$w_after
         lqa     $5,level_list
-        lqd     $kinds,PLAN_bounced($w_plan)
-        lqa     $counts,lanes
-        sf      $4,$5,$3
         ai      $w_left,$w_left,-1
-        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-        rotqby  $kinds,$kinds,$counts
+        ila     $lr,filtered
+        # A hint must be eight instructions before its branch.
+        nop     $2
+        lnop
+        sf      $4,$5,$3
         ori     $3,$5,0
-        brnz    $kinds,filter
-passed: brnz    $w_left,next_level
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+level_end:
+        bi      $w_after
+filtered:
+        lqd     $sizes,PLAN_roots($w_plan)
+        lqa     $5,level_list
+        rotqbyi $even,$sizes,PLAN_flat-PLAN_roots
+        sf      $4,$5,$3
+        ori     $3,$5,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        brnz    $w_left,next_level
+        brnz    $even,flat
 found:
         # From here on the candidates are objects.
+        hbrr    tree_done,next_tree
         lqd     $sizes,PLAN_roots($w_plan)
         lqd     $plan,0($w_plan)
         lqa     $counts,of_eye
-        lqa     $t_sum,possible
-        rotqbyi $even,$sizes,PLAN_flat-PLAN_roots
-        brnz    $even,flat
+        lqa     $t_sum,tested
+        brz     $4,none_found
         rotqbyi $amount,$sizes,PLAN_eye_test-PLAN_roots
         rotqbyi $plan,$plan,PLAN_test
         selb    $plan,$plan,$amount,$counts
         hbr     test_call,$plan
-        rotqbyi $counts,$sizes,PLAN_objects-PLAN_roots
-        mpyu    $counts,$counts,$w_here
-        a       $t_sum,$t_sum,$counts
-        stqa    $t_sum,possible
-        brz     $4,none_found
-        tally   tested,$4
+        a       $t_sum,$t_sum,$4
+        stqa    $t_sum,tested
         phase_ends $g_ticks_cull,$amount
 test_call:
         bisl    $lr,$plan
+tests_done:
         hbrr    tree_done,next_tree
         phase_ends $g_ticks_isect,$amount
 none_found:
-        a       $w_first,$w_first,$w_here
-        cgt     $c_more,$w_traced,$w_first
-        brnz    $c_more,next_packets
+        ceq     $c_more,$w_here,$w_traced
         ai      $w_plan,$w_plan,PLAN_SIZE
+        brz     $c_more,in_parts
 tree_done:
         br      next_tree
 
-filter: brsl    $lr,filter_children_r16
-        hbrr    filtered,passed
-        lqa     $5,level_list
-        sf      $4,$5,$3
-        ori     $3,$5,0
-        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
-filtered:
-        br      passed
+at_objects:
+        rotqbyi $even,$sizes,PLAN_flat-PLAN_roots
+        brnz    $even,flat
+        br      found
 
 crowded:
         lqd     $plan,0($w_plan)
-        rotqbyi $amount,$plan,PLAN_at_once
-        cgt     $c_more,$w_here,$amount
+        rotqbyi $plan,$plan,PLAN_at_once
+        cgt     $c_more,$w_here,$plan
         brz     $c_more,roomy
-        stqa    $amount,most_here
+        stqa    $plan,most_here
         br      next_packets
 
-flat:   hbrr    faces_call,cull_faces
+        # Some of the packets have traversed the tree.
+in_parts:
+        lqa     $amount,first_here
+        a       $amount,$amount,$w_here
+        stqa    $amount,first_here
+        ceq     $c_more,$amount,$w_traced
+        brnz    $c_more,next_tree
+        ai      $w_plan,$w_plan,-PLAN_SIZE
+next_packets:
+        lqa     $amount,first_here
+        lqa     $w_here,most_here
+        lqd     $plan,0($w_plan)
+        lqd     $sizes,PLAN_roots($w_plan)
+        sf      $t_sum,$amount,$w_traced
+        minimum $w_here,$w_here,$t_sum,$c_more
+        rotqbyi $w_left,$plan,PLAN_levels
+        mpyu    $4,$sizes,$w_here
+        mpyu    $3,$sizes,$amount
+        a       $plan,$plan,$w_packets
+        shli    $3,$3,CANDIDATE_SIZE_LOG2
+        a       $3,$3,$plan
+        br      next_level
+
+flat:   hbrr    tree_done,next_tree
+        lqa     $t_sum,culled
         lqa     $6,along
         ila     $5,arena+OBJECT_LIST
-        rotqbyi $counts,$sizes,PLAN_objects-PLAN_roots
-        mpyu    $counts,$counts,$w_here
-        a       $t_sum,$t_sum,$counts
-        stqa    $t_sum,possible
+        nop     $2
         brz     $4,none_found
-        tally   culled,$4
+        hbrr    faces_call,cull_faces
+        a       $t_sum,$t_sum,$4
+        stqa    $t_sum,culled
+        # As far as a hint must be from its branch.
+        nop     $2
+        lnop
+        nop     $2
+        lnop
+        nop     $2
+        lnop
 faces_call:
         brsl    $lr,cull_faces
         # The kernel for flat objects is the same for all rays.
@@ -410,36 +473,24 @@ faces_call:
         sf      $4,$5,$3
         lqa     $t_sum,tested
         rotqbyi $plan,$plan,PLAN_test
+        hbr     flat_call,$plan
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         ceq     $amount,$amount,$plan
         and     $counts,$counts,$amount
         brz     $4,none_found
         brnz    $counts,shear
 ready:  ori     $3,$5,0
-        hbr     flat_call,$plan
+        ila     $lr,tests_done
         a       $t_sum,$t_sum,$4
         stqa    $t_sum,tested
         phase_ends $g_ticks_cull,$amount
 flat_call:
-        bisl    $lr,$plan
-        hbrr    flat_done,none_found
-        phase_ends $g_ticks_isect,$amount
-flat_done:
-        br      none_found
+        bi      $plan
 
-from_all_over:
-        ila     $3,arena+BATCH_RAYS
-        ila     $4,arena+SHADOW_RAYS
-        ceqi    $5,$w_packets,0
-        selb    $3,$4,$3,$5
-        ori     $4,$w_traced,0
-        ila     $5,arena+BATCH_BOUNDS
-        brsl    $lr,bound_origins_r16
-        br      spheres
 open:   brsl    $lr,bounds_open
         il      $counts,8
         stqa    $counts,lanes
-        br      bounded
+        br      next_tree
         # Most batches meet no triangle, so shears are made only when there is one to test.
 shear:  stqa    $4,held
         brsl    $lr,shears_make
@@ -450,11 +501,15 @@ shear:  stqa    $4,held
         rotqbyi $plan,$plan,PLAN_test
         br      ready
 traced:
+        # As leave does, but so early that the return can be hinted.
+        lqd     $lr,32+16($sp)
+        lqa     $c_more,streamed
         # Three counts at once, so that none waits for itself.
     .irp name, culled,tested,possible
         lqa     $\name\()_low,\name
     .endr
         fsmbi   $low_word,0x0f00
+        hbr     return,$lr
     .irp name, culled,tested,possible
         lqa     $\name\()_sum,counters+COUNT_OF_\name
         rotqmbyi $\name\()_low,$\name\()_low,-4
@@ -471,9 +526,9 @@ traced:
         a       $\name\()_sum,$\name\()_sum,$\name\()_carry
         stqa    $\name\()_sum,counters+COUNT_OF_\name
     .endr
-        lqa     $c_more,streamed
         brnz    $c_more,in_mesh
-        leave
+        ai      $sp,$sp,32
+return: bi      $lr
 in_mesh:
         lqa     $c_more,to_shear
         brz     $c_more,have_shears
@@ -489,10 +544,7 @@ function shears_make
         enter
         il      $3,0
         stqa    $3,to_shear
-        ila     $3,arena+BATCH_RAYS
-        ila     $4,arena+SHADOW_RAYS
-        ceqi    $5,$w_packets,0
-        selb    $3,$4,$3,$5
+        packets_address $3,$4,$5
         ori     $4,$w_traced,0
         ila     $5,arena+BATCH_SHEARS
         brsl    $lr,shear_packets_r16
