@@ -18,15 +18,15 @@ const DIFFERENT: u32 = 1;
 impl Emitter<'_> {
     /// Looks up each lane in a table. The lane's bits from 2^18 up are the index.
     fn look_up(&mut self, words: Value, table: &'static [u32]) -> Value {
-        let indices = self.right(words, 18);
-        let indices = self.and(indices, table.len() as u32 - 1);
+        const ENTRY_LOG2: u32 = 2;
+        let distances = self.right(words, 18 - ENTRY_LOG2);
+        let distances = self.and(distances, (table.len() as u32 - 1) << ENTRY_LOG2);
         let table = self.b.ins().iconst(types::I64, table.as_ptr() as i64);
         let entries: Vec<_> = self
-            .extract(indices)
+            .extract(distances)
             .into_iter()
-            .map(|index| {
-                let index = self.b.ins().uextend(types::I64, index);
-                let distance = self.b.ins().ishl_imm_u(index, 2);
+            .map(|distance| {
+                let distance = self.b.ins().uextend(types::I64, distance);
                 let at = self.b.ins().iadd(table, distance);
                 self.b
                     .ins()
