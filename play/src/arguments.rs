@@ -138,9 +138,8 @@ impl ViewArguments {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
-            spd_rays: false,
             shadows: !self.no_shadows,
-            corners: false,
+            ..RenderOptions::default()
         }
     }
 }

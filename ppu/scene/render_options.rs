@@ -12,6 +12,21 @@ pub enum Model {
     Whitted,
 }
 
+/// How many samples, evenly spread, an antialiased pixel is the mean of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Samples {
+    /// Its centre alone: no antialiasing.
+    #[default]
+    One = 1,
+    /// Four.
+    Four = 4,
+    /// Sixteen.
+    Sixteen = 16,
+}
+
+/// The default of [`RenderOptions::contrast`].
+pub const CONTRAST: u8 = 48;
+
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
@@ -28,6 +43,11 @@ pub struct RenderOptions {
     pub spd_rays: bool,
     /// Whitted's model: whether objects cast shadows.
     pub shadows: bool,
+    /// The samples of a pixel that is antialiased.
+    pub samples: Samples,
+    /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour in
+    /// its tile; 0: every pixel is.
+    pub contrast: u8,
     /// Whether rays go through the corners of the pixels instead of their centres. The picture of
     /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
@@ -41,6 +61,8 @@ impl Default for RenderOptions {
             fresnel: false,
             spd_rays: false,
             shadows: true,
+            samples: Samples::One,
+            contrast: CONTRAST,
             corners: false,
         }
     }

@@ -144,6 +144,9 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
     }
+    let options = scene.render_options();
+    frame.samples = (options.samples as u32).into();
+    frame.contrast = u32::from(options.contrast).into();
     frame.features = features(order, &frame).into();
     frame
 }

@@ -28,6 +28,7 @@ pub mod rectangle;
 pub mod rectangle_pairs;
 pub mod reflect;
 pub mod refract;
+pub mod sample_rays;
 pub mod shade_depth;
 pub mod shader;
 pub mod shadow_rays;

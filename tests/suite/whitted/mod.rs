@@ -1,5 +1,6 @@
 //! Whitted's model on emulated SPUs, compared with the f64 reference.
 
+mod antialias;
 mod chains;
 mod counts;
 mod frame;
