@@ -30,6 +30,25 @@ impl From<Antialias> for scene::Samples {
     }
 }
 
+/// `--colour`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Colour {
+    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
+    #[default]
+    Linear,
+    /// Channels have sRGB's values, which viewers of pictures expect.
+    Srgb,
+}
+
+impl From<Colour> for scene::Colour {
+    fn from(colour: Colour) -> Self {
+        match colour {
+            Colour::Linear => Self::Linear,
+            Colour::Srgb => Self::Srgb,
+        }
+    }
+}
+
 /// `--model`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Model {

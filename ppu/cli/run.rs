@@ -16,7 +16,7 @@ use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
 use super::camera::Camera;
-use super::choices::{Antialias, Model, Quality, Split};
+use super::choices::{Antialias, Colour, Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options for the scene, the SPUs and the statistics.
@@ -68,6 +68,12 @@ pub struct Options {
         allow_negative_numbers = true
     )]
     pub contrast: u8,
+    /// What the channels of pixels say about light
+    #[arg(long, value_enum, default_value_t)]
+    pub colour: Colour,
+    /// Limit light that is nearly white or brighter without a step
+    #[arg(long)]
+    pub roll_off: bool,
     /// Trade run time for accuracy
     #[arg(long, value_enum, default_value_t)]
     pub quality: Quality,
@@ -109,6 +115,8 @@ impl Options {
             shadows: !self.no_shadows,
             samples: self.antialias.into(),
             contrast: self.contrast,
+            colour: self.colour.into(),
+            roll_off: self.roll_off,
             corners: false,
         }
     }

@@ -12,6 +12,16 @@ pub enum Model {
     Whitted,
 }
 
+/// What a pixel's channels say about its light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colour {
+    /// They are proportional to it.
+    #[default]
+    Linear,
+    /// They have sRGB's values, which displays and viewers of pictures expect.
+    Srgb,
+}
+
 /// How many samples, evenly spread, an antialiased pixel is the mean of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Samples {
@@ -48,6 +58,11 @@ pub struct RenderOptions {
     /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour in
     /// its tile; 0: every pixel is.
     pub contrast: u8,
+    /// What a pixel's channels say about its light.
+    pub colour: Colour,
+    /// Whether light that is nearly white or brighter is limited to less than white without a
+    /// step, instead of all becoming white.
+    pub roll_off: bool,
     /// Whether rays go through the corners of the pixels instead of their centres. The picture of
     /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
@@ -63,6 +78,8 @@ impl Default for RenderOptions {
             shadows: true,
             samples: Samples::One,
             contrast: CONTRAST,
+            colour: Colour::Linear,
+            roll_off: false,
             corners: false,
         }
     }

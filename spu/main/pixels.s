@@ -88,6 +88,9 @@ function pixels_prepare
         ila     $place,masks                            # room for four rows of pixels
         rotqbyi $place,$place,16-PLACE_pixels
         stqa    $place,places
+        ila     $3,colours
+        il      $4,COLOURS_SIZE/16
+        brsl    $lr,light_convert
         ila     $3,places
         il      $4,1
         ila     $5,colours
@@ -288,6 +291,9 @@ tested:
         brz     $bits,whole
         brsl    $lr,hits_outside
 whole:
+        ila     $3,colours
+        mpyi    $4,$g_places,COLOURS_SIZE/16
+        brsl    $lr,light_convert
         ila     $3,places
         ori     $4,$g_places,0
         ila     $5,colours

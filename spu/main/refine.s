@@ -91,6 +91,32 @@ function tile_refine
         leave
 endfunction tile_refine
 
+# light_convert   converts light to what the frame's pixels are to show of it
+#   In      $3 values, $4 quadwords (at least 1)
+#   Uses    $2-$34, $77-$79
+function light_convert
+        ila     $5,frame
+        load_word $5,FRAME_features,$5
+        andi    $6,$5,FEATURE_SRGB+FEATURE_ROLL_OFF
+        biz     $6,$lr
+        enter
+        ori     $77,$3,0
+        ori     $78,$4,0
+        andi    $6,$5,FEATURE_ROLL_OFF
+        brz     $6,rolled_off
+        brsl    $lr,roll_off
+rolled_off:
+        ori     $3,$77,0
+        ori     $4,$78,0
+        ila     $5,frame
+        load_word $5,FRAME_features,$5
+        andi    $6,$5,FEATURE_SRGB
+        brz     $6,converted
+        brsl    $lr,encode_srgb
+converted:
+        leave
+endfunction light_convert
+
         .set    NEXT,3
         registers t
 
@@ -110,12 +136,12 @@ function samples_begin
         bi      $lr
 endfunction samples_begin
 
-        .set    NEXT,41
+        .set    NEXT,60
         registers a_sum,a_next_row,a_chosen,a_chosen_end,bits,sum,share,k_one,k_share
         registers chosen_row,m_splat,factor,a_quad,row_bytes,a_next_quads,t_end,of_four
 
 # samples_end   makes the chosen pixels of the sums of their samples
-#   Uses    $3-$5, $10-$57
+#   Uses    $2-$7, $10-$40, $60-$79
 function samples_end
         enter
         ila     $a_sum,frame
@@ -150,6 +176,9 @@ next_bits:
         fm      $sum,$sum,$k_share
         stqd    $sum,16*\lane($a_sum)
     .endr
+        ori     $3,$a_sum,0
+        il      $4,4
+        brsl    $lr,light_convert
         ori     $3,$a_sum,0
         ila     $4,packed
         il      $5,1

@@ -12,6 +12,7 @@ pub mod cone;
 pub mod cull;
 pub mod cull_faces;
 pub mod cull_nodes;
+pub mod display;
 pub mod flat;
 pub mod isect_pairs;
 pub mod light;

@@ -93,8 +93,12 @@ constants! {
     FEATURE_CHECK_SHADERS = 8;
     /// Feature bit: the scene of Whitted's model has a mesh in main memory.
     FEATURE_MESH = 16;
+    /// Feature bit: pixels have sRGB's values, not linear light.
+    FEATURE_SRGB = 32;
+    /// Feature bit: light that is nearly white or brighter is limited without a step.
+    FEATURE_ROLL_OFF = 64;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 31;
+    FEATURES_KNOWN = 127;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.

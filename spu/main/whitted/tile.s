@@ -90,6 +90,9 @@ endfunction tile_rays
 function tile_pack
         enter
         ila     $3,arena+PIXEL_SUMS
+        shli    $4,$g_tile_height,TILE_WIDTH_LOG2
+        brsl    $lr,light_convert
+        ila     $3,arena+PIXEL_SUMS
         il      $4,TILE_BYTES
         mpyu    $4,$4,$g_parity
         ila     $5,tile_buffers
