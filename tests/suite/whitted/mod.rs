@@ -2,6 +2,7 @@
 
 mod antialias;
 mod chains;
+mod colour;
 mod counts;
 mod frame;
 mod invariance;
