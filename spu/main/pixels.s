@@ -291,9 +291,9 @@ tested:
         brz     $bits,whole
         brsl    $lr,hits_outside
 whole:
-        ila     $3,colours
-        mpyi    $4,$g_places,COLOURS_SIZE/16
-        brsl    $lr,light_convert
+        lqa     $bits,converting
+        brnz    $bits,convert
+converted:
         ila     $3,places
         ori     $4,$g_places,0
         ila     $5,colours
@@ -305,6 +305,12 @@ no_hits:
         il      $3,1
 done:
         leave
+
+convert:
+        ila     $3,colours
+        mpyi    $4,$g_places,COLOURS_SIZE/16
+        brsl    $lr,light_convert
+        br      converted
 endfunction tile_pixels
 
 # tile_cull   finds the packets that may hit something, with the cones around their middles

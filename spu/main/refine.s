@@ -13,8 +13,10 @@
 
         .section .bss
         .align  4
-        .global contrast, refining, sample_places, sample_sums
+        .global contrast, converting, refining, sample_places, sample_sums
 contrast:                               # the frame's; below 0 if it has one sample a pixel
+        .skip   16
+converting:                             # the frame's features with which light is converted
         .skip   16
 without_first:                          # -1 if pixels with samples have no first ray, otherwise 0
         .skip   16
@@ -58,6 +60,8 @@ function refine_prepare
         or      $value,$value,$c_one
         stqa    $value,contrast
         load_word $c_whitted,FRAME_features,$a_frame
+        andi    $value,$c_whitted,FEATURE_SRGB+FEATURE_ROLL_OFF
+        stqa    $value,converting
         andi    $c_whitted,$c_whitted,FEATURE_WHITTED
         cgti    $c_whitted,$c_whitted,0
         ceqi    $value,$value,0
@@ -95,10 +99,8 @@ endfunction tile_refine
 #   In      $3 values, $4 quadwords (at least 1)
 #   Uses    $2-$34, $77-$79
 function light_convert
-        ila     $5,frame
-        load_word $5,FRAME_features,$5
-        andi    $6,$5,FEATURE_SRGB+FEATURE_ROLL_OFF
-        biz     $6,$lr
+        lqa     $5,converting
+        biz     $5,$lr
         enter
         ori     $77,$3,0
         ori     $78,$4,0
@@ -108,8 +110,7 @@ function light_convert
 rolled_off:
         ori     $3,$77,0
         ori     $4,$78,0
-        ila     $5,frame
-        load_word $5,FRAME_features,$5
+        lqa     $5,converting
         andi    $6,$5,FEATURE_SRGB
         brz     $6,converted
         brsl    $lr,encode_srgb

@@ -115,14 +115,17 @@ trace:
         brz     $3,empty
         lqa     $one,contrast
         cgti    $one,$one,-1
-        brz     $one,send
-        brsl    $lr,tile_samples
+        brnz    $one,samples
 send:   ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         xori    $g_parity,$g_parity,1
         brsl    $lr,tile_put
         il      $3,0
         leave
+
+samples:
+        brsl    $lr,tile_samples
+        br      send
 
 whitted:
         il      $3,1<<TAG_TILE

@@ -89,9 +89,9 @@ endfunction tile_rays
 #   Uses    $3-$79
 function tile_pack
         enter
-        ila     $3,arena+PIXEL_SUMS
-        shli    $4,$g_tile_height,TILE_WIDTH_LOG2
-        brsl    $lr,light_convert
+        lqa     $3,converting
+        brnz    $3,convert
+converted:
         ila     $3,arena+PIXEL_SUMS
         il      $4,TILE_BYTES
         mpyu    $4,$4,$g_parity
@@ -103,6 +103,12 @@ function tile_pack
         brsl    $lr,pack_sums
         phase_ends $g_ticks_shade,$amount
         leave
+
+convert:
+        ila     $3,arena+PIXEL_SUMS
+        shli    $4,$g_tile_height,TILE_WIDTH_LOG2
+        brsl    $lr,light_convert
+        br      converted
 endfunction tile_pack
 
 # eye_places   lists the packets of the current tile

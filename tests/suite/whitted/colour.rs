@@ -17,7 +17,7 @@ fn encoded(light: f64) -> f64 {
     if light <= 0.003_130_8 {
         12.92 * light
     } else {
-        1.055 * light.powf(1.0 / 2.4) - 0.055
+        1.055 * libm::pow(light, 1.0 / 2.4) - 0.055
     }
 }
 
