@@ -60,8 +60,8 @@ function refine_prepare
         or      $value,$value,$c_one
         stqa    $value,contrast
         load_word $c_whitted,FRAME_features,$a_frame
-        andi    $value,$c_whitted,FEATURE_SRGB+FEATURE_ROLL_OFF
-        stqa    $value,converting
+        andi    $c_one,$c_whitted,FEATURE_SRGB+FEATURE_ROLL_OFF
+        stqa    $c_one,converting
         andi    $c_whitted,$c_whitted,FEATURE_WHITTED
         cgti    $c_whitted,$c_whitted,0
         ceqi    $value,$value,0

@@ -9,9 +9,10 @@ use twins::{ONE, Single};
 
 use super::COUNTS;
 
-/// A kernel and its twin.
-const KERNELS: [(&str, fn(Single) -> Single); 2] =
-    [("encode_srgb", encode_srgb), ("roll_off", roll_off)];
+type Twin = fn(Single) -> Single;
+
+/// The kernels and their twins.
+const KERNELS: [(&str, Twin); 2] = [("encode_srgb", encode_srgb), ("roll_off", roll_off)];
 
 fn check(bench: &mut Bench, values: &[[Single; 4]]) {
     for (kernel, twin) in KERNELS {
