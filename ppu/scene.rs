@@ -16,7 +16,7 @@ use nff::depth::{self, DepthShading, NotDrawn};
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
-pub use self::render_options::{Model, RenderOptions};
+pub use self::render_options::{CONTRAST, Colour, Model, RenderOptions, Samples};
 use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
 use protocol::formulation::{Formulations, SphereFormulation};

@@ -44,6 +44,8 @@ pub struct SpuStatistics {
 pub struct Rays {
     /// Primary rays.
     pub eye: u64,
+    /// Of these, the ones beyond the first of each pixel.
+    pub samples: u64,
     /// Primary rays that hit something.
     pub eye_hit: u64,
     /// Reflected rays, including totally reflected ones.
@@ -127,10 +129,11 @@ impl FrameStatistics {
         self.is_put_off = size.is_put_off;
     }
 
-    /// The number of primary rays of all SPUs.
+    /// The number of primary rays of all SPUs, one for each pixel that was traced.
     #[must_use]
     pub fn primary_rays(&self) -> u64 {
-        self.spus.iter().map(|spu| spu.rays.eye).sum()
+        let rays = self.spus.iter().map(|spu| spu.rays);
+        rays.map(|rays| rays.eye - rays.samples).sum()
     }
 
     /// Whether anything was traced.
@@ -197,12 +200,13 @@ impl SpuStatistics {
 
 impl Rays {
     fn of(line: &Statistics) -> Self {
-        let [eye, reflected, refracted] =
-            [line.primary_rays, line.reflected, line.refracted].map(U64::get);
+        let [reflected, refracted] = [line.reflected, line.refracted].map(U64::get);
+        let eye = line.primary_rays.get() + line.samples.get();
         // Depth shading has only primary rays, and counts only their hits.
         let hit = line.hits.get().max(line.eye_hits.get());
         Self {
             eye,
+            samples: line.samples.get(),
             eye_hit: line.eye_hits.get(),
             reflected,
             refracted,
@@ -216,6 +220,7 @@ impl Rays {
 impl std::ops::AddAssign for Rays {
     fn add_assign(&mut self, other: Self) {
         self.eye += other.eye;
+        self.samples += other.samples;
         self.eye_hit += other.eye_hit;
         self.reflected += other.reflected;
         self.refracted += other.refracted;

@@ -20,7 +20,7 @@ pub mod whitted;
 
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
 pub use picture::Picture;
-pub use tracer::{Reference, render, trace};
+pub use tracer::{DepthProbe, Reference, render, trace};
 
 use std::path::PathBuf;
 

@@ -78,12 +78,47 @@ pub fn trace(scene: &Scene, width: u32, height: u32) -> Result<Reference, Error>
     })
 }
 
+/// A scene and its camera, to trace single primary rays by depth shading.
+pub struct DepthProbe {
+    stage: Stage,
+    all: Vec<usize>,
+}
+
+impl DepthProbe {
+    /// A probe with the camera of a picture of this size.
+    ///
+    /// # Errors
+    /// As for [`trace`].
+    pub fn new(scene: &Scene, width: u32, height: u32) -> Result<Self, Error> {
+        let camera = scene
+            .view
+            .camera(width, height)
+            .map_err(|source| Error::View {
+                scene: scene.name.clone(),
+                source,
+            })?;
+        let stage = Stage::new(scene, camera);
+        let all = (0..stage.spheres.len()).collect();
+        Ok(Self { stage, all })
+    }
+
+    /// The colour that the ray through a point of the picture sees, each channel 0 to 1. The
+    /// centre of the top left pixel is (0, 0).
+    #[must_use]
+    pub fn colour(&self, x: f64, y: f64) -> DVec3 {
+        let camera = &self.stage.camera;
+        let direction = camera.corner + x * camera.right + y * camera.down;
+        let (met, distance) = self.stage.look(direction.normalize(), &self.all);
+        self.stage.colour(met, distance)
+    }
+}
+
 /// A scene prepared for its camera.
 struct Stage {
     camera: Camera,
     spheres: Vec<(Sphere, DVec3)>,
     shading: DepthShading,
-    background: [u8; 3],
+    background: DVec3,
 }
 
 impl Stage {
@@ -97,7 +132,7 @@ impl Stage {
             camera,
             spheres: spheres.collect(),
             shading: DepthShading::of(scene),
-            background: depth::bytes(scene.background),
+            background: scene.background,
         }
     }
 
@@ -115,12 +150,15 @@ impl Stage {
             let direction = self.camera.direction(x, y).normalize();
             let (met, distance) = self.look(direction, &reached);
             *sight = met;
-            *pixel = match met.nearest {
-                Some(index) => {
-                    depth::bytes(self.spheres[index].1 * self.shading.brightness(distance))
-                }
-                None => self.background,
-            };
+            *pixel = depth::bytes(self.colour(met, distance));
+        }
+    }
+
+    /// The colour of what a ray hits at this distance.
+    fn colour(&self, met: Sight, distance: f64) -> DVec3 {
+        match met.nearest {
+            Some(index) => self.spheres[index].1 * self.shading.brightness(distance),
+            None => self.background,
         }
     }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{self, RenderOptions};
+use cellray::scene::{self, CONTRAST, RenderOptions};
 use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -100,12 +100,68 @@ pub struct ViewArguments {
     /// Trace no shadows
     #[arg(long)]
     no_shadows: bool,
+    /// Trace this many samples of a pixel that differs from a neighbour
+    #[arg(long, value_enum, default_value_t, value_name = "N")]
+    antialias: Antialias,
+    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
+    #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true)]
+    contrast: u8,
+    /// What the channels of pixels say about light
+    #[arg(long, value_enum, default_value_t)]
+    colour: Colour,
+    /// Limit light that is nearly white or brighter without a step
+    #[arg(long)]
+    roll_off: bool,
     /// Load the scene, the SPU program and its shaders again whenever their files change
     #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
     pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
+}
+
+/// `--antialias`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Antialias {
+    /// No antialiasing: one ray through the pixel's centre.
+    #[default]
+    #[value(name = "1")]
+    One,
+    /// Four samples.
+    #[value(name = "4")]
+    Four,
+    /// Sixteen samples.
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for scene::Samples {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::One => Self::One,
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
+}
+
+/// `--colour`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Colour {
+    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
+    #[default]
+    Linear,
+    /// Channels have sRGB's values, which viewers of pictures expect.
+    Srgb,
+}
+
+impl From<Colour> for scene::Colour {
+    fn from(colour: Colour) -> Self {
+        match colour {
+            Colour::Linear => Self::Linear,
+            Colour::Srgb => Self::Srgb,
+        }
+    }
 }
 
 /// `--model`.
@@ -138,9 +194,12 @@ impl ViewArguments {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
-            spd_rays: false,
             shadows: !self.no_shadows,
-            corners: false,
+            samples: self.antialias.into(),
+            contrast: self.contrast,
+            colour: self.colour.into(),
+            roll_off: self.roll_off,
+            ..RenderOptions::default()
         }
     }
 }

@@ -5,6 +5,50 @@ use cellray::scene;
 use cellray::work;
 use clap::ValueEnum;
 
+/// `--antialias`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Antialias {
+    /// No antialiasing: one ray through the pixel's centre.
+    #[default]
+    #[value(name = "1")]
+    One,
+    /// Four samples.
+    #[value(name = "4")]
+    Four,
+    /// Sixteen samples.
+    #[value(name = "16")]
+    Sixteen,
+}
+
+impl From<Antialias> for scene::Samples {
+    fn from(antialias: Antialias) -> Self {
+        match antialias {
+            Antialias::One => Self::One,
+            Antialias::Four => Self::Four,
+            Antialias::Sixteen => Self::Sixteen,
+        }
+    }
+}
+
+/// `--colour`.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Colour {
+    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
+    #[default]
+    Linear,
+    /// Channels have sRGB's values, which viewers of pictures expect.
+    Srgb,
+}
+
+impl From<Colour> for scene::Colour {
+    fn from(colour: Colour) -> Self {
+        match colour {
+            Colour::Linear => Self::Linear,
+            Colour::Srgb => Self::Srgb,
+        }
+    }
+}
+
 /// `--model`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Model {

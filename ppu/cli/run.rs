@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::RenderOptions;
+use cellray::scene::{CONTRAST, RenderOptions};
 use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
@@ -16,7 +16,7 @@ use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
 use super::camera::Camera;
-use super::choices::{Model, Quality, Split};
+use super::choices::{Antialias, Colour, Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options for the scene, the SPUs and the statistics.
@@ -57,6 +57,23 @@ pub struct Options {
     /// Trace no shadows
     #[arg(long)]
     pub no_shadows: bool,
+    /// Trace this many samples of a pixel that differs from a neighbour
+    #[arg(long, value_enum, default_value_t, value_name = "N")]
+    pub antialias: Antialias,
+    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
+    #[arg(
+        long,
+        default_value_t = CONTRAST,
+        value_name = "N",
+        allow_negative_numbers = true
+    )]
+    pub contrast: u8,
+    /// What the channels of pixels say about light
+    #[arg(long, value_enum, default_value_t)]
+    pub colour: Colour,
+    /// Limit light that is nearly white or brighter without a step
+    #[arg(long)]
+    pub roll_off: bool,
     /// Trade run time for accuracy
     #[arg(long, value_enum, default_value_t)]
     pub quality: Quality,
@@ -96,6 +113,10 @@ impl Options {
             fresnel: self.fresnel,
             spd_rays: self.spd_rays,
             shadows: !self.no_shadows,
+            samples: self.antialias.into(),
+            contrast: self.contrast,
+            colour: self.colour.into(),
+            roll_off: self.roll_off,
             corners: false,
         }
     }

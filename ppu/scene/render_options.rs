@@ -12,6 +12,31 @@ pub enum Model {
     Whitted,
 }
 
+/// What a pixel's channels say about its light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Colour {
+    /// They are proportional to it.
+    #[default]
+    Linear,
+    /// They have sRGB's values, which displays and viewers of pictures expect.
+    Srgb,
+}
+
+/// How many samples, evenly spread, an antialiased pixel is the mean of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Samples {
+    /// Its centre alone: no antialiasing.
+    #[default]
+    One = 1,
+    /// Four.
+    Four = 4,
+    /// Sixteen.
+    Sixteen = 16,
+}
+
+/// The default of [`RenderOptions::contrast`].
+pub const CONTRAST: u8 = 48;
+
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
@@ -28,6 +53,16 @@ pub struct RenderOptions {
     pub spd_rays: bool,
     /// Whitted's model: whether objects cast shadows.
     pub shadows: bool,
+    /// The samples of a pixel that is antialiased.
+    pub samples: Samples,
+    /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour in
+    /// its tile; 0: every pixel is.
+    pub contrast: u8,
+    /// What a pixel's channels say about its light.
+    pub colour: Colour,
+    /// Whether light that is nearly white or brighter is limited to less than white without a
+    /// step, instead of all becoming white.
+    pub roll_off: bool,
     /// Whether rays go through the corners of the pixels instead of their centres. The picture of
     /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
@@ -41,6 +76,10 @@ impl Default for RenderOptions {
             fresnel: false,
             spd_rays: false,
             shadows: true,
+            samples: Samples::One,
+            contrast: CONTRAST,
+            colour: Colour::Linear,
+            roll_off: false,
             corners: false,
         }
     }

@@ -7,12 +7,13 @@ use zerocopy::big_endian::F32;
 use super::policy::{Skip, Split};
 use super::units::Units;
 use crate::framebuffer::Target;
-use crate::scene::Scene;
 use crate::scene::block::SceneBlock;
 use crate::scene::single::singles;
+use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED,
-    Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES,
+    FEATURE_SRGB, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES,
+    SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -144,17 +145,23 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
     }
+    let options = scene.render_options();
+    frame.samples = (options.samples as u32).into();
+    frame.contrast = u32::from(options.contrast).into();
     frame.features = features(order, &frame).into();
     frame
 }
 
 /// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order, frame: &Frame) -> u32 {
+    let options = order.scene.render_options();
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
         | flag(frame.mesh.get() != 0, FEATURE_MESH)
-        | flag(!order.scene.render_options().shadows, FEATURE_NO_SHADOWS)
+        | flag(!options.shadows, FEATURE_NO_SHADOWS)
+        | flag(options.colour == Colour::Srgb, FEATURE_SRGB)
+        | flag(options.roll_off, FEATURE_ROLL_OFF)
         | flag(order.check_shaders, FEATURE_CHECK_SHADERS)
 }
 

@@ -132,6 +132,14 @@ function frame_fetch
         brsl    $lr,whitted_check
         brnz    $3,refused
 checked:
+        require_at_most contrast,255,Samples
+        load_word $value,FRAME_samples,$a_frame
+        ceqi    $bad,$value,1
+        ceqi    $limit,$value,4
+        or      $bad,$bad,$limit
+        ceqi    $limit,$value,16
+        nor     $bad,$bad,$limit
+        refuse_if $bad,Samples
         require_at_most red_shift,MAX_SHIFT,PixelFormat
         require_at_most green_shift,MAX_SHIFT,PixelFormat
         require_at_most blue_shift,MAX_SHIFT,PixelFormat

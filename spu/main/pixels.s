@@ -8,12 +8,13 @@
 
         .section .arena,"aw",@nobits
         .align  7
+        .global empty_tile, packets, colours, places, pairs, masks
+empty_tile:                             # the buffer of all empty tiles
+        .skip   TILE_BYTES
 packets:
         .skip   TILE_PACKETS*PACKET_SIZE
 middles:                                # the middles of a group's packets, in a packet's format
         .skip   TILE_GROUPS*PACKET_SIZE
-colours:
-        .skip   TILE_PACKETS*COLOURS_SIZE
 tile_places:                            # of a tile at the origin of the picture and the buffer
         .skip   TILE_PACKETS*PLACE_SIZE
 origin: .skip   PLACE_SIZE              # the current tile's offset to tile_places
@@ -21,6 +22,7 @@ places:                                 # the current packets; one entry more ma
         .skip   (TILE_PACKETS+1)*PLACE_SIZE
 first_pairs:                            # packets, each with the first sphere that it may hit
         .skip   (TILE_PACKETS+1)*PAIR_SIZE
+colours:                                # of the packets, when no pairs are left to test
 pairs:                                  # packets with further spheres; without skipping, with all
         .skip   (MAX_PAIRS+1)*PAIR_SIZE
         .global active
@@ -34,6 +36,9 @@ named_again:
         .skip   16
 masks:                                  # the packets that may hit each sphere, a word a group
         .skip   MAX_SPHERES*16
+    .if TILE_PACKETS*COLOURS_SIZE > MAX_PAIRS*PAIR_SIZE
+        .error  "the colours have no room"
+    .endif
     .if TILE_GROUPS != 4 || TILE_HEIGHT != GROUP_SIDE
         .error  "a tile has four groups in a row: their masks are the words of a quadword"
     .endif
@@ -80,16 +85,19 @@ function pixels_prepare
     .endr
         rotqbyi $quad,$quad,4
     .endr
-        ila     $place,pairs                            # room for four rows of pixels
+        ila     $place,masks                            # room for four rows of pixels
         rotqbyi $place,$place,16-PLACE_pixels
         stqa    $place,places
+        ila     $3,colours
+        il      $4,COLOURS_SIZE/16
+        brsl    $lr,light_convert
         ila     $3,places
         il      $4,1
         ila     $5,colours
         ila     $6,pixel_shuffle
         il      $7,16
         brsl    $lr,pack_r16
-        lqa     $g_background,pairs
+        lqa     $g_background,masks
 
         il      $place,0
         il      $quad,MAX_PAIRS
@@ -102,7 +110,7 @@ next_packet_at_once:
         brnz    $step,next_packet_at_once
         stqa    $place,packets_at_once
 
-        ila     $a_place,tile_buffers+2*TILE_BYTES
+        ila     $a_place,empty_tile
         il      $left,TILE_BYTES/128
 next_line:
     .irp part, 0,16,32,48,64,80,96,112
@@ -283,6 +291,9 @@ tested:
         brz     $bits,whole
         brsl    $lr,hits_outside
 whole:
+        lqa     $bits,converting
+        brnz    $bits,convert
+converted:
         ila     $3,places
         ori     $4,$g_places,0
         ila     $5,colours
@@ -294,6 +305,12 @@ no_hits:
         il      $3,1
 done:
         leave
+
+convert:
+        ila     $3,colours
+        mpyi    $4,$g_places,COLOURS_SIZE/16
+        brsl    $lr,light_convert
+        br      converted
 endfunction tile_pixels
 
 # tile_cull   finds the packets that may hit something, with the cones around their middles

@@ -116,7 +116,7 @@ function statistics_put
     .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
         put_count \field
     .endr
-    .irp field, blocks_fetched,blocks_used,ticks_block_wait
+    .irp field, blocks_fetched,blocks_used,ticks_block_wait,samples
         put_count \field
     .endr
     .irp field, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade

@@ -13,8 +13,8 @@ second: .int    0x00010203,0x04050607,0x08090a0b,0x10111213 # A0 A1 A2 B0
         .section .bss
         .align  7
         .global tile_buffers
-tile_buffers:                           # two buffers, then the one for all empty tiles
-        .skip   3*TILE_BYTES
+tile_buffers:
+        .skip   2*TILE_BYTES
 tile_lists:                             # two lists, then EMPTY_LISTS for empty tiles
         .skip   (2+EMPTY_LISTS)*LIST_BYTES
 
@@ -113,12 +113,19 @@ trace:
         brsl    $lr,dma_wait
         brsl    $lr,tile_pixels
         brz     $3,empty
+        lqa     $one,contrast
+        cgti    $one,$one,-1
+        brnz    $one,samples
 send:   ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         xori    $g_parity,$g_parity,1
         brsl    $lr,tile_put
         il      $3,0
         leave
+
+samples:
+        brsl    $lr,tile_samples
+        br      send
 
 whitted:
         il      $3,1<<TAG_TILE
@@ -137,7 +144,6 @@ empty:
         il      $3,1<<TAG_EMPTY
         shl     $3,$3,$g_empty_turn
         brsl    $lr,dma_wait
-        il      $3,2
         ai      $4,$g_empty_turn,2
         ai      $g_empty_turn,$g_empty_turn,1
         andi    $g_empty_turn,$g_empty_turn,EMPTY_LISTS-1
@@ -151,7 +157,7 @@ is_blank:
 endfunction tile_trace
 
 # tile_put   starts the transfer of the current tile
-#   In      $3 which of the tile buffers, $4 which of the lists and tags
+#   In      $4 which of the lists and tags, $3 which of the tile buffers; of the first two lists
 #   Uses    $3-$4, $10-$31
 #
 # One list command sends all rows. A list's elements share the high word of the address, so a tile
@@ -182,6 +188,8 @@ function tile_put
         a       $a_buffer,$a_buffer,$offset
         ai      $tag,$list,TAG_TILE
         cgti    $c_across,$list,1
+        ila     $offset,empty_tile
+        selb    $a_buffer,$a_buffer,$offset,$c_across
         ai      $offset,$list,TAG_EMPTY-2
         selb    $tag,$tag,$offset,$c_across
         mpyu    $offset,$g_tile_y,$g_stride

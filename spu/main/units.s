@@ -35,6 +35,7 @@ function units_trace
         il      $g_empty_turn,0
         brsl    $lr,unit_first
         brsl    $lr,unit_request
+        brsl    $lr,refine_prepare
         lqa     $bad,frame
         rotqbyi $bad,$bad,FRAME_features
         andi    $bad,$bad,FEATURE_WHITTED

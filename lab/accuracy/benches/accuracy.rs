@@ -26,7 +26,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         results,
     };
     output::write(&document, folder)?;
-    plots::write(&document.results, folder, "", &[Format::Svg, Format::Png])?;
+    plots::write(
+        &plots::plots(&document.results),
+        folder,
+        "",
+        &[Format::Svg, Format::Png],
+    )?;
     for plot in plots::plots(&document.results) {
         if !plot.front.is_empty() {
             println!("{}: not beaten: {}", plot.title, plot.front.join(", "));

@@ -5,6 +5,7 @@
 //! Invariant: every printed figure is measured by the run that prints it, and except for the
 //! host's clock it is the same on every host.
 
+pub mod antialiasing;
 pub mod document;
 mod families;
 mod figures;

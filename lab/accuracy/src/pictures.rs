@@ -138,7 +138,17 @@ impl Subject {
         }
     }
 
-    fn render_options(&self) -> RenderOptions {
+    /// Whether it is traced by depth shading.
+    pub(crate) fn is_by_depth(&self) -> bool {
+        self.form() == Form::Eye
+    }
+
+    /// The scene itself.
+    pub(crate) fn scene(&self) -> Result<nff::Scene, nff::Error> {
+        nff::parse(self.text.as_bytes(), self.name, &nff::Limits::default())
+    }
+
+    pub(crate) fn render_options(&self) -> RenderOptions {
         RenderOptions {
             model: self.model,
             ..RenderOptions::default()
@@ -168,8 +178,7 @@ pub fn measure(
 ) -> Result<Vec<PictureRow>, PictureError> {
     let mut rows = Vec::new();
     for subject in SCENES {
-        let limits = nff::Limits::default();
-        let scene = nff::parse(subject.text.as_bytes(), subject.name, &limits)?;
+        let scene = subject.scene()?;
         let size = subject.size(sizes);
         let mut reference = None;
         for (name, formulations) in subject.formulations() {
@@ -182,15 +191,16 @@ pub fn measure(
                 Some(reference) => reference,
                 none => none.insert(subject.reference(&scene, size)?),
             };
-            let (picture, frames_per_second) = trace(subject, &scene, size, program)?;
-            let compared = oracle::compare(&picture, reference)?;
+            let options = subject.render_options();
+            let traced = trace(subject.name, &scene, options, size, program)?;
+            let compared = oracle::compare(&traced.picture, reference)?;
             rows.push(PictureRow {
                 formulation: name.to_owned(),
                 scene: subject.name.to_owned(),
                 width: size.0,
                 height: size.1,
-                frames_per_second,
-                rmse: rmse(&picture, &reference.picture),
+                frames_per_second: traced.frames_per_second,
+                rmse: rmse(&traced.picture, &reference.picture),
                 max_error: compared.max_error,
                 max_error_off_silhouette: compared.max_error_off_silhouette,
                 wrong_pixels: compared.wrong_pixels,
@@ -201,35 +211,52 @@ pub fn measure(
     Ok(rows)
 }
 
+/// What the SPUs made of a scene.
+pub(crate) struct Traced {
+    /// The picture.
+    pub picture: Picture,
+    /// Frames a second in simulated time.
+    pub frames_per_second: f64,
+    /// The number of primary rays.
+    pub primary_rays: u64,
+}
+
 /// Traces a scene twice. The first frame determines the costs of its parts, and only the second
 /// one counts.
-fn trace(
-    subject: &Subject,
+pub(crate) fn trace(
+    name: &str,
     scene: &nff::Scene,
+    options: RenderOptions,
     (width, height): (u32, u32),
     program: Program,
-) -> Result<(Picture, f64), PictureError> {
+) -> Result<Traced, PictureError> {
     let settings = Settings {
         retain: false,
         program,
         ..Settings::default()
     };
-    let scene = Scene::new(scene, subject.render_options(), &program)?;
+    let scene = Scene::new(scene, options, &program)?;
     let shown = Shown::default();
     let framebuffer = Kept {
         memory: Memory::new(Geometry::new(width, height)?)?,
         shown: Arc::clone(&shown),
     };
-    let mut report = Report::new(subject.name, (width, height), settings.spus);
+    let mut report = Report::new(name, (width, height), settings.spus);
     let mut engine = Engine::start(settings, Box::new(framebuffer))?;
     engine.render(&scene, &mut |_| ())?;
-    report.add(engine.render(&scene, &mut |_| ())?);
+    let statistics = engine.render(&scene, &mut |_| ())?;
+    let primary_rays = statistics.spus.iter().map(|spu| spu.rays.eye).sum();
+    report.add(statistics);
     let mut picture = Picture::black(width, height)?;
     let shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
     for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {
         *to = from.0;
     }
-    Ok((picture, report.frames_per_second))
+    Ok(Traced {
+        picture,
+        frames_per_second: report.frames_per_second,
+        primary_rays,
+    })
 }
 
 /// The SPU program with these formulations: one of `cellray`'s own, or else one that is built now.

@@ -20,8 +20,13 @@ pub struct Basis {
 /// Unit direction through the centre of pixel (x, y).
 #[must_use]
 pub fn ray_setup(basis: &Basis, x: i32, y: i32) -> [Single; 3] {
-    let fx = csflt(x as u32, 0);
-    let fy = csflt(y as u32, 0);
+    let [fx, fy] = [x, y].map(|at| csflt(at as u32, 0));
+    ray_through(basis, fx, fy)
+}
+
+/// Unit direction through a point of the picture; of pixel (0, 0) the centre is (0, 0).
+#[must_use]
+pub fn ray_through(basis: &Basis, fx: Single, fy: Single) -> [Single; 3] {
     let direction: [Single; 3] = std::array::from_fn(|axis| {
         let in_row = fma(fx, basis.right[axis], basis.corner[axis]);
         fma(fy, basis.down[axis], in_row)

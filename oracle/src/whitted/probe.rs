@@ -42,10 +42,15 @@ impl<'a> Probe<'a> {
     /// centre of the top left pixel is (0, 0).
     #[must_use]
     pub fn colour(&self, x: f64, y: f64) -> DVec3 {
+        self.light(x, y).clamp(DVec3::ZERO, DVec3::ONE)
+    }
+
+    /// The light that the ray through a point of the picture sees; of [`Self::colour`], this is
+    /// what may be brighter than white.
+    #[must_use]
+    pub fn light(&self, x: f64, y: f64) -> DVec3 {
         let direction = self.camera.corner + x * self.camera.right + y * self.camera.down;
-        let colour = self
-            .stage
-            .eye(self.camera.eye, direction, &mut Path::default());
-        colour.clamp(DVec3::ZERO, DVec3::ONE)
+        self.stage
+            .eye(self.camera.eye, direction, &mut Path::default())
     }
 }

@@ -107,8 +107,11 @@ record! {
         mesh_cache: U32,
         /// Blocks that are cached.
         mesh_slots: U32,
-        /// Zero; fills the quadword.
-        unused: [U32; 2],
+        /// Samples of a pixel that is antialiased: 4 or 16; 1: none is.
+        samples: U32,
+        /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour
+        /// in its tile; 0: every pixel is.
+        contrast: U32,
     }
 }
 
@@ -230,7 +233,9 @@ record! {
         blocks_used: U64,
         /// Ticks of `dma_wait` spent waiting for blocks of meshes.
         ticks_block_wait: U64,
+        /// Primary rays beyond the first one of each pixel.
+        samples: U64,
         /// Zero; fills the second line.
-        reserved: [U64; 4],
+        reserved: [U64; 3],
     }
 }

@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 6;
+    VERSION = 7;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -93,8 +93,12 @@ constants! {
     FEATURE_CHECK_SHADERS = 8;
     /// Feature bit: the scene of Whitted's model has a mesh in main memory.
     FEATURE_MESH = 16;
+    /// Feature bit: pixels have sRGB's values, not linear light.
+    FEATURE_SRGB = 32;
+    /// Feature bit: light that is nearly white or brighter is limited without a step.
+    FEATURE_ROLL_OFF = 64;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 31;
+    FEATURES_KNOWN = 127;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -128,12 +132,12 @@ constants! {
     MAX_TRANSFER = 16384;
     /// Address in local store of the buffers that depth shading and Whitted's model each use in
     /// their own way.
-    ARENA_ADDRESS = 0x1b600;
+    ARENA_ADDRESS = 0x1c200;
     /// Address in local store of the scene of Whitted's model, which begins with the background's
     /// `OBJECT`.
-    SCENE_ADDRESS = 0x2e000;
+    SCENE_ADDRESS = 0x2ec00;
     /// Bytes for the scene and the waiting rays.
-    SCENE_ROOM = 0x10f80;
+    SCENE_ROOM = 0x10380;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -359,6 +363,8 @@ statuses! {
     MeshCache = 32, "mesh_cache, mesh_slots";
     /// A block must be as the work unit's document has it, and its children must come after it.
     MeshBlock = 33, "mesh";
+    /// Must be 1, 4 or 16 samples, and a contrast of at most 255.
+    Samples = 34, "samples, contrast";
 }
 
 const _: () = {

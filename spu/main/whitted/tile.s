@@ -1,5 +1,6 @@
 # A tile by Whitted's model. Its primary rays are traced batch by batch, and their secondary rays
-# as soon as there is a whole batch of them.
+# as soon as there is a whole batch of them. Where a pixel has several samples,
+# refine.s traces them afterwards.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -26,7 +27,24 @@ clear:
         ai      $left,$left,-1
 cleared:
         brnz    $left,clear
+        lqa     $left,contrast
+        brz     $left,refine
         brsl    $lr,eye_places
+        brsl    $lr,tile_rays
+        brsl    $lr,tile_pack
+        lqa     $left,contrast
+        cgti    $left,$left,0
+        brnz    $left,refine
+        leave
+refine:
+        brsl    $lr,tile_refine
+        leave
+endfunction whitted_tile
+
+# tile_rays   traces the listed packets of primary rays, and all rays that they send on
+#   Uses    $3-$79, Whitted's driver registers
+function tile_rays
+        enter
 next_batch:
         times_checked late,$left,$amount
 in_time:
@@ -37,6 +55,9 @@ in_time:
         cgt     $left,$left,$amount
         brz     $left,waiting
         brnz    $w_eye_left,from_eye
+        lqa     $left,refining
+        brnz    $left,refined
+unlisted:
         brz     $amount,traced
 waiting:
         il      $w_depth,2
@@ -50,6 +71,27 @@ trace:
         brsl    $lr,batch_trace
         br      next_batch
 traced:
+        leave
+
+refined:
+        brsl    $lr,samples_list
+        brnz    $w_eye_left,from_eye
+        lqa     $amount,queued
+        lqa     $left,queue
+        sf      $amount,$left,$amount
+        br      unlisted
+
+late:   brsl    $lr,times_add
+        br      in_time
+endfunction tile_rays
+
+# tile_pack   converts the sums of the current tile to its pixels
+#   Uses    $3-$79
+function tile_pack
+        enter
+        lqa     $3,converting
+        brnz    $3,convert
+converted:
         ila     $3,arena+PIXEL_SUMS
         il      $4,TILE_BYTES
         mpyu    $4,$4,$g_parity
@@ -62,9 +104,12 @@ traced:
         phase_ends $g_ticks_shade,$amount
         leave
 
-late:   brsl    $lr,times_add
-        br      in_time
-endfunction whitted_tile
+convert:
+        ila     $3,arena+PIXEL_SUMS
+        shli    $4,$g_tile_height,TILE_WIDTH_LOG2
+        brsl    $lr,light_convert
+        br      converted
+endfunction tile_pack
 
 # eye_places   lists the packets of the current tile
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
@@ -139,7 +184,7 @@ last_row:
         bi      $lr
 endfunction eye_places
 
-# eye_take   makes the next batch of primary rays
+# eye_take   makes the next batch of primary rays, or of samples
 #   Out     BATCH_RAYS, w_count
 #   Uses    $3-$79, w_eye_next, w_eye_left
         .set    t_c,10
@@ -151,13 +196,23 @@ function eye_take
         minimum $w_count,$t_packets,$w_eye_left,$t_c
         sf      $w_eye_left,$w_count,$w_eye_left
         ori     $3,$w_eye_next,0
-        shli    $4,$w_count,PLACE_SIZE_LOG2
-        a       $w_eye_next,$w_eye_next,$4
+        shli    $t_packets,$w_count,PLACE_SIZE_LOG2
         ori     $4,$w_count,0
         ila     $5,basis
         ila     $6,SCENE_ADDRESS
+        lqa     $t_c,refining
+        brnz    $t_c,samples
+        a       $w_eye_next,$w_eye_next,$t_packets
         ori     $7,$g_width,0
         ori     $8,$g_height,0
         brsl    $lr,primary_rays_r16
+        leave
+samples:
+        shli    $t_packets,$t_packets,2                 # a place for each row
+        a       $w_eye_next,$w_eye_next,$t_packets
+        ila     $7,frame
+        load_word $7,FRAME_samples,$7
+        ila     $8,arena+BATCH_RAYS
+        brsl    $lr,sample_rays_r16
         leave
 endfunction eye_take

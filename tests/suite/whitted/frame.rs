@@ -1,6 +1,6 @@
 //! Frames of Whitted's model, and their difference from the reference.
 
-use cellray::scene::{Model, RenderOptions};
+use cellray::scene::{Colour, Model, RenderOptions, Samples};
 use cellray::spe::Program;
 use cellray::statistics::{FrameStatistics, Rays};
 use cellray::{Engine, Scene, Settings};
@@ -17,6 +17,10 @@ pub const WHITTED: RenderOptions = RenderOptions {
     fresnel: false,
     spd_rays: false,
     shadows: true,
+    samples: Samples::One,
+    contrast: 0,
+    colour: Colour::Linear,
+    roll_off: false,
     corners: false,
 };
 

@@ -1,6 +1,8 @@
 //! Whitted's model on emulated SPUs, compared with the f64 reference.
 
+mod antialias;
 mod chains;
+mod colour;
 mod counts;
 mod frame;
 mod invariance;

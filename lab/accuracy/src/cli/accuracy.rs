@@ -3,10 +3,11 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use accuracy::antialiasing;
 use accuracy::document;
 use accuracy::output::{self, Document, Origin};
 use accuracy::plots::{self, Format};
-use accuracy::run::{self, Extent, Order};
+use accuracy::run::{self, Extent, Order, RunError};
 use clap::Args;
 
 use super::Outcome;
@@ -40,6 +41,10 @@ pub struct Arguments {
     /// Trace no pictures
     #[arg(long)]
     no_pictures: bool,
+    /// Measure only pictures with several samples a pixel: adaptive antialiasing and regular
+    /// supersampling
+    #[arg(long, conflicts_with_all = ["quick", "full", "no_pictures", "only", "json", "seed"])]
+    antialiasing: bool,
     /// Measure only these formulations
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
@@ -50,9 +55,13 @@ Examples:
   cellray-bench accuracy
   cellray-bench accuracy --only paper,perpendicular --no-pictures
   cellray-bench accuracy --full --write docs/accuracy.md
+  cellray-bench accuracy --antialiasing --write docs/antialiasing.md
   cellray-bench accuracy --quick --no-host-time --json -";
 
 pub fn run(arguments: &Arguments) -> Outcome {
+    if arguments.antialiasing {
+        return antialiasing(arguments);
+    }
     let extent = match (arguments.quick, arguments.full) {
         (true, _) => Extent::Quick,
         (false, true) => Extent::Full,
@@ -79,17 +88,31 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     output::write(&document, &arguments.out)?;
-    plots::write(
-        &document.results,
-        &arguments.out,
-        "",
-        &[Format::Svg, Format::Png],
-    )?;
+    let plots = plots::plots(&document.results);
+    plots::write(&plots, &arguments.out, "", &[Format::Svg, Format::Png])?;
     eprintln!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));
-        plots::write(&document.results, beside, document::PREFIX, &[Format::Svg])?;
+        plots::write(&plots, beside, document::PREFIX, &[Format::Svg])?;
         document::write(&document, file)?;
+        eprintln!("cellray-bench: {}", file.display());
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Measures antialiasing, and writes its plots and, if asked to, its document.
+fn antialiasing(arguments: &Arguments) -> Outcome {
+    output::folder(&arguments.out)?;
+    let rows = antialiasing::measure(|next| eprintln!("cellray-bench: {next}"))
+        .map_err(RunError::Picture)?;
+    let plots = plots::antialiasing(&rows);
+    let prefix = document::antialiasing::PREFIX;
+    plots::write(&plots, &arguments.out, prefix, &[Format::Svg, Format::Png])?;
+    eprintln!("cellray-bench: {}", arguments.out.display());
+    if let Some(file) = &arguments.write {
+        let beside = file.parent().unwrap_or(Path::new("."));
+        plots::write(&plots, beside, prefix, &[Format::Svg])?;
+        document::antialiasing::write(&rows, &plots, &Origin::here(), file)?;
         eprintln!("cellray-bench: {}", file.display());
     }
     Ok(ExitCode::SUCCESS)

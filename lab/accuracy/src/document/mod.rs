@@ -3,6 +3,7 @@
 //!
 //! Invariant: every number in it comes from the results.
 
+pub mod antialiasing;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -123,7 +124,12 @@ fn shown(plots: &[Plot], name: &str) -> String {
     let Some(plot) = plots.iter().find(|plot| plot.name == name) else {
         return String::new();
     };
-    let mut text = format!("\n![{}]({PREFIX}{name}.svg)\n", plot.title);
+    titled(plot, PREFIX)
+}
+
+/// A plot, in a file with this prefix, and the names of the points that no other beats.
+fn titled(plot: &Plot, prefix: &str) -> String {
+    let mut text = format!("\n![{}]({prefix}{}.svg)\n", plot.title, plot.name);
     if !plot.front.is_empty() {
         _ = writeln!(text, "\nNot beaten: {}.", plot.front.join(", "));
     }

@@ -17,6 +17,7 @@ use protocol::formulation::SPHERES;
 use crate::families::{FAR, Form};
 use crate::file::OutputError;
 
+use crate::antialiasing::Row;
 use crate::pictures::{PictureRow, SCENES};
 use crate::roots::RootRow;
 use crate::run::{KernelRow, Results};
@@ -52,21 +53,61 @@ pub fn plots(results: &Results) -> Vec<Plot> {
         let name = format!("picture-{}", scene.name);
         charts.push((name, picture(results, scene.name)));
     }
-    let plots = charts.into_iter().filter_map(|(name, chart)| {
+    let charts = charts.into_iter();
+    charts
+        .filter(|(_, chart)| chart.has_points())
+        .map(|(name, chart)| Plot::of(name, chart))
+        .collect()
+}
+
+/// The plots of antialiasing: one for each scene, by its name.
+pub fn antialiasing(rows: &[Row]) -> Vec<Plot> {
+    let mut scenes: Vec<&str> = rows.iter().map(|row| row.scene).collect();
+    scenes.dedup();
+    let plot = |scene: &str| {
+        let rows = rows.iter().filter(|row| row.scene == scene);
+        let point = |row: &Row| Point {
+            name: row.way.clone(),
+            x: row.frames_per_second,
+            y: row.rmse,
+            colour: if row.way.starts_with("4 ") {
+                1
+            } else if row.way.starts_with("16 ") {
+                4
+            } else {
+                0
+            },
+        };
+        let chart = Chart {
+            title: format!("Frames a second against the error of antialiased pictures: {scene}"),
+            note: "Samples a pixel and least contrast; ringed and joined: not beaten in both"
+                .to_owned(),
+            x: Axis {
+                rising: true,
+                ..axis("frames a second (simulated)", Kind::Log)
+            },
+            y: axis("root of the mean square error, 1/255", Kind::Log),
+            groups: vec![Group::Rivals(rows.map(point).collect())],
+        };
+        Plot::of(scene.to_owned(), chart)
+    };
+    scenes.into_iter().map(plot).collect()
+}
+
+impl Plot {
+    fn of(name: String, chart: Chart) -> Self {
         let rivals = chart.groups.iter().filter_map(Group::rivals);
         let fronts = rivals.flat_map(|points| {
             let front = not_beaten(&chart.x, points).into_iter();
             front.map(|at| points[at].name.clone())
         });
-        let front = fronts.collect();
-        chart.has_points().then_some(Plot {
+        Self {
             name,
             title: chart.title.clone(),
-            front,
+            front: fronts.collect(),
             chart,
-        })
-    });
-    plots.collect()
+        }
+    }
 }
 
 /// The file format of a plot.
@@ -78,18 +119,18 @@ pub enum Format {
     Png,
 }
 
-/// Writes all plots to a folder, with a prefix before their names.
+/// Writes plots to a folder, with a prefix before their names.
 ///
 /// # Errors
 ///
 /// Fails if a file can't be written.
 pub fn write(
-    results: &Results,
+    plots: &[Plot],
     folder: &Path,
     prefix: &str,
     formats: &[Format],
 ) -> Result<(), OutputError> {
-    for plot in plots(results) {
+    for plot in plots {
         for format in formats {
             let ending = match format {
                 Format::Svg => "svg",

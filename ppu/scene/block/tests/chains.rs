@@ -52,7 +52,7 @@ fn chains_get_longer_when_a_material_becomes_a_mirror() {
 #[test]
 fn a_scene_that_leaves_longer_chains_no_room_says_so() {
     // More than fit with the queue for chains of five rays, and fewer than fit without.
-    let (mut block, matt, shaders) = changing(905);
+    let (mut block, matt, shaders) = changing(865);
     let mirror = NffMaterial {
         specular: 1.0,
         ..matt

@@ -57,11 +57,24 @@ pub fn error_of_rays(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]]) -> f
 /// The largest error of a component of these directions through 4x4 pixels, starting at (x, y).
 #[must_use]
 pub fn error_of_directions(basis: &Basis, [x, y]: [u32; 2], directions: &Vectors) -> f64 {
+    let points = std::array::from_fn(|lane| {
+        let (column, row) = (lane as u32 % 4, lane as u32 / 4);
+        [x + column, y + row].map(f64::from)
+    });
+    error_of_directions_through(basis, &points, directions)
+}
+
+/// The same of directions through any points of the picture; of pixel (0, 0) the centre is (0, 0).
+#[must_use]
+pub fn error_of_directions_through(
+    basis: &Basis,
+    points: &[[f64; 2]; 16],
+    directions: &Vectors,
+) -> f64 {
     let [corner, right, down] =
         [basis.corner, basis.right, basis.down].map(|vector| vector.map(to_f64));
     let mut worst = 0.0_f64;
-    for (lane, found) in (0..).zip(directions) {
-        let (x, y) = (f64::from(x + lane % 4), f64::from(y + lane / 4));
+    for ([x, y], found) in points.iter().zip(directions) {
         let exact: Vector =
             std::array::from_fn(|axis| corner[axis] + x * right[axis] + y * down[axis]);
         for (found, exact) in found.iter().zip(unit(exact)) {

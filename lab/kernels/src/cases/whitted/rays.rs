@@ -13,10 +13,11 @@ use twins::cull_faces::Face;
 use twins::load_rays::Queued;
 use twins::primary_rays::{Ray, View};
 use twins::ray_setup::Basis;
+use twins::sample_rays::{Pixel, sample};
 use twins::{FARTHEST, ONE, ZERO};
 
 use crate::bench::Bench;
-use crate::cases::eye::error::{camera, error_of_directions};
+use crate::cases::eye::error::{camera, error_of_directions, error_of_directions_through};
 use crate::cases::sphere_ray::unit;
 use crate::catalogue::{Case, Kernel, Objects};
 use call::{BareSphere, Child, Point};
@@ -40,6 +41,19 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(primary_rays_error),
+    },
+    Kernel {
+        name: "sample_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let pixels: Vec<_> = (0..4 * count).map(|at| pixel([at, 0])).collect();
+                call::put_sample_rays(bench, &view().basis, 0, &pixels, 2).1
+            },
+        }],
+        error: Some(sample_rays_error),
     },
     Kernel {
         name: "load_rays_r16",
@@ -212,6 +226,30 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
     let bounds: [Bound; 1] = [bound(&rays())];
     let pairs = vec![[0, 0]; count as usize];
     faces::put(bench, &[face], &bounds, &pairs, ONE).arguments
+}
+
+/// A pixel whose sum doesn't matter.
+fn pixel([x, y]: [u32; 2]) -> Pixel {
+    Pixel {
+        sum: 0,
+        x: x as i32,
+        y: y as i32,
+    }
+}
+
+/// The largest error of a direction's component, in ulps of 1.
+fn sample_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let errors = (0..1000).map(|_| {
+        let basis = camera(random);
+        let at = [0; 2].map(|_: u32| random.random_range(0..8192));
+        let packets = call::sample_rays(bench, &basis, 0, &[pixel(at); 4], 4);
+        let points = std::array::from_fn(|lane| {
+            let offset = sample(4, [lane as u32 % 4, lane as u32 / 4]);
+            [0, 1].map(|axis| f64::from(at[axis]) + offset[axis])
+        });
+        error_of_directions_through(&basis, &points, &packets[0].map(|ray| ray.direction))
+    });
+    errors.fold(0.0, f64::max)
 }
 
 /// The largest error of a direction's component, in ulps of 1.

@@ -6,6 +6,7 @@ pub mod records;
 pub mod shapes;
 
 use spu_emulator::float::single::from_f64;
+use twins::ONE;
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
 
@@ -21,6 +22,8 @@ use shapes::Shape;
 
 /// The packets in a call. The cost of one more is what counts.
 const PACKETS: Objects = Objects::List(4, 8);
+/// The quadwords of a packet's row, and of a tile's.
+const QUADS: Objects = Objects::List(4, 64);
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
@@ -113,6 +116,26 @@ pub const KERNELS: &[Kernel] = &[
             place: pack_sums,
         }],
         error: Some(error::pack_sums),
+    },
+    Kernel {
+        name: "encode_srgb",
+        rays: 1,
+        cases: &[Case {
+            name: "a row of sums",
+            objects: QUADS,
+            place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
+        }],
+        error: Some(error::encode_srgb),
+    },
+    Kernel {
+        name: "roll_off",
+        rays: 1,
+        cases: &[Case {
+            name: "a row of sums",
+            objects: QUADS,
+            place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
+        }],
+        error: Some(error::roll_off),
     },
 ];
 

@@ -1,6 +1,7 @@
 //! The kernels from hits to pixels. They are compared with their twins bit for bit, on inputs like
 //! those of frames and on random bits, in lists of every relevant length, and with f64.
 
+mod display;
 mod gather;
 mod leave;
 mod light;

@@ -3,6 +3,8 @@
 use twins::bound::Bound;
 use twins::load_rays::Queued;
 use twins::primary_rays::{Ray, View};
+use twins::ray_setup::Basis;
+use twins::sample_rays::Pixel;
 use twins::{ONE, Single};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
@@ -189,6 +191,51 @@ pub fn primary_rays(
     bench.call("primary_rays_r16", &arguments);
     let packets = packets.iter().map(|packet| rays(&bench.read(*packet)));
     packets.collect()
+}
+
+/// Puts the inputs of `sample_rays_r16` into local store: four pixels for each packet, which have
+/// `across` squared samples. Returns the address of the packets and the arguments.
+pub fn put_sample_rays(
+    bench: &mut Bench,
+    basis: &Basis,
+    background: u32,
+    pixels: &[Pixel],
+    across: u32,
+) -> (Place, Vec<u32>) {
+    let packets = vec![RayPacket::new_zeroed(); pixels.len() / 4];
+    let packets = put(bench, &packets);
+    let basis = put(bench, &[eye_records::basis(basis)]);
+    let places = pixels.iter().map(|pixel| layout::Place {
+        packet: ANYTHING.into(),
+        pixels: pixel.sum.into(),
+        x: (pixel.x as u32).into(),
+        y: (pixel.y as u32).into(),
+    });
+    let places = put(bench, &places.collect::<Vec<_>>());
+    let arguments = vec![
+        places.address,
+        pixels.len() as u32 / 4,
+        basis.address,
+        background,
+        across * across,
+        packets.address,
+    ];
+    (packets, arguments)
+}
+
+/// Calls `sample_rays_r16`.
+pub fn sample_rays(
+    bench: &mut Bench,
+    basis: &Basis,
+    background: u32,
+    pixels: &[Pixel],
+    across: u32,
+) -> Vec<[Ray; 16]> {
+    bench.reset();
+    let (packets, arguments) = put_sample_rays(bench, basis, background, pixels, across);
+    bench.call("sample_rays_r16", &arguments);
+    let packets = bench.read_all::<RayPacket>(packets);
+    packets.iter().map(rays).collect()
 }
 
 /// Puts the inputs of `load_rays_r16` into local store: `count` rays, and the rest of `queue`

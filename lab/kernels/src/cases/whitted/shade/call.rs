@@ -311,3 +311,20 @@ pub fn same_objects(bench: &mut Bench, packets: &[[u32; 16]]) -> u32 {
     let arguments = [rays.address, packets.len() as u32];
     bench.call("same_objects_r16", &arguments).value
 }
+
+/// Puts the inputs of `encode_srgb` or `roll_off` into local store. Returns the values' place and
+/// the arguments.
+pub fn put_values(bench: &mut Bench, values: &[[Single; 4]]) -> (bench::Place, Vec<u32>) {
+    let quads: Vec<_> = values.iter().map(|quad| quad.map(single)).collect();
+    let place = put(bench, &quads);
+    (place, vec![place.address, values.len() as u32])
+}
+
+/// Calls one of them.
+pub fn convert(bench: &mut Bench, kernel: &str, values: &[[Single; 4]]) -> Vec<[Single; 4]> {
+    bench.reset();
+    let (place, arguments) = put_values(bench, values);
+    bench.call(kernel, &arguments);
+    let quads = bench.read_all::<[F32; 4]>(place);
+    quads.into_iter().map(|quad| quad.map(bits)).collect()
+}

@@ -322,3 +322,42 @@ fn off_surface(found: &Surfaces, lane: usize, shape: &Shape) -> f64 {
     let (height, _) = shape.at(point.map(|row| to_f64(bits(row[lane]))));
     height.abs() / to_f64(bits(found.leave[lane]))
 }
+
+/// The largest error of `kernel` from 0 to `most`, of 1/255.
+fn error_of_values(
+    bench: &mut Bench,
+    random: &mut ChaCha8Rng,
+    kernel: &str,
+    most: f64,
+    exact: fn(f64) -> f64,
+) -> f64 {
+    let values: Vec<[Single; 4]> = (0..1000)
+        .map(|_| [(); 4].map(|()| from_f64(random.random_range(0.0..most))))
+        .collect();
+    let found = call::convert(bench, kernel, &values);
+    let pairs = values.as_flattened().iter().zip(found.as_flattened());
+    let errors = pairs.map(|(value, found)| 255.0 * (to_f64(*found) - exact(to_f64(*value))).abs());
+    errors.fold(0.0, f64::max)
+}
+
+/// The largest error of sRGB's values, of 1/255.
+pub fn encode_srgb(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    error_of_values(bench, random, "encode_srgb", 1.0, |x| {
+        if x <= 0.003_130_8 {
+            12.92 * x
+        } else {
+            1.055 * libm::pow(x, 1.0 / 2.4) - 0.055
+        }
+    })
+}
+
+/// The largest error of limited light, of 1/255.
+pub fn roll_off(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    error_of_values(bench, random, "roll_off", 8.0, |x| {
+        if x <= 0.75 {
+            x
+        } else {
+            1.0 - 0.0625 / (x - 0.5)
+        }
+    })
+}

@@ -1,0 +1,73 @@
+//! `encode_srgb` and `roll_off`.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::whitted::shade::call;
+use rand::Rng as _;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::display::{encode_srgb, roll_off};
+use twins::{ONE, Single};
+
+use super::COUNTS;
+
+type Twin = fn(Single) -> Single;
+
+/// The kernels and their twins.
+const KERNELS: [(&str, Twin); 2] = [("encode_srgb", encode_srgb), ("roll_off", roll_off)];
+
+fn check(bench: &mut Bench, values: &[[Single; 4]]) {
+    for (kernel, twin) in KERNELS {
+        let found = call::convert(bench, kernel, values);
+        let expected: Vec<_> = values.iter().map(|quad| quad.map(twin)).collect();
+        assert_eq!(found, expected, "{kernel} of {values:x?}");
+    }
+}
+
+#[test]
+fn values_equal_the_twin_in_lists_of_any_length() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for count in COUNTS.into_iter().chain([16, 100]) {
+        let light: Vec<_> = (0..count)
+            .map(|_| [(); 4].map(|()| from_f64(random.random_range(-0.25..2.0))))
+            .collect();
+        check(&mut bench, &light);
+    }
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..200 {
+        let values: [[Single; 4]; 8] = random.random();
+        check(&mut bench, &values);
+    }
+}
+
+#[test]
+fn brighter_light_is_never_darker() {
+    for (name, twin) in KERNELS {
+        // Of rounding, a step of the estimates' tables may be left.
+        let values = (0..40_000).map(|step| to_f64(twin(from_f64(f64::from(step) / 10_000.0))));
+        let mut most = 0.0_f64;
+        for value in values {
+            assert!(value > most - 1e-3, "{name}: {value} after {most}");
+            most = most.max(value);
+        }
+    }
+}
+
+#[test]
+fn what_is_not_visible_stays_so() {
+    let inside = |value: Single| (0.0..=1.0).contains(&to_f64(value));
+    assert_eq!(encode_srgb(0), 0);
+    assert!((to_f64(encode_srgb(ONE)) - 1.0).abs() < 1e-3);
+    for light in [1.01, 2.0, 100.0, 1e30] {
+        assert!(to_f64(encode_srgb(from_f64(light))) > 1.0);
+        assert!(inside(roll_off(from_f64(light))));
+    }
+    for light in [-1e-6, -0.1, -1e30] {
+        assert!(to_f64(encode_srgb(from_f64(light))) <= 0.0);
+        assert_eq!(roll_off(from_f64(light)), from_f64(light));
+    }
+}
