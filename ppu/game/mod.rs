@@ -11,9 +11,9 @@ mod run;
 mod turntable;
 mod world;
 
-pub use glam::DVec3;
+pub use glam::{DAffine3, DVec3};
 pub use nff::depth::DepthShading;
-pub use nff::{LightKind, Shader, Shape, View};
+pub use nff::{LightKind, Mesh, Shader, Shape, View};
 
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
 pub use run::{
@@ -21,7 +21,7 @@ pub use run::{
     Recording, RecordingError, Session, SessionError,
 };
 pub use turntable::Turntable;
-pub use world::{Light, LightId, Material, MaterialId, ObjectId, Pick, World, WorldError};
+pub use world::{Light, LightId, Material, MaterialId, MeshId, ObjectId, Pick, World, WorldError};
 
 pub use crate::scene::{Model, RenderOptions};
 use crate::spe::{Program, ProgramError};

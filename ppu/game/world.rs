@@ -1,6 +1,6 @@
 //! The world: the content that a game changes from frame to frame, by handles.
 //!
-//! Owns the camera, background, lights, materials and objects, and the scene that is traced.
+//! Owns the camera, background, lights, materials, objects and meshes, and the scene that is traced.
 //! Invariants: a handle is valid until its object, light or material is removed, and is never
 //! reused for another one; every number is in the range that the SPUs can represent; a world is
 //! traced exactly like a scene with the same content.
@@ -13,25 +13,28 @@ mod error;
 mod ids;
 mod material;
 mod materials;
+mod meshes;
 mod objects;
 mod pick;
 mod traced;
 
 pub use error::WorldError;
-pub use ids::{LightId, MaterialId, ObjectId};
+pub use ids::{LightId, MaterialId, MeshId, ObjectId};
 pub use material::{Light, Material};
 pub use pick::Pick;
 
-use std::sync::Arc;
+use std::borrow::Cow;
 
-use glam::DVec3;
+use glam::{DAffine3, DVec3};
+use nff::View;
 use nff::depth::DepthShading;
-use nff::{Mesh, View};
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
 use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
+use self::meshes::WorldMesh;
+use crate::scene::mesh::gathered;
 use crate::scene::{Model, RenderOptions};
 
 /// Ambient light beside the default light: shadows are dark, not black.
@@ -61,6 +64,7 @@ fn default_light() -> nff::Light {
 /// - Whitted's model: the tiles in which a changed object is or was visible, those on which its
 ///   shadow falls or fell, and those in which mirrors, glass or objects with a game's own shader
 ///   are visible, because the object may show in them.
+/// - A mesh in main memory has moved: all tiles.
 /// - A light, the ambient light, the background, the eye or the [`RenderOptions`] have changed: all
 ///   tiles.
 ///
@@ -92,35 +96,11 @@ pub struct World {
     materials: SlotMap<MaterialId, WorldMaterial>,
     lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
-    /// The triangles of the scene that the world was made of.
-    mesh: Option<WorldMesh>,
+    meshes: SlotMap<MeshId, WorldMesh>,
     /// The scene that was traced last.
     traced: Option<Traced>,
     /// The changes since then.
     edits: Edits,
-}
-
-/// The mesh of a world's scene.
-struct WorldMesh {
-    mesh: Arc<Mesh>,
-    /// The materials that its triangles' numbers mean.
-    materials: Vec<MaterialId>,
-}
-
-impl WorldMesh {
-    /// The mesh with its materials at these places.
-    fn placed(&self, places: &SecondaryMap<MaterialId, u32>) -> Arc<Mesh> {
-        let place = |&id: &MaterialId| places.get(id).copied().unwrap_or_default();
-        let places: Vec<u32> = self.materials.iter().map(place).collect();
-        if places.iter().copied().eq(0..places.len() as u32) {
-            return self.mesh.clone();
-        }
-        let mut mesh = Mesh::clone(&self.mesh);
-        for material in &mut mesh.materials {
-            *material = places.get(*material as usize).copied().unwrap_or_default();
-        }
-        Arc::new(mesh)
-    }
 }
 
 impl Default for World {
@@ -151,19 +131,25 @@ impl World {
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
-            mesh: None,
+            meshes: SlotMap::with_key(),
             traced: None,
             edits: Edits::default(),
         }
     }
 
     /// A world with a scene's content. Objects, materials and lights keep the scene's order, and
-    /// error messages name them by their lines in the file.
+    /// error messages name them by their lines in the file. With Whitted's model, more than 512
+    /// triangles become a mesh and are no objects.
     ///
     /// # Errors
     /// The scene's content breaks a rule of the world; see [`WorldError`]. The error names the file
     /// and the line of an object, material or light.
     pub fn from_nff(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, WorldError> {
+        let scene = match render_options.is_whitted(scene.lights.len()) {
+            true => gathered(scene),
+            false => Cow::Borrowed(scene),
+        };
+        let scene = &*scene;
         let at = |line| {
             move |source| WorldError::At {
                 file: scene.name.clone(),
@@ -195,10 +181,9 @@ impl World {
             let id = id.map_err(at(object.line))?;
             world.objects[id].line = Some(object.line);
         }
-        world.mesh = scene.mesh.clone().map(|mesh| WorldMesh {
-            mesh,
-            materials: ids,
-        });
+        if let Some(mesh) = &scene.mesh {
+            world.add_mesh(mesh.clone(), &ids, DAffine3::IDENTITY)?;
+        }
         Ok(world)
     }
 
@@ -241,7 +226,7 @@ impl World {
                     shape: object.shape.clone(),
                 })
                 .collect(),
-            mesh: self.mesh.as_ref().map(|mesh| mesh.placed(&place)),
+            mesh: self.joined_mesh(&place),
         }
     }
 
@@ -421,6 +406,14 @@ impl World {
             sum.word(u64::from(object.visible));
             if let Some(entry) = self.materials.get(object.material) {
                 sum.material(&entry.material);
+            }
+        }
+        for mesh in self.meshes.values() {
+            mesh.sum(&mut sum);
+            for &id in mesh.used() {
+                if let Some(entry) = self.materials.get(id) {
+                    sum.material(&entry.material);
+                }
             }
         }
         sum.number()

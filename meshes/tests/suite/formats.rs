@@ -76,6 +76,27 @@ fn a_glb_file_has_transforms_a_camera_and_a_light() {
 }
 
 #[test]
+fn nodes_share_a_mesh_at_places_of_their_own() {
+    let json = JSON.replace("[0,1,2]", "[0,1,3]").replace(
+        r#"{"translation":[0,4,0],"#,
+        r#"{"mesh":0,"translation":[0,0,-3]},{"children":[2],"scale":[2,2,2],"#,
+    );
+    let loaded = load("t.glb", &container(json.as_bytes(), &triangle())).unwrap();
+    let mesh = loaded.scene.mesh.as_ref().unwrap();
+    assert_eq!(mesh.triangles.len(), 2);
+    let corners = |triangle| mesh.corners(triangle).map(|corner| corner.to_array());
+    assert_eq!(
+        corners(0),
+        [[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 0.0, 0.0]]
+    );
+    // The inner node's place is doubled by the outer one.
+    assert_eq!(
+        corners(1),
+        [[0.0, 0.0, -6.0], [2.0, 0.0, -6.0], [0.0, 2.0, -6.0]]
+    );
+}
+
+#[test]
 fn strips_and_missing_indices_make_triangles() {
     let json = JSON.replace(r#""indices":2,"#, r#""mode":5,"#);
     let strip = load("t.glb", &container(json.as_bytes(), &triangle())).unwrap();

@@ -4,11 +4,12 @@
 //! The exceptions are numbers that are computed from others, such as the growth of a very flat
 //! cone.
 
-use glam::DVec3;
-use nff::{LightKind, Shader, Shape};
+use glam::{DAffine3, DMat3, DVec3};
+use nff::{LightKind, Mesh, Shader, Shape};
 
 use super::error::WorldError;
 use super::material::{Light, Material};
+use super::meshes::corners;
 use crate::scene::single::{LARGEST, SMALLEST};
 
 fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {
@@ -90,6 +91,75 @@ pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
             .iter()
             .try_for_each(|vertex| vector("vertex", *vertex + by)),
     }
+}
+
+/// Checks that the parts of a mesh belong together, and that `materials` materials are enough.
+/// Returns the numbers of those that its triangles have.
+pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldError> {
+    let bad = |message: String| Err(WorldError::BadMesh(message));
+    let (vertices, triangles) = (mesh.positions.len(), mesh.triangles.len());
+    if triangles == 0 {
+        return bad("it has no triangles".into());
+    }
+    if mesh.materials.len() != triangles {
+        let count = mesh.materials.len();
+        return bad(format!(
+            "{triangles} triangles need as many materials, not {count}"
+        ));
+    }
+    if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
+        let count = mesh.normals.len();
+        return bad(format!(
+            "{vertices} vertices need as many normals, or none, not {count}"
+        ));
+    }
+    for (number, triangle) in mesh.triangles.iter().enumerate() {
+        if let Some(vertex) = triangle.iter().find(|vertex| **vertex as usize >= vertices) {
+            return bad(format!(
+                "triangle {number} has vertex {vertex} of {vertices}"
+            ));
+        }
+    }
+    let mut used = vec![false; materials];
+    for (number, &material) in mesh.materials.iter().enumerate() {
+        match used.get_mut(material as usize) {
+            Some(used) => *used = true,
+            None => {
+                return bad(format!(
+                    "triangle {number} has material {material} of {materials}"
+                ));
+            }
+        }
+    }
+    for (what, vectors) in [("vertex", &mesh.positions), ("normal", &mesh.normals)] {
+        for &value in vectors.iter().flatten() {
+            number(what, f64::from(value))?;
+        }
+    }
+    let used = used.into_iter().enumerate();
+    Ok(used
+        .filter_map(|(number, used)| used.then_some(number))
+        .collect())
+}
+
+/// Whether a mesh has a volume, or an area, and is in range at a place.
+pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldError> {
+    for corner in corners(mesh) {
+        vector("transformed vertex", place.transform_point3(corner))?;
+    }
+    let DMat3 {
+        x_axis,
+        y_axis,
+        z_axis,
+    } = place.matrix3;
+    for axis in [x_axis, y_axis, z_axis] {
+        vector("axis of the place", axis)?;
+    }
+    let volume = place.matrix3.determinant();
+    if volume == 0.0 || !volume.is_finite() {
+        return Err(WorldError::NoSurface("the place of a mesh makes it flat"));
+    }
+    Ok(())
 }
 
 fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {

@@ -1,7 +1,7 @@
 //! A checksum of a world's content, the same on every machine.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Shader, Shape};
+use nff::{LightKind, Material, Mesh, Shader, Shape};
 
 use super::Light;
 
@@ -65,6 +65,20 @@ impl Checksum {
                 self.vectors(normals);
             }
         }
+    }
+
+    /// A mesh without its place and its materials.
+    pub fn mesh(&mut self, mesh: &Mesh) {
+        for vectors in [&mesh.positions, &mesh.normals] {
+            self.word(vectors.len() as u64);
+            for number in vectors.iter().flatten() {
+                self.bytes(&number.to_bits().to_be_bytes());
+            }
+        }
+        for number in mesh.triangles.iter().flatten().chain(&mesh.materials) {
+            self.bytes(&number.to_be_bytes());
+        }
+        self.word(u64::from(mesh.two_sided));
     }
 
     pub fn light(&mut self, light: &Light) {

@@ -20,7 +20,7 @@ pub(super) struct WorldMaterial {
     /// Its line in the file that it comes from.
     pub line: Option<u32>,
     pub material: nff::Material,
-    /// How many objects are made of it.
+    /// How many objects and meshes are made of it.
     pub users: u32,
     pub traced: SceneEntry,
 }

@@ -1,5 +1,9 @@
 //! The scene that was traced last, and the changes of the world that aren't in it yet.
 
+use std::sync::Arc;
+
+use nff::Mesh;
+
 use super::ids::{LightId, MaterialId, ObjectId};
 use crate::scene::Scene;
 use crate::scene::block::ShaderEntries;
@@ -11,6 +15,8 @@ pub(super) struct Traced {
     pub shaders: ShaderEntries,
     /// The program that has the shaders.
     pub program: Program,
+    /// All meshes as one.
+    pub mesh: Option<Arc<Mesh>>,
 }
 
 /// Where an object, light or material is in the traced scene.
@@ -31,6 +37,8 @@ pub(super) struct Edits {
     pub objects: Vec<ObjectId>,
     pub materials: Vec<MaterialId>,
     pub lights: Vec<LightId>,
+    /// Whether meshes have other places.
+    pub moved_meshes: bool,
     /// Numbers of removed objects.
     pub removed: Vec<usize>,
 }
@@ -61,6 +69,7 @@ impl Edits {
     /// Forgets all changes, and keeps the memory.
     pub fn clear(&mut self) {
         self.rebuild = false;
+        self.moved_meshes = false;
         self.objects.clear();
         self.materials.clear();
         self.lights.clear();

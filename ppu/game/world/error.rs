@@ -12,14 +12,20 @@ pub enum WorldError {
     /// The handle's object was removed, or never was in this world.
     #[error("there is no such object: it was removed, or never was in this world")]
     NoObject,
+    /// The handle's mesh was removed, or never was in this world.
+    #[error("there is no such mesh: it was removed, or never was in this world")]
+    NoMesh,
+    /// A mesh whose parts don't belong together.
+    #[error("the mesh is not valid: {0}")]
+    BadMesh(String),
     /// The handle's material was removed, or never was in this world.
     #[error("there is no such material: it was removed, or never was in this world")]
     NoMaterial,
     /// The handle's light was removed, or never was in this world.
     #[error("there is no such light: it was removed, or never was in this world")]
     NoLight,
-    /// A material can't be removed while objects are made of it.
-    #[error("the material can't be removed: {users} object(s) are made of it")]
+    /// A material can't be removed while objects or meshes are made of it.
+    #[error("the material can't be removed: {users} object(s) or mesh(es) are made of it")]
     MaterialInUse {
         /// How many objects are made of it.
         users: u32,

@@ -236,7 +236,7 @@ impl World {
         }
     }
 
-    fn unuse(&mut self, material: MaterialId) {
+    pub(super) fn unuse(&mut self, material: MaterialId) {
         if let Some(entry) = self.materials.get_mut(material) {
             entry.users -= 1;
         }

@@ -4,13 +4,15 @@
 //! for the order of its records and the shape of its trees, which no picture shows. If nothing was
 //! added, this allocates no memory.
 
-use nff::Shape;
+use std::sync::Arc;
+
+use nff::{Mesh, Shape};
 
 use super::content::{Object, WorldMaterial};
 use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
-use crate::scene::{Scene, SceneError, Sphere};
+use crate::scene::{Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
@@ -29,8 +31,9 @@ impl World {
     /// Changes since the last call are made in place. No memory is allocated if objects were moved,
     /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
     /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
-    /// new scene is made. A new scene is also made when lights are added or removed, or when the
-    /// [`RenderOptions`](crate::scene::RenderOptions) change.
+    /// new scene is made. A new scene is also made when lights or meshes are added or removed, when
+    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere changes that is
+    /// in main memory. Meshes that move get new blocks.
     ///
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
@@ -66,6 +69,9 @@ impl World {
                 entry.traced.is_touched = false;
             }
         }
+        if self.edits.moved_meshes || self.edits.rebuild {
+            self.meshes_are_traced();
+        }
         self.edits.clear();
         Ok(&self.traced.insert(traced).scene)
     }
@@ -76,8 +82,15 @@ impl World {
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps room for hidden objects.
         let is_whitted = self.render_options.is_whitted(self.light_count());
-        let content = self.content(|object| object.visible || is_whitted);
+        let mut keeps_hidden = is_whitted;
+        let mut content = self.content(|object| object.visible || is_whitted);
         let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        let streams_spheres = scene.block().is_some_and(SceneBlock::streams_spheres);
+        if streams_spheres && self.objects.values().any(|object| !object.visible) {
+            keeps_hidden = false;
+            content = self.content(|object| object.visible);
+            scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        }
         scene.check_streaming(program)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
             entry.number(number);
@@ -85,8 +98,13 @@ impl World {
         for (number, entry) in self.lights.values_mut().enumerate() {
             entry.traced.number = Some(number);
         }
-        for (number, object) in self.objects.values_mut().enumerate() {
-            object.traced.number = is_whitted.then_some(number);
+        let mut numbers = 0..;
+        for object in self.objects.values_mut() {
+            let is_numbered = is_whitted && (object.visible || keeps_hidden);
+            object.traced.number = is_numbered.then(|| numbers.next()).flatten();
+            let Some(number) = object.traced.number else {
+                continue;
+            };
             if let Some(block) = scene.block_mut().filter(|_| !object.visible) {
                 block.hide_object(number);
             }
@@ -99,19 +117,41 @@ impl World {
             scene,
             shaders,
             program: *program,
+            mesh: content.mesh,
         })
     }
 
     /// Brings the world's changes into a scene; `false` if they don't fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
-        let Traced { scene, shaders, .. } = traced;
+        let Traced {
+            scene,
+            shaders,
+            mesh,
+            ..
+        } = traced;
         scene.set_view(&self.view);
         scene.set_background(self.background)?;
         if scene.block().is_some() {
-            return self.change_whitted(scene, shaders);
+            return Ok(self.move_meshes(scene, mesh) && self.change_whitted(scene, shaders)?);
         }
         self.set_spheres(scene)?;
         Ok(true)
+    }
+
+    /// Brings the places of meshes into a scene; `false` if it needs another tree.
+    fn move_meshes(&self, scene: &mut Scene, mesh: &mut Option<Arc<Mesh>>) -> bool {
+        if !self.edits.moved_meshes {
+            return true;
+        }
+        let (Some(block), Some(mesh)) = (scene.block_mut(), mesh) else {
+            return false;
+        };
+        if block.mesh().is_none() {
+            return false;
+        }
+        let mesh = Arc::make_mut(mesh);
+        self.write_moved(mesh);
+        block.refit_mesh(mesh)
     }
 
     fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {
@@ -143,6 +183,10 @@ impl World {
         let Some(block) = scene.block_mut() else {
             return Ok(false);
         };
+        let are_objects_changed = !(self.edits.objects.is_empty() && self.edits.removed.is_empty());
+        if block.streams_spheres() && are_objects_changed {
+            return Ok(false);
+        }
         let ambient = self.ambient_light();
         let Self {
             edits,

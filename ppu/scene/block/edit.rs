@@ -5,7 +5,7 @@
 //! [`SceneBlock::write_for`] writes it. Call [`SceneBlock::bound_chains`] before that.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Scene, Shape};
+use nff::{LightKind, Material, Mesh, Scene, Shape};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
@@ -35,7 +35,7 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<Self, BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let tight = Self::new(scene, options, &shader)?;
+        let tight = Self::unchanging(scene, options, &shader)?;
         if tight.streamed.is_some() {
             // What would be spare is the mesh's cache.
             return Ok(tight);
@@ -60,6 +60,19 @@ impl SceneBlock {
             }
         }
         Ok(tight)
+    }
+
+    /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and
+    /// normals.
+    pub(crate) fn refit_mesh(&mut self, mesh: &Mesh) -> bool {
+        let streamed = self.streamed.as_mut();
+        streamed.is_some_and(|streamed| streamed.refit(mesh))
+    }
+
+    /// Whether spheres are in main memory. Then none can be changed in place.
+    pub(crate) fn streams_spheres(&self) -> bool {
+        let streamed = self.streamed.as_ref();
+        streamed.is_some_and(|streamed| streamed.with_spheres)
     }
 
     /// Sets the background.

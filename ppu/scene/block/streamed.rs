@@ -86,6 +86,16 @@ impl Streamed {
         }))
     }
 
+    /// Moves the triangles; `false` if a new tree is needed.
+    pub fn refit(&mut self, mesh: &Mesh) -> bool {
+        let (Some(blocks), Some((low, high))) = (self.blocks.refitted(mesh), mesh.bounds()) else {
+            return false;
+        };
+        self.blocks = Arc::new(blocks);
+        self.bounds = [low, high];
+        true
+    }
+
     /// The largest origin offset of its triangles, as `Object::leave` has it for one.
     pub fn leave(&self, eye: DVec3) -> f64 {
         let [low, high] = self.bounds;

@@ -14,6 +14,7 @@ mod cut;
 mod gather;
 mod leaf;
 mod normal;
+mod refit;
 mod sphere;
 mod statistics;
 mod sweep;
@@ -77,6 +78,11 @@ struct Block([u8; MESH_BLOCK as usize]);
 pub struct MeshBlocks {
     blocks: Vec<Block>,
     materials: Vec<u32>,
+    /// The mesh's vertices that leaf blocks have, block after block.
+    sources: Vec<u32>,
+    /// The surfaces of all boxes, each times the tests that a ray makes that meets it, when the tree
+    /// was built.
+    cost: f64,
     statistics: MeshStatistics,
 }
 

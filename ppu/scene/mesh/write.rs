@@ -22,7 +22,7 @@ use super::{Block, MeshBlocks, MeshError};
 /// The most triangles of a leaf whose only node has all runs.
 const FEW: usize = 16;
 /// Bits of a run's word below the number of its triangles.
-const RUN_SHIFT: u32 = 16;
+pub(super) const RUN_SHIFT: u32 = 16;
 
 /// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, `numbers` the
 /// number in blocks of each material of the scene, and `materials` those materials.
@@ -46,6 +46,8 @@ pub(super) fn blocks(
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
         whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
         local: vec![(0, 0); mesh.positions.len()],
+        sources: Vec::new(),
+        cost: 0.0,
         statistics: MeshStatistics {
             triangles: pieces.len() - spheres.len(),
             spheres: spheres.len(),
@@ -80,6 +82,8 @@ pub(super) fn blocks(
         count if count > MESH_BLOCKS as usize => Err(MeshError::TooManyBlocks(count)),
         _ => Ok(MeshBlocks {
             statistics: writer.statistics,
+            sources: writer.sources,
+            cost: writer.cost,
             blocks,
             materials,
         }),
@@ -95,6 +99,10 @@ struct Writer<'a> {
     whole: f64,
     /// For each vertex the last leaf block that has it, counted from 1, and its index there.
     local: Vec<(u32, u8)>,
+    /// The vertices of all leaf blocks, block after block.
+    sources: Vec<u32>,
+    /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
+    cost: f64,
     statistics: MeshStatistics,
 }
 
@@ -118,6 +126,7 @@ impl Writer<'_> {
                 let word = first as u32 * size_of::<MeshFace>() as u32;
                 children.push((bounds, word | (length as u32) << RUN_SHIFT));
                 self.statistics.expected_triangles += self.share(bounds) * length as f64;
+                self.cost += bounds.area() * (length - 1) as f64;
                 first += length;
             }
             lowest.push(children);
@@ -139,6 +148,7 @@ impl Writer<'_> {
                     } else {
                         0
                     };
+                    self.sources.push(vertex);
                     vertices.push(MeshVertex {
                         position: self.mesh.positions[vertex as usize].map(F32::new),
                         normal: normal.into(),
@@ -248,6 +258,8 @@ impl Writer<'_> {
         put(header.as_bytes());
         for children in nodes {
             self.statistics.expected_nodes += self.share(all(children));
+            let boxes_of_children = children.iter().map(|(bounds, _)| bounds.area());
+            self.cost += boxes_of_children.sum::<f64>();
             put(boxes(children).as_bytes());
         }
         put(vertices);

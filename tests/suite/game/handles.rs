@@ -220,7 +220,20 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
 #[test]
 fn too_much_is_refused_until_it_is_gone() {
     let program = Program::tracer();
-    for model in [Model::Depth, Model::Whitted] {
+    let sphere = |centre| Shape::Sphere {
+        centre,
+        radius: 0.5,
+    };
+    // With Whitted's model, spheres would be streamed.
+    let cone = |base| Shape::Cone {
+        base,
+        base_radius: 0.5,
+        apex: base + DVec3::Y,
+        apex_radius: 0.0,
+    };
+    let shapes: [(_, &dyn Fn(DVec3) -> Shape); 2] =
+        [(Model::Depth, &sphere), (Model::Whitted, &cone)];
+    for (model, too_many) in shapes {
         let mut world = World::new();
         world.set_render_options(RenderOptions {
             model,
@@ -228,7 +241,7 @@ fn too_much_is_refused_until_it_is_gone() {
         });
         let red = red(&mut world);
         let objects: Vec<_> = (0..=MAX_SPHERES)
-            .map(|x| world.add_sphere(DVec3::X * f64::from(x), 0.5, red).unwrap())
+            .map(|x| world.add(too_many(DVec3::X * f64::from(x)), red).unwrap())
             .collect();
         for _ in 0..2 {
             let error = world.scene(&program).unwrap_err();

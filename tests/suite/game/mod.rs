@@ -4,6 +4,7 @@ mod content;
 mod fresh;
 mod handles;
 mod input;
+mod meshes;
 mod refined;
 mod retained;
 mod session;

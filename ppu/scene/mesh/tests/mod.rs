@@ -1,6 +1,7 @@
 //! The blocks of meshes, right in every field, and traced in `f64`.
 
 mod meshes;
+mod refit;
 mod refusals;
 mod spheres;
 mod structure;

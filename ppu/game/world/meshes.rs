@@ -1,0 +1,277 @@
+//! The meshes of a world, each at a place of its own.
+//!
+//! Invariant: all vertices, normals and materials that a triangle names exist, and are in range at
+//! the mesh's place. The picture shows one mesh that is made of all of them, so several places of
+//! one [`Mesh`] share its memory here, but each has triangles of its own in the SPUs' blocks.
+
+use std::sync::Arc;
+
+use glam::{DAffine3, DMat3, DVec3, Vec3};
+use nff::{Mesh, unit};
+use slotmap::SecondaryMap;
+
+use super::checksum::Checksum;
+use super::{MaterialId, MeshId, World, WorldError, check};
+
+/// A mesh at a place.
+pub(super) struct WorldMesh {
+    mesh: Arc<Mesh>,
+    /// The materials that its triangles' numbers mean.
+    materials: Vec<MaterialId>,
+    /// Those that its triangles have.
+    used: Vec<MaterialId>,
+    place: DAffine3,
+    visible: bool,
+    /// Whether its place has changed since the world was traced.
+    has_moved: bool,
+    /// A checksum of all but the place and the materials.
+    sum: u64,
+}
+
+impl WorldMesh {
+    /// Adds the mesh to the world's checksum.
+    pub fn sum(&self, sum: &mut Checksum) {
+        sum.word(self.sum);
+        sum.word(u64::from(self.visible));
+        let DAffine3 {
+            matrix3,
+            translation,
+        } = self.place;
+        for vector in [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis, translation] {
+            sum.vector(vector);
+        }
+    }
+
+    /// The materials that its triangles have.
+    pub fn used(&self) -> &[MaterialId] {
+        &self.used
+    }
+
+    fn is_mirrored(&self) -> bool {
+        self.place.matrix3.determinant() < 0.0
+    }
+
+    /// Writes the positions, and the normals if there is room for any.
+    fn write(&self, positions: &mut [[f32; 3]], normals: &mut [[f32; 3]]) {
+        if self.place == DAffine3::IDENTITY {
+            positions.copy_from_slice(&self.mesh.positions);
+        } else {
+            for (to, &from) in positions.iter_mut().zip(&self.mesh.positions) {
+                let position = Vec3::from(from).as_dvec3();
+                *to = self.place.transform_point3(position).as_vec3().to_array();
+            }
+        }
+        if self.mesh.normals.is_empty() {
+            return;
+        }
+        if self.place == DAffine3::IDENTITY {
+            normals.copy_from_slice(&self.mesh.normals);
+            return;
+        }
+        let matrix = normal_matrix(self.place.matrix3);
+        for (to, &from) in normals.iter_mut().zip(&self.mesh.normals) {
+            let normal = matrix * Vec3::from(from).as_dvec3();
+            *to = unit(normal).unwrap_or_default().as_vec3().to_array();
+        }
+    }
+}
+
+/// What turns normals: the inverse transpose, but for a positive factor.
+fn normal_matrix(matrix: DMat3) -> DMat3 {
+    let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+    let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
+    if matrix.determinant() < 0.0 {
+        -cofactors
+    } else {
+        cofactors
+    }
+}
+
+impl World {
+    /// Adds a visible mesh at a place: its vertices are transformed by `place`. `materials` are
+    /// those that the numbers of the mesh's triangles mean.
+    ///
+    /// One mesh may be at several places: add clones of the [`Arc`]. Only Whitted's model draws
+    /// meshes. If one mesh of a world is visible from both sides, all are.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use cellray::game::{DAffine3, DVec3, Material, Mesh, World};
+    ///
+    /// let triangle = Arc::new(Mesh {
+    ///     positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    ///     triangles: vec![[0, 1, 2]],
+    ///     materials: vec![0],
+    ///     ..Mesh::default()
+    /// });
+    /// let mut world = World::new();
+    /// let red = world.add_material(Material::matte(0.9, 0.2, 0.1))?;
+    /// let left = DAffine3::from_translation(DVec3::new(-2.0, 0.0, 0.0));
+    /// let mesh = world.add_mesh(triangle.clone(), &[red], left)?;
+    /// world.add_mesh(triangle, &[red], DAffine3::IDENTITY)?;
+    /// world.place_mesh(mesh, left * DAffine3::from_rotation_y(0.5))?;
+    /// # Ok::<(), cellray::game::WorldError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - A triangle names a vertex or a material that doesn't exist, or there is no triangle.
+    /// - The number of normals or of triangles' materials is wrong.
+    /// - A number is out of range, or the place is flat.
+    pub fn add_mesh(
+        &mut self,
+        mesh: Arc<Mesh>,
+        materials: &[MaterialId],
+        place: DAffine3,
+    ) -> Result<MeshId, WorldError> {
+        let used = check::mesh(&mesh, materials.len())?;
+        check::place(&mesh, place)?;
+        let used: Vec<MaterialId> = used.into_iter().map(|number| materials[number]).collect();
+        if !used.iter().all(|&id| self.materials.contains_key(id)) {
+            return Err(WorldError::NoMaterial);
+        }
+        for &id in &used {
+            if let Some(entry) = self.materials.get_mut(id) {
+                entry.users += 1;
+            }
+        }
+        let mut sum = Checksum::new();
+        sum.mesh(&mesh);
+        self.edits.rebuild = true;
+        Ok(self.meshes.insert(WorldMesh {
+            mesh,
+            materials: materials.to_vec(),
+            used,
+            place,
+            visible: true,
+            has_moved: false,
+            sum: sum.number(),
+        }))
+    }
+
+    /// Puts a mesh at another place.
+    ///
+    /// # Errors
+    /// There is no such mesh, a number is out of range, or the place is flat.
+    pub fn place_mesh(&mut self, id: MeshId, place: DAffine3) -> Result<(), WorldError> {
+        let entry = self.meshes.get_mut(id).ok_or(WorldError::NoMesh)?;
+        if entry.place == place {
+            return Ok(());
+        }
+        check::place(&entry.mesh, place)?;
+        let was_mirrored = entry.is_mirrored();
+        entry.place = place;
+        if entry.visible {
+            entry.has_moved = true;
+            self.edits.moved_meshes = true;
+            // Mirrored triangles have their vertices in another order.
+            self.edits.rebuild |= was_mirrored != entry.is_mirrored();
+        }
+        Ok(())
+    }
+
+    /// The place of a mesh.
+    ///
+    /// # Errors
+    /// There is no such mesh.
+    pub fn mesh_place(&self, id: MeshId) -> Result<DAffine3, WorldError> {
+        Ok(self.meshes.get(id).ok_or(WorldError::NoMesh)?.place)
+    }
+
+    /// Shows or hides a mesh.
+    ///
+    /// # Errors
+    /// There is no such mesh.
+    pub fn show_mesh(&mut self, id: MeshId, visible: bool) -> Result<(), WorldError> {
+        let entry = self.meshes.get_mut(id).ok_or(WorldError::NoMesh)?;
+        self.edits.rebuild |= entry.visible != visible;
+        entry.visible = visible;
+        Ok(())
+    }
+
+    /// Removes a mesh. Its handle is refused from then on.
+    ///
+    /// # Errors
+    /// There is no such mesh.
+    pub fn remove_mesh(&mut self, id: MeshId) -> Result<(), WorldError> {
+        let entry = self.meshes.remove(id).ok_or(WorldError::NoMesh)?;
+        for material in entry.used {
+            self.unuse(material);
+        }
+        self.edits.rebuild = true;
+        Ok(())
+    }
+
+    /// The handles of all meshes, visible or not.
+    pub fn meshes(&self) -> impl Iterator<Item = MeshId> {
+        self.meshes.keys()
+    }
+
+    /// All visible meshes as one; `places` are the numbers of the materials in the scene.
+    pub(super) fn joined_mesh(&self, places: &SecondaryMap<MaterialId, u32>) -> Option<Arc<Mesh>> {
+        let number = |id: &MaterialId| places.get(*id).copied().unwrap_or_default();
+        let visible = || self.meshes.values().filter(|entry| entry.visible);
+        let first = visible().next()?;
+        let numbers = first.materials.iter().map(number);
+        if visible().count() == 1
+            && first.place == DAffine3::IDENTITY
+            && numbers.eq(0..first.materials.len() as u32)
+        {
+            return Some(first.mesh.clone());
+        }
+        let has_normals = visible().any(|entry| !entry.mesh.normals.is_empty());
+        let mut joined = Mesh {
+            two_sided: visible().any(|entry| entry.mesh.two_sided),
+            ..Mesh::default()
+        };
+        for entry in visible() {
+            let first = joined.positions.len();
+            let after = first + entry.mesh.positions.len();
+            joined.positions.resize(after, [0.0; 3]);
+            joined
+                .normals
+                .resize(if has_normals { after } else { 0 }, [0.0; 3]);
+            let normals = joined.normals.get_mut(first..).unwrap_or_default();
+            entry.write(&mut joined.positions[first..], normals);
+            let is_mirrored = entry.is_mirrored();
+            let triangles = entry.mesh.triangles.iter().map(|triangle| {
+                let [a, b, c] = triangle.map(|vertex| first as u32 + vertex);
+                if is_mirrored { [a, c, b] } else { [a, b, c] }
+            });
+            joined.triangles.extend(triangles);
+            let materials = entry.mesh.materials.iter();
+            let materials = materials.map(|&material| number(&entry.materials[material as usize]));
+            joined.materials.extend(materials);
+        }
+        Some(Arc::new(joined))
+    }
+
+    /// Writes the vertices of the meshes that have moved into the joined mesh.
+    pub(super) fn write_moved(&self, joined: &mut Mesh) {
+        let mut first = 0;
+        for entry in self.meshes.values().filter(|entry| entry.visible) {
+            let range = first..first + entry.mesh.positions.len();
+            first = range.end;
+            if entry.has_moved {
+                let normals = joined.normals.get_mut(range.clone()).unwrap_or_default();
+                entry.write(&mut joined.positions[range], normals);
+            }
+        }
+    }
+
+    /// Notes that the scene has all meshes at their places.
+    pub(super) fn meshes_are_traced(&mut self) {
+        for entry in self.meshes.values_mut() {
+            entry.has_moved = false;
+        }
+    }
+}
+
+/// The corners of the box around a mesh.
+pub(super) fn corners(mesh: &Mesh) -> impl Iterator<Item = DVec3> {
+    let bounds = mesh.bounds().unwrap_or_default();
+    (0..8).map(move |corner| {
+        let (low, high) = bounds;
+        let pick = |axis: usize| if corner >> axis & 1 == 0 { low } else { high }[axis];
+        DVec3::new(pick(0), pick(1), pick(2))
+    })
+}

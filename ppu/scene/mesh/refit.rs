@@ -1,0 +1,144 @@
+//! Blocks of a mesh whose vertices have moved: the tree keeps its form, and its boxes are made
+//! around the new positions.
+
+use glam::{DVec3, Vec3};
+use nff::Mesh;
+use protocol::layout::{
+    Boxes, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX, SIDES_SMOOTH,
+};
+use zerocopy::FromBytes as _;
+use zerocopy::big_endian::F32;
+
+use super::normal::packed;
+use super::tree::Bounds;
+use super::write::RUN_SHIFT;
+use super::{Block, MeshBlocks};
+
+/// Blocks are refitted until rays would make so many times the tests as when the tree was built.
+const WORSE: f64 = 1.5;
+
+impl MeshBlocks {
+    /// The blocks of the same triangles with other positions and normals.
+    ///
+    /// `None` if a new tree is needed: the old one would cost rays too many tests by now, the
+    /// mesh has other vertices, or the blocks have spheres, too.
+    #[must_use]
+    pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
+        let (refitted, cost) = self.refitted_at_any_cost(mesh)?;
+        (cost <= WORSE * self.cost).then_some(refitted)
+    }
+
+    /// The refitted blocks, and the surfaces of all boxes, each times the tests that a ray makes
+    /// that meets it.
+    pub(super) fn refitted_at_any_cost(&self, mesh: &Mesh) -> Option<(Self, f64)> {
+        let mut refitted = self.clone();
+        let mut bounds = vec![Bounds::EMPTY; self.blocks.len()];
+        let mut sources = &self.sources[..];
+        let mut cost = 0.0;
+        // Children have greater numbers than their parents.
+        for number in (0..self.blocks.len()).rev() {
+            let block = &mut refitted.blocks[number];
+            bounds[number] = refit(block, &mut sources, mesh, &bounds, &mut cost)?;
+        }
+        Some((refitted, cost))
+    }
+}
+
+/// Refits a block whose children are refitted, and returns its box. The last of `sources` are the
+/// mesh's vertices of the block's own, and are taken off.
+fn refit(
+    block: &mut Block,
+    sources: &mut &[u32],
+    mesh: &Mesh,
+    blocks: &[Bounds],
+    cost: &mut f64,
+) -> Option<Bounds> {
+    let (header, rest) = block.0.split_at_mut(size_of::<MeshHeader>());
+    let header = MeshHeader::ref_from_bytes(header).ok()?;
+    let (nodes, rest) =
+        <[Boxes]>::mut_from_prefix_with_elems(rest, header.nodes.get() as usize).ok()?;
+    let count = header.vertices.get() as usize;
+    let (vertices, rest) = <[MeshVertex]>::mut_from_prefix_with_elems(rest, count).ok()?;
+    let count = header.triangles.get() as usize;
+    let is_leaf = header.kind.get() == MESH_LEAF;
+    if header.kind.get() == MESH_SPHERES {
+        return None;
+    }
+    let (faces, _) = <[MeshFace]>::ref_from_prefix_with_elems(rest, count).ok()?;
+
+    let (before, own) = sources.split_at_checked(sources.len().checked_sub(vertices.len())?)?;
+    *sources = before;
+    let is_smooth = header.sides.get() & SIDES_SMOOTH != 0;
+    for (vertex, &source) in vertices.iter_mut().zip(own) {
+        vertex.position = mesh.positions.get(source as usize)?.map(F32::new);
+        if is_smooth {
+            let normal = Vec3::from(*mesh.normals.get(source as usize)?).as_dvec3();
+            if normal == DVec3::ZERO {
+                return None;
+            }
+            vertex.normal = packed(normal).into();
+        }
+    }
+
+    let lowest = lowest(nodes, header.levels.get());
+    let mut around = vec![Bounds::EMPTY; nodes.len()];
+    for (index, node) in nodes.iter_mut().enumerate().rev() {
+        for lane in 0..node.child.len() {
+            if node.lo_x[lane].get().to_bits() == NO_BOX {
+                continue;
+            }
+            let word = node.child[lane].get();
+            let (bounds, tests) = if index < lowest {
+                (*around.get(node_index(word))?, 1)
+            } else if is_leaf {
+                let first = (word & 0xffff) as usize / size_of::<MeshFace>();
+                let length = (word >> RUN_SHIFT) as usize;
+                let run = faces.get(first..first + length)?;
+                (around_faces(run, vertices)?, length)
+            } else {
+                (*blocks.get(word as usize)?, 1)
+            };
+            *cost += bounds.area() * tests as f64;
+            put(node, lane, bounds);
+            around[index] = around[index].with(bounds);
+        }
+    }
+    around.first().copied()
+}
+
+/// The index of the first node of the lowest level.
+fn lowest(nodes: &[Boxes], levels: u32) -> usize {
+    let mut first = 0;
+    for _ in 1..levels {
+        first = nodes
+            .get(first)
+            .map_or(0, |node| node_index(node.child[0].get()));
+    }
+    first
+}
+
+/// The index of the node at an offset in its block.
+fn node_index(offset: u32) -> usize {
+    (offset as usize).saturating_sub(size_of::<MeshHeader>()) / size_of::<Boxes>()
+}
+
+fn around_faces(faces: &[MeshFace], vertices: &[MeshVertex]) -> Option<Bounds> {
+    let mut corners = faces.iter().flat_map(|face| face.vertex);
+    corners.try_fold(Bounds::EMPTY, |bounds, corner| {
+        let position = vertices.get(usize::from(corner))?.position;
+        let point = Vec3::from(position.map(F32::get));
+        Some(bounds.with(Bounds {
+            low: point,
+            high: point,
+        }))
+    })
+}
+
+fn put(node: &mut Boxes, lane: usize, Bounds { low, high }: Bounds) {
+    node.lo_x[lane] = low.x.into();
+    node.lo_y[lane] = low.y.into();
+    node.lo_z[lane] = low.z.into();
+    node.hi_x[lane] = high.x.into();
+    node.hi_y[lane] = high.y.into();
+    node.hi_z[lane] = high.z.into();
+}

@@ -1,0 +1,320 @@
+//! Meshes of a world at their places, and more spheres than local store has room for: every
+//! picture is that of a new scene with the same content, byte for byte.
+
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use cellray::game::{
+    DAffine3, DVec3, Light, Material, MaterialId, Mesh, MeshId, RenderOptions, World, WorldError,
+};
+use cellray::spe::Program;
+use cellray::{Engine, Scene, Settings};
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use crate::recorder::{Recorder, Snapshot};
+
+const SIZE: (u32, u32) = (132, 66);
+
+/// A pear with smooth normals, of 2 `rows` `columns` triangles.
+fn pear(rows: u32, columns: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    for row in 0..=rows {
+        for column in 0..columns {
+            let down = PI * f64::from(row) / f64::from(rows);
+            let around = TAU * f64::from(column) / f64::from(columns);
+            let (ring, height) = (libm::sin(down), libm::cos(down));
+            let point = DVec3::new(ring * libm::cos(around), height, -ring * libm::sin(around));
+            let stretched = point * DVec3::new(0.7, 1.0 + 0.4 * point.y, 0.5);
+            mesh.positions.push(stretched.as_vec3().to_array());
+            mesh.normals.push(point.as_vec3().to_array());
+        }
+    }
+    for row in 0..rows {
+        for column in 0..columns {
+            let at = |row: u32, column: u32| row * columns + column % columns;
+            let (a, b) = (at(row, column), at(row, column + 1));
+            let (c, d) = (at(row + 1, column), at(row + 1, column + 1));
+            mesh.triangles.extend([[a, c, d], [a, d, b]]);
+            mesh.materials.extend([0, 0]);
+        }
+    }
+    mesh
+}
+
+fn world() -> (World, MaterialId) {
+    let mut world = World::new();
+    world.set_background([0.3, 0.4, 0.6]).unwrap();
+    world.look_from([1.0, 2.5, 7.0], DVec3::ZERO).unwrap();
+    world
+        .add_light(Light::at(DVec3::new(4.0, 6.0, 3.0)))
+        .unwrap();
+    let grey = world.add_material(Material::matte(0.7, 0.7, 0.7)).unwrap();
+    let floor = [[-9, -1, 9], [9, -1, 9], [9, -1, -9], [-9, -1, -9]];
+    let floor = floor.map(|corner| DVec3::from_array(corner.map(f64::from)));
+    world.add_polygon(&floor, grey).unwrap();
+    let red = world.add_material(Material::matte(0.9, 0.2, 0.1)).unwrap();
+    (world, red)
+}
+
+/// An engine, and the picture that it made last.
+struct Screen {
+    engine: Engine,
+    shown: Snapshot,
+}
+
+impl Screen {
+    fn new() -> Self {
+        let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
+        let settings = Settings {
+            spus: 2,
+            ..Settings::default()
+        };
+        let engine = Engine::start(settings, framebuffer).unwrap();
+        Self { engine, shown }
+    }
+
+    fn picture(&mut self, scene: &Scene) -> image::RgbImage {
+        self.engine.render(scene, &mut |_| ()).unwrap();
+        self.shown.lock().unwrap().take().unwrap()
+    }
+}
+
+/// Compares a world's pictures with those of new scenes.
+struct Compared {
+    changed: Screen,
+    fresh: Screen,
+    program: Program,
+}
+
+impl Compared {
+    fn new() -> Self {
+        Self {
+            changed: Screen::new(),
+            fresh: Screen::new(),
+            program: Program::tracer(),
+        }
+    }
+
+    fn picture(&mut self, world: &mut World) -> image::RgbImage {
+        let picture = self.changed.picture(world.scene(&self.program).unwrap());
+        let scene = Scene::new(&world.to_nff(), RenderOptions::default(), &self.program).unwrap();
+        assert!(picture == self.fresh.picture(&scene));
+        picture
+    }
+}
+
+fn at(x: f64, y: f64, z: f64) -> DAffine3 {
+    DAffine3::from_translation(DVec3::new(x, y, z))
+}
+
+/// Two places of a mesh: one turns and grows, the other is mirrored, hidden, shown and removed.
+fn play(mesh: Mesh) {
+    let (mut world, red) = world();
+    let mesh = Arc::new(mesh);
+    let left = world
+        .add_mesh(mesh.clone(), &[red], at(-1.0, 0.0, 0.0))
+        .unwrap();
+    let right = at(1.0, 0.2, -0.5);
+    let other = world.add_mesh(mesh, &[red], right).unwrap();
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    for frame in 1..=7 {
+        let angle = 0.3 * f64::from(frame);
+        let turned = at(-1.0, 0.1 * angle, 0.0) * DAffine3::from_rotation_y(angle);
+        let grown = DAffine3::from_scale(DVec3::new(1.0, 1.0 + 0.3 * angle, 0.8));
+        world
+            .place_mesh(left, turned * DAffine3::from_rotation_x(angle) * grown)
+            .unwrap();
+        match frame {
+            2 => {
+                let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
+                world.place_mesh(other, right * mirror).unwrap();
+            }
+            3 => world.show_mesh(other, false).unwrap(),
+            4 => world.place_mesh(other, right).unwrap(),
+            5 => world.show_mesh(other, true).unwrap(),
+            6 => world.remove_mesh(other).unwrap(),
+            _ => {}
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "frame {frame}");
+        last = picture;
+    }
+}
+
+#[test]
+fn meshes_move_in_main_memory() {
+    play(pear(30, 30));
+}
+
+#[test]
+fn meshes_move_in_local_store() {
+    play(pear(8, 8));
+}
+
+/// A quarter turn is exact, so the vertices can be turned here without the world's own arithmetic.
+#[test]
+fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {
+    let mesh = pear(30, 30);
+    let turned = |vectors: &[[f32; 3]], by: f32| -> Vec<[f32; 3]> {
+        vectors.iter().map(|&[x, y, z]| [-y + by, x, z]).collect()
+    };
+    let there = Mesh {
+        positions: turned(&mesh.positions, 0.5),
+        normals: turned(&mesh.normals, 0.0),
+        ..mesh.clone()
+    };
+    let place = DAffine3 {
+        matrix3: glam::DMat3::from_cols(DVec3::Y, DVec3::NEG_X, DVec3::Z),
+        translation: DVec3::new(0.5, 0.0, 0.0),
+    };
+    let mut compared = Compared::new();
+    let (mut expected, red) = world();
+    expected
+        .add_mesh(Arc::new(there), &[red], DAffine3::IDENTITY)
+        .unwrap();
+    let expected = compared.picture(&mut expected);
+    let (mut moved, red) = world();
+    let id = moved
+        .add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)
+        .unwrap();
+    assert!(compared.picture(&mut moved) != expected);
+    moved.place_mesh(id, place).unwrap();
+    assert!(compared.picture(&mut moved) == expected);
+}
+
+#[test]
+fn the_checksum_has_the_places_of_meshes() {
+    let (mut world, red) = world();
+    let before = world.checksum();
+    let mesh = world
+        .add_mesh(Arc::new(pear(4, 4)), &[red], at(1.0, 0.0, 0.0))
+        .unwrap();
+    let first = world.checksum();
+    world.place_mesh(mesh, at(2.0, 0.0, 0.0)).unwrap();
+    let second = world.checksum();
+    assert!(before != first && first != second);
+    world.place_mesh(mesh, at(1.0, 0.0, 0.0)).unwrap();
+    assert_eq!(world.checksum(), first);
+}
+
+#[test]
+fn more_spheres_than_local_store_has_room_for() {
+    let (mut world, red) = world();
+    let mut random = ChaCha8Rng::seed_from_u64(7);
+    let mut spheres = Vec::new();
+    for _ in 0..1500 {
+        let place: [f64; 3] = std::array::from_fn(|_| random.random_range(-2.0..2.0));
+        spheres.push(world.add_sphere(place, 0.1, red).unwrap());
+    }
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    for frame in 0..5 {
+        match frame {
+            0 => world.move_to(spheres[0], [0.0, 1.0, 3.0]).unwrap(),
+            1 => spheres[..400]
+                .iter()
+                .for_each(|&id| world.show(id, false).unwrap()),
+            2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
+            3 => spheres[..400]
+                .iter()
+                .for_each(|&id| world.show(id, true).unwrap()),
+            // So many are left that all fit.
+            _ => spheres[..900]
+                .iter()
+                .for_each(|&id| world.remove(id).unwrap()),
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "frame {frame}");
+        last = picture;
+    }
+}
+
+#[test]
+fn more_triangles_than_local_store_has_room_for() {
+    let scene = nff::load("tetra:5".as_ref()).unwrap();
+    let mut world = World::from_nff(&scene, RenderOptions::default()).unwrap();
+    assert_eq!((world.object_count(), world.meshes().count()), (0, 1));
+    Compared::new().picture(&mut world);
+}
+
+#[test]
+fn wrong_meshes_are_refused() {
+    let (mut world, red) = world();
+    let good = pear(3, 3);
+    let spoilt = |spoil: &dyn Fn(&mut Mesh)| {
+        let mut mesh = good.clone();
+        spoil(&mut mesh);
+        Arc::new(mesh)
+    };
+    let message = |world: &mut World, mesh: Arc<Mesh>| {
+        let refused = world.add_mesh(mesh, &[red], DAffine3::IDENTITY);
+        refused.expect_err("a spoilt mesh").to_string()
+    };
+    for (spoil, expected) in [
+        (
+            &(|mesh: &mut Mesh| mesh.triangles.clear()) as &dyn Fn(&mut Mesh),
+            "no triangles",
+        ),
+        (
+            &|mesh| mesh.triangles[4][1] = 12,
+            "triangle 4 has vertex 12 of 12",
+        ),
+        (
+            &|mesh| mesh.materials[2] = 1,
+            "triangle 2 has material 1 of 1",
+        ),
+        (
+            &|mesh| mesh.materials.truncate(17),
+            "18 triangles need as many materials, not 17",
+        ),
+        (
+            &|mesh| mesh.normals.truncate(11),
+            "12 vertices need as many normals, or none, not 11",
+        ),
+        (
+            &|mesh| mesh.positions[1][2] = f32::NAN,
+            "vertex NaN is out of range",
+        ),
+        (
+            &|mesh| mesh.positions[1][2] = 1e19,
+            "vertex 9.999999980506448e18 is out of range",
+        ),
+    ] {
+        let message = message(&mut world, spoilt(spoil));
+        assert!(message.contains(expected), "{message}");
+    }
+
+    let good = Arc::new(good);
+    let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
+    let mesh = world
+        .add_mesh(good.clone(), &[red], DAffine3::IDENTITY)
+        .unwrap();
+    for place in [flat, at(f64::NAN, 0.0, 0.0), at(1e19, 0.0, 0.0)] {
+        assert!(world.add_mesh(good.clone(), &[red], place).is_err());
+        assert!(world.place_mesh(mesh, place).is_err());
+        assert_eq!(world.mesh_place(mesh).unwrap(), DAffine3::IDENTITY);
+    }
+    let unknown = world.add_mesh(good, &[MaterialId::default()], DAffine3::IDENTITY);
+    assert!(matches!(unknown, Err(WorldError::NoMaterial)));
+    let in_use = world.remove_material(red);
+    assert!(matches!(
+        in_use,
+        Err(WorldError::MaterialInUse { users: 1 })
+    ));
+
+    world.remove_mesh(mesh).unwrap();
+    world.remove_material(red).unwrap();
+    for mesh in [mesh, MeshId::default()] {
+        for refused in [
+            world.place_mesh(mesh, DAffine3::IDENTITY),
+            world.mesh_place(mesh).map(drop),
+            world.show_mesh(mesh, true),
+            world.remove_mesh(mesh),
+        ] {
+            assert!(matches!(refused, Err(WorldError::NoMesh)));
+        }
+    }
+    assert_eq!(world.meshes().count(), 0);
+}
