@@ -72,4 +72,7 @@ What antialiasing costs and what it gains, for readers who choose `--antialias` 
   from a neighbour.
 - The error is against the reference in double precision with 8x8 samples a pixel. Light is limited
   to white after the mean is taken, except for 2x2 and 4x4, which are means of pictures.
+- Not comparable yet: a larger picture has its samples elsewhere by a part of a pixel. So the errors
+  of 2x2 and 4x4 are too large for whitted16, whose reference samples the pixels themselves. For
+  paper16 the reference is a larger picture, and the errors of all other rows are too large.
 ";
