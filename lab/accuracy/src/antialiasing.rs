@@ -2,9 +2,12 @@
 //! error of the picture. Regular supersampling is compared with antialiasing of those pixels that
 //! differ from a neighbour.
 
+use std::collections::BTreeMap;
+
 use cellray::scene::{CONTRAST, RenderOptions, Samples};
 use cellray::spe::Program;
 use glam::DVec3;
+use oracle::DepthProbe;
 use oracle::whitted::{self, Probe};
 use serde::Serialize;
 
@@ -77,15 +80,24 @@ impl Way {
         }
     }
 
+    /// How many pixels of the traced picture are one of [`SIZE`], across and down.
+    fn side(self) -> u32 {
+        match self {
+            Self::Grid(side) => side,
+            Self::Spread(..) => 1,
+        }
+    }
+
     /// The pixels, and what tracing them took.
     fn pixels(
         self,
         subject: &Subject,
         scene: &nff::Scene,
     ) -> Result<(Vec<DVec3>, Traced), PictureError> {
-        let (side, samples, contrast) = match self {
-            Self::Grid(side) => (side, Samples::One, CONTRAST),
-            Self::Spread(samples, contrast) => (1, samples, contrast),
+        let side = self.side();
+        let (samples, contrast) = match self {
+            Self::Grid(_) => (Samples::One, CONTRAST),
+            Self::Spread(samples, contrast) => (samples, contrast),
         };
         let options = RenderOptions {
             samples,
@@ -115,30 +127,55 @@ fn means(samples: &[DVec3], side: u32) -> Vec<DVec3> {
         .collect()
 }
 
-/// The picture with [`REFERENCE`] samples across and down each pixel, in 1/255. Light is limited
-/// after the mean is taken.
-fn reference(subject: &Subject, scene: &nff::Scene) -> Result<Vec<DVec3>, PictureError> {
-    if subject.is_by_depth() {
-        let picture = oracle::render(scene, REFERENCE * SIZE.0, REFERENCE * SIZE.1)?;
-        let pixels = picture.pixels().iter();
-        let samples: Vec<_> = pixels
-            .map(|pixel| DVec3::from(pixel.map(f64::from)))
-            .collect();
-        return Ok(means(&samples, REFERENCE));
+/// What a ray through a point of a picture of [`SIZE`] sees, channels from 0 to 1.
+enum Light<'a> {
+    Depth(DepthProbe),
+    Whitted(Probe<'a>),
+}
+
+impl<'a> Light<'a> {
+    fn of(subject: &Subject, scene: &'a nff::Scene) -> Result<Self, PictureError> {
+        let (width, height) = SIZE;
+        Ok(if subject.is_by_depth() {
+            Self::Depth(DepthProbe::new(scene, width, height)?)
+        } else {
+            let options = whitted::Options::default();
+            Self::Whitted(Probe::new(scene, width, height, &options)?)
+        })
     }
-    let probe = Probe::new(scene, SIZE.0, SIZE.1, &whitted::Options::default())?;
-    let offset = |cell: u32| (f64::from(cell) + 0.5) / f64::from(REFERENCE) - 0.5;
-    let pixel = |x: u32, y: u32| {
-        let cells = (0..REFERENCE).flat_map(|row| (0..REFERENCE).map(move |column| (column, row)));
-        let light = cells.map(|(column, row)| {
-            probe.light(f64::from(x) + offset(column), f64::from(y) + offset(row))
-        });
-        let mean = light.sum::<DVec3>() / f64::from(REFERENCE * REFERENCE);
-        255.0 * mean.clamp(DVec3::ZERO, DVec3::ONE)
-    };
-    let rows: Vec<u32> = (0..SIZE.1).collect();
-    let row = |(): &mut (), y: &u32| (0..SIZE.0).map(|x| pixel(x, *y)).collect::<Vec<_>>();
-    Ok(parallel::map(&rows, || (), row).concat())
+
+    fn at(&self, x: f64, y: f64) -> DVec3 {
+        match self {
+            Self::Depth(probe) => probe.colour(x, y),
+            Self::Whitted(probe) => probe.light(x, y),
+        }
+    }
+
+    /// The picture with [`REFERENCE`] samples across and down each pixel, in 1/255, of which a
+    /// picture `side` times as large has `side` pixels across and down. Light is limited after the
+    /// mean is taken.
+    ///
+    /// NFF's camera has its corners in the centres of the corner pixels. So the pixels of a larger
+    /// picture are not exactly parts of those of the smaller one.
+    fn picture(&self, side: u32) -> Vec<DVec3> {
+        let place = |pixel: u32, cell: u32, pixels: u32| {
+            let side = f64::from(side);
+            let within = (f64::from(cell) + 0.5) / f64::from(REFERENCE);
+            let in_larger = side * (f64::from(pixel) + within) - 0.5;
+            in_larger * f64::from(pixels - 1) / (side * f64::from(pixels) - 1.0)
+        };
+        let pixel = |x: u32, y: u32| {
+            let cells =
+                (0..REFERENCE).flat_map(|row| (0..REFERENCE).map(move |column| (column, row)));
+            let light =
+                cells.map(|(column, row)| self.at(place(x, column, SIZE.0), place(y, row, SIZE.1)));
+            let mean = light.sum::<DVec3>() / f64::from(REFERENCE * REFERENCE);
+            255.0 * mean.clamp(DVec3::ZERO, DVec3::ONE)
+        };
+        let rows: Vec<u32> = (0..SIZE.1).collect();
+        let row = |(): &mut (), y: &u32| (0..SIZE.0).map(|x| pixel(x, *y)).collect::<Vec<_>>();
+        parallel::map(&rows, || (), row).concat()
+    }
 }
 
 /// Traces the scenes in every way.
@@ -150,12 +187,16 @@ pub fn measure(mut progress: impl FnMut(&str)) -> Result<Vec<Row>, PictureError>
     let mut rows = Vec::new();
     for subject in SCENES.iter().filter(|scene| NAMES.contains(&scene.name)) {
         let scene = subject.scene()?;
-        progress(&format!("{}: the reference", subject.name));
-        let expected = reference(subject, &scene)?;
+        let light = Light::of(subject, &scene)?;
+        let mut references = BTreeMap::new();
         for way in Way::all() {
             progress(&format!("{}: {}", subject.name, way.name()));
             let (pixels, traced) = way.pixels(subject, &scene)?;
-            let errors = pixels.iter().zip(&expected);
+            let side = way.side();
+            let expected = references
+                .entry(side)
+                .or_insert_with(|| light.picture(side));
+            let errors = pixels.iter().zip(&*expected);
             let errors: Vec<_> = errors.map(|(found, exact)| (found - exact).abs()).collect();
             let squares: f64 = errors.iter().map(|error| error.length_squared()).sum();
             let count = errors.len() as f64;

@@ -70,9 +70,7 @@ What antialiasing costs and what it gains, for readers who choose `--antialias` 
   have the same column or row.
 - *4 at 32*: `--antialias 4 --contrast 32`: four samples, only in pixels that differ by 32/255 or more
   from a neighbour.
-- The error is against the reference in double precision with 8x8 samples a pixel. Light is limited
+- The error is against the reference in double precision with 8x8 samples a pixel, in the same parts
+  of the scene: NFF's camera sees a little more in a larger picture's pixels. Light is limited
   to white after the mean is taken, except for 2x2 and 4x4, which are means of pictures.
-- Not comparable yet: a larger picture has its samples elsewhere by a part of a pixel. So the errors
-  of 2x2 and 4x4 are too large for whitted16, whose reference samples the pixels themselves. For
-  paper16 the reference is a larger picture, and the errors of all other rows are too large.
 ";
