@@ -96,7 +96,7 @@ function tile_refine
 endfunction tile_refine
 
 # light_convert   converts light to what the frame's pixels are to show of it
-#   In      $3 values, $4 quadwords (at least 1)
+#   In      $3 values, $4 quadwords (a multiple of 4, at least 4)
 #   Uses    $2-$34, $77-$79
 function light_convert
         lqa     $5,converting
