@@ -16,7 +16,7 @@ use crate::pictures::{PictureError, SCENES, Subject, Traced, trace};
 
 /// The reference has this many samples across and down a pixel.
 const REFERENCE: u32 = 8;
-/// The pictures' size. The reference is [`REFERENCE`] times as wide and high.
+/// The size of the pictures.
 pub const SIZE: (u32, u32) = (640, 360);
 /// The scenes: one of each model.
 const NAMES: [&str; 2] = ["whitted16", "paper16"];
