@@ -1,6 +1,6 @@
 //! The world: the content that a game changes from frame to frame, by handles.
 //!
-//! Owns the camera, background, lights, materials, objects and meshes, and the scene that is traced.
+//! Owns the camera, background, lights, materials, objects, meshes, and the scene that is traced.
 //! Invariants: a handle is valid until its object, light or material is removed, and is never
 //! reused for another one; every number is in the range that the SPUs can represent; a world is
 //! traced exactly like a scene with the same content.

@@ -8,7 +8,7 @@ use crate::{Complex, Size};
 const LINE: usize = 16;
 
 /// The powers of `w = exp(-2 pi i / n)` that a butterfly needs, as multiply-adds want them: `w` is
-/// `cosine (1 - i tangent)`. Where a cosine is 0, f64 has 6e-17 and a tangent of 2e16. Their product
+/// `cosine (1 - i tangent)`. Where a cosine is 0, f64 has 6e-17 and a tangent of 2e16. The product
 /// is the sine, and what the cosine adds is lost in rounding, as it should be.
 #[derive(Clone, Copy, Debug)]
 pub struct Butterfly {

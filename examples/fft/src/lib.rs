@@ -106,7 +106,7 @@ pub enum FftError {
 ///
 /// # Panics
 ///
-/// `input` has another size, `times` is 0, or `spus` is not from 1 to [`MOST_SPUS`], or not 1 for the
+/// `input` has another size, `times` is 0, or `spus` is not 1 to [`MOST_SPUS`], or not 1 for the
 /// small size.
 pub fn transform(
     size: Size,

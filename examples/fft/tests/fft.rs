@@ -1,6 +1,6 @@
 //! The transforms compared with their twin, with f64, and with the page that has their speed; and
-//! the scheduled loops with the plain ones. It sets the environment of the whole process, so it is a
-//! program of its own. `MAKE_REF=1` writes the scheduled file and the page instead of comparing them.
+//! the scheduled loops with the plain ones. It sets the whole process's environment, so it is a
+//! program of its own. `MAKE_REF=1` writes the scheduled file and the page instead of comparing.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Twin of `spu/shade/encode_srgb.s` and `spu/shade/roll_off.s`: linear light as displays expect it.
+//! Twin of `spu/shade/encode_srgb.s` and `spu/shade/roll_off.s`: light as displays expect it.
 
 use spu_emulator::float::estimate::{fi, frest};
 use spu_emulator::float::single::{fcgt, fm, fma, fnms, fs};

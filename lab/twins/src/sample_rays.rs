@@ -28,7 +28,7 @@ pub struct Pixel {
     pub y: i32,
 }
 
-/// The ray of a packet's lane, which is in the row of `pixel`; a pixel has `across` squared samples.
+/// The ray of a packet's lane, in the row of `pixel`; a pixel has `across` squared samples.
 #[must_use]
 pub fn sample_ray(basis: &Basis, background: u32, pixel: Pixel, across: u32, lane: usize) -> Ray {
     let (column, row) = (lane as u32 % 4, lane as u32 / 4);
