@@ -7,7 +7,7 @@
 use std::io;
 use std::os::fd::{AsRawFd, FromRawFd, OwnedFd};
 use std::ptr::{self, NonNull};
-use std::sync::{Condvar, Mutex, PoisonError};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
 /// Size of a scratch buffer in bytes: the largest transfer of an MFC.
 pub(crate) const SCRATCH: usize = 16 * 1024;
@@ -137,49 +137,65 @@ fn pieces(ea: u64, length: usize) -> impl Iterator<Item = (u64, std::ops::Range<
 
 /// The scratch buffers that are free.
 pub(crate) struct Pool {
-    free: Mutex<Vec<Scratch>>,
+    shelf: Mutex<Shelf>,
     returned: Condvar,
+}
+
+struct Shelf {
+    free: Vec<Scratch>,
+    /// Threads that wait for a buffer. While none does, returning one needs no system call.
+    waiting: usize,
 }
 
 impl Pool {
     pub(crate) const fn new() -> Self {
         Self {
-            free: Mutex::new(Vec::new()),
+            shelf: Mutex::new(Shelf {
+                free: Vec::new(),
+                waiting: 0,
+            }),
             returned: Condvar::new(),
         }
+    }
+
+    fn shelf(&self) -> MutexGuard<'_, Shelf> {
+        self.shelf.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Ensures that at least one scratch buffer exists. From then on, [`with`](Self::with)
     /// succeeds.
     pub(crate) fn prepare(&self) -> io::Result<()> {
-        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
-        if free.is_empty() {
-            free.push(Scratch::new()?);
+        let mut shelf = self.shelf();
+        if shelf.free.is_empty() {
+            shelf.free.push(Scratch::new()?);
         }
         Ok(())
     }
 
     /// Lends a scratch buffer: a free one, or else a new one, or else the first that is returned.
     pub(crate) fn with<T>(&self, body: impl FnOnce(&mut Scratch) -> T) -> T {
-        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut shelf = self.shelf();
         let mut scratch = loop {
-            if let Some(scratch) = free.pop() {
+            if let Some(scratch) = shelf.free.pop() {
                 break scratch;
             }
             if let Ok(scratch) = Scratch::new() {
                 break scratch;
             }
-            free = self
+            shelf.waiting += 1;
+            shelf = self
                 .returned
-                .wait(free)
+                .wait(shelf)
                 .unwrap_or_else(PoisonError::into_inner);
+            shelf.waiting -= 1;
         };
-        drop(free);
+        drop(shelf);
         let result = body(&mut scratch);
-        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
-        free.push(scratch);
-        drop(free);
-        self.returned.notify_one();
+        let mut shelf = self.shelf();
+        shelf.free.push(scratch);
+        if shelf.waiting > 0 {
+            self.returned.notify_one();
+        }
         result
     }
 }

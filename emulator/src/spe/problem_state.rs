@@ -3,7 +3,7 @@
 //! Invariant: every change that another thread may wait for is made under the lock and followed by
 //! a wake-up, so a sleeper never misses one. Watchers are notified after the lock is released.
 
-use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::SeqCst};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -44,6 +44,10 @@ pub(crate) enum WaitOutcome<T> {
 pub(crate) struct ProblemState {
     state: Mutex<State>,
     changed: Condvar,
+    /// Threads that sleep on `changed`. Written under the lock, so whoever made a change under it
+    /// sees every thread that did not see the change. While none sleeps, which is nearly always, a
+    /// wake-up needs no system call.
+    sleeping: AtomicUsize,
     stop: AtomicBool,
     watchers: Mutex<Vec<Arc<dyn Watcher>>>,
     reservation: Reservation,
@@ -67,6 +71,7 @@ impl ProblemState {
                 fault: None,
             }),
             changed: Condvar::new(),
+            sleeping: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
             watchers: Mutex::default(),
             reservation: Reservation::new(),
@@ -75,7 +80,9 @@ impl ProblemState {
     }
 
     fn wake(&self) {
-        self.changed.notify_all();
+        if self.sleeping.load(SeqCst) > 0 {
+            self.changed.notify_all();
+        }
         if let Some((simulation, key)) = &self.sleepers {
             simulation.wake(*key);
         }
@@ -168,17 +175,22 @@ impl ProblemState {
             if let Some(value) = poll(&mut state) {
                 return Some(value);
             }
-            state = match deadline {
+            let left = match deadline {
+                None => None,
+                Some(deadline) => Some(deadline.checked_duration_since(Instant::now())?),
+            };
+            self.sleeping.fetch_add(1, SeqCst);
+            state = match left {
                 None => self
                     .changed
                     .wait(state)
                     .unwrap_or_else(PoisonError::into_inner),
-                Some(deadline) => {
-                    let left = deadline.checked_duration_since(Instant::now())?;
+                Some(left) => {
                     let woken = self.changed.wait_timeout(state, left);
                     woken.unwrap_or_else(PoisonError::into_inner).0
                 }
             };
+            self.sleeping.fetch_sub(1, SeqCst);
         }
     }
 }
