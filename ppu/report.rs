@@ -1,6 +1,7 @@
 //! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON, and a
 //! run prints it at its end.
 
+mod generations;
 mod loop_time;
 mod memory;
 
@@ -9,10 +10,11 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::scene::Scene;
-use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
+use crate::statistics::{Blocks, FrameStatistics, GENERATIONS, Phases, Rays, Tests};
 use protocol::formulation::Formulations;
 use protocol::layout::MESH_BLOCK;
 
+pub use generations::GenerationReport;
 pub use loop_time::LoopTime;
 
 /// Ticks a second of the decrementer on a PlayStation 3, and in the emulator.
@@ -66,6 +68,8 @@ pub struct Report {
     pub tests: Tests,
     /// Blocks of meshes in main memory.
     pub blocks: BlockReport,
+    /// Rays by generation, with their tests and blocks.
+    pub generations: [GenerationReport; GENERATIONS],
     /// Tiles by how they were handled.
     pub tiles: Tiles,
     /// Packets by how they were handled.
@@ -172,6 +176,7 @@ impl Report {
             rays: Rays::default(),
             tests: Tests::default(),
             blocks: BlockReport::default(),
+            generations: GenerationReport::all(),
             tiles: Tiles::default(),
             packets: Packets::default(),
             timebase: timebase(),
@@ -230,9 +235,10 @@ impl Report {
             sum.phases = sum.phases.plus(phases);
             self.phases = self.phases.plus(phases);
             self.rays += spu.rays;
-            self.blocks.used += spu.blocks.used;
-            self.blocks.fetched += spu.blocks.fetched;
-            self.blocks.wait += seconds(spu.blocks.wait);
+            self.blocks.add(spu.blocks, self.timebase);
+            for (sum, generation) in self.generations.iter_mut().zip(&spu.generations) {
+                sum.add(generation, self.timebase);
+            }
             self.tiles.traced += spu.tiles - spu.tiles_filled;
             self.tiles.filled += spu.tiles_filled;
             self.tiles.blank += spu.tiles_blank;
@@ -258,13 +264,12 @@ impl Report {
             shadow,
             ..
         } = self.rays;
-        let rays = (eye + reflected + refracted + shadow) as f64;
-        let blocks = &mut self.blocks;
-        let found = blocks.used.saturating_sub(blocks.fetched) as f64;
-        blocks.hit_percent = 100.0 * part(found, blocks.used as f64);
-        let bytes = blocks.fetched as f64 * f64::from(MESH_BLOCK);
-        blocks.bytes_a_ray = part(bytes, rays);
-        blocks.wait_percent = 100.0 * part(blocks.wait, f64::from(self.spus) * seconds);
+        let of_all = f64::from(self.spus) * seconds;
+        self.blocks
+            .share(eye + reflected + refracted + shadow, of_all);
+        for generation in &mut self.generations {
+            generation.share(of_all);
+        }
         for spu in &mut self.spu {
             let all = spu.busy + spu.dma_wait + spu.idle;
             spu.busy_percent = 100.0 * part(spu.busy, all);
@@ -273,6 +278,35 @@ impl Report {
         }
         let waits = self.spu.iter().map(|spu| part(spu.dma_wait, seconds));
         self.dma_wait_share = waits.fold(0.0, f64::max);
+    }
+}
+
+impl BlockReport {
+    fn add(&mut self, blocks: Blocks, timebase: f64) {
+        self.used += blocks.used;
+        self.fetched += blocks.fetched;
+        self.wait += blocks.wait as f64 / timebase;
+    }
+
+    /// Computes the quotients from the sums, for so many rays and the time of all SPUs.
+    fn share(&mut self, rays: u64, seconds: f64) {
+        let part = |of: f64, all: f64| if all > 0.0 { of / all } else { 0.0 };
+        let found = self.used.saturating_sub(self.fetched) as f64;
+        self.hit_percent = 100.0 * part(found, self.used as f64);
+        let bytes = self.fetched as f64 * f64::from(MESH_BLOCK);
+        self.bytes_a_ray = part(bytes, rays as f64);
+        self.wait_percent = 100.0 * part(self.wait, seconds);
+    }
+}
+
+impl fmt::Display for BlockReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} blocks used, {} fetched, {:.1} % cached; {:.1} bytes a ray, {:.1} % of the time waiting \
+             for them",
+            self.used, self.fetched, self.hit_percent, self.bytes_a_ray, self.wait_percent
+        )
     }
 }
 
@@ -326,18 +360,11 @@ impl fmt::Display for Report {
             packets.traced,
             packets.filled
         )?;
-        let blocks = self.blocks;
-        if blocks.used > 0 {
-            writeln!(
-                f,
-                "mesh: {} blocks used, {} fetched, {:.1} % cached; {:.1} bytes a ray, {:.1} % of the time \
-                 waiting for them",
-                blocks.used,
-                blocks.fetched,
-                blocks.hit_percent,
-                blocks.bytes_a_ray,
-                blocks.wait_percent
-            )?;
+        if self.blocks.used > 0 {
+            writeln!(f, "mesh: {}", self.blocks)?;
+        }
+        for generation in self.generations.iter().filter(|of| of.rays > 0) {
+            writeln!(f, "{generation}")?;
         }
         let busy: f64 = self.spu.iter().map(|spu| spu.busy).sum();
         let percent = |of: f64, all: f64| if all > 0.0 { 100.0 * of / all } else { 0.0 };

@@ -4,10 +4,12 @@ use serde::Serialize;
 use zerocopy::big_endian::U64;
 
 use crate::work::Size;
-use protocol::layout::Statistics;
+use protocol::layout::{self, Statistics};
 
 /// Rays of a packet.
-const PACKET_RAYS: u64 = 16;
+pub(crate) const PACKET_RAYS: u64 = 16;
+/// The generations that rays are counted by, each with its shadow rays.
+pub const GENERATIONS: usize = 6;
 
 /// One SPU's statistics of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -28,6 +30,9 @@ pub struct SpuStatistics {
     pub tests: Tests,
     /// Blocks of meshes in main memory.
     pub blocks: Blocks,
+    /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
+    /// surfaces send on, their shadow rays, and the same for all later rays.
+    pub generations: [Generation; GENERATIONS],
     /// Time at work, in ticks of the decrementer.
     pub busy: u64,
     /// Time waiting for the MFC, in ticks.
@@ -86,6 +91,23 @@ pub struct Blocks {
     pub fetched: u64,
     /// The part of the time waiting for the MFC that was spent waiting for blocks, in ticks.
     pub wait: u64,
+}
+
+/// What an SPU did for the rays of one generation, or for their shadow rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Generation {
+    /// Number of rays, including those of primary rays' packets that are beyond the picture.
+    pub rays: u64,
+    /// Number of packets that these rays filled, some of them only in part.
+    pub packets: u64,
+    /// Packets whose rays were themselves tested with nodes, because they were scattered.
+    pub packets_scattered: u64,
+    /// Tests of a packet with a node or its children.
+    pub nodes: u64,
+    /// Tests of a packet with an object.
+    pub tests: u64,
+    /// Blocks of meshes in main memory.
+    pub blocks: Blocks,
 }
 
 /// Time by phase of the work.
@@ -164,6 +186,14 @@ impl FrameStatistics {
 
 impl SpuStatistics {
     fn of(line: &Statistics, spheres_unseen: u64) -> Self {
+        let generations = line.generations.each_ref().map(Generation::of);
+        let all = generations
+            .iter()
+            .fold(Generation::default(), |mut sum, of| {
+                sum += *of;
+                sum
+            });
+        let made = line.tests_made.get() + all.tests;
         Self {
             tiles: line.tiles.get(),
             tiles_filled: line.tiles_empty.get(),
@@ -172,18 +202,15 @@ impl SpuStatistics {
             packets_filled: line.packets_empty.get(),
             rays: Rays::of(line),
             tests: Tests {
-                made: line.tests_made.get() * PACKET_RAYS,
+                made: made * PACKET_RAYS,
                 hits_looked_for: line.hits_looked_for.get() * PACKET_RAYS,
-                skipped: line.tests_skipped.get() * PACKET_RAYS,
+                skipped: line.tests_possible.get().saturating_sub(made) * PACKET_RAYS,
                 hidden: line.tests_hidden.get() * PACKET_RAYS,
                 unseen: line.packets.get() * spheres_unseen * PACKET_RAYS,
-                cull: line.cull_tests.get(),
+                cull: line.cull_tests.get() + all.nodes,
             },
-            blocks: Blocks {
-                used: line.blocks_used.get(),
-                fetched: line.blocks_fetched.get(),
-                wait: line.ticks_block_wait.get(),
-            },
+            blocks: all.blocks,
+            generations,
             busy: line.busy.get(),
             dma_wait: line.dma_wait.get(),
             idle: line.idle.get(),
@@ -195,6 +222,36 @@ impl SpuStatistics {
                 shade: line.ticks_shade.get(),
             },
         }
+    }
+}
+
+impl Generation {
+    fn of(counts: &layout::Generation) -> Self {
+        Self {
+            rays: counts.rays.get(),
+            packets: counts.packets.get(),
+            packets_scattered: counts.packets_scattered.get(),
+            nodes: counts.cull_tests.get(),
+            tests: counts.tests_made.get(),
+            blocks: Blocks {
+                used: counts.blocks_used.get(),
+                fetched: counts.blocks_fetched.get(),
+                wait: counts.ticks_block_wait.get(),
+            },
+        }
+    }
+}
+
+impl std::ops::AddAssign for Generation {
+    fn add_assign(&mut self, other: Self) {
+        self.rays += other.rays;
+        self.packets += other.packets;
+        self.packets_scattered += other.packets_scattered;
+        self.nodes += other.nodes;
+        self.tests += other.tests;
+        self.blocks.used += other.blocks.used;
+        self.blocks.fetched += other.blocks.fetched;
+        self.blocks.wait += other.blocks.wait;
     }
 }
 

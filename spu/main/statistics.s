@@ -6,8 +6,10 @@
 
         .section .bss
         .align  4
+        .global statistics
 statistics:
         .skip   STATS_SIZE
+        # After the generations' counters, which are at the end of the record.
         .global counters
 counters:
         .skip   COUNTERS_SIZE
@@ -16,16 +18,23 @@ times_added:                            # decrementer when times_add was last ca
         .skip   16
 
 # statistics_reset   sets the counters of a frame to 0
-#   Uses    $20
+#   Uses    $20-$22
         .set    zero,20
+        .set    counter,21
+        .set    left,22
+        .set    ALL_COUNTERS,COUNTERS_SIZE+STATS_SIZE-STATS_generations
 
 function statistics_reset
         il      $zero,0
-    .set    place,0
-    .rept   COUNTERS_SIZE/16
-        stqa    $zero,counters+place
-    .set    place,place+16
-    .endr
+        ila     $counter,counters+COUNTERS_SIZE-ALL_COUNTERS
+        il      $left,ALL_COUNTERS/16
+next_counter:
+        hbrr    last_counter,next_counter
+        stqd    $zero,0($counter)
+        ai      $counter,$counter,16
+        ai      $left,$left,-1
+last_counter:
+        brnz    $left,next_counter
         ori     $g_began,$g_mailed,0
         stqa    $g_mailed,times_added
     .irp ticks, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade,n_hits
@@ -116,10 +125,7 @@ function statistics_put
     .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
         put_count \field
     .endr
-    .irp field, blocks_fetched,blocks_used,ticks_block_wait,samples
-        put_count \field
-    .endr
-    .irp field, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
+    .irp field, samples,dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
         put_count \field
     .endr
         rotqmbyi $value,$g_idle,-4
@@ -129,8 +135,8 @@ function statistics_put
         difference $value,$value,$more
         put_long busy,$value
 
-        # Skipped tests: every packet with every sphere, minus the tests made. Whitted's model has
-        # already counted them.
+        # Without skipping, every packet is tested with every sphere. Whitted's model has already
+        # counted its tests.
         lqa     $value,counters+COUNT_packets
         rotqbyi $value,$value,4
         load_word $more,FRAME_sphere_count,$a_frame
@@ -146,9 +152,7 @@ function statistics_put
         a       $high,$high,$value
         cwd     $t_mask,4($sp)
         shufb   $value,$low,$high,$t_mask
-        lqa     $more,counters+COUNT_tests_made
-        difference $value,$value,$more
-        put_long tests_skipped,$value
+        put_long tests_possible,$value
 
         load_word $high,FRAME_statistics,$a_frame
         load_word $low,FRAME_statistics+4,$a_frame

@@ -193,10 +193,10 @@ record! {
         /// Decrementer ticks spent waiting for the mail, less 2^32 for each time that the
         /// decrementer wrapped round meanwhile.
         idle: U64,
-        /// Tests of one packet with one object.
+        /// Tests of one packet with one object, except those that `generations` count.
         tests_made: U64,
-        /// Such tests that were left out as unnecessary.
-        tests_skipped: U64,
+        /// Such tests without any skipping, including those that `generations` count.
+        tests_possible: U64,
         /// Those of `tests_made` after which the SPU looked for a hit.
         hits_looked_for: U64,
         /// Tiles in which nothing can be seen: filled.
@@ -207,7 +207,8 @@ record! {
         packets_empty: U64,
         /// Tests left out because all of a packet's rays had hit something nearer.
         tests_hidden: U64,
-        /// Tests of a frustum or of a packet's cone with an object.
+        /// Tests of a frustum or of a packet's cone with an object, except those that `generations`
+        /// count.
         cull_tests: U64,
         /// Ticks spent fetching and checking the frame and its scene.
         ticks_fetch: U64,
@@ -227,15 +228,35 @@ record! {
         shadow: U64,
         /// Eye, reflected and refracted rays that hit something.
         hits: U64,
-        /// Blocks of meshes that were fetched.
-        blocks_fetched: U64,
-        /// Blocks of meshes that were looked up.
-        blocks_used: U64,
-        /// Ticks of `dma_wait` spent waiting for blocks of meshes.
-        ticks_block_wait: U64,
         /// Primary rays beyond the first one of each pixel.
         samples: U64,
         /// Zero; fills the second line.
-        reserved: [U64; 3],
+        reserved: [U64; 6],
+        /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
+        /// surfaces send on, their shadow rays, and the same for all later rays. A batch counts as
+        /// its first ray's generation.
+        generations: [Generation; 6],
+    }
+}
+
+record! {
+    /// What was done for rays of one generation, or for their shadow rays.
+    Generation as "GENERATION" {
+        /// Rays, including those of primary rays' packets that are beyond the picture.
+        rays: U64,
+        /// Packets that these rays filled, some of them only in part.
+        packets: U64,
+        /// Tests of a packet's cone or of its rays with a node or its children.
+        cull_tests: U64,
+        /// Tests of one packet with one object.
+        tests_made: U64,
+        /// Blocks of meshes that were looked up, each for a whole batch.
+        blocks_used: U64,
+        /// Blocks of meshes that were fetched.
+        blocks_fetched: U64,
+        /// Packets whose rays were themselves tested with nodes, because they were scattered.
+        packets_scattered: U64,
+        /// Ticks of `dma_wait` spent waiting for blocks of meshes.
+        ticks_block_wait: U64,
     }
 }

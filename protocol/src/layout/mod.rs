@@ -244,6 +244,7 @@ pub const RECORDS: &[Record] = &[
     WorkUnit::RECORD,
     UnitCost::RECORD,
     Statistics::RECORD,
+    Generation::RECORD,
     Packet::RECORD,
     Basis::RECORD,
     Place::RECORD,
@@ -375,7 +376,8 @@ const _: () = {
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);
     assert!(size_of::<UnitCost>() == LINE as usize);
-    assert!(size_of::<Statistics>() == 2 * LINE as usize);
+    assert!(size_of::<Statistics>() == 5 * LINE as usize);
+    assert!(std::mem::offset_of!(Statistics, generations) % 16 == 0);
     assert!(std::mem::offset_of!(Frame, corner) % 16 == 0);
     assert!(std::mem::offset_of!(Frame, framebuffer) % 8 == 0);
 };

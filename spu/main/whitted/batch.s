@@ -7,6 +7,9 @@
 
         .section .bss
         .align  4
+        .global batch_rays
+batch_rays:                             # how many rays it has
+        .skip   16
         .global batch_flags
 batch_flags:                            # the flags of all surfaces, combined
         .skip   16
@@ -21,6 +24,7 @@ batch_flags:                            # the flags of all surfaces, combined
         .set    t_flags,17
         .set    wanted,18
         .set    c_any,19
+        .set    later,20
 
 # batch_trace   traces and shades the packets of BATCH_RAYS
 #   In      w_depth, w_count
@@ -28,10 +32,20 @@ batch_flags:                            # the flags of all surfaces, combined
 function batch_trace
         hbrr    trace_call,packets_trace
         enter
-        ila     $3,arena+BATCH_RAYS
+        # How many rays came before the batch's first: 0, 1, or 2 for more.
+        lqa     $later,arena+BATCH_RAYS+RAYS16_pixel
+        ila     $amount,statistics+STATS_generations
+        lqa     $6,batch_rays
         ori     $4,$w_count,0
+        rotmi   $later,$later,-CHAIN_STEP_LOG2
         ceqi    $5,$w_depth,1
+        il      $wanted,2
         sfi     $5,$5,-1                                # rays of depth 1 start at the eye
+        ila     $3,arena+BATCH_RAYS
+        minimum $later,$later,$wanted,$c_any
+        shli    $later,$later,GENERATION_SIZE_LOG2+1    # each with its shadow rays
+        a       $amount,$amount,$later
+        stqa    $amount,generation
 trace_call:
         brsl    $lr,packets_trace
 

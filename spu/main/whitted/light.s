@@ -61,6 +61,9 @@ endfunction sites_list
 
 function batch_light
         enter
+        lqa     $value,generation
+        ai      $value,$value,GENERATION_SIZE           # these rays' shadow rays
+        stqa    $value,generation
         # Surfaces with highlights come first; the others have a shorter kernel.
         il      $w_shining,0
         ila     $a_site,arena+BATCH_SITES
@@ -110,6 +113,7 @@ rays_call:
         brnz    $amount,unshadowed
         count   shadow,$3,$t_sum,$t_add,$t_carry
         phase_ends $g_ticks_shade,$amount
+        ori     $6,$3,0
         ila     $3,arena+SHADOW_RAYS
         ori     $4,$w_sites,0
         load_word $5,LIGHT_directional,$w_light

@@ -54,7 +54,7 @@ function queue_prepare
 endfunction queue_prepare
 
 # queue_take   takes the last batch of rays from the queue, or all if there are fewer
-#   Out     BATCH_RAYS, w_count
+#   Out     BATCH_RAYS, batch_rays, w_count
 #   Uses    $3-$79
 function queue_take
         hbrr    load_call,load_rays_r16
@@ -67,6 +67,7 @@ function queue_take
         sf      $3,$4,$3
         stqa    $3,queued
         rotmi   $4,$4,-QUEUED_SIZE_LOG2
+        stqa    $4,batch_rays
         ai      $w_count,$4,15
         rotmi   $w_count,$w_count,-4
         ila     $5,arena+BATCH_RAYS

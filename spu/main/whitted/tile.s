@@ -185,7 +185,7 @@ last_row:
 endfunction eye_places
 
 # eye_take   makes the next batch of primary rays, or of samples
-#   Out     BATCH_RAYS, w_count
+#   Out     BATCH_RAYS, batch_rays, w_count
 #   Uses    $3-$79, w_eye_next, w_eye_left
         .set    t_c,10
         .set    t_packets,11
@@ -194,6 +194,8 @@ function eye_take
         enter
         rotmi   $t_packets,$w_most,-4
         minimum $w_count,$t_packets,$w_eye_left,$t_c
+        shli    $t_packets,$w_count,4
+        stqa    $t_packets,batch_rays
         sf      $w_eye_left,$w_count,$w_eye_left
         ori     $3,$w_eye_next,0
         shli    $t_packets,$w_count,PLACE_SIZE_LOG2

@@ -52,11 +52,16 @@ most_here:                              # how many packets may traverse the tree
         .skip   16
 first_here:                             # the first packet that traverses it
         .skip   16
-culled:                                 # the calls' counts, until they are added up
+        .global generation
+generation:                             # the address of these rays' counters
         .skip   16
-tested: .skip   16
-possible:
+rays_traced:
         .skip   16
+        # The call's counts, until they are added up.
+    .irp name, cull_tests,tests_made,tests_possible,blocks_used,blocks_fetched,ticks_block_wait
+        .global \name
+\name: .skip   16
+    .endr
 
         .section .rodata
         .align  4
@@ -211,22 +216,14 @@ not_there:
 endfunction bvhs_plan
 
         .set    NEXT,10
-        registers amount,t_sum,t_add,t_carry
+        registers amount,t_sum,t_add
         registers c_more,plan,sizes,kinds,counts,even,t_list,c_over
         # at the end
-        registers low_word,culled_low,culled_sum,culled_carry,tested_low,tested_sum,tested_carry
-        registers possible_low,possible_sum,possible_carry
-
-        .set    COUNT_OF_culled,COUNT_cull_tests
-        .set    COUNT_OF_tested,COUNT_tests_made
-        .set    COUNT_OF_possible,COUNT_tests_possible
-
-# Adds to a count of packets_trace.
-.macro  tally name:req, amount:req
-        lqa     $t_sum,\name
-        a       $t_sum,$t_sum,\amount
-        stqa    $t_sum,\name
-.endm
+        registers low_word,a_generation,possible
+        # two counts each: those of this call, their sums and the carries
+    .irp pair, 0,1,2,3,4
+        registers first\pair,second\pair,sums\pair,carry\pair
+    .endr
 
 # The packets that are being traced.
 .macro  packets_address out:req, t_other:req, t_first:req
@@ -245,7 +242,7 @@ endfunction bvhs_plan
 # packets_trace   finds the nearest hits of packets
 #   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1, $5 through what
 #           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which
-#           they go
+#           they go, $6 the number of rays, generation
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_after, w_here, w_left
 #
 # The cones of scattered rays let through nearly everything. So the children of nodes that pass are
@@ -259,6 +256,7 @@ function packets_trace
         enter
         ori     $w_packets,$3,0
         ori     $w_traced,$4,0
+        stqa    $6,rays_traced
         lqa     $t_sum,any_deep
         ila     $counts,arena+BATCH_RAYS
         cgti    $amount,$w_depth,SCATTERED_DEPTH-1
@@ -304,9 +302,9 @@ bound_call:
         ila     $5,arena+BATCH_BOUNDS
         ila     $lr,bounded
         il      $t_sum,0
-        stqa    $t_sum,culled
-        stqa    $t_sum,tested
-        stqa    $t_sum,possible
+    .irp name, cull_tests,tests_made,tests_possible,blocks_used,blocks_fetched,ticks_block_wait
+        stqa    $t_sum,\name
+    .endr
         stqa    $c_more,to_shear
 fan_end:
         bi      $w_after
@@ -316,7 +314,7 @@ next_tree:
         lqa     $c_more,plans_end
         lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
-        lqa     $t_sum,possible
+        lqa     $t_sum,tests_possible
         stqa    $w_traced,most_here
         il      $amount,0
         stqa    $amount,first_here
@@ -329,14 +327,14 @@ next_tree:
         ori     $w_here,$w_traced,0
         brnz    $c_more,traced
         a       $t_sum,$t_sum,$counts
-        stqa    $t_sum,possible
+        stqa    $t_sum,tests_possible
         brz     $w_left,at_objects
 next_level:
         hbrr    cull_call,cull_nodes
         lqd     $kinds,PLAN_bounced($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
         lqa     $counts,lanes
-        lqa     $t_sum,culled
+        lqa     $t_sum,cull_tests
         andi    $even,$w_left,1
         ila     $w_after,found
         ila     $t_list,flat
@@ -356,7 +354,7 @@ next_level:
         stqa    $5,level_list
         a       $t_sum,$t_sum,$4
         cgt     $c_over,$4,$c_over
-        stqa    $t_sum,culled
+        stqa    $t_sum,cull_tests
         ila     $t_list,filter_children_r16
         ceqi    $amount,$6,0
         brnz    $c_over,crowded
@@ -390,14 +388,14 @@ found:
         lqd     $sizes,PLAN_roots($w_plan)
         lqd     $plan,0($w_plan)
         lqa     $counts,of_eye
-        lqa     $t_sum,tested
+        lqa     $t_sum,tests_made
         brz     $4,none_found
         rotqbyi $amount,$sizes,PLAN_eye_test-PLAN_roots
         rotqbyi $plan,$plan,PLAN_test
         selb    $plan,$plan,$amount,$counts
         hbr     test_call,$plan
         a       $t_sum,$t_sum,$4
-        stqa    $t_sum,tested
+        stqa    $t_sum,tests_made
         phase_ends $g_ticks_cull,$amount
 test_call:
         bisl    $lr,$plan
@@ -448,14 +446,14 @@ next_packets:
         br      next_level
 
 flat:   hbrr    tree_done,next_tree
-        lqa     $t_sum,culled
+        lqa     $t_sum,cull_tests
         lqa     $6,along
         ila     $5,arena+OBJECT_LIST
         nop     $2
         brz     $4,none_found
         hbrr    faces_call,cull_faces
         a       $t_sum,$t_sum,$4
-        stqa    $t_sum,culled
+        stqa    $t_sum,cull_tests
         # As far as a hint must be from its branch.
         nop     $2
         lnop
@@ -471,7 +469,7 @@ faces_call:
         ila     $5,arena+OBJECT_LIST
         ila     $amount,isect_triangles
         sf      $4,$5,$3
-        lqa     $t_sum,tested
+        lqa     $t_sum,tests_made
         rotqbyi $plan,$plan,PLAN_test
         hbr     flat_call,$plan
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
@@ -482,7 +480,7 @@ faces_call:
 ready:  ori     $3,$5,0
         ila     $lr,tests_done
         a       $t_sum,$t_sum,$4
-        stqa    $t_sum,tested
+        stqa    $t_sum,tests_made
         phase_ends $g_ticks_cull,$amount
 flat_call:
         bi      $plan
@@ -496,37 +494,59 @@ shear:  stqa    $4,held
         brsl    $lr,shears_make
         lqa     $4,held
         lqd     $plan,0($w_plan)
-        lqa     $t_sum,tested
+        lqa     $t_sum,tests_made
         ila     $5,arena+OBJECT_LIST
         rotqbyi $plan,$plan,PLAN_test
         br      ready
 traced:
+        lqa     $c_more,streamed
+        brnz    $c_more,in_mesh
+counted:
         # As leave does, but so early that the return can be hinted.
         lqd     $lr,32+16($sp)
-        lqa     $c_more,streamed
-        # Three counts at once, so that none waits for itself.
-    .irp name, culled,tested,possible
-        lqa     $\name\()_low,\name
-    .endr
-        fsmbi   $low_word,0x0f00
+        lqa     $a_generation,generation
+        # All at once, so that none waits for itself.
+        lqa     $first0,rays_traced
+        lqa     $first1,cull_tests
+        lqa     $first2,blocks_used
+        lqa     $first3,lanes
+        lqa     $first4,tests_possible
         hbr     return,$lr
-    .irp name, culled,tested,possible
-        lqa     $\name\()_sum,counters+COUNT_OF_\name
-        rotqmbyi $\name\()_low,$\name\()_low,-4
+        lqa     $second1,tests_made
+        lqa     $second2,blocks_fetched
+        lqa     $second3,ticks_block_wait
+        ceqi    $first3,$first3,8
+        fsmbi   $low_word,0x0f00
+        rotqmbyi $second0,$w_traced,-12
+        andc    $first3,$w_traced,$first3
+        il      $second4,0
+    .irp pair, 0,1,2,3,4
+        rotqmbyi $first\pair,$first\pair,-4
     .endr
-    .irp name, culled,tested,possible
-        and     $\name\()_low,$\name\()_low,$low_word
+    .irp pair, 1,2,3
+        rotqmbyi $second\pair,$second\pair,-12
     .endr
-    .irp name, culled,tested,possible
-        cg      $\name\()_carry,$\name\()_sum,$\name\()_low
-        a       $\name\()_sum,$\name\()_sum,$\name\()_low
-        shlqbyi $\name\()_carry,$\name\()_carry,4
+        lqd     $sums0,GENERATION_rays($a_generation)
+        lqd     $sums1,GENERATION_cull_tests($a_generation)
+        lqd     $sums2,GENERATION_blocks_used($a_generation)
+        lqd     $sums3,GENERATION_packets_scattered($a_generation)
+        lqa     $sums4,counters+COUNT_tests_possible
+    .irp pair, 0,1,2,3,4
+        selb    $first\pair,$second\pair,$first\pair,$low_word
     .endr
-    .irp name, culled,tested,possible
-        a       $\name\()_sum,$\name\()_sum,$\name\()_carry
-        stqa    $\name\()_sum,counters+COUNT_OF_\name
+    .irp pair, 0,1,2,3,4
+        cg      $carry\pair,$sums\pair,$first\pair
+        a       $sums\pair,$sums\pair,$first\pair
+        shlqbyi $carry\pair,$carry\pair,4
     .endr
-        brnz    $c_more,in_mesh
+    .irp pair, 0,1,2,3,4
+        a       $sums\pair,$sums\pair,$carry\pair
+    .endr
+        stqd    $sums0,GENERATION_rays($a_generation)
+        stqd    $sums1,GENERATION_cull_tests($a_generation)
+        stqd    $sums2,GENERATION_blocks_used($a_generation)
+        stqd    $sums3,GENERATION_packets_scattered($a_generation)
+        stqa    $sums4,counters+COUNT_tests_possible
         ai      $sp,$sp,32
 return: bi      $lr
 in_mesh:
@@ -535,7 +555,7 @@ in_mesh:
         brsl    $lr,shears_make
 have_shears:
         brsl    $lr,mesh_trace
-        leave
+        br      counted
 endfunction packets_trace
 
 # shears_make   makes the shears of the packets

@@ -2,7 +2,7 @@
 
 use cellray::scene::{Colour, Model, RenderOptions, Samples};
 use cellray::spe::Program;
-use cellray::statistics::{FrameStatistics, Rays};
+use cellray::statistics::{FrameStatistics, GENERATIONS, Generation, Rays};
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 use oracle::whitted::{Options, trace};
@@ -56,6 +56,17 @@ impl Frame {
             sum += spu.rays;
         }
         sum
+    }
+
+    /// The generations of all SPUs.
+    pub fn generations(&self) -> [Generation; GENERATIONS] {
+        let mut sums = [Generation::default(); GENERATIONS];
+        for spu in &self.statistics.spus {
+            for (sum, generation) in sums.iter_mut().zip(spu.generations) {
+                *sum += generation;
+            }
+        }
+        sums
     }
 }
 

@@ -38,6 +38,19 @@ fn nothing_depends_on_who_traces_what(name: &str) {
         assert_eq!(other.rays(), rays, "{name}: frame {number}");
     }
     assert_eq!(rays.eye, u64::from(SIZE.0 * SIZE.1));
+    let generations = one.generations();
+    assert_eq!(others[0].generations(), generations, "{name}");
+    let count = |numbers: [usize; 2]| numbers.map(|of| generations[of].rays).iter().sum::<u64>();
+    assert!(generations[0].rays >= rays.eye, "{generations:?}");
+    assert_eq!(count([2, 4]), rays.reflected + rays.refracted, "{name}");
+    assert_eq!(count([1, 3]) + generations[5].rays, rays.shadow, "{name}");
+    for (number, of) in generations.iter().enumerate() {
+        assert!(of.packets * 16 >= of.rays && of.rays > 0, "{name}: {of:?}");
+        assert!(of.nodes > 0 && of.tests > 0, "{name}: {of:?}");
+        // What curved surfaces send on is scattered.
+        let is_scattered = number > 1 && of.packets_scattered == of.packets;
+        assert!(is_scattered || of.packets_scattered == 0, "{name}: {of:?}");
+    }
     assert!(rays.eye_hit > 0 && rays.eye_hit < rays.hit);
     assert!(rays.reflected > 0 && rays.refracted > 0 && rays.shadow > 0);
     // Rays that hit nothing are counted as the rest, and there must be some.

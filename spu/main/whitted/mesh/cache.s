@@ -5,6 +5,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "whitted.inc"
 
         .section .data.mesh,"aw",@progbits
         .align  4
@@ -31,7 +32,7 @@ slots_and_1:
     .endr
 
         .set    NEXT,10
-        registers t_sum,t_add,t_carry,m_splat
+        registers t_sum,t_carry,m_splat
         registers number,in_slot,slot_and_1
         registers found                                 # the slot plus 1, or 0
         registers slot,bit,bits,address,mask
@@ -72,7 +73,7 @@ function mesh_fetch
         enter
         stqa    $3,wanted
         il      $mask,1
-        count   blocks_fetched,$mask,$t_sum,$t_add,$t_carry
+        tally   blocks_fetched,$mask
         lqa     $slot,next_slot
         ila     $slots,frame
         load_word $slots,FRAME_mesh_slots,$slots
@@ -130,7 +131,7 @@ function mesh_block
         enter
         stqa    $3,wanted
         il      $mask,1
-        count   blocks_used,$mask,$t_sum,$t_add,$t_carry
+        tally   blocks_used,$mask
         find_block
         brz     $found,missing
 found_it:
@@ -167,7 +168,7 @@ wait:   andc    $bits,$bits,$bit
         phase_begins
         lqa     $size,waited
         sf      $size,$size,$g_dma_wait
-        count   ticks_block_wait,$size,$t_sum,$t_add,$t_carry
+        tally   ticks_block_wait,$size
         lqa     $3,a_wanted
         lqa     $4,wanted
         brsl    $lr,mesh_arrive

@@ -56,7 +56,7 @@ entry_block:                            # without the number of the box
 #   In      w_packets, w_traced as packets_trace has them; the packets' SHEARS
 #   Uses    $3-$79, w_plan, w_first, w_here, w_left
         .set    NEXT,10
-        registers t_sum,t_add,t_carry
+        registers t_sum
         registers entry,number,mask,near,beyond,m_word,c_end
         registers candidate,step,a_out,bit
         registers levels,other,a_list,header
@@ -190,7 +190,7 @@ last_packet:
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         lqd     $levels,MESH_HEADER_levels&~15($m_block)
         rotqbyi $m_levels,$levels,MESH_HEADER_levels&15
-        count   cull_tests,$4,$t_sum,$t_add,$t_carry
+        tally   cull_tests,$4
 next_level:
         ai      $m_levels,$m_levels,-1
         brz     $m_levels,lowest
@@ -213,7 +213,7 @@ level_call:
         lqa     $mask,scattered
         brnz    $mask,was_it_enough
 level_met:
-        count   cull_tests,$4,$t_sum,$t_add,$t_carry
+        tally   cull_tests,$4
         br      next_level
 
 lowest: hbrr    lowest_call,cull_boxes
@@ -248,8 +248,8 @@ met:    ila     $a_list,arena+MESH_LIST
         ori     $5,$m_block,0
 isect_call:
         brsl    $lr,isect_mesh_pairs_r16
-        count   tests_made,$3,$t_sum,$t_add,$t_carry
-        count   tests_possible,$3,$t_sum,$t_add,$t_carry
+        tally   tests_made,$3
+        tally   tests_possible,$3
         il      $c_end,0
 tested: stqa    $c_end,of_spheres
         hbrr    farthest_call,mesh_farthest_r16
@@ -312,8 +312,8 @@ was_it_enough:
         br      level_met
 
 sphere_leaf:
-        count   tests_made,$4,$t_sum,$t_add,$t_carry
-        count   tests_possible,$4,$t_sum,$t_add,$t_carry
+        tally   tests_made,$4
+        tally   tests_possible,$4
         brsl    $lr,isect_bounced_spheres
         il      $c_end,-1
         br      tested
