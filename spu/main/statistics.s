@@ -4,12 +4,14 @@
         .include "macros.inc"
         .include "driver.inc"
 
+        .set    GENERATIONS_SIZE,STATS_reserved-STATS_generations
+
         .section .bss
         .align  4
-        .global statistics
-statistics:
-        .skip   STATS_SIZE
-        # After the generations' counters, which are at the end of the record.
+        .global generations
+generations:                            # as in the record
+        .skip   GENERATIONS_SIZE
+        # The other counters, reset together with these.
         .global counters
 counters:
         .skip   COUNTERS_SIZE
@@ -22,11 +24,11 @@ times_added:                            # decrementer when times_add was last ca
         .set    zero,20
         .set    counter,21
         .set    left,22
-        .set    ALL_COUNTERS,COUNTERS_SIZE+STATS_SIZE-STATS_generations
+        .set    ALL_COUNTERS,COUNTERS_SIZE+GENERATIONS_SIZE
 
 function statistics_reset
         il      $zero,0
-        ila     $counter,counters+COUNTERS_SIZE-ALL_COUNTERS
+        ila     $counter,generations
         il      $left,ALL_COUNTERS/16
 next_counter:
         hbrr    last_counter,next_counter
@@ -71,7 +73,9 @@ function times_add
         bi      $lr
 endfunction times_add
 
-# statistics_put   fills the record, sends it, and waits until it has arrived
+# statistics_put   sends the record, and waits until it has arrived
+#
+# All but the generations is put together where packets of tiles were, since no tile is left.
 #   Uses    $3, $10-$21
         .set    a_frame,10
         .set    a_record,11
@@ -111,9 +115,11 @@ function statistics_put
         enter
         brsl    $lr,times_add
         ila     $a_frame,frame
-        ila     $a_record,statistics
+        ila     $a_record,packets
         load_word $value,FRAME_number,$a_frame
         store_word $value,STATS_number,$a_record,$t_quad,$t_mask
+        il      $value,0
+        store_word $value,STATS_unused,$a_record,$t_quad,$t_mask
         sum_lanes $g_n_hits,$value
         rotqmbyi $value,$g_n_hits,-4
         fsmbi   $t_mask,0x0f00
@@ -159,8 +165,13 @@ function statistics_put
         il      $size,STATS_SIZE
         mpyu    $value,$g_number,$size
         add_effective $high,$low,$value,$t_carry
+        il      $size,STATS_generations
         il      $tag,TAG_STATISTICS
         il      $command,MFC_PUT
+        mfc_command $a_record,$high,$low,$size,$tag,$command
+        add_effective $high,$low,$size,$t_carry
+        ila     $a_record,generations
+        il      $size,GENERATIONS_SIZE
         mfc_command $a_record,$high,$low,$size,$tag,$command
         il      $3,1<<TAG_STATISTICS
         brsl    $lr,dma_wait

@@ -34,7 +34,7 @@ function batch_trace
         enter
         # How many rays came before the batch's first: 0, 1, or 2 for more.
         lqa     $later,arena+BATCH_RAYS+RAYS16_pixel
-        ila     $amount,statistics+STATS_generations
+        ila     $amount,generations
         lqa     $6,batch_rays
         ori     $4,$w_count,0
         rotmi   $later,$later,-CHAIN_STEP_LOG2

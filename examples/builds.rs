@@ -1,0 +1,58 @@
+//! How long the PPU takes to prepare a scene: its trees, or its blocks if it does not fit the local
+//! store. Prints the least of several times in milliseconds. `ci/ppe` also counts the instructions.
+//!
+//!     cargo run --release --example builds -- spheres|triangles COUNT TIMES
+
+use std::error::Error;
+use std::time::Instant;
+
+use cellray::Scene;
+use cellray::scene::RenderOptions;
+use cellray::spe::Program;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+const VIEW: &str = "v\nfrom 0 -30 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 512 512\n\
+                    l 50 -50 50\nf 1 1 1 1 0 0 0 0\n";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let usage = "usage: builds spheres|triangles COUNT TIMES";
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [shape, count, times] = &arguments[..] else {
+        return Err(usage.into());
+    };
+    let times: u32 = times.parse()?;
+    let scene = objects(shape, count.parse()?).ok_or(usage)?;
+    let program = Program::tracer();
+    let mut least = f64::INFINITY;
+    for _ in 0..times {
+        let began = Instant::now();
+        Scene::new(&scene, RenderOptions::default(), &program)?;
+        least = least.min(began.elapsed().as_secs_f64());
+    }
+    println!("{:.2}", 1e3 * least);
+    Ok(())
+}
+
+/// A scene of small objects that are spread evenly in a cube.
+fn objects(shape: &str, count: usize) -> Option<nff::Scene> {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let size = 4.0 / (count as f64).cbrt();
+    let mut text = VIEW.to_owned();
+    for _ in 0..count {
+        let mut point = |around: f64| [0; 3].map(|_| random.random_range(-around..around));
+        let [x, y, z] = point(10.0);
+        match shape {
+            "spheres" => text += &format!("s {x} {y} {z} {}\n", size / 2.0),
+            "triangles" => {
+                text += "p 3\n";
+                for _ in 0..3 {
+                    let [dx, dy, dz] = point(size);
+                    text += &format!("{} {} {}\n", x + dx, y + dy, z + dz);
+                }
+            }
+            _ => return None,
+        }
+    }
+    nff::parse(text.as_bytes(), "spread", &nff::Limits::default()).ok()
+}
