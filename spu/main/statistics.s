@@ -75,13 +75,14 @@ endfunction times_add
 
 # statistics_put   sends the record, and waits until it has arrived
 #
-# All but the generations is put together where packets of tiles were, since no tile is left.
-#   Uses    $3, $10-$21
+# Its counters are put together where packets of tiles were, since no tile is left.
+#
+#   Uses    $3, $10-$22
         .set    a_frame,10
         .set    a_record,11
         .set    value,12
-        .set    t_quad,13
-        .set    t_mask,14
+        .set    a_counter,13
+        .set    m_second,14
         .set    high,15
         .set    low,16
         .set    t_carry,17
@@ -90,56 +91,26 @@ endfunction times_add
         .set    command,20
         .set    more,21
 
-# Stores 64 bits from the first two words of a register.
-.macro  put_long field:req, register:req
-        lqd     $t_quad,(STATS_\field)&~15($a_record)
-        cdd     $t_mask,(STATS_\field)&15($sp)
-        shufb   $t_quad,\register,$t_quad,$t_mask
-        stqd    $t_quad,(STATS_\field)&~15($a_record)
-.endm
-
-.macro  put_count field:req
-        lqa     $value,counters+COUNT_\field
-        put_long \field,$value
-.endm
-
-# out = a - b, with 64 bits each in the first two words.
-.macro  difference out:req, a:req, b:req
-        bg      $t_carry,\b,\a                          # 1 unless it borrows
-        shlqbyi $t_carry,$t_carry,4
-        sfx     $t_carry,\b,\a
-        ori     \out,$t_carry,0
-.endm
-
 function statistics_put
         enter
         brsl    $lr,times_add
         ila     $a_frame,frame
-        ila     $a_record,packets
         load_word $value,FRAME_number,$a_frame
-        store_word $value,STATS_number,$a_record,$t_quad,$t_mask
-        il      $value,0
-        store_word $value,STATS_unused,$a_record,$t_quad,$t_mask
+        fsmbi   $more,0xf000
+        and     $value,$value,$more
+        stqa    $value,counters+COUNT_number
         sum_lanes $g_n_hits,$value
         rotqmbyi $value,$g_n_hits,-4
-        fsmbi   $t_mask,0x0f00
-        and     $value,$value,$t_mask
-        put_long eye_hits,$value
-    .irp field, tiles,packets,primary_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
-        put_count \field
-    .endr
-    .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
-        put_count \field
-    .endr
-    .irp field, samples,dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
-        put_count \field
-    .endr
+        stqa    $value,counters+COUNT_eye_hits
         rotqmbyi $value,$g_idle,-4
-        put_long idle,$value
+        stqa    $value,counters+COUNT_idle
+        # The time since the mail, less that spent waiting for the MFC.
         lqa     $value,counters+COUNT_elapsed
         lqa     $more,counters+COUNT_dma_wait
-        difference $value,$value,$more
-        put_long busy,$value
+        bg      $t_carry,$more,$value                   # 1 unless it borrows
+        shlqbyi $t_carry,$t_carry,4
+        sfx     $t_carry,$more,$value
+        stqa    $t_carry,counters+COUNT_busy
 
         # Without skipping, every packet is tested with every sphere. Whitted's model has already
         # counted its tests.
@@ -156,10 +127,26 @@ function statistics_put
         rotqbyi $more,$value,4
         add_effective $high,$low,$more,$t_carry
         a       $high,$high,$value
-        cwd     $t_mask,4($sp)
-        shufb   $value,$low,$high,$t_mask
-        put_long tests_possible,$value
+        cwd     $m_second,4($sp)
+        shufb   $value,$low,$high,$m_second
+        stqa    $value,counters+COUNT_tests_possible
 
+        ila     $a_counter,counters
+        ila     $a_record,packets
+        il      $left,STATS_generations/16
+        fsmbi   $m_second,0x00ff
+next_two:
+        lqd     $value,0($a_counter)
+        lqd     $more,16($a_counter)
+        rotqbyi $more,$more,8
+        selb    $value,$value,$more,$m_second
+        stqd    $value,0($a_record)
+        ai      $a_counter,$a_counter,2*16
+        ai      $a_record,$a_record,16
+        ai      $left,$left,-1
+        brnz    $left,next_two
+
+        ila     $a_record,packets
         load_word $high,FRAME_statistics,$a_frame
         load_word $low,FRAME_statistics+4,$a_frame
         il      $size,STATS_SIZE
