@@ -14,6 +14,9 @@ use crate::local_store::{LocalStore, SIZE};
 use crate::stop::{Stop, Stopped};
 
 const QUADWORD: usize = 16;
+/// The most instructions that are compared at once. Comparing local stores takes as long as running
+/// some thousands of instructions.
+const AT_ONCE: u32 = 4096;
 
 /// The state of an SPU between instructions.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -103,55 +106,131 @@ impl fmt::Display for Difference {
     }
 }
 
+/// The copies of local store that the two runs work on.
+pub(super) struct Copies {
+    compiled: LocalStore,
+    interpreted: LocalStore,
+    /// Their contents, and those of local store before the runs.
+    original: Vec<u8>,
+    by_compiled: Vec<u8>,
+    by_interpreter: Vec<u8>,
+}
+
+impl Copies {
+    pub fn new() -> Self {
+        let bytes = || vec![0; SIZE as usize];
+        Self {
+            compiled: LocalStore::new(),
+            interpreted: LocalStore::new(),
+            original: bytes(),
+            by_compiled: bytes(),
+            by_interpreter: bytes(),
+        }
+    }
+
+    /// Reads what the runs have made of the copies, and returns the first quadword that differs.
+    fn difference(&mut self) -> Option<(u32, [u32; 4], [u32; 4])> {
+        self.compiled.read(0, &mut self.by_compiled);
+        self.interpreted.read(0, &mut self.by_interpreter);
+        if self.by_compiled == self.by_interpreter {
+            return None;
+        }
+        let differs = |&address: &u32| {
+            self.compiled.load_quadword(address) != self.interpreted.load_quadword(address)
+        };
+        let address = (0..SIZE).step_by(QUADWORD).find(differs)?;
+        Some((
+            address,
+            self.compiled.load_quadword(address),
+            self.interpreted.load_quadword(address),
+        ))
+    }
+
+    /// Writes the interpreter's changes to local store.
+    fn write_changes(&self, local_store: &LocalStore) {
+        const CHUNK: usize = 1024;
+        let chunks = self.original.chunks_exact(CHUNK);
+        for (start, (before, after)) in (0..)
+            .step_by(CHUNK)
+            .zip(chunks.zip(self.by_interpreter.chunks_exact(CHUNK)))
+        {
+            if before == after {
+                continue;
+            }
+            let quadwords = before.chunks_exact(QUADWORD);
+            for (address, (before, after)) in (start..)
+                .step_by(QUADWORD)
+                .zip(quadwords.zip(after.chunks_exact(QUADWORD)))
+            {
+                if before != after {
+                    local_store.write(address, after);
+                }
+            }
+        }
+    }
+}
+
 /// Runs units from the SPU's program counter on, then as many instructions with the interpreter,
-/// and compares the results. The SPU keeps the interpreter's results.
+/// and compares the results. The SPU keeps the interpreter's results. Where many instructions give
+/// a difference, fewer are run, so that it names the unit.
 pub(super) fn check<C: Channels>(
     cpu: &mut Cpu,
     spu: &mut Spu,
     local_store: &LocalStore,
+    copies: &mut Copies,
     channels: &mut C,
     left: u64,
 ) -> Result<Exit, Box<Difference>> {
-    let before = State::of(spu);
-    let mut original = vec![0; SIZE as usize];
-    local_store.read(0, &mut original);
-    let [for_compiled, for_interpreted] = [(); 2].map(|()| {
-        let copy = LocalStore::new();
-        copy.write(0, &original);
-        copy
-    });
+    let left = left.min(u64::from(AT_ONCE)) as u32;
+    let (before, executed) = (State::of(spu), spu.executed());
+    local_store.read(0, &mut copies.original);
+    let mut result = Ok(Exit::Left);
+    for budget in [left, left.min(MAX_STEPS as u32)] {
+        result = compare(cpu, spu, copies, channels, budget);
+        if result.is_ok() {
+            break;
+        }
+        if budget > MAX_STEPS as u32 {
+            spu.registers = before.registers;
+            spu.fpscr = Fpscr::from_words(before.fpscr);
+            spu.set_pc(before.pc);
+            spu.executed = executed;
+        }
+    }
+    copies.write_changes(local_store);
+    result
+}
 
+/// Runs at most `budget` instructions by both, each on its copy.
+fn compare<C: Channels>(
+    cpu: &mut Cpu,
+    spu: &mut Spu,
+    copies: &mut Copies,
+    channels: &mut C,
+    budget: u32,
+) -> Result<Exit, Box<Difference>> {
+    for copy in [&copies.compiled, &copies.interpreted] {
+        copy.write(0, &copies.original);
+    }
+    let before = State::of(spu);
     let mut compiled = before.clone();
     let storage = Storage {
         registers: compiled.registers.as_mut_ptr().cast(),
-        local_store: for_compiled.as_ptr(),
+        local_store: copies.compiled.as_ptr(),
     };
-    let budget = left.min(MAX_STEPS as u64) as u32;
-    // SAFETY: registers and local store belong to this function, and have the required size and
-    // alignment.
+    // SAFETY: the registers belong to this function and the local store to `copies`, and both have
+    // the required size and alignment.
     let (exit, pc, instructions) =
         unsafe { cpu.enter(storage, &mut compiled.fpscr, before.pc, budget) };
     compiled.fpscr = Fpscr::from_words(compiled.fpscr).words();
     compiled.pc = pc;
 
-    let stopped = spu.run_limited(&for_interpreted, channels, u64::from(instructions));
+    let stopped = spu.run_limited(&copies.interpreted, channels, u64::from(instructions));
     let requested = |stopped: &Stopped| stopped.reason == Stop::Requested;
     let interrupted = stopped.as_ref().is_some_and(requested);
     let interpreted = State::of(spu);
-    let mut differs = None;
-    let quadwords = original.chunks_exact(QUADWORD);
-    for (address, original) in (0..).step_by(QUADWORD).zip(quadwords) {
-        let by_interpreter = for_interpreted.load_quadword(address);
-        let by_compiled = for_compiled.load_quadword(address);
-        if by_compiled != by_interpreter {
-            differs.get_or_insert((address, by_compiled, by_interpreter));
-        }
-        let bytes = by_interpreter.map(u32::to_be_bytes).concat();
-        if bytes != original {
-            local_store.store_quadword(address, by_interpreter);
-        }
-    }
-    let equal = stopped.is_none() && compiled == interpreted && differs.is_none();
+    let local_store = copies.difference();
+    let equal = stopped.is_none() && compiled == interpreted && local_store.is_none();
     if equal || interrupted {
         return Ok(exit);
     }
@@ -161,7 +240,7 @@ pub(super) fn check<C: Channels>(
         compiled,
         interpreted,
         stopped,
-        local_store: differs,
+        local_store,
     }))
 }
 
@@ -208,7 +287,15 @@ mod tests {
         local_store.write(0, &word.to_be_bytes());
         let mut spu = Spu::new();
         spu.set_register(4, Quad::splat(0x3f80_0000));
-        let difference = check(&mut cpu, &mut spu, &local_store, &mut NoChannels, 100);
+        let mut copies = Copies::new();
+        let difference = check(
+            &mut cpu,
+            &mut spu,
+            &local_store,
+            &mut copies,
+            &mut NoChannels,
+            100,
+        );
         let difference = difference.expect_err("the tables are wrong").to_string();
         assert!(
             difference.starts_with("1 instructions from 0x00000"),

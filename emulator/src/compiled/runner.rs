@@ -6,7 +6,7 @@ use std::sync::Arc;
 use spu_compiler::{Cpu, Exit, FloatMode, MAX_STEPS, Passage, Steps, Storage, Trace};
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
-use super::check::check;
+use super::check::{Copies, check};
 use super::dispatch::Dispatch;
 use super::record::{Recorder, record};
 use super::specials::Specials;
@@ -51,6 +51,8 @@ pub struct Runner {
     failures: Vec<Failures>,
     /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,
+    /// With the check mode.
+    copies: Option<Box<Copies>>,
     /// The number of instructions that ran in compiled code.
     compiled: u64,
     /// In simulated time: the current recording.
@@ -97,6 +99,7 @@ impl Runner {
             entry_counts: vec![0; LOCAL_STORE_WORDS].into_boxed_slice(),
             failures: Vec::new(),
             specials: None,
+            copies: None,
             compiled: 0,
             recorder: None,
             paths: Vec::new(),
@@ -319,7 +322,8 @@ impl Runner {
     ) -> (Dispatch, Option<Exit>) {
         let before = spu.executed();
         let exit = if self.translations.checks() {
-            match check(&mut self.cpu, spu, local_store, channels, left) {
+            let copies = self.copies.get_or_insert_with(|| Box::new(Copies::new()));
+            match check(&mut self.cpu, spu, local_store, copies, channels, left) {
                 Ok(exit) => exit,
                 Err(difference) => {
                     self.translations.report(*difference);
