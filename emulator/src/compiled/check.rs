@@ -184,18 +184,14 @@ pub(super) fn check<C: Channels>(
     let left = left.min(u64::from(AT_ONCE)) as u32;
     let (before, executed) = (State::of(spu), spu.executed());
     local_store.read(0, &mut copies.original);
-    let mut result = Ok(Exit::Left);
-    for budget in [left, left.min(MAX_STEPS as u32)] {
-        result = compare(cpu, spu, copies, channels, budget);
-        if result.is_ok() {
-            break;
-        }
-        if budget > MAX_STEPS as u32 {
-            spu.registers = before.registers;
-            spu.fpscr = Fpscr::from_words(before.fpscr);
-            spu.set_pc(before.pc);
-            spu.executed = executed;
-        }
+    let few = MAX_STEPS as u32;
+    let mut result = compare(cpu, spu, copies, channels, left);
+    if result.is_err() && left > few {
+        spu.registers = before.registers;
+        spu.fpscr = Fpscr::from_words(before.fpscr);
+        spu.set_pc(before.pc);
+        spu.executed = executed;
+        result = compare(cpu, spu, copies, channels, few);
     }
     copies.write_changes(local_store);
     result
