@@ -20,7 +20,7 @@ pub const HORIZON: DVec3 = DVec3::new(0.8, 0.87, 0.94);
 /// The colour of a day's zenith.
 pub const ZENITH: DVec3 = DVec3::new(0.24, 0.45, 0.78);
 /// The ambient light of a day, which comes from the sky.
-pub const AMBIENT: DVec3 = DVec3::new(0.15, 0.18, 0.23);
+pub const AMBIENT: DVec3 = DVec3::new(0.1, 0.125, 0.17);
 /// The brightness of a day's sun.
 pub const SUN: DVec3 = DVec3::new(0.9, 0.84, 0.74);
 

@@ -58,7 +58,7 @@ pub struct Options {
     #[arg(long)]
     pub no_shadows: bool,
     /// Trace this many samples of a pixel that differs from a neighbour [default: 4; 1 with
-    /// --corners and --spd-rays]
+    /// --corners]
     #[arg(long, value_enum, value_name = "N")]
     pub antialias: Option<Antialias>,
     /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
@@ -70,7 +70,7 @@ pub struct Options {
     )]
     pub contrast: u8,
     /// What the channels of the scene's colours and of pixels say about light [default: srgb; linear
-    /// by depth shading, whose shades are distances, and with --corners and --spd-rays]
+    /// by depth shading, whose shades are distances, and with --corners]
     #[arg(long, value_enum)]
     pub colour: Option<Colour>,
     /// Limit light that is nearly white or brighter without a step
@@ -118,14 +118,13 @@ impl Options {
             corners,
             ..RenderOptions::default()
         };
-        // Who asks for the databases' rays compares their pictures and numbers, too.
-        let plain = corners || self.spd_rays;
+        // Corners are the databases' own antialiasing, whose mean is taken of bytes.
         let samples = self.antialias.map(Into::into);
         let colour = self.colour.map(Into::into);
         let look = Look {
-            samples: samples.unwrap_or(if plain { Samples::One } else { Samples::Four }),
+            samples: samples.unwrap_or(if corners { Samples::One } else { Samples::Four }),
             contrast: self.contrast,
-            colour: colour.or(plain.then_some(scene::Colour::Linear)),
+            colour: colour.or(corners.then_some(scene::Colour::Linear)),
             roll_off: self.roll_off,
         };
         look.of(options, scene.lights.len())

@@ -67,7 +67,7 @@ pub enum Samples {
 }
 
 /// The default of [`RenderOptions::contrast`].
-pub const CONTRAST: u8 = 48;
+pub const CONTRAST: u8 = 32;
 
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
