@@ -58,6 +58,8 @@ pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Mar
             @for (id, name) in &ids {
                 " "
                 input id={ "map-" (id) } type="radio" name="map";
+                // So that no line ends between a button and its name.
+                "\u{a0}"
                 label for={ "map-" (id) } { (name) }
             }
             div.stage style={ "aspect-ratio:" (width) "/" (height) ";max-width:" (width) "px" } {
@@ -227,6 +229,9 @@ fn legend(map: &Map, times: &FrameTimes) -> Markup {
 
 /// The colours from 0 to the largest value.
 fn scale(most: u64) -> Markup {
+    if most == 0 {
+        return html! { "0 everywhere." };
+    }
     html! {
         "0 "
         @for step in 0..=20u64 {

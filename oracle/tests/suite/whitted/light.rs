@@ -50,11 +50,12 @@ fn colours_in_srgb_by_hand() {
         colour: Colour::Srgb,
         ..Options::default()
     };
-    // What sends its own colour looks as the file says, and so does half of it in a mirror.
+    // What sends its own colour looks as the file says, and half of white in a mirror is
+    // half as bright.
     let own = scene(EYE, [0.0; 3], "b 0.2 0.5 1\n");
     assert_eq!(look(&own, &srgb).0, [0.2, 0.5, 1.0].map(byte));
-    let mirror = ground("b 0.2 0.5 1\n", "0 0 0 0 0.5 1 0 1");
-    assert_eq!(look(&mirror, &srgb).0, [0.1, 0.25, 0.5].map(byte));
+    let mirror = ground("b 1 1 1\n", "0 0 0 0 0.5 1 0 1");
+    assert_eq!(look(&mirror, &srgb).0, [byte(0.5); 3]);
     // Of white's light, half is 0.735 of its value.
     let lit = ground("l 0 0 20 0.5 0.5 0.5\n", "1 1 1 1 0 1 0 1");
     assert_eq!(look(&lit, &srgb).0, [188; 3]);
