@@ -129,7 +129,7 @@ fn lambert(scene: &mut Scene) {
 /// Renders frames of a scene in simulated time into a picture; gives the statistics.
 fn render(scene: &Path, size: &str, picture: &Path, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
-        .arg("render")
+        .args(["render", "--antialias", "1", "--colour", "linear"])
         .arg(scene)
         .args([
             "--size",

@@ -11,12 +11,13 @@ mod render_options;
 pub(crate) mod single;
 
 use glam::DVec3;
+use nff::Sky;
 use nff::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
-pub use self::render_options::{CONTRAST, Colour, Model, RenderOptions, Samples};
+pub use self::render_options::{CONTRAST, Colour, Look, Model, RenderOptions, Samples};
 use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
 use protocol::formulation::{Formulations, SphereFormulation};
@@ -79,7 +80,7 @@ pub struct Sphere {
     pub centre: DVec3,
     /// Radius, above 0.
     pub radius: f64,
-    /// Red, green and blue, each 0 to 1.
+    /// The light that it sends at its brightest: red, green and blue, each 0 to 1.
     pub colour: DVec3,
 }
 
@@ -89,6 +90,7 @@ pub struct Scene {
     file: String,
     view: nff::View,
     background: DVec3,
+    sky: Option<Sky>,
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
@@ -157,6 +159,7 @@ impl Scene {
             file: scene.name.clone(),
             view: scene.view.clone(),
             background: scene.background,
+            sky: scene.sky,
             spheres: Vec::new(),
             depth: DepthShading {
                 near: 0.0,
@@ -204,6 +207,7 @@ impl Scene {
                 return Err(out_of_range(what, sphere.radius, " and at least 2^-62"));
             }
             let colour = scene.materials[sphere.material as usize].colour;
+            let colour = render_options.colour.light(colour);
             spheres.push(Sphere {
                 centre: sphere.centre,
                 radius: sphere.radius,
@@ -214,6 +218,7 @@ impl Scene {
             file: file.clone(),
             view: scene.view.clone(),
             background: scene.background,
+            sky: None,
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
@@ -275,10 +280,16 @@ impl Scene {
         }
     }
 
-    /// The background: the colour of rays that hit nothing.
+    /// The background: the colour of rays that hit nothing, or of those to the horizon.
     #[must_use]
     pub fn background(&self) -> DVec3 {
         self.background
+    }
+
+    /// The background's gradient, if there is one.
+    #[must_use]
+    pub fn sky(&self) -> Option<Sky> {
+        self.sky
     }
 
     /// The spheres of depth shading, in the order of the file.
@@ -310,11 +321,16 @@ impl Scene {
         }
     }
 
-    /// Sets the background.
-    pub(crate) fn set_background(&mut self, colour: DVec3) -> Result<(), SceneError> {
-        self.background = colour;
+    /// Sets the background, and its gradient.
+    pub(crate) fn set_background(
+        &mut self,
+        colour: DVec3,
+        sky: Option<Sky>,
+        shaders: &ShaderEntries,
+    ) -> Result<(), SceneError> {
+        (self.background, self.sky) = (colour, sky);
         match &mut self.block {
-            Some(block) => Ok(block.set_background(colour)?),
+            Some(block) => Ok(block.set_background(colour, sky, shaders)?),
             None => Ok(()),
         }
     }
@@ -352,5 +368,6 @@ fn options(render_options: RenderOptions) -> BlockOptions {
         ray_depth: render_options.ray_depth,
         fresnel: render_options.fresnel,
         spd_rays: render_options.spd_rays,
+        colour: render_options.colour,
     }
 }

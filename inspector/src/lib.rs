@@ -34,6 +34,10 @@ pub struct Inspection<'a> {
     /// The effective address to which an SPU sends the costs of the first unit, and the distance
     /// to the next unit's. It tells which SPU traced a unit, and when.
     pub costs: (u64, u64),
+    /// More maps of the tiles.
+    pub tile_maps: &'a [TileMap],
+    /// Maps of the pixels.
+    pub pixel_maps: &'a [PixelMap],
     /// The statistics of the frame: a name, a figure, and what it means.
     pub statistics: &'a [Statistic],
     /// The SPU program's ELF file.
@@ -58,6 +62,30 @@ pub struct Tile {
     pub ticks: u32,
 }
 
+/// A figure for each tile.
+pub struct TileMap {
+    /// A word that no other map has.
+    pub id: &'static str,
+    /// The map's name.
+    pub name: &'static str,
+    /// What the figures are.
+    pub remark: &'static str,
+    /// The figures by the tiles' numbers.
+    pub values: Vec<u64>,
+}
+
+/// A figure for each pixel.
+pub struct PixelMap {
+    /// A word that no other map has.
+    pub id: &'static str,
+    /// The map's name.
+    pub name: &'static str,
+    /// What the figures are.
+    pub remark: String,
+    /// The figures, row by row.
+    pub values: Vec<u8>,
+}
+
 /// One figure of the frame.
 pub struct Statistic {
     /// The group that it belongs to.
@@ -73,6 +101,9 @@ pub struct Statistic {
 /// Why there is no page.
 #[derive(Debug, Error)]
 pub enum InspectError {
+    /// A map of the pixels can't be made a picture.
+    #[error("map: {0}")]
+    Map(#[from] image::ImageError),
     /// The timeline is no file of this format.
     #[error("timeline: {0}")]
     Timeline(serde_json::Error),

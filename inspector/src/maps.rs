@@ -1,14 +1,17 @@
 //! The picture, and the maps that can be laid over it.
 
 use std::fmt::Write as _;
+use std::io::Cursor;
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
+use colorous::Color;
+use image::{ImageFormat, Rgb, RgbImage};
 use maud::{Markup, PreEscaped, html};
 
-use crate::Inspection;
 use crate::frame::{FrameTimes, TracedTile};
 use crate::timelines::grouped;
+use crate::{InspectError, Inspection, PixelMap, TileMap};
 
 /// The colours of the SPUs, here and in the timelines.
 pub(crate) const SPU_COLOURS: [&str; 16] = [
@@ -17,13 +20,16 @@ pub(crate) const SPU_COLOURS: [&str; 16] = [
 ];
 
 /// One map: a figure for each tile.
-struct Map {
+struct Map<'a> {
     id: &'static str,
     name: &'static str,
-    remark: String,
+    remark: &'a str,
     colour: Colour,
-    value: fn(&TracedTile) -> u64,
+    value: Value<'a>,
 }
+
+/// A tile's figure.
+type Value<'a> = Box<dyn Fn(&TracedTile) -> u64 + 'a>;
 
 enum Colour {
     /// From dark (nothing) to light (the largest value).
@@ -33,91 +39,146 @@ enum Colour {
 }
 
 /// The part of the page with the picture.
-pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Markup {
-    let maps = maps();
-    let encoded = STANDARD.encode(inspection.picture);
+pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Markup, InspectError> {
+    let maps = maps(inspection.tile_maps);
+    let by_pixel = inspection.pixel_maps;
     let (width, height) = inspection.size;
-    html! {
+    let ids = maps.iter().map(|map| (map.id, map.name));
+    let ids: Vec<_> = ids
+        .chain(by_pixel.iter().map(|map| (map.id, map.name)))
+        .collect();
+    let pictures = by_pixel.iter().map(|map| pixels(map, inspection.size));
+    let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
+    Ok(html! {
+        style { (PreEscaped(ids.iter().map(|(id, _)| shown(id)).collect::<String>())) }
         section.maps {
-            h2 { "The picture, and maps of its tiles" }
+            h2 { "The picture, and maps of its tiles and pixels" }
             input #map-none type="radio" name="map" checked;
             label for="map-none" { "picture" }
-            @for map in &maps {
-                input id={ "map-" (map.id) } type="radio" name="map";
-                label for={ "map-" (map.id) } { (map.name) }
+            @for (id, name) in &ids {
+                " "
+                input id={ "map-" (id) } type="radio" name="map";
+                // So that no line ends between a button and its name.
+                "\u{a0}"
+                label for={ "map-" (id) } { (name) }
             }
             div.stage style={ "aspect-ratio:" (width) "/" (height) ";max-width:" (width) "px" } {
-                img src={ "data:image/png;base64," (encoded) } width=(width) height=(height) alt="The traced picture";
+                img src=(data(inspection.picture)) width=(width) height=(height) alt="The traced picture";
                 @for map in &maps { (overlay(inspection, times, map)) }
+                @for (map, picture) in by_pixel.iter().zip(&pictures) {
+                    img class={ "overlay for-" (map.id) } src=(data(picture)) alt={ "The map of " (map.name) };
+                }
             }
             @for map in &maps { p class={ "remark for-" (map.id) } { (legend(map, times)) " " (map.remark) } }
-            p.gap {
-                "The SPUs count tests, node visits, rays and bounces for the whole frame and not by "
-                "tile or pixel, so there are no maps of them; the sums are below."
+            @for map in by_pixel {
+                p class={ "remark for-" (map.id) } {
+                    (scale(u64::from(map.values.iter().copied().max().unwrap_or(0)))) " " (map.remark)
+                }
             }
         }
-    }
+    })
 }
 
-fn maps() -> Vec<Map> {
-    vec![
-        Map {
-            id: "cycles",
-            name: "cycles",
-            remark: "Cycles that each tile took, waits included.".into(),
-            colour: Colour::Scale,
-            value: TracedTile::cycles,
-        },
-        Map {
-            id: "waits",
-            name: "waits",
-            remark: "Cycles in which the SPU slept in a channel while it traced the tile.".into(),
-            colour: Colour::Scale,
-            value: |tile| tile.slept,
-        },
-        Map {
-            id: "fetched",
-            name: "bytes fetched",
-            remark: "Bytes that the MFC brought into local store while the tile was traced. They \
-                     may be for a later tile."
-                .into(),
-            colour: Colour::Scale,
-            value: |tile| tile.fetched,
-        },
-        Map {
-            id: "finished",
-            name: "order",
-            remark: "The cycle of the frame in which each tile was finished.".into(),
-            colour: Colour::Scale,
-            value: |tile| tile.end,
-        },
-        Map {
-            id: "spu",
-            name: "SPU",
-            remark: "The SPU that traced each tile. SPUs take work units, runs of tiles, from a \
-                     shared counter."
-                .into(),
-            colour: Colour::Spu,
-            value: |tile| tile.spu as u64,
-        },
-    ]
+/// The rules by which a map is shown while its button is pressed.
+fn shown(id: &str) -> String {
+    format!(
+        "#map-{id}:checked ~ .stage .for-{id}, #map-{id}:checked ~ p.for-{id} {{ display: block }}\n"
+    )
+}
+
+/// A picture within the page.
+fn data(png: &[u8]) -> String {
+    format!("data:image/png;base64,{}", STANDARD.encode(png))
+}
+
+/// A map of the pixels as the bytes of a PNG file.
+fn pixels(map: &PixelMap, (width, height): (u32, u32)) -> Result<Vec<u8>, image::ImageError> {
+    let most = u64::from(map.values.iter().copied().max().unwrap_or(0));
+    let picture = RgbImage::from_fn(width, height, |x, y| {
+        let at = y as usize * width as usize + x as usize;
+        let value = map.values.get(at).copied().unwrap_or(0);
+        let Color { r, g, b } = heat(u64::from(value), most);
+        Rgb([r, g, b])
+    });
+    let mut bytes = Vec::new();
+    picture.write_to(&mut Cursor::new(&mut bytes), ImageFormat::Png)?;
+    Ok(bytes)
+}
+
+fn maps(more: &[TileMap]) -> Vec<Map<'_>> {
+    let own: [(_, _, _, _, Value<'_>); 5] = [
+        (
+            "cycles",
+            "cycles",
+            "Cycles that each tile took, waits included.",
+            Colour::Scale,
+            Box::new(TracedTile::cycles),
+        ),
+        (
+            "waits",
+            "waits",
+            "Cycles in which the SPU slept in a channel while it traced the tile.",
+            Colour::Scale,
+            Box::new(|tile| tile.slept),
+        ),
+        (
+            "fetched",
+            "bytes fetched",
+            "Bytes that the MFC brought into local store while the tile was traced. They may be for \
+             a later tile.",
+            Colour::Scale,
+            Box::new(|tile| tile.fetched),
+        ),
+        (
+            "finished",
+            "order",
+            "The cycle of the frame in which each tile was finished.",
+            Colour::Scale,
+            Box::new(|tile| tile.end),
+        ),
+        (
+            "spu",
+            "SPU",
+            "The SPU that traced each tile. SPUs take work units, runs of tiles, from a shared \
+             counter.",
+            Colour::Spu,
+            Box::new(|tile| tile.spu as u64),
+        ),
+    ];
+    let own = own
+        .into_iter()
+        .map(|(id, name, remark, colour, value)| Map {
+            id,
+            name,
+            remark,
+            colour,
+            value,
+        });
+    let more = more.iter().map(|map| Map {
+        id: map.id,
+        name: map.name,
+        remark: map.remark,
+        colour: Colour::Scale,
+        value: Box::new(|tile| map.values.get(tile.number as usize).copied().unwrap_or(0)),
+    });
+    own.chain(more).collect()
+}
+
+/// The colour of a value on the scale up to the largest one.
+fn heat(value: u64, most: u64) -> Color {
+    let part = value as f64 / most.max(1) as f64;
+    colorous::INFERNO.eval_continuous(part.clamp(0.0, 1.0))
 }
 
 fn colour(map: &Map, value: u64, most: u64) -> String {
     match map.colour {
         Colour::Spu => SPU_COLOURS[value as usize % SPU_COLOURS.len()].into(),
-        Colour::Scale => {
-            let part = value as f64 / most.max(1) as f64;
-            format!(
-                "#{:x}",
-                colorous::INFERNO.eval_continuous(part.clamp(0.0, 1.0))
-            )
-        }
+        Colour::Scale => format!("#{:x}", heat(value, most)),
     }
 }
 
 fn most(map: &Map, times: &FrameTimes) -> u64 {
-    times.tiles().map(map.value).max().unwrap_or(0)
+    times.tiles().map(&map.value).max().unwrap_or(0)
 }
 
 fn overlay(inspection: &Inspection, times: &FrameTimes, map: &Map) -> Markup {
@@ -155,20 +216,27 @@ fn overlay(inspection: &Inspection, times: &FrameTimes, map: &Map) -> Markup {
 }
 
 fn legend(map: &Map, times: &FrameTimes) -> Markup {
-    let most = most(map, times);
-    html! {
-        @match map.colour {
-            Colour::Spu => @for spu in 0..times.spus.len() {
+    match map.colour {
+        Colour::Spu => html! {
+            @for spu in 0..times.spus.len() {
                 span.swatch style={ "background:" (SPU_COLOURS[spu % SPU_COLOURS.len()]) } {}
                 " " (spu) " "
-            },
-            Colour::Scale => {
-                "0 "
-                @for step in 0..=20u64 {
-                    span.step style={ "background:" (colour(map, step, 20)) } {}
-                }
-                " " (grouped(most)) "."
             }
+        },
+        Colour::Scale => scale(most(map, times)),
+    }
+}
+
+/// The colours from 0 to the largest value.
+fn scale(most: u64) -> Markup {
+    if most == 0 {
+        return html! { "0 everywhere." };
+    }
+    html! {
+        "0 "
+        @for step in 0..=20u64 {
+            span.step style=(format!("background:#{:x}", heat(step, 20))) {}
         }
+        " " (grouped(most)) "."
     }
 }

@@ -25,7 +25,7 @@ pub(crate) fn page(inspection: &Inspection) -> Result<String, InspectError> {
                     (width) "x" (height) " pixels on " (times.spus.len()) " SPUs. All times are "
                     "simulated cycles, the same in every run."
                 }
-                (maps::section(inspection, &times))
+                (maps::section(inspection, &times)?)
                 (timelines::section(&times))
                 (kernels::section(inspection)?)
                 (statistics(inspection.statistics))

@@ -125,6 +125,7 @@ impl Builder {
             name: name.to_owned(),
             view: self.view.unwrap_or_else(|| framing::view(low, high)),
             background: framing::BACKGROUND,
+            sky: None,
             ambient,
             lights,
             materials: self.materials,

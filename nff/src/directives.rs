@@ -16,6 +16,10 @@ use crate::{Fault, Shader};
 pub(crate) enum Directive {
     /// The ambient light.
     Ambient(DVec3),
+    /// The colour of the zenith, and the direction to it, if it is not the view's upwards.
+    Sky { zenith: DVec3, up: Option<DVec3> },
+    /// The light and the background of a day.
+    Daylight,
     /// A light infinitely far away.
     Sun {
         to_light: DVec3,
@@ -32,6 +36,22 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
             let colour = words.colour(["ambient red", "ambient green", "ambient blue"])?;
             words.end("ambient light")?;
             Ok(Directive::Ambient(colour))
+        }
+        "sky" => {
+            let zenith = words.colour(["sky red", "sky green", "sky blue"])?;
+            let up = match words.more()? {
+                true => Some(words.point(["sky x", "sky y", "sky z"])?),
+                false => None,
+            };
+            words.end("sky")?;
+            if up == Some(DVec3::ZERO) {
+                return Err(Fault::NoDirection("the direction to the zenith").into());
+            }
+            Ok(Directive::Sky { zenith, up })
+        }
+        "daylight" => {
+            words.end("daylight")?;
+            Ok(Directive::Daylight)
         }
         "sun" => {
             let to_light = words.point(["sun x", "sun y", "sun z"])?;

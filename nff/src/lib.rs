@@ -8,6 +8,7 @@
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
 //! [`MAX_MAGNITUDE`], no radius or direction of 0 and no material index out of range.
 
+pub mod daylight;
 pub mod depth;
 mod directives;
 mod error;
@@ -23,6 +24,7 @@ mod view;
 mod words;
 mod write;
 
+pub use daylight::Sky;
 pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
 pub use lines::Limits;

@@ -8,11 +8,14 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use crate::daylight;
 use crate::directives::{self, Directive};
 use crate::lines::{DIRECTIVE, LineError};
 use crate::view;
 use crate::words::Words;
-use crate::{Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
+use crate::{
+    Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, Sky, View,
+};
 
 /// The names of entities in messages.
 const VIEW: &str = "view";
@@ -91,6 +94,10 @@ struct Parser<'a, R> {
     view: Option<(u32, View)>,
     background: Option<(u32, DVec3)>,
     ambient: Option<(u32, DVec3)>,
+    /// The line of the sky, its zenith's colour and direction.
+    sky: Option<(u32, DVec3, Option<DVec3>)>,
+    /// The line of the daylight.
+    daylight: Option<u32>,
     /// The line of the last material's shader.
     shader: Option<u32>,
     lights: Vec<Light>,
@@ -107,6 +114,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
             view: None,
             background: None,
             ambient: None,
+            sky: None,
+            daylight: None,
             shader: None,
             lights: Vec::new(),
             materials: Vec::new(),
@@ -139,11 +148,23 @@ impl<'a, R: BufRead> Parser<'a, R> {
     /// Makes the scene of the entities that were read.
     fn take(&mut self, name: &str) -> Result<Scene, LineError> {
         let (_, view) = self.view.take().ok_or(Fault::NoView)?;
+        let mut sky = self.sky.map(|(_, zenith, up)| Sky {
+            zenith,
+            up: up.unwrap_or(view.up),
+        });
+        let [mut background, mut ambient] = [DVec3::ZERO; 2];
+        if let Some(line) = self.daylight {
+            [background, ambient] = [daylight::HORIZON, daylight::AMBIENT];
+            sky = sky.or(Some(Sky::of_day(view.up)));
+            let sun = daylight::sun(&view)?;
+            self.lights.push(Light { line, ..sun });
+        }
         Ok(Scene {
             name: name.to_owned(),
             view,
-            background: self.background.map_or(DVec3::ZERO, |(_, colour)| colour),
-            ambient: self.ambient.map_or(DVec3::ZERO, |(_, colour)| colour),
+            background: self.background.map_or(background, |(_, colour)| colour),
+            sky,
+            ambient: self.ambient.map_or(ambient, |(_, colour)| colour),
             lights: std::mem::take(&mut self.lights),
             materials: std::mem::take(&mut self.materials),
             objects: std::mem::take(&mut self.objects),
@@ -205,6 +226,17 @@ impl<'a, R: BufRead> Parser<'a, R> {
             Directive::Sun { to_light, colour } => {
                 self.room_for_light()?;
                 self.light((LightKind::Directional { to_light }, colour));
+                Ok(())
+            }
+            Directive::Sky { zenith, up } => {
+                once("sky", self.sky.map(|(line, ..)| line))?;
+                self.sky = Some((self.words.start(), zenith, up));
+                Ok(())
+            }
+            Directive::Daylight => {
+                once("daylight", self.daylight)?;
+                self.room_for_light()?;
+                self.daylight = Some(self.words.start());
                 Ok(())
             }
             Directive::Shader(shader) => self.shader(shader),

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{Mesh, View};
+use crate::{Mesh, Sky, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -19,6 +19,8 @@ pub struct Scene {
     /// The colour of rays that hit nothing: red, green and blue from 0 to 1. Black if the file has
     /// none.
     pub background: DVec3,
+    /// The background's gradient, if the file has one.
+    pub sky: Option<Sky>,
     /// The ambient light's red, green and blue. Black if the file has none.
     pub ambient: DVec3,
     /// Lights, in file order.
@@ -175,6 +177,7 @@ impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
         self.view == other.view
             && self.background == other.background
+            && self.sky == other.sky
             && self.ambient == other.ambient
             && self.lights == other.lights
             && self.materials == other.materials

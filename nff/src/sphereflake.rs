@@ -130,6 +130,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         name: format!("{}{level}", PREFIX),
         view,
         background: DVec3::new(0.078, 0.361, 0.753),
+        sky: None,
         ambient: DVec3::ZERO,
         lights: LIGHTS
             .into_iter()

@@ -85,6 +85,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             resolution: (512, 512),
         },
         background: DVec3::new(0.078, 0.361, 0.753),
+        sky: None,
         ambient: DVec3::ZERO,
         lights: vec![Light {
             line: 9,

@@ -8,7 +8,7 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::lines::DIRECTIVE;
-use crate::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
+use crate::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 impl fmt::Display for Scene {
     /// Materials keep their order. If an object's material is not the last one written, it is
@@ -16,6 +16,9 @@ impl fmt::Display for Scene {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.view.fmt(f)?;
         writeln!(f, "b {}", Triple(self.background))?;
+        if let Some(Sky { zenith, up }) = self.sky {
+            writeln!(f, "{DIRECTIVE} sky {} {}", Triple(zenith), Triple(up))?;
+        }
         if self.ambient != DVec3::ZERO {
             writeln!(f, "{DIRECTIVE} ambient {}", Triple(self.ambient))?;
         }

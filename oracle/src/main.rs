@@ -93,6 +93,27 @@ struct Model {
     /// Traces primary rays through the corners of pixels and averages four, as SPD does (whitted)
     #[arg(long)]
     corners: bool,
+    /// What the channels of the scene's colours and of pixels say about light [default: linear]
+    /// (whitted)
+    #[arg(long, value_enum)]
+    colour: Option<Colour>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Colour {
+    /// They are proportional to it
+    Linear,
+    /// They have sRGB's values
+    Srgb,
+}
+
+impl From<Colour> for whitted::Colour {
+    fn from(colour: Colour) -> Self {
+        match colour {
+            Colour::Linear => Self::Linear,
+            Colour::Srgb => Self::Srgb,
+        }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -111,6 +132,7 @@ impl Model {
             (self.fresnel, "--fresnel"),
             (self.spd_rays, "--spd-rays"),
             (self.corners, "--corners"),
+            (self.colour.is_some(), "--colour"),
             (stats, "--stats"),
         ];
         let stray = given.into_iter().find(|&(given, _)| given);
@@ -141,6 +163,7 @@ impl Model {
                     fresnel: self.fresnel,
                     spd_rays: self.spd_rays,
                     corners: self.corners,
+                    colour: self.colour.map_or(whitted::Colour::Linear, Into::into),
                 };
                 let (reference, counts) = whitted::trace(scene, width, height, &options)?;
                 Ok(Traced {

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{self, CONTRAST, RenderOptions};
+use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
 use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -100,18 +100,6 @@ pub struct ViewArguments {
     /// Trace no shadows
     #[arg(long)]
     no_shadows: bool,
-    /// Trace this many samples of a pixel that differs from a neighbour
-    #[arg(long, value_enum, default_value_t, value_name = "N")]
-    antialias: Antialias,
-    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
-    #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true)]
-    contrast: u8,
-    /// What the channels of pixels say about light
-    #[arg(long, value_enum, default_value_t)]
-    colour: Colour,
-    /// Limit light that is nearly white or brighter without a step
-    #[arg(long)]
-    roll_off: bool,
     /// Load the scene, the SPU program and its shaders again whenever their files change
     #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
     pub watch: bool,
@@ -121,10 +109,9 @@ pub struct ViewArguments {
 }
 
 /// `--antialias`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Antialias {
     /// No antialiasing: one ray through the pixel's centre.
-    #[default]
     #[value(name = "1")]
     One,
     /// Four samples.
@@ -146,12 +133,11 @@ impl From<Antialias> for scene::Samples {
 }
 
 /// `--colour`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Colour {
-    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
-    #[default]
+    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
     Linear,
-    /// Channels have sRGB's values, which viewers of pictures expect.
+    /// They have sRGB's values, which viewers of pictures expect.
     Srgb,
 }
 
@@ -195,10 +181,6 @@ impl ViewArguments {
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             shadows: !self.no_shadows,
-            samples: self.antialias.into(),
-            contrast: self.contrast,
-            colour: self.colour.into(),
-            roll_off: self.roll_off,
             ..RenderOptions::default()
         }
     }
@@ -251,6 +233,20 @@ pub struct Options {
     /// Folder for the pictures that F12 takes
     #[arg(long, default_value = ".", value_name = "FOLDER")]
     pub screenshots: PathBuf,
+    /// Trace this many samples of a pixel that differs from a neighbour; in a window and a terminal
+    /// as soon as the picture is at rest [default: 4; 1 on a framebuffer]
+    #[arg(long, value_enum, value_name = "N")]
+    antialias: Option<Antialias>,
+    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
+    #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true)]
+    contrast: u8,
+    /// What the channels of the scene's colours and of pixels say about light [default: srgb; linear
+    /// by depth shading, whose shades are distances]
+    #[arg(long, value_enum)]
+    colour: Option<Colour>,
+    /// Limit light that is nearly white or brighter without a step
+    #[arg(long)]
+    roll_off: bool,
     /// Start without text on the screen; F1 shows it
     #[arg(long)]
     pub no_overlay: bool,
@@ -304,6 +300,22 @@ impl Options {
             },
             ..Settings::default()
         })
+    }
+
+    /// How the pictures on this kind of display look.
+    #[must_use]
+    pub fn look(&self, kind: DisplayKind) -> Look {
+        let usual = match kind {
+            // Every frame is traced at once, and has to be fast.
+            DisplayKind::Fb => Samples::One,
+            _ => Samples::Four,
+        };
+        Look {
+            samples: self.antialias.map_or(usual, Into::into),
+            contrast: self.contrast,
+            colour: self.colour.map(Into::into),
+            roll_off: self.roll_off,
+        }
     }
 
     /// The game's time from one picture to the next.

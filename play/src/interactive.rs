@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use cellray::Report;
 use cellray::framebuffer::{Framebuffer, Geometry, Interrupted, Memory};
 use cellray::game::{Clock, Game, InputEvent, Session, SessionError};
+use cellray::scene::{Look, Samples};
 use image::RgbImage;
 
 use crate::arguments::Options;
@@ -52,6 +53,8 @@ pub struct Player {
     pub keys: Option<Box<dyn Display>>,
     /// Whether messages may be printed during the session.
     pub may_talk: bool,
+    /// How pictures look; on a display that shows coarse ones first, those at rest.
+    pub look: Look,
 }
 
 /// Runs a session until it ends.
@@ -91,6 +94,8 @@ struct Show<'a> {
     front: Frontend,
     options: &'a Options,
     may_talk: bool,
+    /// How a picture at rest looks.
+    look: Look,
     /// The size of the traced picture.
     size: Geometry,
     /// Chooses the size, if none was requested.
@@ -123,7 +128,9 @@ impl<'a> Show<'a> {
     ) -> Result<Self, PlayError> {
         let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
         let mut display = player.display;
-        let pace = (display.scales() && options.size.is_none()).then(Pace::new);
+        let is_smooth = player.look.samples > Samples::One;
+        let is_paced = display.scales() && options.size.is_none();
+        let pace = is_paced.then(|| Pace::new(is_smooth));
         let size = wanted_size(display.area(), pace.as_ref(), options.size);
         let framebuffer = display.framebuffer(size)?;
         let stem = file_stem(game.name());
@@ -131,6 +138,7 @@ impl<'a> Show<'a> {
             .map_err(PlayError::Signals)?;
         let session = Session::start(game, options.settings()?, framebuffer)?;
         let mut session = session.with_seed(seed);
+        session.look(Some(look_now(player.look, pace.as_ref())));
         let told = told_size(front.display.area(), pace.as_ref(), size);
         session.tell_size(told);
         front.display.measure_in(told);
@@ -140,6 +148,7 @@ impl<'a> Show<'a> {
             front,
             options,
             may_talk: player.may_talk,
+            look: player.look,
             size,
             pace,
             meter: Meter::new(Instant::now()),
@@ -261,6 +270,7 @@ impl<'a> Show<'a> {
 
     /// Chooses the picture's size, and makes a framebuffer for it.
     fn framebuffer(&mut self) -> Result<Box<dyn Framebuffer>, PlayError> {
+        self.session.look(Some(self.look_now()));
         let display = &mut self.front.display;
         self.size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
         let refined = self.pace.as_ref().and_then(Pace::tiles);
@@ -272,6 +282,11 @@ impl<'a> Show<'a> {
             }
             None => display.framebuffer(self.size)?,
         })
+    }
+
+    /// How the current picture looks.
+    fn look_now(&self) -> Look {
+        look_now(self.look, self.pace.as_ref())
     }
 
     fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Result<(), PlayError> {
@@ -307,6 +322,7 @@ impl<'a> Show<'a> {
                 let framebuffer = self.framebuffer()?;
                 let settings = self.options.settings()?;
                 self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
+                self.session.look(Some(self.look_now()));
                 self.tell_size();
                 // It compares reports, and the session's begins anew.
                 self.meter = Meter::new(Instant::now());
@@ -324,9 +340,10 @@ impl<'a> Show<'a> {
         let sizes = ((self.size.width, self.size.height), (width, height));
         let now = Instant::now();
         let report = self.session.report().clone();
+        let samples = self.look_now().samples as u32;
         let last = self.session.engine().statistics();
         let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
-        let measured = self.meter.frame(now, &report, last, sizes);
+        let measured = self.meter.frame(now, &report, last, sizes, samples);
         let game = self.session.game().as_ref();
         self.overlay = self.texts.overlay(measured, game, is_paused, now);
         let display = &mut self.front.display;
@@ -419,6 +436,19 @@ fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry
     }
 }
 
+/// How the current picture looks. While something moves, a picture of a divided size has one sample
+/// a pixel; at rest, antialiasing is the last thing that refines it.
+fn look_now(look: Look, pace: Option<&Pace>) -> Look {
+    let is_coarse = pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > 1);
+    match is_coarse {
+        true => Look {
+            samples: Samples::One,
+            ..look
+        },
+        false => look,
+    }
+}
+
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
     // Both sides are divided by the same, so that the proportions stay.
     let most = area.width.min(area.height) / LEAST_SIDE;
@@ -478,19 +508,19 @@ mod tests {
         };
         assert_eq!(wanted_size(area, None, Some(fixed)), fixed);
         assert_eq!(wanted_size(area, None, None), area);
-        let paced = wanted_size(area, Some(&Pace::new()), None);
+        let paced = wanted_size(area, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (40, 22));
         let tiny = Geometry {
             width: 20,
             height: 3,
         };
-        let paced = wanted_size(tiny, Some(&Pace::new()), None);
+        let paced = wanted_size(tiny, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (20, 3));
         let small = Geometry {
             width: 80,
             height: 48,
         };
-        let paced = wanted_size(small, Some(&Pace::new()), None);
+        let paced = wanted_size(small, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (13, 8));
     }
 }

@@ -218,6 +218,7 @@ fn session(
     let real: Box<dyn Clock> = Box::new(RealTime::default());
     let fixed: Box<dyn Clock> = Box::new(FixedSteps(options.step()));
     let title = format!("cellray: {}", game.name());
+    let look = options.look(kind);
     let (clock, player) = match kind {
         DisplayKind::Images => return pictures(game, seed.unwrap_or(0), size, options),
         DisplayKind::Window => {
@@ -226,6 +227,7 @@ fn session(
                 devices: input_devices(DeviceSet::Pads),
                 keys: None,
                 may_talk: true,
+                look,
             };
             (real, player)
         }
@@ -235,6 +237,7 @@ fn session(
                 devices: input_devices(DeviceSet::Pads),
                 keys: None,
                 may_talk: false,
+                look,
             };
             (real, player)
         }
@@ -249,6 +252,7 @@ fn session(
                 devices: input_devices(DeviceSet::All),
                 keys,
                 may_talk: true,
+                look,
             };
             (real, player)
         }
@@ -263,6 +267,7 @@ fn session(
                 devices: None,
                 keys: None,
                 may_talk: true,
+                look,
             };
             (fixed, player)
         }
@@ -296,7 +301,8 @@ fn pictures(
     let pictures = Pictures::new(paths.clone());
     let mut interrupted = Interrupted::install().map_err(PlayError::Signals)?;
     let picture = Box::new(Memory::new(size)?);
-    let session = Session::start(game, options.settings()?, picture)?.with_seed(seed);
+    let mut session = Session::start(game, options.settings()?, picture)?.with_seed(seed);
+    session.look(Some(options.look(DisplayKind::Images)));
     let replay = options.replay.as_deref();
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let mut clock = FixedSteps(options.step());

@@ -85,6 +85,7 @@ impl Meter {
         report: &Report,
         last: &FrameStatistics,
         (picture, area): ((u32, u32), (u32, u32)),
+        samples: u32,
     ) -> (&[String], &[f32]) {
         let passed = now.saturating_duration_since(self.began);
         if passed >= EVERY {
@@ -106,10 +107,13 @@ impl Meter {
         lines.push(format!("{:.1} frames/s are shown here", self.shown));
         let words = self.clock.words(last.spus.len());
         lines.push(format!("{:.1} frames/s {words}", self.simulated));
-        let part = match last.tiles_left {
-            0 => String::new(),
-            left => format!(", {left} tiles to come"),
+        let mut part = match samples {
+            1 => String::new(),
+            most => format!(", up to {most} samples a pixel"),
         };
+        if last.tiles_left > 0 {
+            part += &format!(", {} tiles to come", last.tiles_left);
+        }
         lines.push(format!(
             "{}x{} of {}x{}{part}",
             picture.0, picture.1, area.0, area.1,
@@ -172,12 +176,14 @@ mod tests {
             ..FrameStatistics::default()
         };
         let mut meter = Meter::new(now);
-        let mut size = |last: &FrameStatistics| {
-            let (lines, _) = meter.frame(now, &report, last, ((64, 36), (128, 72)));
+        let mut size = |last: &FrameStatistics, samples| {
+            let (lines, _) = meter.frame(now, &report, last, ((64, 36), (128, 72)), samples);
             lines[2].clone()
         };
-        assert_eq!(size(&last), "64x36 of 128x72, 3 tiles to come");
+        assert_eq!(size(&last, 1), "64x36 of 128x72, 3 tiles to come");
+        let refined = "64x36 of 128x72, up to 4 samples a pixel, 3 tiles to come";
+        assert_eq!(size(&last, 4), refined);
         last.tiles_left = 0;
-        assert_eq!(size(&last), "64x36 of 128x72");
+        assert_eq!(size(&last, 1), "64x36 of 128x72");
     }
 }

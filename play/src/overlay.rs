@@ -18,6 +18,17 @@ impl Line {
             text,
         }
     }
+
+    /// The line without its indentation.
+    #[must_use]
+    pub fn flush(&self) -> Self {
+        let text = self.text.trim_start();
+        let indentation = self.text.len() - text.len();
+        Self {
+            text: text.to_owned(),
+            emphasised: self.emphasised.saturating_sub(indentation),
+        }
+    }
 }
 
 impl<T: Into<String>> From<T> for Line {

@@ -56,6 +56,8 @@ pub struct Pace {
     rested: u32,
     /// The number of frames since something was traced.
     still: u32,
+    /// Whether a picture at rest is to be antialiased, so that even a fine one is refined.
+    is_smooth: bool,
     refining: Option<Refining>,
 }
 
@@ -70,14 +72,16 @@ struct Refining {
 }
 
 impl Pace {
-    /// Starts with the coarsest picture, so that the first one comes soon.
+    /// Starts with the coarsest picture, so that the first one comes soon. With `is_smooth`, a
+    /// picture at rest is refined even if it has the display's resolution.
     #[must_use]
-    pub fn new() -> Self {
+    pub fn new(is_smooth: bool) -> Self {
         Self {
             divisor: COARSEST,
             seconds: None,
             rested: 0,
             still: 0,
+            is_smooth,
             refining: None,
         }
     }
@@ -101,14 +105,15 @@ impl Pace {
         self.still = 0;
     }
 
-    /// Records a frame. Returns whether [`Pace::divisor`] has changed.
+    /// Records a frame. Returns whether the next one is of another picture: of another divisor, or
+    /// refined.
     pub fn frame(&mut self, frame: Traced) -> bool {
-        let before = self.divisor();
+        let before = (self.divisor(), self.refining.is_some());
         match &mut self.refining {
             Some(refining) => refining.frame(frame),
             None => self.moving(frame),
         }
-        self.divisor() != before
+        (self.divisor(), self.refining.is_some()) != before
     }
 
     fn moving(&mut self, Traced { took, tiles, .. }: Traced) {
@@ -120,7 +125,7 @@ impl Pace {
         } else {
             self.still += 1;
         }
-        if self.still >= STILL_FRAMES && self.divisor > 1 {
+        if self.still >= STILL_FRAMES && (self.divisor > 1 || self.is_smooth) {
             self.refining = Some(Refining::new(self.divisor));
         } else if let Some(seconds) = self.seconds.filter(|_| self.still == 0) {
             let next = self.next(seconds);
@@ -146,12 +151,6 @@ impl Pace {
         } else {
             self.divisor
         }
-    }
-}
-
-impl Default for Pace {
-    fn default() -> Self {
-        Self::new()
     }
 }
 
@@ -252,7 +251,7 @@ mod tests {
     #[test]
     fn a_steady_load_comes_to_rest_and_is_fluid() {
         for full in [0.001, 0.02, 0.05, 0.1, 0.4, 1.0, 2.5, 40.0] {
-            let settled = Load::new(full).moving(&mut Pace::new(), 200)[100..].to_vec();
+            let settled = Load::new(full).moving(&mut Pace::new(false), 200)[100..].to_vec();
             assert!(
                 settled.windows(2).all(|pair| pair[0] == pair[1]),
                 "{full}: {settled:?}"
@@ -267,7 +266,7 @@ mod tests {
 
     #[test]
     fn a_light_load_is_not_divided_and_a_heavy_one_is_at_once() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         assert_eq!(pace.divisor(), COARSEST);
         let divisors = Load::new(0.01).moving(&mut pace, 100);
         assert_eq!(divisors[REST as usize..], [1; 100 - REST as usize]);
@@ -278,7 +277,7 @@ mod tests {
     #[test]
     fn what_stands_still_is_refined_in_short_frames() {
         for full in [0.1, 1.5, 5.0, 30.0] {
-            let mut pace = Pace::new();
+            let mut pace = Pace::new(false);
             let mut load = Load::new(full);
             let moving = load.moving(&mut pace, 100)[99];
             let mut longest = 0.0_f64;
@@ -304,7 +303,7 @@ mod tests {
 
     #[test]
     fn the_number_of_tiles_follows_their_cost() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         let mut load = Load::new(10.0);
         load.moving(&mut pace, 2);
         while pace.divisor() > 1 || load.left > 850 {
@@ -323,12 +322,32 @@ mod tests {
 
     #[test]
     fn a_fine_picture_is_not_refined() {
-        let mut pace = Pace::new();
+        let mut pace = Pace::new(false);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);
         for _ in 0..100 {
             load.frame(&mut pace);
         }
+        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
+    }
+
+    #[test]
+    fn a_fine_picture_is_antialiased_at_rest() {
+        let mut pace = Pace::new(true);
+        let mut load = Load::new(0.01);
+        load.moving(&mut pace, 100);
+        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
+        for _ in 0..STILL_FRAMES {
+            assert_eq!(pace.tiles(), None);
+            load.frame(&mut pace);
+        }
+        assert_eq!(pace.tiles(), Some(FIRST_TILES));
+        // It is a picture of its own.
+        assert_eq!(load.left, ALL);
+        while load.left > 0 {
+            assert!(load.frame(&mut pace) <= SLICE);
+        }
+        load.moving(&mut pace, 1);
         assert_eq!((pace.divisor(), pace.tiles()), (1, None));
     }
 }

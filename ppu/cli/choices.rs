@@ -6,10 +6,9 @@ use cellray::work;
 use clap::ValueEnum;
 
 /// `--antialias`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Antialias {
     /// No antialiasing: one ray through the pixel's centre.
-    #[default]
     #[value(name = "1")]
     One,
     /// Four samples.
@@ -31,12 +30,11 @@ impl From<Antialias> for scene::Samples {
 }
 
 /// `--colour`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+#[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Colour {
-    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
-    #[default]
+    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
     Linear,
-    /// Channels have sRGB's values, which viewers of pictures expect.
+    /// They have sRGB's values, which viewers of pictures expect.
     Srgb,
 }
 

@@ -74,7 +74,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
     let scene = run::load(options)?;
-    let scene = run::scene(options, &scene, options.render_options(), &program)?;
+    let render_options = options.render_options(&scene, false);
+    let scene = run::scene(options, &scene, render_options, &program)?;
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;

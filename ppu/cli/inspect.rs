@@ -1,5 +1,7 @@
 //! `cellray render --inspect`: traces one frame in simulated time, and writes the page about it.
 
+mod maps;
+
 use std::fs;
 use std::path::Path;
 
@@ -25,11 +27,12 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`.
+/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`. `source` is
+/// what the scene was made of.
 pub fn frame(
     options: &Options,
     recording: &Recording,
-    scene: &Scene,
+    (scene, source): (&Scene, &nff::Scene),
     geometry: Geometry,
     out: Option<&Path>,
     to: &Path,
@@ -49,9 +52,24 @@ pub fn frame(
     let traced = engine.traced_units().ok_or("the SPUs were lost")?;
     // libspe2 writes the last figures when the contexts are destroyed.
     drop(engine);
+    let (timeline, profile) = (recording.timeline()?, recording.profile()?);
     if let Some(out) = out {
         write_png(out, &picture)?;
     }
+
+    let settings = options.settings(program);
+    let samples = maps::of_samples(
+        settings,
+        source,
+        scene.render_options(),
+        (&program, geometry),
+        report.rays.samples,
+    )?;
+    // Without skipping, no tile is traced alone.
+    let tile_maps = match options.no_skip {
+        true => Vec::new(),
+        false => maps::of_tiles(settings, scene, geometry)?,
+    };
 
     let tile = |tile: &TracedTile| Tile {
         number: tile.number,
@@ -67,10 +85,12 @@ pub fn frame(
         tile_size: (TILE_WIDTH, TILE_HEIGHT),
         units: &units.collect::<Vec<_>>(),
         costs: (traced.costs, traced.distance),
+        tile_maps: &tile_maps,
+        pixel_maps: samples.as_slice(),
         statistics: &statistics_of(&report),
         program: program.image(),
-        timeline: &recording.timeline()?,
-        profile: &recording.profile()?,
+        timeline: &timeline,
+        profile: &profile,
     })?;
     fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
     tell(options, report)?;
@@ -174,6 +194,12 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
             "with frusta and packets' cones",
         ),
         of(ray, "eye", rays.eye, "through pixels"),
+        of(
+            ray,
+            "samples",
+            rays.samples,
+            "of those, beyond the first of each pixel",
+        ),
         of(ray, "eye, hit", rays.eye_hit, "of those, hit something"),
         of(
             ray,

@@ -38,6 +38,7 @@ Examples:
   cellray render sphereflake:2 --spus 6 --frames 10 --stats - --out balls.png
   cellray fb scenes/paper16.nff --device /tmp/fb --size 1280x720
   cellray render scenes/far.nff --sphere paper --out far.png
+  cellray render scenes/whitted16.nff --antialias 1 --colour linear --out nff.png
   cellray render scenes/still-life.nff --inspect frame.html
   cellray render scenes/whitted16.nff --frames 0..250 --out 'f-%05d.png'
   cellray play billiards

@@ -6,7 +6,6 @@ use cellray::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Png,
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
-use cellray::scene::RenderOptions;
 use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 use clap::Args;
@@ -72,9 +71,9 @@ impl Arguments {
         if self.corners {
             return Err("--corners can't be used with numbered pictures".into());
         }
-        let render_options = self.options.render_options();
         let program = self.options.program()?;
         let scene = run::load(&self.options)?;
+        let render_options = self.options.render_options(&scene, false);
         // Notes on what can't be drawn come before the first frame.
         run::scene(&self.options, &scene, render_options, &program)?;
         let size = self.geometry(&scene.view)?;
@@ -121,13 +120,11 @@ fn once(arguments: &Arguments) -> Outcome {
             "--frames A..B with A above 0 needs numbered pictures, as in --out 'f-%05d.png'".into(),
         );
     }
-    let render_options = RenderOptions {
-        corners: arguments.corners,
-        ..arguments.options.render_options()
-    };
-    let program = arguments.options.program()?;
-    let scene = run::load(&arguments.options)?;
-    let scene = run::scene(&arguments.options, &scene, render_options, &program)?;
+    let options = &arguments.options;
+    let program = options.program()?;
+    let scene = run::load(options)?;
+    let render_options = options.render_options(&scene, arguments.corners);
+    let scene = run::scene(options, &scene, render_options, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),
@@ -135,7 +132,7 @@ fn once(arguments: &Arguments) -> Outcome {
         None => Box::new(Memory::new(geometry)?),
     };
     let enough = |traced| traced as u64 >= arguments.frames.end;
-    run::frames(&arguments.options, program, &scene, framebuffer, enough)
+    run::frames(options, program, &scene, framebuffer, enough)
 }
 
 /// Traces one frame, and writes the page about it.
@@ -145,14 +142,11 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     }
     let recording = inspect::record()?;
     let options = &arguments.options;
-    let scene = run::load(options)?;
-    let scene = run::scene(
-        options,
-        &scene,
-        options.render_options(),
-        &options.program()?,
-    )?;
+    let source = run::load(options)?;
+    let render_options = options.render_options(&source, false);
+    let scene = run::scene(options, &source, render_options, &options.program()?)?;
     let geometry = arguments.geometry(scene.view())?;
     let out = arguments.out.as_deref();
-    inspect::frame(options, &recording, &scene, geometry, out, page)
+    let scenes = (&scene, &source);
+    inspect::frame(options, &recording, scenes, geometry, out, page)
 }

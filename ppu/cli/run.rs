@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::{CONTRAST, RenderOptions};
+use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
 use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
@@ -57,9 +57,10 @@ pub struct Options {
     /// Trace no shadows
     #[arg(long)]
     pub no_shadows: bool,
-    /// Trace this many samples of a pixel that differs from a neighbour
-    #[arg(long, value_enum, default_value_t, value_name = "N")]
-    pub antialias: Antialias,
+    /// Trace this many samples of a pixel that differs from a neighbour [default: 4; 1 with
+    /// --corners]
+    #[arg(long, value_enum, value_name = "N")]
+    pub antialias: Option<Antialias>,
     /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
     #[arg(
         long,
@@ -68,9 +69,10 @@ pub struct Options {
         allow_negative_numbers = true
     )]
     pub contrast: u8,
-    /// What the channels of pixels say about light
-    #[arg(long, value_enum, default_value_t)]
-    pub colour: Colour,
+    /// What the channels of the scene's colours and of pixels say about light [default: srgb; linear
+    /// by depth shading, whose shades are distances, and with --corners]
+    #[arg(long, value_enum)]
+    pub colour: Option<Colour>,
     /// Limit light that is nearly white or brighter without a step
     #[arg(long)]
     pub roll_off: bool,
@@ -105,20 +107,27 @@ pub struct Options {
 }
 
 impl Options {
-    /// The model and its settings.
-    pub fn render_options(&self) -> RenderOptions {
-        RenderOptions {
+    /// The model and its settings. With `corners`, primary rays go through the corners of pixels.
+    pub fn render_options(&self, scene: &nff::Scene, corners: bool) -> RenderOptions {
+        let options = RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             spd_rays: self.spd_rays,
             shadows: !self.no_shadows,
-            samples: self.antialias.into(),
+            corners,
+            ..RenderOptions::default()
+        };
+        // Corners are the databases' own antialiasing, whose mean is taken of bytes.
+        let samples = self.antialias.map(Into::into);
+        let colour = self.colour.map(Into::into);
+        let look = Look {
+            samples: samples.unwrap_or(if corners { Samples::One } else { Samples::Four }),
             contrast: self.contrast,
-            colour: self.colour.into(),
+            colour: colour.or(corners.then_some(scene::Colour::Linear)),
             roll_off: self.roll_off,
-            corners: false,
-        }
+        };
+        look.of(options, scene.lights.len())
     }
 
     /// The files that a picture is made of.

@@ -31,6 +31,7 @@ use super::{Frame, Game, Input, InputEvent, Start, World};
 use crate::engine::{Engine, EngineError, Settings};
 use crate::framebuffer::{Framebuffer, Geometry};
 use crate::report::{LoopTime, Report};
+use crate::scene::Look;
 use crate::spe::{Program, ProgramError};
 
 /// A game, its world and the SPUs that trace it.
@@ -299,6 +300,12 @@ impl<G: Game> Session<G> {
             ControlFlow::Continue(()) => self.end_frame(),
             over => over,
         })
+    }
+
+    /// Sets how the world is looked at, from the next frame on. The game does not notice, and its
+    /// [`RenderOptions`](crate::scene::RenderOptions) stay as they are; with `None` they count.
+    pub fn look(&mut self, look: Option<Look>) {
+        self.world.set_look(look);
     }
 
     fn traced_step(

@@ -26,8 +26,8 @@ pub use pick::Pick;
 use std::borrow::Cow;
 
 use glam::{DAffine3, DVec3};
-use nff::View;
 use nff::depth::DepthShading;
+use nff::{Sky, View, daylight};
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
@@ -35,19 +35,17 @@ use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
 use self::meshes::WorldMesh;
 use crate::scene::mesh::gathered;
-use crate::scene::{Model, RenderOptions};
+use crate::scene::{Look, Model, RenderOptions};
 
-/// Ambient light beside the default light: shadows are dark, not black.
-const DEFAULT_AMBIENT: DVec3 = DVec3::splat(0.2);
-
-/// The light of a world that has none.
+/// The light of a world that has none: the sun of a day, where it stands for the first view of a
+/// [`World::new`].
 fn default_light() -> nff::Light {
     nff::Light {
         line: 0,
         kind: nff::LightKind::Directional {
             to_light: DVec3::new(1.0, 2.0, 1.5),
         },
-        colour: Some(DVec3::splat(0.8)),
+        colour: Some(daylight::SUN),
     }
 }
 
@@ -88,9 +86,12 @@ fn default_light() -> nff::Light {
 pub struct World {
     name: String,
     view: View,
-    background: DVec3,
+    background: Option<DVec3>,
+    sky: Option<Sky>,
     ambient: DVec3,
     render_options: RenderOptions,
+    /// How whoever looks at the world wants it, instead of the options' own choice.
+    look: Option<Look>,
     fade: Option<DepthShading>,
     has_default_light: bool,
     materials: SlotMap<MaterialId, WorldMaterial>,
@@ -110,7 +111,7 @@ impl Default for World {
 }
 
 impl World {
-    /// An empty black world. The eye is at (0, 0, 10) and looks at the origin; y is up.
+    /// An empty world. The eye is at (0, 0, 10) and looks at the origin; y is up.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -123,9 +124,11 @@ impl World {
                 hither: 0.0,
                 resolution: (640, 360),
             },
-            background: DVec3::ZERO,
+            background: None,
+            sky: None,
             ambient: DVec3::ZERO,
             render_options: RenderOptions::default(),
+            look: None,
             fade: None,
             has_default_light: true,
             materials: SlotMap::with_key(),
@@ -163,6 +166,7 @@ impl World {
         world.set_render_options(render_options);
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
+        world.set_sky(scene.sky)?;
         world.set_ambient(scene.ambient)?;
         for &nff::Light { line, kind, colour } in &scene.lights {
             let id = world.add_light(Light { kind, colour }).map_err(at(line))?;
@@ -197,10 +201,12 @@ impl World {
         let mut place = SecondaryMap::new();
         place.extend(self.materials.keys().zip(0..));
         let objects = self.objects.values().filter(|object| wanted(object));
+        let (background, sky) = self.backdrop();
         nff::Scene {
             name: self.name.clone(),
             view: self.view.clone(),
-            background: self.background,
+            background,
+            sky,
             ambient: self.ambient_light(),
             lights: (1..)
                 .zip(self.lights.values())
@@ -246,16 +252,16 @@ impl World {
     /// The ambient light of the traced scene.
     fn ambient_light(&self) -> DVec3 {
         if self.needs_light() && self.ambient == DVec3::ZERO {
-            DEFAULT_AMBIENT
+            daylight::AMBIENT
         } else {
             self.ambient
         }
     }
 
     /// Whether a world without lights gets a default light, as a [`World::new`] does: a sun behind
-    /// the right shoulder, and some ambient light. It goes out as soon as a light is added. Without
-    /// it, and without lights, a world is traced with depth shading, as it is with
-    /// [`Model::Depth`] or [`World::set_fade`].
+    /// the right shoulder, some ambient light, and the sky of a day unless the world has a
+    /// background. It goes out as soon as a light is added. Without it, and without lights, a world
+    /// is traced with depth shading, as it is with [`Model::Depth`] or [`World::set_fade`].
     pub fn set_default_light(&mut self, is_wanted: bool) {
         if self.has_default_light != is_wanted {
             self.has_default_light = is_wanted;
@@ -315,10 +321,10 @@ impl World {
         })
     }
 
-    /// The background: the colour of rays that hit nothing.
+    /// The background: the colour of rays that hit nothing, or with a sky of those to the horizon.
     #[must_use]
     pub fn background(&self) -> DVec3 {
-        self.background
+        self.background.unwrap_or_default()
     }
 
     /// Sets the background.
@@ -328,8 +334,41 @@ impl World {
     pub fn set_background(&mut self, colour: impl Into<DVec3>) -> Result<(), WorldError> {
         let colour = colour.into();
         check::vector("background", colour)?;
-        self.background = colour;
+        self.background = Some(colour);
         Ok(())
+    }
+
+    /// The background's gradient, if [`World::set_sky`] set one.
+    #[must_use]
+    pub fn sky(&self) -> Option<Sky> {
+        self.sky
+    }
+
+    /// Sets a gradient from the background at the horizon to another colour at the zenith, or none.
+    /// Whitted's model shows it, directly and in mirrors and glass.
+    ///
+    /// # Errors
+    /// A number is out of range, or the direction to the zenith is 0.
+    pub fn set_sky(&mut self, sky: Option<Sky>) -> Result<(), WorldError> {
+        if let Some(Sky { zenith, up }) = sky {
+            check::vector("sky", zenith)?;
+            check::vector("direction to the zenith", up)?;
+            if up == DVec3::ZERO {
+                return Err(WorldError::NoZenith);
+            }
+        }
+        self.sky = sky;
+        Ok(())
+    }
+
+    /// The background of the traced scene and its gradient.
+    fn backdrop(&self) -> (DVec3, Option<Sky>) {
+        match self.background {
+            None if self.sky.is_none() && self.needs_light() => {
+                (daylight::HORIZON, Some(Sky::of_day(self.view.up)))
+            }
+            background => (background.unwrap_or_default(), self.sky),
+        }
     }
 
     /// The ambient light's brightness in red, green and blue.
@@ -363,6 +402,22 @@ impl World {
         }
     }
 
+    /// Sets how the world is looked at, instead of as its [`RenderOptions`] say. This is for who
+    /// shows a game, not for the game: [`Session::look`](super::Session::look).
+    pub fn set_look(&mut self, look: Option<Look>) {
+        if self.look != look {
+            self.look = look;
+            self.edits.rebuild = true;
+        }
+    }
+
+    /// The options with which the world is traced.
+    fn traced_options(&self) -> RenderOptions {
+        let options = self.render_options;
+        self.look
+            .map_or(options, |look| look.of(options, self.light_count()))
+    }
+
     /// The distances between which depth shading fades, if [`World::set_fade`] set them.
     #[must_use]
     pub fn fade(&self) -> Option<DepthShading> {
@@ -394,8 +449,12 @@ impl World {
             angle,
             ..
         } = self.view;
-        for vector in [from, at, up, self.background, self.ambient] {
+        for vector in [from, at, up, self.background(), self.ambient] {
             sum.vector(vector);
+        }
+        if let Some(Sky { zenith, up }) = self.sky {
+            sum.vector(zenith);
+            sum.vector(up);
         }
         sum.float(angle);
         for entry in self.lights.values() {

@@ -1,5 +1,7 @@
 //! Render options: settings of a picture that scene files don't have.
 
+use glam::DVec3;
+
 /// The model that a scene is rendered with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Model {
@@ -12,7 +14,9 @@ pub enum Model {
     Whitted,
 }
 
-/// What a pixel's channels say about its light.
+/// What the channels of colours say about light: those of a scene's materials and background, and
+/// those of pixels. The shares of what mirrors and glass show follow the colours, so that a share
+/// of a colour looks like that. Lights, ambient light, Kd and highlights are linear in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Colour {
     /// They are proportional to it.
@@ -20,6 +24,34 @@ pub enum Colour {
     Linear,
     /// They have sRGB's values, which displays and viewers of pictures expect.
     Srgb,
+}
+
+impl Colour {
+    /// The light that a colour of a scene stands for.
+    pub(crate) fn light(self, colour: DVec3) -> DVec3 {
+        match self {
+            Self::Linear => colour,
+            Self::Srgb => DVec3::from_array(colour.to_array().map(decoded)),
+        }
+    }
+
+    /// The share of light with which a surface shows the colours that it reflects or lets through, if
+    /// the material says that it shows this share of them.
+    pub(crate) fn seen(self, share: f64) -> f64 {
+        match self {
+            Self::Linear => share,
+            Self::Srgb => decoded(share),
+        }
+    }
+}
+
+/// The linear light of an sRGB value.
+fn decoded(value: f64) -> f64 {
+    if value <= 0.04045 {
+        value / 12.92
+    } else {
+        libm::pow((value + 0.055) / 1.055, 2.4)
+    }
 }
 
 /// How many samples, evenly spread, an antialiased pixel is the mean of.
@@ -35,7 +67,7 @@ pub enum Samples {
 }
 
 /// The default of [`RenderOptions::contrast`].
-pub const CONTRAST: u8 = 48;
+pub const CONTRAST: u8 = 32;
 
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +90,7 @@ pub struct RenderOptions {
     /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour in
     /// its tile; 0: every pixel is.
     pub contrast: u8,
-    /// What a pixel's channels say about its light.
+    /// What the channels of the scene's colours and of pixels say about light.
     pub colour: Colour,
     /// Whether light that is nearly white or brighter is limited to less than white without a
     /// step, instead of all becoming white.
@@ -92,6 +124,50 @@ impl RenderOptions {
             Model::Scene => lights > 0,
             Model::Depth => false,
             Model::Whitted => true,
+        }
+    }
+}
+
+/// The part of the [`RenderOptions`] that whoever looks at a picture decides, not its author. The
+/// default is that of the command line: antialiased, in sRGB unless shades are distances.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// [`RenderOptions::samples`].
+    pub samples: Samples,
+    /// [`RenderOptions::contrast`].
+    pub contrast: u8,
+    /// [`RenderOptions::colour`]. With `None` it is sRGB by Whitted's model, and linear by depth
+    /// shading, whose shades are distances and not light.
+    pub colour: Option<Colour>,
+    /// [`RenderOptions::roll_off`].
+    pub roll_off: bool,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            samples: Samples::Four,
+            contrast: CONTRAST,
+            colour: None,
+            roll_off: false,
+        }
+    }
+}
+
+impl Look {
+    /// These options with this look, for a scene with `lights` lights.
+    #[must_use]
+    pub fn of(self, options: RenderOptions, lights: usize) -> RenderOptions {
+        let usual = match options.is_whitted(lights) {
+            true => Colour::Srgb,
+            false => Colour::Linear,
+        };
+        RenderOptions {
+            samples: self.samples,
+            contrast: self.contrast,
+            colour: self.colour.unwrap_or(usual),
+            roll_off: self.roll_off,
+            ..options
         }
     }
 }

@@ -121,7 +121,8 @@ pub fn describe(order: &Order) -> Frame {
     frame.corner = quadword(singles(camera.corner));
     frame.right = quadword(singles(camera.right));
     frame.down = quadword(singles(camera.down));
-    frame.background = quadword(singles(scene.background()));
+    let colour = scene.render_options().colour;
+    frame.background = quadword(singles(colour.light(scene.background())));
     if let Some(block) = scene.block() {
         frame.scene = addresses.scene.into();
         frame.scene_bytes = (block.bytes().len() as u32).into();

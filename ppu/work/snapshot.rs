@@ -13,8 +13,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::Camera;
 use nff::depth::DepthShading;
+use nff::{Camera, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
@@ -55,6 +55,7 @@ pub struct Snapshot {
 struct Everywhere {
     camera: Camera,
     background: DVec3,
+    sky: Option<Sky>,
     depth: DepthShading,
     render_options: RenderOptions,
 }
@@ -85,6 +86,7 @@ impl Snapshot {
         self.everywhere = Some(Everywhere {
             camera: *camera,
             background: scene.background(),
+            sky: scene.sky(),
             depth: scene.depth(),
             render_options: scene.render_options(),
         });

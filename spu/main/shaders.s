@@ -6,6 +6,8 @@
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "driver.inc"
+        .include "whitted.inc"
         .include "shader.inc"
 
         .set    KEPT_REGISTERS,48                       # $80 to $127
@@ -21,6 +23,13 @@
         .set    CALL_kept,224
         .set    CALL_SIZE,CALL_kept+16*KEPT_REGISTERS
 
+# The surfaces before a shader, then the registers after it. Shadow rays are made when all surfaces
+# are shaded.
+        .set    KEPT,SHADOW_RAYS
+    .if SURFACES_SIZE > MAX_BATCH*RAYS16_SIZE || 16*KEPT_REGISTERS > MAX_BATCH*RAYS16_SIZE
+        .error  "the shadow rays have no room for what a shader must preserve"
+    .endif
+
         .section .bss
         .align  7
         .global shading
@@ -28,8 +37,6 @@ shading:                                # the shaders' context
         .skip   SHADING_SIZE
 kept_stack:
         .skip   16
-kept_surfaces:                          # then the registers after a shader
-        .skip   SURFACES_SIZE
 
         .set    flags,10
         .set    surfaces,11
@@ -166,7 +173,7 @@ function shader_keep
         .set    number,number+1
     .endr
         lqd     $a_from,CALL_surfaces($sp)
-        ila     $a_pattern,kept_surfaces
+        ila     $a_pattern,arena+KEPT
         il      $at,SURFACES_SIZE-16
 next_kept:
         lqx     $quad,$a_from,$at
@@ -214,7 +221,7 @@ function shader_broke
 
         # Surfaces are in rows of four, except for the last quadword, where a shader may add flags.
         lqd     $a_now,CALL_surfaces($sp)
-        ila     $a_from,kept_surfaces
+        ila     $a_from,arena+KEPT
     .irp row, 0,1,2,3
         lqd     $mask0+\row,CALL_mask+16*\row($sp)
     .endr

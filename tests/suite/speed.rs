@@ -19,6 +19,7 @@ fn simulated(scene: &str, options: &[&str]) -> Value {
 fn traced(scene: &str, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
         .args(["render", scene, "--size", "1280x720", "--stats", "-"])
+        .args(["--antialias", "1", "--colour", "linear"])
         .args(options)
         .env("LIBSPE2_TIMING", "1")
         .current_dir(env!("CARGO_MANIFEST_DIR"))

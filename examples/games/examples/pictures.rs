@@ -6,6 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use cellray::framebuffer::{Geometry, Png};
+use cellray::scene::Look;
 use cellray::{Engine, Settings};
 use games::demo::{DEMOS, Demo, demo};
 
@@ -31,6 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let settings = Settings::default();
             let picture = Png::new(&path, Geometry::new(width, height)?)?;
             let mut engine = Engine::start(settings, Box::new(picture))?;
+            world.set_look(Some(Look::default()));
             engine.render(world.scene(&settings.program)?, &mut |_| {})?;
             Ok(())
         })?;

@@ -12,7 +12,7 @@
 
 use cellray::game::{
     Axis, Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, MaterialId, Model,
-    MouseButton, ObjectId, RenderOptions, Shader, Start, View, World, WorldError,
+    MouseButton, ObjectId, RenderOptions, Shader, Sky, Start, View, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -438,8 +438,12 @@ impl Game for Marbles {
             ray_depth: 4,
             ..RenderOptions::default()
         });
-        world.set_background(DVec3::new(0.34, 0.47, 0.66))?;
-        world.set_ambient(DVec3::splat(0.2))?;
+        world.set_background(DVec3::new(0.46, 0.59, 0.74))?;
+        world.set_sky(Some(Sky {
+            zenith: DVec3::new(0.07, 0.15, 0.38),
+            up: DVec3::Y,
+        }))?;
+        world.set_ambient(DVec3::splat(0.11))?;
         world.add_light(Light::at(DVec3::new(-4.0, 7.0, 3.0)).coloured(0.66, 0.62, 0.55))?;
         world.add_light(Light::at(DVec3::new(5.0, 5.0, -2.0)).coloured(0.3, 0.34, 0.42))?;
         Self::add_tray(world)?;

@@ -328,7 +328,7 @@ impl Game for Orrery {
             ..RenderOptions::default()
         });
         world.set_background(DVec3::new(0.008, 0.009, 0.022))?;
-        world.set_ambient(DVec3::new(0.13, 0.135, 0.16))?;
+        world.set_ambient(DVec3::new(0.014, 0.015, 0.02))?;
         Self::add_sky(world, start.seed)?;
         Self::add_sun(world)?;
         self.add_bodies(world)?;

@@ -226,7 +226,7 @@ impl Game for Screensaver {
         world.set_name(NAME);
         world.set_render_options(self.render_options());
         world.set_background(DVec3::new(0.012, 0.014, 0.03))?;
-        world.set_ambient(DVec3::splat(0.16))?;
+        world.set_ambient(DVec3::splat(0.07))?;
         world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.72, 0.67, 0.6))?;
         world.add_light(Light::at(DVec3::new(3.4, 2.2, 2.2)).coloured(0.36, 0.43, 0.55))?;
         Self::add_room(world)?;

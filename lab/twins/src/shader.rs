@@ -1,7 +1,7 @@
 //! Twins of the shaders in `spu/shaders/`.
 
 use spu_emulator::float::convert::{cflts, csflt};
-use spu_emulator::float::single::{fa, fcgt, fma};
+use spu_emulator::float::single::{fa, fcgt, fm, fma, fs};
 
 use super::Single;
 use super::shade_depth::{Depth, shade_depth};
@@ -14,6 +14,24 @@ const WITHIN: Single = 0x3a80_0000;
 pub fn depth(t: Single, colour: [Single; 3], parameters: [Single; 4]) -> [Single; 3] {
     let [far, scale, ..] = parameters;
     shade_depth(t, colour, false, Depth { far, scale })
+}
+
+/// What `shader_sky` makes of the light at the horizon.
+#[must_use]
+pub fn sky(
+    direction: [Single; 3],
+    colour: [Single; 3],
+    lit: [Single; 3],
+    parameters: [Single; 4],
+) -> [Single; 3] {
+    let [along_x, along_y, along_z] = direction;
+    let [up_x, up_y, up_z, _] = parameters;
+    let height = fma(along_z, up_z, fma(along_y, up_y, fm(along_x, up_x)));
+    let height = height & fcgt(height, 0);
+    std::array::from_fn(|channel| {
+        let lit = lit[channel];
+        fma(height, fs(colour[channel], lit), lit)
+    })
 }
 
 /// The colour that `shader_checker` gives a surface at a point relative to the eye.

@@ -239,7 +239,12 @@ fn the_tracer_takes_further_shaders() {
     let padded = |name: &[u8]| [name, &[0; 16][name.len()..]].concat();
     assert_eq!(
         names,
-        [padded(b"checker"), padded(b"depth"), padded(b"own")]
+        [
+            padded(b"checker"),
+            padded(b"depth"),
+            padded(b"own"),
+            padded(b"sky")
+        ]
     );
     let symbol = image
         .symbols()

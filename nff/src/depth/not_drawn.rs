@@ -19,6 +19,8 @@ pub enum Kind {
     Mesh,
     /// `l`.
     Light,
+    /// `#cellray sky`.
+    Sky,
     /// A material with Ks > 0 that an object has.
     Specular,
     /// A material with T > 0 that an object has.
@@ -38,6 +40,7 @@ impl Kind {
             Self::InsideSphere => "spheres seen from inside only (negative radius)",
             Self::Mesh => "meshes",
             Self::Light => "lights",
+            Self::Sky => "gradients of the background (#cellray sky)",
             Self::Specular => "mirrors and highlights (Ks > 0)",
             Self::Transmittance => "transmitting materials (T > 0)",
             Self::Shader => "shaders (#cellray shader)",
@@ -96,6 +99,9 @@ pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
     };
     for light in &scene.lights {
         note(Kind::Light, light.line);
+    }
+    if scene.sky.is_some() {
+        note(Kind::Sky, 0);
     }
     if scene.mesh.is_some() {
         note(Kind::Mesh, 0);

@@ -2,7 +2,8 @@
 
 use crate::common::{parsed, scene_text, try_parse};
 use glam::DVec3;
-use nff::{LightKind, Shader};
+use nff::daylight::{AMBIENT, HORIZON, SUN};
+use nff::{LightKind, Shader, Sky};
 
 fn refusal(rest: &str) -> String {
     try_parse(scene_text(rest).as_bytes())
@@ -43,6 +44,47 @@ fn lights_in_the_order_of_the_file() {
     assert_eq!(scene.lights[2].colour, Some(DVec3::new(0.5, 0.25, 1.0)));
     // Suns count among the lights that share the brightness.
     assert_eq!(scene.brightness(&scene.lights[0]), DVec3::splat(0.25));
+}
+
+#[test]
+fn a_sky_is_above_the_view_or_where_it_says() {
+    let sky = |text: &str| parsed(&scene_text(text)).sky;
+    assert_eq!(sky("s 0 0 0 1"), None);
+    let zenith = DVec3::new(0.1, 0.2, 0.3);
+    let up = parsed(&scene_text("")).view.up;
+    assert_eq!(sky("#cellray sky 0.1 0.2 0.3"), Some(Sky { zenith, up }));
+    let up = DVec3::new(0.0, 2.0, 1.0);
+    let text = "#cellray sky 0.1 0.2 0.3 0 2 1 # a hillside";
+    assert_eq!(sky(text), Some(Sky { zenith, up }));
+}
+
+#[test]
+fn daylight_leaves_the_scene_what_it_says_itself() {
+    let day = parsed(&scene_text("l 1 2 3\n#cellray daylight\n"));
+    let up = day.view.up;
+    assert_eq!(day.sky, Some(Sky::of_day(up)));
+    assert_eq!([day.background, day.ambient], [HORIZON, AMBIENT]);
+    let [_, sun] = &day.lights[..] else {
+        panic!("{:?}", day.lights);
+    };
+    assert_eq!((sun.line, sun.colour), (10, Some(SUN)));
+    let LightKind::Directional { to_light } = sun.kind else {
+        panic!("{sun:?}");
+    };
+    // From behind, from the right and from above.
+    let sight = day.view.at - day.view.from;
+    assert!(to_light.dot(sight) < 0.0 && to_light.dot(up) > 0.0);
+    assert!(to_light.dot(sight.cross(up)) > 0.0);
+
+    let own = "b 0 0.5 1\n#cellray ambient 0 0 0.1\n#cellray sky 0 0 0.5 0 0 1\n";
+    let own = parsed(&scene_text(&format!("{own}#cellray daylight\n")));
+    assert_eq!(own.background, DVec3::new(0.0, 0.5, 1.0));
+    assert_eq!(own.ambient, DVec3::new(0.0, 0.0, 0.1));
+    assert_eq!(
+        own.sky.map(|sky| sky.zenith),
+        Some(DVec3::new(0.0, 0.0, 0.5))
+    );
+    assert_eq!(own.lights.len(), 1);
 }
 
 #[test]
@@ -96,7 +138,7 @@ fn faults_name_file_and_line() {
         ("#cellray", "9: directive is missing"),
         (
             "\n #cellray fog 1",
-            "10: unknown directive `fog` (known: ambient sun shader)",
+            "10: unknown directive `fog` (known: ambient daylight shader sky sun)",
         ),
         ("#cellray ambient 1 1", "9: ambient blue is missing"),
         ("#cellray ambient 1 -1 1", "9: ambient green -1 is negative"),
@@ -107,6 +149,24 @@ fn faults_name_file_and_line() {
         (
             "#cellray ambient 0 0 0\n#cellray ambient 1 1 1",
             "10: a second ambient light; the first is on line 9",
+        ),
+        ("#cellray sky 1 1", "9: sky blue is missing"),
+        ("#cellray sky 1 1 1 0 0", "9: sky z is missing"),
+        (
+            "#cellray sky 1 1 1 0 0 0",
+            "9: the direction to the zenith is 0 0 0",
+        ),
+        (
+            "#cellray sky 1 1 1\n#cellray sky 0 0 1",
+            "10: a second sky; the first is on line 9",
+        ),
+        (
+            "#cellray daylight 1",
+            "9: daylight is followed by `1`, which does not belong there",
+        ),
+        (
+            "#cellray daylight\n\n#cellray daylight",
+            "11: a second daylight; the first is on line 9",
         ),
         ("#cellray sun 1 1", "9: sun z is missing"),
         (

@@ -2,7 +2,7 @@
 
 use crate::common::try_parse;
 use glam::DVec3;
-use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
+use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -106,6 +106,7 @@ prop_compose! {
     fn scene()(
         view in view().prop_filter("shows something", |view| view.camera(1, 1).is_ok()),
         background in point(),
+        sky in prop::option::of((point(), point())),
         ambient in point(),
         lights in vec((light(), prop::option::of(point())), 0..4),
         groups in vec((material(), vec(shape(), 0..4)), 0..5),
@@ -123,6 +124,9 @@ prop_compose! {
             name: String::new(),
             view,
             background: background.abs(),
+            sky: sky
+                .filter(|(_, up)| *up != DVec3::ZERO)
+                .map(|(zenith, up)| Sky { zenith: zenith.abs(), up }),
             ambient: ambient.abs(),
             lights: lights.collect(),
             materials,

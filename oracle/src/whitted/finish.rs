@@ -5,6 +5,8 @@
 use glam::DVec3;
 use nff::{Material, Shader};
 
+use super::Colour;
+
 /// By how much the faces of a checker's cubes are moved, relative to a cube, so that a surface on
 /// a face of the grid has one colour in spite of rounding.
 const OFF_GRID: f64 = 1.0 / 1024.0;
@@ -35,14 +37,15 @@ pub(super) struct Finish {
 impl Finish {
     /// The material at a point, `distance` from the ray's origin. A game's own shader is ignored
     /// here, because the caller has refused it.
-    pub(super) fn of(material: &Material, point: DVec3, distance: f64) -> Self {
+    pub(super) fn of(material: &Material, point: DVec3, distance: f64, meaning: Colour) -> Self {
+        let own = meaning.light(material.colour);
         let plain = Self {
-            colour: material.colour,
+            colour: own,
             diffuse: material.diffuse,
             highlight: material.specular,
             shine: material.shine,
-            mirror: material.specular,
-            transmittance: material.transmittance,
+            mirror: meaning.share(material.specular),
+            transmittance: meaning.share(material.transmittance),
             refraction_index: material.refraction_index,
             emission: DVec3::ZERO,
             is_lit: true,
@@ -54,16 +57,16 @@ impl Finish {
                 highlight: 0.0,
                 ..plain
             },
-            Shader::Flat => plain.sends(material.colour),
+            Shader::Flat => plain.sends(own),
             Shader::Depth { far, near } => {
                 let brightness = ((far - distance) / (far - near)).clamp(0.0, 1.0);
-                plain.sends(brightness * material.colour)
+                plain.sends(brightness * own)
             }
             Shader::Checker { other, size } => {
                 let cube = (point / size + OFF_GRID).floor();
                 let odd = cube.element_sum().rem_euclid(2.0) != 0.0;
                 Self {
-                    colour: if odd { other } else { plain.colour },
+                    colour: if odd { meaning.light(other) } else { own },
                     other: odd,
                     ..plain
                 }

@@ -3,6 +3,7 @@
 //! Owns the grid of primary rays, and combines their colours to pixels. Invariant: the same scene
 //! and options give the same picture and the same counts, with any number of threads.
 
+mod colour;
 mod finish;
 mod light;
 mod path;
@@ -14,6 +15,7 @@ use glam::DVec3;
 use nff::{Scene, depth};
 
 use crate::{Error, Picture, Reference, rows, silhouette};
+pub use colour::Colour;
 pub use path::Counts;
 use path::Path;
 pub use probe::Probe;
@@ -37,6 +39,8 @@ pub struct Options {
     /// Whether primary rays go through the corners of the pixels instead of their centres, and
     /// each pixel averages its four, as the Standard Procedural Databases require.
     pub corners: bool,
+    /// What the channels of the scene's colours and of pixels say about light.
+    pub colour: Colour,
 }
 
 impl Default for Options {
@@ -46,6 +50,7 @@ impl Default for Options {
             fresnel: false,
             spd_rays: false,
             corners: false,
+            colour: Colour::Linear,
         }
     }
 }
@@ -118,7 +123,7 @@ pub fn trace(
     let mut signatures = Vec::with_capacity(picture.pixels().len());
     for (bytes, corners) in picture.pixels_mut().iter_mut().zip(places.map(pixel)) {
         let [a, b, c, d] = corners.map(|sample| sample.colour);
-        *bytes = depth::bytes(((a + b) + (c + d)) / 4.0);
+        *bytes = depth::bytes(options.colour.shown(((a + b) + (c + d)) / 4.0));
         signatures.push(corners.map(|sample| sample.signature));
     }
     let reference = Reference {

@@ -24,6 +24,8 @@ pub(super) struct Stage<'a> {
     lights: Vec<(LightKind, DVec3)>,
     ambient: DVec3,
     background: DVec3,
+    /// The light at the zenith and the unit direction to it, if the background has a gradient.
+    sky: Option<(DVec3, DVec3)>,
     options: Options,
     /// The least weight of a ray that is sent.
     least_weight: f64,
@@ -109,14 +111,18 @@ impl<'a> Stage<'a> {
         let least_weight = if options.spd_rays {
             0.0
         } else {
-            weight::least(scene, &materials, &lights, options.depth)
+            weight::least(scene, &materials, &lights, options)
         };
         Ok(Self {
             tree: Bvh::new(surfaces),
             materials,
             lights,
             ambient: scene.ambient,
-            background: scene.background,
+            background: options.colour.light(scene.background),
+            sky: scene.sky.and_then(|sky| {
+                let up = nff::unit(sky.up)?;
+                Some((options.colour.light(sky.zenith), up))
+            }),
             options: *options,
             least_weight,
         })
@@ -134,7 +140,7 @@ impl<'a> Stage<'a> {
     fn look(&self, ray: &Ray, depth: u32, weight: f64, path: &mut Path) -> DVec3 {
         let Some(hit) = self.meet(ray, path) else {
             path.counts.background += 1;
-            return self.background;
+            return self.beyond(ray.direction);
         };
         path.counts.hit += 1;
         path.counts.eye_hit += u64::from(depth == 1);
@@ -143,6 +149,17 @@ impl<'a> Stage<'a> {
             lit + self.bounced(&hit, ray.direction, depth + 1, weight, path)
         } else {
             lit
+        }
+    }
+
+    /// The light from beyond all objects.
+    fn beyond(&self, direction: DVec3) -> DVec3 {
+        match self.sky {
+            Some((zenith, up)) => {
+                let elevation = direction.dot(up).max(0.0);
+                (1.0 - elevation) * self.background + elevation * zenith
+            }
+            None => self.background,
         }
     }
 
@@ -155,7 +172,12 @@ impl<'a> Stage<'a> {
         let place = self.tree.surface(index).place(ray, distance);
         let outside = place.normal.dot(ray.direction) < 0.0;
         path.note(1 + 2 * index as u64 + u64::from(outside));
-        let finish = Finish::of(self.materials[index], place.point, distance);
+        let finish = Finish::of(
+            self.materials[index],
+            place.point,
+            distance,
+            self.options.colour,
+        );
         if finish.other {
             path.note(1);
         }

@@ -7,6 +7,8 @@
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader};
 
+use super::Options;
+
 /// Part of a step between bytes that a ray has to be able to add.
 const STEP: f64 = 1.0 / 255.0 / 16.0;
 
@@ -15,24 +17,28 @@ pub(super) fn least(
     scene: &Scene,
     materials: &[&Material],
     lights: &[(LightKind, DVec3)],
-    depth: u32,
+    options: &Options,
 ) -> f64 {
+    let greatest = |colour: DVec3| options.colour.light(colour).max_element();
     let lit: f64 = lights
         .iter()
         .map(|(_, brightness)| brightness.max_element().max(0.0))
         .sum();
     let everywhere = scene.ambient.max_element().max(0.0);
-    let background = scene.background.max_element().max(0.0);
-    let seen = (0..depth).fold(0.0, |beyond, _| {
+    let zenith = scene.sky.map_or(0.0, |sky| greatest(sky.zenith));
+    let background = greatest(scene.background).max(zenith).max(0.0);
+    let seen = (0..options.depth).fold(0.0, |beyond, _| {
         let surfaces = materials.iter().map(|material| {
-            let own = material.colour.max_element();
+            let own = greatest(material.colour);
             let diffuse = |colour: f64| material.diffuse * colour * (lit + everywhere);
-            let others = (material.specular + material.transmittance) * beyond;
+            let shares = [material.specular, material.transmittance];
+            let shares: f64 = shares.map(|share| options.colour.share(share)).iter().sum();
+            let others = shares * beyond;
             match &material.shader {
                 Shader::Flat | Shader::Depth { .. } => own,
                 Shader::Lambert => diffuse(own) + others,
                 Shader::Checker { other, .. } => {
-                    diffuse(own.max(other.max_element())) + material.specular * lit + others
+                    diffuse(own.max(greatest(*other))) + material.specular * lit + others
                 }
                 Shader::Phong | Shader::Own { .. } => {
                     diffuse(own) + material.specular * lit + others

@@ -59,6 +59,9 @@ pub enum WorldError {
     /// A directional light without a direction.
     #[error("a light that is infinitely far away needs a direction other than 0")]
     NoDirection,
+    /// A sky without a direction to its zenith.
+    #[error("a sky needs a direction to its zenith other than 0")]
+    NoZenith,
     /// An error of the game itself, such as a file that it can't read: see [`WorldError::game`].
     #[error(transparent)]
     Game(Box<dyn Error + Send + Sync>),

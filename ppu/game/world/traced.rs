@@ -81,15 +81,16 @@ impl World {
         // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps room for hidden objects.
-        let is_whitted = self.render_options.is_whitted(self.light_count());
+        let options = self.traced_options();
+        let is_whitted = options.is_whitted(self.light_count());
         let mut keeps_hidden = is_whitted;
         let mut content = self.content(|object| object.visible || is_whitted);
-        let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        let mut scene = Scene::with_room(&content, options, &shaders)?;
         let streams_spheres = scene.block().is_some_and(SceneBlock::streams_spheres);
         if streams_spheres && self.objects.values().any(|object| !object.visible) {
             keeps_hidden = false;
             content = self.content(|object| object.visible);
-            scene = Scene::with_room(&content, self.render_options, &shaders)?;
+            scene = Scene::with_room(&content, options, &shaders)?;
         }
         scene.check_streaming(program)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
@@ -130,7 +131,8 @@ impl World {
             ..
         } = traced;
         scene.set_view(&self.view);
-        scene.set_background(self.background)?;
+        let (background, sky) = self.backdrop();
+        scene.set_background(background, sky, shaders)?;
         if scene.block().is_some() {
             return Ok(self.move_meshes(scene, mesh) && self.change_whitted(scene, shaders)?);
         }
@@ -155,13 +157,14 @@ impl World {
     }
 
     fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {
+        let colour = self.traced_options().colour;
         let drawn = |object: &Object| match object.shape {
             Shape::Sphere { centre, radius } if radius > 0.0 && object.visible => {
                 let entry = self.materials.get(object.material)?;
                 Some(Sphere {
                     centre,
                     radius,
-                    colour: entry.material.colour,
+                    colour: colour.light(entry.material.colour),
                 })
             }
             _ => None,

@@ -15,6 +15,7 @@ use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
 
 use super::options::BlockOptions;
+use crate::scene::Colour;
 use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray must be able to add to its pixel, or it is not sent.
@@ -46,21 +47,22 @@ pub(super) struct Sends {
 
 impl Sends {
     /// Reads a material and its record.
-    pub fn of(record: &layout::Material, material: &Material) -> Self {
+    pub fn of(record: &layout::Material, material: &Material, colour: Colour) -> Self {
         let single = |share: F32| f64::from(share.get());
-        let colour = match material.shader {
-            Shader::Checker { other, .. } => material.colour.max(other),
-            _ => material.colour,
+        let own = colour.light(material.colour);
+        let most = match material.shader {
+            Shader::Checker { other, .. } => own.max(colour.light(other)),
+            _ => own,
         };
         let emission = match material.shader {
             // Brightest at the near distance.
-            Shader::Depth { .. } => material.colour.max_element(),
+            Shader::Depth { .. } => own.max_element(),
             _ => greatest(&record.emission),
         };
         Self {
             share: single(record.mirror) + single(record.transmittance),
             emission,
-            diffuse: single(record.diffuse) * colour.max_element(),
+            diffuse: single(record.diffuse) * most.max_element(),
             highlight: single(record.highlight),
             is_own: matches!(material.shader, Shader::Own { .. }),
         }

@@ -5,7 +5,7 @@
 //! [`SceneBlock::write_for`] writes it. Call [`SceneBlock::bound_chains`] before that.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Mesh, Scene, Shape};
+use nff::{LightKind, Material, Mesh, Scene, Shape, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
@@ -15,7 +15,7 @@ use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
-use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient};
+use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
@@ -75,14 +75,21 @@ impl SceneBlock {
         streamed.is_some_and(|streamed| streamed.with_spheres)
     }
 
-    /// Sets the background.
-    pub(crate) fn set_background(&mut self, colour: DVec3) -> Result<(), BlockError> {
-        let record = materials::background(&self.file, colour)?;
+    /// Sets the background, and its gradient.
+    pub(crate) fn set_background(
+        &mut self,
+        background: DVec3,
+        sky: Option<Sky>,
+        shaders: &ShaderEntries,
+    ) -> Result<(), BlockError> {
+        let shader = |name: &str| shaders.entry(name);
+        let colour = self.options.colour;
+        let record = materials::background(&self.file, background, sky, colour, &shader)?;
         // The background's material follows the background's object.
         let address = SCENE_ADDRESS + size_of::<layout::Object>() as u32;
         let bytes = self.block.at(address, size_of::<layout::Material>());
         bytes.copy_from_slice(record.as_bytes());
-        self.background = colour.max_element();
+        self.background = brightest(background, sky, colour);
         Ok(())
     }
 
@@ -144,7 +151,7 @@ impl SceneBlock {
         bytes.copy_from_slice(record.as_bytes());
         self.materials[number] = Some(Surface {
             address,
-            sends: Sends::of(&record, material),
+            sends: Sends::of(&record, material, self.options.colour),
         });
         Ok(())
     }

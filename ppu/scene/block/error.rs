@@ -72,6 +72,14 @@ pub enum BlockError {
         /// The shader's name.
         name: String,
     },
+    /// The SPU program doesn't have the shader of skies.
+    #[error(
+        "{file}: the SPU program has no shader `sky`, which the gradient of the background needs"
+    )]
+    NoSky {
+        /// Name of the file.
+        file: String,
+    },
     /// The local store is too small for the scene.
     #[error(
         "{file}: the scene takes {needed} bytes of local store, but {room} are free (with a queue for rays of depth {ray_depth}): {consumers}; {fits}"

@@ -3,7 +3,7 @@
 //! Invariant: if a material's shares can have an effect, its flags tell so.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Shader, unit};
+use nff::{LightKind, Material, Shader, Sky, unit};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::chains::greatest;
@@ -11,6 +11,7 @@ use super::error::BlockError;
 use super::objects::taxicab;
 use super::options::BlockOptions;
 use super::source_location::SourceLocation;
+use crate::scene::Colour;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
@@ -30,6 +31,7 @@ const COUNTED: f64 = f32::MIN_POSITIVE as f64;
 /// Names of the built-in shaders.
 const CHECKER: &str = "checker";
 const DEPTH: &str = "depth";
+const SKY: &str = "sky";
 
 /// The parts of a material's record that depend on its shader.
 #[derive(Default)]
@@ -44,7 +46,7 @@ struct Shading<'a> {
 }
 
 impl<'a> Shading<'a> {
-    fn of(material: &'a Material) -> Self {
+    fn of(material: &'a Material, colour: Colour) -> Self {
         let phong = Self {
             shares: true,
             shines: true,
@@ -57,13 +59,16 @@ impl<'a> Shading<'a> {
                 ..phong
             },
             Shader::Flat => Self {
-                emission: material.colour,
+                emission: colour.light(material.colour),
                 ..Self::default()
             },
-            Shader::Checker { other, size } => Self {
-                shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])),
-                ..phong
-            },
+            Shader::Checker { other, size } => {
+                let other = colour.light(*other);
+                Self {
+                    shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])),
+                    ..phong
+                }
+            }
             Shader::Depth { far, near } => Self {
                 shader: Some((DEPTH, [*far, (far - near).recip(), 0.0, 0.0])),
                 ..Self::default()
@@ -76,13 +81,37 @@ impl<'a> Shading<'a> {
     }
 }
 
-/// The material of a scene's background.
-pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, BlockError> {
+/// The material of a scene's background. It sends the colour at the horizon, and the shader of
+/// skies mixes that with the material's colour.
+pub(super) fn background(
+    file: &str,
+    background: DVec3,
+    sky: Option<Sky>,
+    colour: Colour,
+    entry: &dyn Fn(&str) -> Option<u32>,
+) -> Result<layout::Material, BlockError> {
     let place = SourceLocation { file, line: None };
-    place.vector("background", colour)?;
-    Ok(layout::Material {
-        emission: singles(colour),
+    place.vector("background", background)?;
+    let plain = layout::Material {
+        emission: singles(colour.light(background)),
         ..layout::Material::new_zeroed()
+    };
+    let Some(Sky { zenith, up }) = sky else {
+        return Ok(plain);
+    };
+    place.vector("sky", zenith)?;
+    place.vector("direction to the zenith", up)?;
+    let shader = entry(SKY).ok_or_else(|| BlockError::NoSky {
+        file: file.to_owned(),
+    })?;
+    // A direction of 0 has no zenith; files with one are refused.
+    let [x, y, z] = unit(up).unwrap_or_default().to_array();
+    Ok(layout::Material {
+        colour: singles(colour.light(zenith)),
+        flags: MATERIAL_SHADED.into(),
+        parameters: [x, y, z, 0.0].map(single),
+        shader: shader.into(),
+        ..plain
     })
 }
 
@@ -128,7 +157,7 @@ pub(super) fn record(
     } else {
         1.0
     };
-    let shading = Shading::of(material);
+    let shading = Shading::of(material, options.colour);
     let mut shader = 0;
     let mut parameters = [0.0; 4];
     if let Some((name, given)) = shading.shader {
@@ -143,8 +172,10 @@ pub(super) fn record(
         parameters = given;
     }
     let share = |share: f64| if shading.shares { share } else { 0.0 };
-    let (diffuse, mirror, transmittance) = (share(diffuse), share(specular), share(transmittance));
-    let highlight = if shading.shines { mirror } else { 0.0 };
+    let highlight = if shading.shines { share(specular) } else { 0.0 };
+    let diffuse = share(diffuse);
+    let [mirror, transmittance] =
+        [specular, transmittance].map(|seen| options.colour.seen(share(seen)));
     let (schlick, grazing) = if options.fresnel && transmittance > 0.0 {
         let head_on = (1.0 - index) / (1.0 + index);
         let head_on = head_on * head_on;
@@ -178,7 +209,7 @@ pub(super) fn record(
         | flag(highlight > 0.0, MATERIAL_SHINES)
         | flag(shading.shader.is_some(), MATERIAL_SHADED);
     Ok(layout::Material {
-        colour: singles(colour),
+        colour: singles(options.colour.light(colour)),
         diffuse: single(diffuse),
         highlight: single(highlight),
         exponent: single(BLINN * shine),

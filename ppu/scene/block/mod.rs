@@ -33,7 +33,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::Scene;
+use nff::{Scene, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
@@ -45,6 +45,7 @@ use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
 use self::streamed::{LEAST_ROOM, Streamed, may_stay};
+use crate::scene::Colour;
 use crate::scene::single::singles;
 use protocol::layout::{
     self, Bvh, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM,
@@ -68,7 +69,7 @@ const PACKET: usize = 16;
 pub struct SceneBlock {
     file: String,
     options: BlockOptions,
-    /// The greatest channel of the background's colour.
+    /// The greatest channel of the background's light.
     background: f64,
     ambient: [F32; 4],
     lights: Vec<Light>,
@@ -172,7 +173,7 @@ impl SceneBlock {
             return Err(BlockError::RayDepth(options.ray_depth));
         }
         let mut block = Block::default();
-        add_background(scene, &mut block)?;
+        add_background(scene, options.colour, shader, &mut block)?;
         let ambient = ambient(&scene.name, scene.ambient)?;
         let lights = lights(scene)?;
         let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
@@ -197,7 +198,7 @@ impl SceneBlock {
                 let record = materials::record(&scene.name, material, options, shader)?;
                 materials[index] = Some(Surface {
                     address: block.append(record.as_bytes()),
-                    sends: Sends::of(&record, material),
+                    sends: Sends::of(&record, material, options.colour),
                 });
             }
         }
@@ -223,7 +224,7 @@ impl SceneBlock {
         let mut scene_block = Self {
             file: scene.name.clone(),
             options,
-            background: scene.background.max_element(),
+            background: brightest(scene.background, scene.sky, options.colour),
             ambient,
             lights,
             light_address,
@@ -386,9 +387,20 @@ fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
     PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
 }
 
+/// The greatest channel of light that a ray which hits nothing can see.
+fn brightest(background: DVec3, sky: Option<Sky>, colour: Colour) -> f64 {
+    let zenith = sky.map_or(background, |sky| sky.zenith);
+    colour.light(background.max(zenith)).max_element()
+}
+
 /// Begins a block with the background's object, for rays that hit nothing.
-fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
-    let material = materials::background(&scene.name, scene.background)?;
+fn add_background(
+    scene: &Scene,
+    colour: Colour,
+    shader: &dyn Fn(&str) -> Option<u32>,
+    block: &mut Block,
+) -> Result<(), BlockError> {
+    let material = materials::background(&scene.name, scene.background, scene.sky, colour, shader)?;
     let size = size_of::<layout::Object>();
     let address = block.reserve(size);
     let object = objects::background(block.append(material.as_bytes()));

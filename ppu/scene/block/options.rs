@@ -1,5 +1,7 @@
 //! The settings of a block, and the SPU program's shaders.
 
+use crate::scene::Colour;
+
 /// Settings of Whitted's model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockOptions {
@@ -11,6 +13,8 @@ pub struct BlockOptions {
     /// Whether to trace all rays that the Standard Procedural Databases count, even those that add
     /// nothing to the picture.
     pub spd_rays: bool,
+    /// What the channels of the scene's colours say about light.
+    pub colour: Colour,
 }
 
 impl Default for BlockOptions {
@@ -19,6 +23,7 @@ impl Default for BlockOptions {
             ray_depth: 5,
             fresnel: false,
             spd_rays: false,
+            colour: Colour::Linear,
         }
     }
 }

@@ -29,9 +29,9 @@ fn of(scene: &Scene, options: BlockOptions) -> SceneBlock {
     SceneBlock::new(scene, options, &entry).expect("a block")
 }
 
-/// The table of a program with three shaders.
+/// The table of a program with four shaders.
 fn entry(name: &str) -> Option<u32> {
-    let names = ["checker", "depth", "rings"];
+    let names = ["checker", "depth", "rings", "sky"];
     let at = names.iter().position(|known| *known == name)?;
     Some(at as u32)
 }

@@ -34,7 +34,10 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
     assert!(pages[0] == pages[1], "the pages of two runs differ");
     let page = &pages[0];
     // 160x90 pixels are three by six tiles.
-    for map in ["cycles", "waits", "fetched", "finished", "spu"] {
+    let maps = [
+        "cycles", "waits", "fetched", "finished", "spu", "bounces", "shadows", "tests", "volumes",
+    ];
+    for map in maps {
         let overlay = all(page, &format!("<svg class=\"overlay for-{map}\""), "</svg>");
         assert_eq!(overlay.len(), 1, "{map}");
         let mut tiles: Vec<u32> = all(overlay[0], "<title>tile ", ",")
@@ -51,7 +54,15 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
         let path = format!("<path class=\"{class}\"");
         assert!(timelines[0].contains(&path), "{class}");
     }
-    assert!(page.contains("src=\"data:image/png;base64,"));
+    // The picture, and the samples of its pixels.
+    assert_eq!(page.matches("src=\"data:image/png;base64,").count(), 2);
+    assert!(page.contains("Samples of each pixel: 4 in the "));
+    // Each tile has its own count of shadow rays, and together they have all.
+    let shadows = all(page, "<svg class=\"overlay for-shadows\"", "</svg>");
+    let counts = all(shadows[0], ": ", "</title>");
+    let counts = counts.iter().map(|count| count.parse::<u64>().unwrap());
+    let sum = all(page, "<tr><td>shadow</td><td class=\"n\">", "</td>");
+    assert_eq!(counts.sum::<u64>().to_string(), sum[0]);
     assert!(page.contains("shadow_rays_r16") && page.contains("light_r16"));
     assert!(page.contains("culling by tile, packet or node"));
     for foreign in ["<script", "http:", "https:", "@import", "url("] {

@@ -33,6 +33,8 @@ fn renders_a_picture_with_statistics() {
         "--split",
         "slices",
         "--retrace",
+        "--antialias",
+        "1",
         "--out",
         picture.to_str().unwrap(),
         "--stats",
@@ -103,6 +105,8 @@ fn a_frame_that_stands_still_is_traced_once_unless_asked_for() {
             "160x90",
             "--frames",
             "4",
+            "--antialias",
+            "1",
             "--stats",
             "-",
         ];
@@ -181,6 +185,8 @@ fn simulated_time_repeats() {
                 "scenes/paper16.nff",
                 "--size",
                 "320x180",
+                "--antialias",
+                "1",
                 "--stats",
                 "-",
             ])

@@ -65,40 +65,52 @@ fn rays(stats: &serde_json::Value) -> [u64; 7] {
 #[test]
 fn each_option_of_whitteds_model_changes_what_it_says() {
     let scene = "scenes/whitted16.nff";
-    let (plain, stats) = traced(scene, &[]);
+    let linear = ["--antialias", "1", "--colour", "linear"];
+    let one = |options: &[&str]| traced(scene, &[&linear[..], options].concat());
+    let (plain, stats) = one(&[]);
     let [eye, eye_hit, reflected, refracted, shadow, ..] = rays(&stats);
     assert_eq!(eye, 96 * 54);
     assert!(reflected > eye_hit / 2 && refracted > 100 && shadow > eye_hit);
 
-    let (picture, stats) = traced(scene, &["--ray-depth", "1"]);
+    let (picture, stats) = one(&["--ray-depth", "1"]);
     assert_eq!(rays(&stats)[1..4], [eye_hit, 0, 0]);
     assert!(picture != plain);
-    let (_, stats) = traced(scene, &["--ray-depth", "16"]);
+    let (_, stats) = one(&["--ray-depth", "16"]);
     let deep = rays(&stats);
     assert!(deep[2] > reflected && deep[3] > refracted);
-    assert!(traced(scene, &["--ray-depth", "5"]).0 == plain);
+    assert!(one(&["--ray-depth", "5"]).0 == plain);
 
-    let (picture, stats) = traced(scene, &["--no-shadows"]);
+    let (picture, stats) = one(&["--no-shadows"]);
     let [_, _, bounced, _, shadows, ..] = rays(&stats);
     assert_eq!((bounced, shadows), (reflected, 0));
     assert!(picture != plain);
 
-    let (picture, stats) = traced(scene, &["--fresnel"]);
+    let (picture, stats) = one(&["--fresnel"]);
     assert_eq!(rays(&stats)[3], refracted);
     assert!(picture != plain);
 
-    let (picture, _) = traced(scene, &["--check-shaders"]);
+    let (picture, _) = one(&["--check-shaders"]);
     assert!(picture == plain);
 
+    // The corners have one sample by themselves.
     let (picture, stats) = traced(scene, &["--corners"]);
     assert_eq!(rays(&stats)[0], 97 * 55);
+    assert!(picture == traced(scene, &["--corners", "--colour", "linear"]).0);
     let size = image::load_from_memory(&picture).unwrap();
     assert_eq!((size.width(), size.height()), (96, 54));
     assert!(picture != plain);
 
-    let (picture, stats) = traced(scene, &["--model", "depth"]);
+    let (picture, stats) = one(&["--model", "depth"]);
     assert_eq!(rays(&stats)[2..5], [0, 0, 0]);
     assert!(picture != plain);
+
+    // Antialiased, in sRGB.
+    let (usual, stats) = traced(scene, &[]);
+    assert!(rays(&stats)[0] > 96 * 54 * 11 / 10);
+    assert!(usual != plain);
+    let said = ["--antialias", "4", "--colour", "srgb"];
+    assert!(traced(scene, &said).0 == usual);
+    assert!(traced(scene, &linear[..2]).0 != plain);
 }
 
 #[test]

@@ -49,6 +49,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
             resolution: (64, 64),
         },
         background: DVec3::new(0.1, 0.2, 0.3),
+        sky: None,
         ambient: DVec3::ZERO,
         lights: Vec::new(),
         objects: (0..count)

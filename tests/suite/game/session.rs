@@ -13,6 +13,7 @@ use cellray::game::{
     NoInput, ObjectId, PadId, RealTime, Recording, RecordingError, Session, SessionError, Start,
     World, WorldError,
 };
+use cellray::scene::Look;
 use image::RgbImage;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -203,6 +204,29 @@ fn a_recorded_session_is_played_back_bit_for_bit() {
     assert!(after.unwrap().is_break());
     drop(session);
     assert_eq!(String::from_utf8(again.0.take()), String::from_utf8(bytes));
+}
+
+#[test]
+fn a_recording_is_played_back_antialiased_by_any_number_of_spus() {
+    let (_, bytes) = recorded();
+    let looked_at = |look, spus| {
+        let (framebuffer, shown) = Recorder::pair(64, 36);
+        let settings = Settings {
+            spus,
+            ..Settings::default()
+        };
+        let session = Session::start(Driven::new(), settings, framebuffer).unwrap();
+        let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
+        session.look(look);
+        replayed(&mut session, &shown)
+    };
+    let smooth = Some(Look::default());
+    let one = looked_at(smooth, 1);
+    assert_eq!(one.len(), FRAMES as usize);
+    assert!(looked_at(smooth, 6) == one);
+    // The look is not the game's.
+    let plain = looked_at(None, 6);
+    assert!(one.iter().zip(&plain).all(|(one, plain)| one != plain));
 }
 
 #[test]

@@ -33,7 +33,12 @@ fn differ(a: Rgb<u8>, b: Rgb<u8>, least: u8) -> bool {
 
 /// The pixels of a picture with one ray each that differ from a neighbour in their tile.
 fn differing(picture: &RgbImage, least: u8) -> Vec<(u32, u32)> {
-    let tile = |(x, y): (u32, u32)| (x / TILE.0, y / TILE.1);
+    differing_in(picture, least, TILE)
+}
+
+/// The same for tiles of another size.
+fn differing_in(picture: &RgbImage, least: u8, size: (u32, u32)) -> Vec<(u32, u32)> {
+    let tile = |(x, y): (u32, u32)| (x / size.0, y / size.1);
     let (width, height) = picture.dimensions();
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     let beside = |(x, y): (u32, u32)| {
@@ -166,6 +171,69 @@ fn a_picture_of_full_size_is_that_of_the_reference() {
     let off = off(&smooth, &chosen, light, 2) + off_at_centres;
     println!("{off} of {} pixels off", all.len());
     assert!(1000 * off <= all.len());
+    // Edges that run exactly between tiles keep their steps.
+    let kept = differing_in(&plain, CONTRAST, (width, height)).len() - chosen.len();
+    println!("{kept} pixels differ only from neighbours in other tiles");
+    assert!(25 * kept <= chosen.len());
+}
+
+/// How far from a sample its ray may have decided what it hits, in pixels.
+const NEAR: f64 = 1.0 / 16.0;
+
+/// Whether a pixel is, to 1/255, a mean of what the reference sees near its samples.
+fn is_explained(found: Rgb<u8>, light: &Light, (x, y): (u32, u32), side: u32) -> bool {
+    let cells = (0..side).flat_map(|row| (0..side).map(move |column| [column, row]));
+    let around = [-1.0, 0.0, 1.0].into_iter();
+    let around = around.flat_map(|dx| [-1.0, 0.0, 1.0].map(|dy| (NEAR * dx, NEAR * dy)));
+    let (mut least, mut most) = (DVec3::ZERO, DVec3::ZERO);
+    for cell in cells {
+        let [dx, dy] = sample(side, cell);
+        let (x, y) = (f64::from(x) + dx, f64::from(y) + dy);
+        let seen = around.clone().map(|(dx, dy)| light(x + dx, y + dy));
+        let seen: Vec<_> = seen.collect();
+        least += seen.iter().copied().reduce(DVec3::min).unwrap();
+        most += seen.iter().copied().reduce(DVec3::max).unwrap();
+    }
+    let count = f64::from(side * side);
+    let byte = |sum: DVec3| 255.0 * (sum / count).clamp(DVec3::ZERO, DVec3::ONE);
+    let found = DVec3::from(found.0.map(f64::from));
+    let [least, most] = [byte(least) - 1.5, byte(most) + 1.5];
+    found.cmpge(least).all() && found.cmple(most).all()
+}
+
+/// With 16 samples a pixel, 16 rays may decide otherwise than the reference at an edge, and each of
+/// them moves the pixel by a sixteenth of the edge.
+#[test]
+fn sixteen_samples_are_off_only_where_rays_pass_an_edge() {
+    let (width, height) = (1280, 720);
+    let scene = nff_scene("whitted16.nff");
+    let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
+    let light: &Light = &|x, y| probe.light(x, y);
+    let frame = |samples| {
+        let options = antialiased(samples, LEAST);
+        Frame::of(&scene, options, (width, height), Settings::default()).picture
+    };
+    let (plain, smooth) = (frame(Samples::One), frame(Samples::Sixteen));
+    let chosen = differing(&plain, LEAST);
+    let wrong: Vec<_> = chosen
+        .iter()
+        .filter(|&&at| off(&smooth, &[at], light, 4) > 0)
+        .collect();
+    // What one ray of a pixel decides otherwise, of all pixels.
+    let all: Vec<_> = (0..height)
+        .flat_map(|y| (0..width).map(move |x| (x, y)))
+        .collect();
+    let one = off(&plain, &all, light, 1);
+    println!(
+        "{} of {} pixels off, {one} with one sample",
+        wrong.len(),
+        all.len()
+    );
+    let is_unexplained =
+        |&&&(x, y): &&&(u32, u32)| !is_explained(*smooth.get_pixel(x, y), light, (x, y), 4);
+    let unexplained = wrong.iter().filter(is_unexplained).count();
+    assert!(200 * unexplained < wrong.len(), "{unexplained}");
+    assert!(wrong.len() < 16 * one);
 }
 
 #[test]

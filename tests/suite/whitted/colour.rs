@@ -44,9 +44,11 @@ fn byte(options: RenderOptions, light: f64) -> u8 {
     (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8
 }
 
-/// Compares pictures with what the reference sees.
-fn check(name: &str, model: Model, light: &dyn Fn(f64, f64) -> DVec3) {
-    let scene = nff_scene(name);
+/// What the reference sees through a point of the picture.
+type Light<'a> = Box<dyn Fn(f64, f64) -> DVec3 + 'a>;
+
+/// Compares pictures with what the reference sees of the scene's colours in this sense.
+fn check<'a>(scene: &nff::Scene, model: Model, reference: &dyn Fn(RenderOptions) -> Light<'a>) {
     for (colour, roll_off, samples) in [
         (Colour::Srgb, false, Samples::One),
         (Colour::Linear, true, Samples::One),
@@ -61,8 +63,9 @@ fn check(name: &str, model: Model, light: &dyn Fn(f64, f64) -> DVec3) {
             roll_off,
             ..WHITTED
         };
+        let light = reference(options);
         let side = (samples as u32).isqrt();
-        let frame = Frame::of(&scene, options, SIZE, Settings::default());
+        let frame = Frame::of(scene, options, SIZE, Settings::default());
         let places = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)));
         let is_off = |&(x, y): &(u32, u32)| {
             let cells = (0..side).flat_map(|row| (0..side).map(move |column| [column, row]));
@@ -76,22 +79,37 @@ fn check(name: &str, model: Model, light: &dyn Fn(f64, f64) -> DVec3) {
             found.iter().zip(expected).any(|(a, b)| a.abs_diff(b) > 1)
         };
         let off = places.filter(is_off).count();
-        println!("{name}: {colour:?}, {roll_off}, {samples:?}: {off} pixels off");
+        println!(
+            "{}: {colour:?}, {roll_off}, {samples:?}: {off} pixels off",
+            scene.name
+        );
         assert!(500 * off <= (SIZE.0 * SIZE.1) as usize);
     }
 }
 
 #[test]
 fn by_whitteds_model() {
-    let scene = nff_scene("whitted16.nff");
-    let probe = Probe::new(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
-    check("whitted16.nff", Model::Whitted, &|x, y| probe.light(x, y));
+    for name in ["whitted16.nff", "daylight.nff"] {
+        let scene = nff_scene(name);
+        check(&scene, Model::Whitted, &|render_options| {
+            let probe = Probe::new(&scene, SIZE.0, SIZE.1, &options(render_options)).unwrap();
+            Box::new(move |x, y| probe.light(x, y))
+        });
+    }
 }
 
 #[test]
 fn by_depth_shading() {
     let scene = nff_scene("paper16.nff");
-    let probe = DepthProbe::new(&scene, SIZE.0, SIZE.1).unwrap();
     // With a contrast of 0, tiles that show nothing have no samples, and need none.
-    check("paper16.nff", Model::Depth, &|x, y| probe.colour(x, y));
+    check(&scene, Model::Depth, &|render_options| {
+        let meaning = options(render_options).colour;
+        let mut scene = scene.clone();
+        scene.background = meaning.light(scene.background);
+        for material in &mut scene.materials {
+            material.colour = meaning.light(material.colour);
+        }
+        let probe = DepthProbe::new(&scene, SIZE.0, SIZE.1).unwrap();
+        Box::new(move |x, y| probe.colour(x, y))
+    });
 }

@@ -77,6 +77,10 @@ pub fn options(render_options: RenderOptions) -> Options {
         fresnel: render_options.fresnel,
         spd_rays: render_options.spd_rays,
         corners: render_options.corners,
+        colour: match render_options.colour {
+            Colour::Linear => oracle::whitted::Colour::Linear,
+            Colour::Srgb => oracle::whitted::Colour::Srgb,
+        },
     }
 }
 

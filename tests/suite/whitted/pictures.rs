@@ -1,6 +1,6 @@
 //! Pictures of the scenes that come with the program.
 
-use cellray::scene::RenderOptions;
+use cellray::scene::{Colour, RenderOptions};
 
 use crate::recorder::nff_scene;
 use crate::whitted::frame::{WHITTED, compared};
@@ -33,6 +33,14 @@ fn scenes_are_as_the_reference_has_them(
 #[test]
 fn scenes_as_they_are_meant() {
     scenes_are_as_the_reference_has_them(&ALL, WHITTED, SIZE);
+}
+
+#[test]
+fn a_sky() {
+    for colour in [Colour::Linear, Colour::Srgb] {
+        let render_options = RenderOptions { colour, ..WHITTED };
+        scenes_are_as_the_reference_has_them(&["daylight.nff"], render_options, SIZE);
+    }
 }
 
 #[test]

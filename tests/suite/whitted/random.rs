@@ -4,8 +4,8 @@
 
 use std::f64::consts::TAU;
 
-use glam::{DQuat, DVec3};
-use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
+use glam::{DQuat, DVec3, Vec3Swizzles as _};
+use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 
@@ -38,6 +38,7 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         name: "random".into(),
         view: view(random),
         background: vector(random, 1.0).abs(),
+        sky: None,
         ambient: if random.random_bool(0.3) {
             vector(random, 0.3).abs()
         } else {
@@ -56,6 +57,11 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         materials,
         mesh: None,
     };
+    // Without a random number, so that the scenes are the same ones as without skies.
+    scene.sky = scene.objects.len().is_multiple_of(3).then(|| Sky {
+        zenith: scene.background.zxy(),
+        up: scene.view.up,
+    });
     let is_vast = |object: &Object| matches!(object.shape, Shape::Sphere { radius, .. } if radius.abs() >= VAST);
     let vast = scene.objects.iter().any(is_vast);
     place(&mut scene, middle, scale);

@@ -14,7 +14,7 @@ fn it_is_where_the_formula_has_it() {
         let height = 16.0 * part * (1.0 - part) - 2.0;
         let scene = format!(
             "v\nfrom 0 0 10\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 160 90\n\
-             #cellray ambient 0.2 0.2 0.2\n#cellray sun 1 2 1.5 0.8 0.8 0.8\n\
+             #cellray daylight\n\
              f 0.9 0.2 0.1 1 0 0 0 0\ns 0 {height} 0 1\n"
         );
         let scene = nff::parse(scene.as_bytes(), "ball", &nff::Limits::default()).unwrap();

@@ -73,4 +73,12 @@ What antialiasing costs and what it gains, for readers who choose `--antialias` 
 - The error is against the reference in double precision with 8x8 samples a pixel, in the same parts
   of the scene: NFF's camera sees a little more in a larger picture's pixels. Light is limited
   to white after the mean is taken, except for 2x2 and 4x4, which are means of pictures.
+
+## The default
+
+`render`, `fb`, `view` and `play` take *4 at 32*, which nothing below beats. It halves the error of one sample on
+`whitted16`, for less than twice the time. Contrasts below that gain little error for much time, and those above leave
+steps that are easily seen: pixels off by over 8/255 are counted in the last column. *16 at 32* costs twice as much
+again, for edges that are looked at from near: a picture at rest. The contrast is that of the pixels' values, so in sRGB
+dark edges count for more, bright ones for less. These tables have linear light, as the reference has.
 ";

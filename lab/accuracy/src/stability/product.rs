@@ -105,6 +105,7 @@ impl Product {
                 resolution: (64, 64),
             },
             background: DVec3::ZERO,
+            sky: None,
             ambient: DVec3::ZERO,
             lights: vec![nff::Light {
                 line: 0,

@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
-use oracle::whitted::{Counts, Options, trace};
+use oracle::whitted::{Colour, Counts, Options, trace};
 
 const SPD: Options = Options {
     depth: 5,
     fresnel: false,
     spd_rays: true,
     corners: true,
+    colour: Colour::Linear,
 };
 
 fn counts(scene: &nff::Scene, options: &Options) -> Counts {

@@ -1,6 +1,6 @@
 //! The formulas of light: brightness, highlights, shares of mirror and glass.
 
-use oracle::whitted::Options;
+use oracle::whitted::{Colour, Options};
 
 use super::{colour, look, scene};
 
@@ -32,6 +32,33 @@ fn lights_without_a_colour_share_by_the_databases_rule() {
     ));
     let grey = 0.5 * 2f64.sqrt() / 4.0;
     assert_eq!(mixed, [byte(grey), byte(grey + 0.25), byte(grey + 0.125)]);
+}
+
+#[test]
+fn a_sky_by_hand() {
+    let sky = "b 1 0.5 0\n#cellray sky 0 0.5 1 0 0 2\n";
+    for (height, share) in [(-1.0, 0.0), (0.0, 0.0), (3.0, 0.6), (1e9, 1.0)] {
+        let above = scene([0.0; 3], [4.0, 0.0, height], sky);
+        let [red, green, blue] = [1.0 - share, 0.5, share].map(byte);
+        assert_eq!(colour(&above), [red, green, blue], "{height}");
+    }
+}
+
+#[test]
+fn colours_in_srgb_by_hand() {
+    let srgb = Options {
+        colour: Colour::Srgb,
+        ..Options::default()
+    };
+    // What sends its own colour looks as the file says, and half of white in a mirror is
+    // half as bright.
+    let own = scene(EYE, [0.0; 3], "b 0.2 0.5 1\n");
+    assert_eq!(look(&own, &srgb).0, [0.2, 0.5, 1.0].map(byte));
+    let mirror = ground("b 1 1 1\n", "0 0 0 0 0.5 1 0 1");
+    assert_eq!(look(&mirror, &srgb).0, [byte(0.5); 3]);
+    // Of white's light, half is 0.735 of its value.
+    let lit = ground("l 0 0 20 0.5 0.5 0.5\n", "1 1 1 1 0 1 0 1");
+    assert_eq!(look(&lit, &srgb).0, [188; 3]);
 }
 
 #[test]

@@ -171,7 +171,8 @@ pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
     all
 }
 
-/// The panel with its lines broken. If it is too high, it loses its headings and empty lines.
+/// The panel with its lines broken. If it is too high, it loses its headings and empty lines, and
+/// with them the indentation below the headings.
 fn fitted(mut panel: Panel, grid: Grid) -> Panel {
     let broken = |lines: &[Line]| {
         let lines = lines.iter().flat_map(|line| wrapped(line, grid.columns()));
@@ -181,7 +182,7 @@ fn fitted(mut panel: Panel, grid: Grid) -> Panel {
     panel.lines = broken(&lines);
     if grid.size(&panel).1 > grid.area.1 {
         let is_row = |line: &&Line| line.emphasised < line.text.chars().count();
-        let rows: Vec<_> = lines.iter().filter(is_row).cloned().collect();
+        let rows: Vec<_> = lines.iter().filter(is_row).map(Line::flush).collect();
         if !rows.is_empty() {
             panel.lines = broken(&rows);
         }
@@ -273,12 +274,17 @@ mod tests {
         let mut overlay = overlay();
         overlay.notice = None;
         overlay.message = None;
+        let row = |text: &str, emphasised| Line {
+            text: text.into(),
+            emphasised,
+        };
+        overlay.help = vec![row("  H: help", 4); 4];
         overlay.help.insert(0, Line::heading("chess"));
         let all = place(panels(&overlay), grid);
         let [help] = &all[..] else {
             panic!("{all:?}");
         };
-        assert_eq!(help.panel.lines, vec![Line::from("H: help"); 4]);
+        assert_eq!(help.panel.lines, vec![row("H: help", 2); 4]);
     }
 
     #[test]

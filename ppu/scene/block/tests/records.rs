@@ -50,6 +50,61 @@ fn the_background_comes_first() {
 }
 
 #[test]
+fn a_sky_is_the_shader_of_the_background() {
+    let block = block("b 0.25 0.5 0.75\n#cellray sky 0.125 0 1 0 3 -4\n");
+    let head: &Head = block.at(U32::new(SCENE_ADDRESS));
+    let material: &Material = block.at(head.material);
+    assert_eq!(wide(material.emission), DVec3::new(0.25, 0.5, 0.75));
+    assert_eq!(wide(material.colour), DVec3::new(0.125, 0.0, 1.0));
+    assert_eq!(material.flags.get(), MATERIAL_SHADED);
+    assert_eq!(material.shader.get(), entry("sky").expect("a shader"));
+    let up = material.parameters.map(F32::get);
+    assert_eq!(up, [0.0, 0.6, -0.8, 0.0]);
+
+    let scene = scene("#cellray sky 0 0 0\n");
+    let without = SceneBlock::new(&scene, BlockOptions::default(), &|_| None);
+    let message = without.expect_err("no shader").to_string();
+    assert!(message.contains("no shader `sky`"), "{message}");
+}
+
+#[test]
+fn colours_in_srgb_become_light() {
+    let text = "b 0.5 0.5 0.5\n#cellray sky 0 0.5 1\nf 1 0.5 0 0.5 0.5 9 0.5 1\n\
+                #cellray shader checker 0 0.5 1 2\ns 0 0 9 1\n";
+    let of = |colour| {
+        let options = BlockOptions {
+            colour,
+            ..BlockOptions::default()
+        };
+        let block = of(&scene(text), options);
+        let background: &Head = block.at(U32::new(SCENE_ADDRESS));
+        let sphere: &Head = block.at(only(&block, PrimitiveKind::Sphere));
+        [background, sphere].map(|head| *block.at::<Material>(head.material))
+    };
+    let half = |channel: F32| (channel.get() - 0.214_041_14).abs() < 1e-7;
+    let [background, sphere] = of(Colour::Srgb);
+    assert!(background.emission.into_iter().all(half));
+    for colour in [background.colour, sphere.colour] {
+        assert!(half(colour[1]), "{colour:?}");
+        assert_eq!(
+            colour.map(F32::get).iter().sum::<f32>(),
+            1.0 + colour[1].get()
+        );
+    }
+    let [red, green, blue, per_size] = sphere.parameters;
+    assert!(half(green));
+    assert_eq!([red, blue, per_size].map(F32::get), [0.0, 1.0, 0.5]);
+    // What a surface shows of other colours, and what it does with light.
+    assert!([sphere.mirror, sphere.transmittance].into_iter().all(half));
+    let shares = [sphere.diffuse, sphere.highlight];
+    assert_eq!(shares.map(F32::get), [0.5, 0.5]);
+
+    let [background, sphere] = of(Colour::Linear);
+    assert_eq!(wide(background.emission), DVec3::splat(0.5));
+    assert_eq!(sphere.mirror.get(), 0.5);
+}
+
+#[test]
 fn spheres() {
     let rest = "s 1 2 3 4\n";
     let head = |rest: &str| *block(rest).at::<Head>(only(&block(rest), PrimitiveKind::Sphere));

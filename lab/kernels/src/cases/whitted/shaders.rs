@@ -1,4 +1,4 @@
-//! The built-in shaders: cases, surfaces to shade, and the error of `shader_depth`.
+//! The built-in shaders: cases, surfaces to shade, and the errors of `shader_depth` and `shader_sky`.
 
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -37,6 +37,16 @@ pub const KERNELS: &[Kernel] = &[
         }],
         error: Some(depth_error),
     },
+    Kernel {
+        name: "shader_sky",
+        rays: 16,
+        cases: &[Case {
+            name: "a packet",
+            objects: Objects::Fixed(1),
+            place: |bench, _| case(bench),
+        }],
+        error: Some(sky_error),
+    },
 ];
 
 fn case(bench: &mut Bench) -> Vec<u32> {
@@ -69,6 +79,12 @@ impl Call {
         random.fill_bytes(rays.as_mut_bytes());
         let rows = [
             &mut rays.t,
+            &mut rays.direction_x,
+            &mut rays.direction_y,
+            &mut rays.direction_z,
+            &mut surfaces.lit_red,
+            &mut surfaces.lit_green,
+            &mut surfaces.lit_blue,
             &mut surfaces.point_x,
             &mut surfaces.point_y,
             &mut surfaces.point_z,
@@ -116,6 +132,71 @@ impl Call {
         } = &self.surfaces;
         [red, green, blue].map(|channel: &[F32; 16]| bits(channel[lane]))
     }
+
+    /// A lane's light so far.
+    #[must_use]
+    pub fn lit(&self, lane: usize) -> [Single; 3] {
+        let Surfaces {
+            lit_red,
+            lit_green,
+            lit_blue,
+            ..
+        } = &self.surfaces;
+        [lit_red, lit_green, lit_blue].map(|channel: &[F32; 16]| bits(channel[lane]))
+    }
+
+    /// The direction of a lane's ray.
+    #[must_use]
+    pub fn direction(&self, lane: usize) -> [Single; 3] {
+        let RayPacket {
+            direction_x,
+            direction_y,
+            direction_z,
+            ..
+        } = &self.rays;
+        [direction_x, direction_y, direction_z].map(|axis: &[F32; 16]| bits(axis[lane]))
+    }
+}
+
+/// The largest error of a channel of the sky in ulps of 1, of colours up to 1.
+fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let mut call = Call {
+            mask: [true; 16],
+            ..Call::random(random, |random| from_f64(random.random()))
+        };
+        let mut unit = || {
+            let axes: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.0..1.0));
+            let length = axes.iter().map(|axis| axis * axis).sum::<f64>().sqrt();
+            axes.map(|axis| from_f64(axis / length))
+        };
+        let up = unit();
+        call.parameters[..3].copy_from_slice(&up);
+        for lane in 0..16 {
+            let [x, y, z] = unit().map(single);
+            call.rays.direction_x[lane] = x;
+            call.rays.direction_y[lane] = y;
+            call.rays.direction_z[lane] = z;
+        }
+        bench.reset();
+        let (place, arguments) = call.put(bench);
+        bench.call("shader_sky", &arguments);
+        let found: Surfaces = bench.read(place);
+        for lane in 0..16 {
+            let along = call.direction(lane).map(to_f64);
+            let height: f64 = along.iter().zip(up).map(|(a, b)| a * to_f64(b)).sum();
+            let lit = [found.lit_red, found.lit_green, found.lit_blue];
+            let colours = call.colour(lane).into_iter().zip(call.lit(lane));
+            for ((zenith, horizon), lit) in colours.zip(lit) {
+                let (zenith, horizon) = (to_f64(zenith), to_f64(horizon));
+                let expected = horizon + height.max(0.0) * (zenith - horizon);
+                let error = (to_f64(bits(lit[lane])) - expected).abs();
+                worst = worst.max(error * 2_f64.powi(23));
+            }
+        }
+    }
+    worst
 }
 
 /// The largest error of a channel in ulps of 1.

@@ -1,4 +1,4 @@
-//! `shader_depth` and `shader_checker`: compared with their twins bit for bit, and checked for
+//! The built-in shaders: compared with their twins bit for bit, and checked for
 //! changes outside their outputs.
 
 use kernels::bench::{Bench, random};
@@ -69,6 +69,19 @@ fn checker(call: &Call, wanted: &mut Surfaces, lane: usize) {
     }
 }
 
+fn sky(call: &Call, wanted: &mut Surfaces, lane: usize) {
+    let [colour, lit] = [call.colour(lane), call.lit(lane)];
+    let lit = shader::sky(call.direction(lane), colour, lit, call.parameters);
+    let channels = [
+        &mut wanted.lit_red,
+        &mut wanted.lit_green,
+        &mut wanted.lit_blue,
+    ];
+    for (channel, lit) in channels.into_iter().zip(lit) {
+        channel[lane] = single(lit);
+    }
+}
+
 #[test]
 fn equal_their_twins() {
     let mut random = random();
@@ -79,6 +92,7 @@ fn equal_their_twins() {
         });
         check(&mut bench, "shader_depth", &call, depth);
         check(&mut bench, "shader_checker", &call, checker);
+        check(&mut bench, "shader_sky", &call, sky);
     }
 }
 
@@ -90,6 +104,7 @@ fn any_bits_at_all_equal_their_twins() {
         let call = Call::random(&mut random, |random| random.random());
         check(&mut bench, "shader_depth", &call, depth);
         check(&mut bench, "shader_checker", &call, checker);
+        check(&mut bench, "shader_sky", &call, sky);
     }
 }
 
