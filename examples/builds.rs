@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A scene of small objects that are spread evenly in a cube.
 fn objects(shape: &str, count: usize) -> Option<nff::Scene> {
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let size = 4.0 / (count as f64).cbrt();
+    let size = 4.0 / libm::cbrt(count as f64);
     let mut text = VIEW.to_owned();
     for _ in 0..count {
         let mut point = |around: f64| [0; 3].map(|_| random.random_range(-around..around));
