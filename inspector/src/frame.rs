@@ -149,6 +149,8 @@ mod tests {
             tile_size: (64, 16),
             units,
             costs: (4096, 128),
+            tile_maps: &[],
+            pixel_maps: &[],
             statistics: &[],
             program: &[],
             timeline: TIMELINE.as_bytes(),
