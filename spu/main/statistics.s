@@ -20,23 +20,16 @@ times_added:                            # decrementer when times_add was last ca
         .skip   16
 
 # statistics_reset   sets the counters of a frame to 0
-#   Uses    $20-$22
+#   Uses    $20
         .set    zero,20
-        .set    counter,21
-        .set    left,22
-        .set    ALL_COUNTERS,COUNTERS_SIZE+GENERATIONS_SIZE
 
 function statistics_reset
         il      $zero,0
-        ila     $counter,generations
-        il      $left,ALL_COUNTERS/16
-next_counter:
-        hbrr    last_counter,next_counter
-        stqd    $zero,0($counter)
-        ai      $counter,$counter,16
-        ai      $left,$left,-1
-last_counter:
-        brnz    $left,next_counter
+    .set    place,0
+    .rept   (GENERATIONS_SIZE+COUNTERS_SIZE)/16
+        stqa    $zero,generations+place
+    .set    place,place+16
+    .endr
         ori     $g_began,$g_mailed,0
         stqa    $g_mailed,times_added
     .irp ticks, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade,n_hits
@@ -90,6 +83,7 @@ endfunction times_add
         .set    tag,19
         .set    command,20
         .set    more,21
+        .set    left,22
 
 function statistics_put
         enter
@@ -136,14 +130,16 @@ function statistics_put
         il      $left,STATS_generations/16
         fsmbi   $m_second,0x00ff
 next_two:
+        hbrr    last_two,next_two
         lqd     $value,0($a_counter)
         lqd     $more,16($a_counter)
+        ai      $a_counter,$a_counter,2*16
+        ai      $left,$left,-1
         rotqbyi $more,$more,8
         selb    $value,$value,$more,$m_second
         stqd    $value,0($a_record)
-        ai      $a_counter,$a_counter,2*16
         ai      $a_record,$a_record,16
-        ai      $left,$left,-1
+last_two:
         brnz    $left,next_two
 
         ila     $a_record,packets
