@@ -9,6 +9,7 @@ pub mod mesh;
 pub(crate) mod random;
 mod render_options;
 pub(crate) mod single;
+pub mod texture;
 
 use glam::DVec3;
 use nff::Sky;
@@ -19,6 +20,7 @@ pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
 pub use self::render_options::{CONTRAST, Colour, Look, Model, RenderOptions, Samples};
 use self::single::{LARGEST, SMALLEST};
+pub use self::texture::Textures;
 use crate::spe::Program;
 use protocol::formulation::{Formulations, SphereFormulation};
 use protocol::layout::MAX_SPHERES;
@@ -50,6 +52,12 @@ pub enum SceneError {
         file: String,
         /// The triangles and spheres that would have to be streamed.
         objects: usize,
+    },
+    /// The SPU program has no code for textures.
+    #[error("{file}: the mesh has textures, and the SPU program can't look them up")]
+    NoTextures {
+        /// Name of the scene's file.
+        file: String,
     },
     /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
@@ -136,6 +144,11 @@ impl Scene {
                 file: self.file.clone(),
                 objects: mesh.blocks.statistics().triangles + mesh.blocks.statistics().spheres,
             }),
+            Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
+                Err(SceneError::NoTextures {
+                    file: self.file.clone(),
+                })
+            }
             _ => Ok(()),
         }
     }
@@ -369,5 +382,6 @@ fn options(render_options: RenderOptions) -> BlockOptions {
         fresnel: render_options.fresnel,
         spd_rays: render_options.spd_rays,
         colour: render_options.colour,
+        mesh_cache: render_options.mesh_cache,
     }
 }

@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{DVec3, Vec3};
-use nff::{Light, Material, Mesh, Scene, Shader, View};
+use glam::DVec3;
+use nff::{Light, Material, Mesh, Scene, Shader, Texture, View};
 
 use crate::framing;
+use crate::texture::MAX_TEXELS;
 use crate::{Fault, Loaded};
 
 /// The most triangles of a file.
@@ -20,6 +21,8 @@ pub(crate) struct Builder {
     positions: Vec<[f32; 3]>,
     normals: Vec<[f32; 3]>,
     has_normals: bool,
+    texture_coordinates: Vec<[f32; 2]>,
+    texels: usize,
     triangles: Vec<[u32; 3]>,
     triangle_materials: Vec<u32>,
     materials: Vec<Material>,
@@ -47,20 +50,34 @@ impl Builder {
         Ok(self.materials.len() as u32 - 1)
     }
 
-    /// Adds vertices, and returns the index of the first one. `normals` is as long as `positions`,
-    /// or empty.
+    /// Adds a texture to the file's texels.
+    pub fn texture(&mut self, texture: Texture) -> Result<Arc<Texture>, Fault> {
+        self.texels += texture.texels().len();
+        if self.texels > MAX_TEXELS {
+            return Err(Fault::TooManyTexels(self.texels));
+        }
+        Ok(Arc::new(texture))
+    }
+
+    /// Adds vertices, and returns the index of the first one. `normals` and `texture_coordinates`
+    /// are as long as `positions`, or empty.
     pub fn add_vertices(
         &mut self,
         positions: impl IntoIterator<Item = [f32; 3]>,
         normals: impl IntoIterator<Item = [f32; 3]>,
+        texture_coordinates: impl IntoIterator<Item = [f32; 2]>,
     ) -> Result<usize, Fault> {
         let first = self.positions.len();
         self.positions.extend(positions);
         self.normals.extend(normals);
         self.has_normals |= self.normals.len() > first;
         self.normals.resize(self.positions.len(), [0.0; 3]);
+        self.texture_coordinates.extend(texture_coordinates);
+        self.texture_coordinates
+            .resize(self.positions.len(), [0.0; 2]);
         check("vertex", &self.positions, first)?;
         check("normal", &self.normals, first)?;
+        check("texture coordinate", &self.texture_coordinates, first)?;
         Ok(first)
     }
 
@@ -107,10 +124,18 @@ impl Builder {
         if !self.has_normals {
             self.normals.clear();
         }
+        if !self
+            .materials
+            .iter()
+            .any(|material| material.texture.is_some())
+        {
+            self.texture_coordinates.clear();
+        }
         self.join_vertices();
         let mesh = Mesh {
             positions: self.positions,
             normals: self.normals,
+            texture_coordinates: self.texture_coordinates,
             triangles: self.triangles,
             materials: self.triangle_materials,
             two_sided: self.two_sided,
@@ -146,20 +171,25 @@ impl Builder {
         }
         let mut numbers = HashMap::with_capacity(self.triangles.len());
         let (mut positions, mut normals) = (Vec::new(), Vec::new());
+        let mut texture_coordinates = Vec::new();
         for vertex in self.triangles.iter_mut().flatten() {
             let old = *vertex as usize;
             let position = self.positions[old];
             let normal = self.normals.get(old).copied();
+            let place = self.texture_coordinates.get(old).copied();
             let bits = |vector: [f32; 3]| vector.map(f32::to_bits);
+            let place_bits = place.map(|place| place.map(f32::to_bits));
             *vertex = *numbers
-                .entry((bits(position), normal.map(bits)))
+                .entry((bits(position), normal.map(bits), place_bits))
                 .or_insert_with(|| {
                     positions.push(position);
                     normals.extend(normal);
+                    texture_coordinates.extend(place);
                     positions.len() as u32 - 1
                 });
         }
         (self.positions, self.normals) = (positions, normals);
+        self.texture_coordinates = texture_coordinates;
     }
 }
 
@@ -174,12 +204,17 @@ pub(crate) fn plain(colour: DVec3) -> Material {
         transmittance: 0.0,
         refraction_index: 1.0,
         shader: Shader::Phong,
+        texture: None,
     }
 }
 
 /// Checks that all numbers from `first` on are finite.
-fn check(what: &'static str, vectors: &[[f32; 3]], first: usize) -> Result<(), Fault> {
-    let is_bad = |vector: &[f32; 3]| !Vec3::from(*vector).is_finite();
+fn check<const N: usize>(
+    what: &'static str,
+    vectors: &[[f32; N]],
+    first: usize,
+) -> Result<(), Fault> {
+    let is_bad = |vector: &[f32; N]| vector.iter().any(|number| !number.is_finite());
     let Some(index) = vectors[first..].iter().position(is_bad) else {
         return Ok(());
     };

@@ -4,7 +4,7 @@ use std::io;
 
 use thiserror::Error;
 
-use crate::{MAX_FILE, MAX_MATERIALS, MAX_TRIANGLES};
+use crate::{MAX_FILE, MAX_MATERIALS, MAX_TEXELS, MAX_TRIANGLES};
 
 /// Why a scene can't be loaded.
 #[derive(Debug, Error)]
@@ -97,6 +97,23 @@ pub enum Fault {
         line: usize,
         /// The word that the numbers belong to.
         word: String,
+    },
+    /// A texture is missing or broken.
+    #[error("the texture {name}: {what}")]
+    Texture {
+        /// The picture's file, or which of the file's images it is.
+        name: String,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// The textures are too large.
+    #[error("the textures have {0} texels; the most is {MAX_TEXELS}")]
+    TooManyTexels(usize),
+    /// A part with a texture has no texture coordinates.
+    #[error("{part} has a texture, but not all of its vertices have texture coordinates")]
+    NoCoordinates {
+        /// The part of the file.
+        part: String,
     },
     /// A PLY file's header or data.
     #[error("not a valid PLY file: {0}")]

@@ -5,6 +5,7 @@
 
 mod accessor;
 mod material;
+mod texture;
 
 use glam::{DMat3, DMat4, DQuat, DVec3};
 use gltf::binary::Glb;
@@ -17,6 +18,7 @@ use gltf::scene::Transform;
 use gltf::{Document, Node, Primitive, Semantic};
 use nff::{Light, LightKind, View};
 
+use self::texture::Textures;
 use crate::Fault;
 use crate::builder::Builder;
 
@@ -35,6 +37,7 @@ pub(crate) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     check_kinds(&document)?;
     let mut file = File {
         blob: bin.as_deref().unwrap_or_default(),
+        textures: Textures::new(document.as_json(), bin.as_deref().unwrap_or_default()),
         materials: vec![None; document.materials().len() + 1],
         seen: vec![false; document.nodes().len()],
         builder,
@@ -144,8 +147,10 @@ fn check_kinds(document: &Document) -> Result<(), Fault> {
 /// A file that is being read.
 struct File<'a> {
     blob: &'a [u8],
-    /// The builder's numbers of the file's materials; the last one is the default's.
-    materials: Vec<Option<u32>>,
+    textures: Textures<'a>,
+    /// The builder's numbers of the file's materials, and the texture coordinates that their
+    /// textures are for; the last one is the default's.
+    materials: Vec<Option<(u32, Option<u32>)>>,
     /// The nodes that were visited.
     seen: Vec<bool>,
     builder: &'a mut Builder,
@@ -218,7 +223,15 @@ impl File<'_> {
             Some(indices) => accessor::indices(&indices, self.blob)?,
             None => (0..count as i64).collect(),
         };
-        let material = self.material(&primitive.material())?;
+        let (material, set) = self.material(&primitive.material())?;
+        let places = match set.map(|set| primitive.get(&Semantic::TexCoords(set))) {
+            None => Vec::new(),
+            Some(Some(places)) => accessor::coordinates(&places, self.blob)?,
+            Some(None) => return Err(no_coordinates()),
+        };
+        if set.is_some() && places.len() != positions.len() {
+            return Err(no_coordinates());
+        }
 
         let linear = DMat3::from_mat4(place);
         // Normals are perpendicular to surfaces also where the scale differs between axes.
@@ -246,6 +259,7 @@ impl File<'_> {
         let first = self.builder.add_vertices(
             positions.into_iter().map(moved),
             normals.into_iter().map(turned),
+            places,
         )?;
         // A mirrored mesh is wound the other way.
         let mirrored = linear.determinant() < 0.0;
@@ -256,16 +270,25 @@ impl File<'_> {
         Ok(())
     }
 
-    fn material(&mut self, material: &gltf::Material<'_>) -> Result<u32, Fault> {
+    /// The builder's number of a material, and the set of texture coordinates that its texture is
+    /// for.
+    fn material(&mut self, material: &gltf::Material<'_>) -> Result<(u32, Option<u32>), Fault> {
         let place = material.index().unwrap_or(self.materials.len() - 1);
-        if let Some(number) = self.materials[place] {
-            return Ok(number);
+        if let Some(known) = self.materials[place] {
+            return Ok(known);
         }
-        let found = material::of(material, |note| self.builder.note(note));
+        let mut found = material::of(material, |note| self.builder.note(note));
+        let mut set = None;
+        if let Some(index) = material.index()
+            && let Some(colour) = self.textures.of(index, self.builder)?
+        {
+            found.texture = Some(colour.texture);
+            set = Some(colour.set);
+        }
         let number = self.builder.material(found)?;
         self.builder.two_sided |= material.double_sided();
-        self.materials[place] = Some(number);
-        Ok(number)
+        self.materials[place] = Some((number, set));
+        Ok((number, set))
     }
 
     /// Takes the file's first camera as the view.
@@ -337,10 +360,18 @@ impl File<'_> {
     }
 }
 
+fn no_coordinates() -> Fault {
+    let part = String::from("its material");
+    Fault::NoCoordinates { part }
+}
+
 /// Names the part of the file that has a fault.
 fn part(fault: Fault, mesh: usize, primitive: usize) -> Fault {
     match fault {
-        Fault::TooManyTriangles | Fault::TooManyMaterials => fault,
+        Fault::TooManyTriangles
+        | Fault::TooManyMaterials
+        | Fault::TooManyTexels(_)
+        | Fault::Texture { .. } => fault,
         _ => wrong(format!("mesh {mesh}, primitive {primitive}: {fault}")),
     }
 }

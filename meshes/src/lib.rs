@@ -2,7 +2,8 @@
 //!
 //! Owns the formats, how their materials become those of [`nff::Material`], and the view and lights
 //! of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh has at
-//! least one triangle, all of its vertices and materials exist, and all its numbers are finite.
+//! least one triangle, all of its vertices and materials exist, and all its numbers are finite. If
+//! one of its materials has a texture, it has texture coordinates.
 
 mod builder;
 mod error;
@@ -11,6 +12,7 @@ mod glb;
 mod obj;
 mod ply;
 mod terrain;
+mod texture;
 
 use std::fs::File;
 use std::io::Read as _;
@@ -21,6 +23,7 @@ use nff::Scene;
 use builder::Builder;
 pub use builder::{MAX_MATERIALS, MAX_TRIANGLES};
 pub use error::{Error, Fault};
+pub use texture::MAX_TEXELS;
 
 /// The size in bytes of the largest file that is read.
 const MAX_FILE: u64 = 1 << 31;

@@ -3,14 +3,16 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use glam::{DVec3, Vec3};
-use nff::Material;
+use nff::{Material, Texture, Wrap};
 use tobj::{LoadError, LoadOptions, MTLLoadResult};
 
 use crate::Fault;
 use crate::builder::{Builder, plain};
+use crate::texture::decode;
 
 /// The first illumination model with reflection by ray tracing.
 const REFLECTS: u8 = 3;
@@ -29,7 +31,10 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
         let path = name.parent().unwrap_or(Path::new("")).join(path);
         match fs::read(&path) {
             Ok(text) => match check_library(&path, &text) {
-                Ok(()) => tobj::load_mtl_buf(&mut text.as_slice()),
+                Ok(()) => {
+                    let found = tobj::load_mtl_buf(&mut text.as_slice());
+                    found.map(|(materials, numbers)| (beside(&path, materials), numbers))
+                }
                 Err(fault) => {
                     *trouble.borrow_mut() = Err(fault);
                     Err(LoadError::MaterialParseError)
@@ -53,6 +58,7 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
     // The format doesn't say whether surfaces have a back, and many files are wound both ways.
     builder.two_sided = true;
     let mut numbers = HashMap::new();
+    let mut textures = HashMap::new();
     let materials = materials?;
     for model in models {
         let mesh = model.mesh;
@@ -71,18 +77,33 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
             Some(&number) => number,
             None => {
                 let found = mesh.material_id.and_then(|id| materials.get(id));
+                let mut made = found.map_or_else(|| plain(DVec3::splat(0.8)), material);
                 if let Some(found) = found {
                     tell(found, builder);
+                    made.texture = texture(found, &mut textures, builder)?;
                 }
-                let number =
-                    builder.material(found.map_or_else(|| plain(DVec3::splat(0.8)), material))?;
+                let is_textured = made.texture.is_some();
+                let number = (builder.material(made)?, is_textured);
                 *numbers.entry(mesh.material_id).or_insert(number)
             }
         };
+        let (number, is_textured) = number;
+        let mut places = Vec::new();
+        if is_textured {
+            // The format counts from the lower edge.
+            let pairs = mesh.texcoords.chunks_exact(2);
+            places.extend(pairs.map(|it| [it[0], 1.0 - it[1]]));
+            if places.len() != positions.len() {
+                let material = mesh.material_id.and_then(|id| materials.get(id));
+                let name = material.map_or("", |material| &material.name);
+                let part = format!("the material {name}");
+                return Err(Fault::NoCoordinates { part });
+            }
+        }
         if !mesh.vertex_color.is_empty() {
             builder.note("colours of vertices are ignored");
         }
-        let first = builder.add_vertices(positions, normals)?;
+        let first = builder.add_vertices(positions, normals, places)?;
         for (face, corners) in mesh.indices.chunks_exact(3).enumerate() {
             let corners = [corners[0], corners[1], corners[2]].map(i64::from);
             builder.face(face, first, &corners, number)?;
@@ -91,18 +112,94 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
     Ok(())
 }
 
+/// The materials of a library, whose pictures are beside it.
+fn beside(library: &Path, mut materials: Vec<tobj::Material>) -> Vec<tobj::Material> {
+    let folder = library.parent().unwrap_or(Path::new(""));
+    for material in &mut materials {
+        if let Some(words) = &mut material.diffuse_texture {
+            let (options, file) = split(words);
+            let file = folder.join(file.replace('\\', "/"));
+            *words = format!("{options}{}", file.display());
+        }
+    }
+    materials
+}
+
+/// The options of a texture, with a blank after each word, and its file.
+fn split(words: &str) -> (String, &str) {
+    let mut options = String::new();
+    let mut rest = words.trim();
+    while rest.starts_with('-') {
+        let (option, after) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+        let most = match option {
+            "-o" | "-s" | "-t" => 3,
+            "-mm" => 2,
+            _ => 1,
+        };
+        options += option;
+        options.push(' ');
+        rest = after.trim_start();
+        for value in 0..most {
+            let (word, after) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
+            // The second and third number may be missing.
+            if value > 0 && most == 3 && word.parse::<f32>().is_err() {
+                break;
+            }
+            options += word;
+            options.push(' ');
+            rest = after.trim_start();
+        }
+    }
+    (options, rest)
+}
+
+/// The texture of a material's diffuse colour. `known` has those that were decoded.
+fn texture(
+    material: &tobj::Material,
+    known: &mut HashMap<(PathBuf, Wrap), Arc<Texture>>,
+    builder: &mut Builder,
+) -> Result<Option<Arc<Texture>>, Fault> {
+    let Some(words) = &material.diffuse_texture else {
+        return Ok(None);
+    };
+    let (options, file) = split(words);
+    let wrap = if options.contains("-clamp on ") {
+        Wrap::Clamp
+    } else {
+        Wrap::Repeat
+    };
+    if !options.replace("-clamp on ", "").is_empty() {
+        builder.note("options of textures other than -clamp are ignored");
+    }
+    let path = PathBuf::from(file);
+    if let Some(texture) = known.get(&(path.clone(), wrap)) {
+        return Ok(Some(texture.clone()));
+    }
+    let bad = |what: String| Fault::Texture {
+        name: file.to_owned(),
+        what,
+    };
+    let bytes = fs::read(&path).map_err(|error| bad(error.to_string()))?;
+    let (texture, has_alpha) = decode(&bytes, [wrap; 2]).map_err(bad)?;
+    if has_alpha {
+        builder.note("the alpha of textures is ignored");
+    }
+    let texture = builder.texture(texture)?;
+    known.insert((path, wrap), texture.clone());
+    Ok(Some(texture))
+}
+
 /// Notes what a material has and Whitted's model or this tracer doesn't.
 fn tell(material: &tobj::Material, builder: &mut Builder) {
     let textures = [
         &material.ambient_texture,
-        &material.diffuse_texture,
         &material.specular_texture,
         &material.normal_texture,
         &material.shininess_texture,
         &material.dissolve_texture,
     ];
     if textures.iter().any(|texture| texture.is_some()) {
-        builder.note("textures are ignored");
+        builder.note("textures other than those of diffuse colours are ignored");
     }
     if material.emissive.is_some_and(|colour| colour != [0.0; 3]) {
         builder.note("emissive colours are ignored");
@@ -113,7 +210,13 @@ fn tell(material: &tobj::Material, builder: &mut Builder) {
 /// the mirror have one share in Whitted's model, and most files mean the highlight alone.
 fn material(found: &tobj::Material) -> Material {
     let share = |value: f32| f64::from(value).clamp(0.0, 1.0);
-    let colour = found.diffuse.map_or(DVec3::splat(0.8), |colour| {
+    // The texture alone is the colour if there is no other.
+    let otherwise = if found.diffuse_texture.is_some() {
+        1.0
+    } else {
+        0.8
+    };
+    let colour = found.diffuse.map_or(DVec3::splat(otherwise), |colour| {
         Vec3::from(colour).as_dvec3().clamp(DVec3::ZERO, DVec3::ONE)
     });
     let reflects = found

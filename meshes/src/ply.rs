@@ -36,6 +36,7 @@ pub(crate) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
                 builder.add_vertices(
                     list.iter().map(|vertex| vertex.position),
                     normals.take(count),
+                    [],
                 )?;
             }
             "face" => {

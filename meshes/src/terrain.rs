@@ -58,7 +58,7 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
             );
         }
     }
-    builder.add_vertices(positions.iter().copied(), [])?;
+    builder.add_vertices(positions.iter().copied(), [], [])?;
     for row in 0..side {
         for column in 0..side {
             let a = row * (side + 1) + column;

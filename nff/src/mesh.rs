@@ -16,6 +16,8 @@ pub struct Mesh {
     /// A normal for each vertex, of any length, or none at all. A triangle with a normal of 0 at
     /// one of its vertices is flat.
     pub normals: Vec<[f32; 3]>,
+    /// Texture coordinates of each vertex, or none at all; see [`Texture`](crate::Texture).
+    pub texture_coordinates: Vec<[f32; 2]>,
     /// The vertices of each triangle, counter-clockwise as seen from its front.
     pub triangles: Vec<[u32; 3]>,
     /// The material of each triangle, as an index in [`Scene::materials`](crate::Scene::materials).
@@ -43,6 +45,14 @@ impl Mesh {
             .iter()
             .all(|normal| *normal != Vec3::ZERO)
             .then_some(normals)
+    }
+
+    /// The texture coordinates at a triangle's vertices; `None` if the mesh has none.
+    #[must_use]
+    pub fn corner_coordinates(&self, triangle: usize) -> Option<[[f32; 2]; 3]> {
+        let [a, b, c] = self.triangles[triangle]
+            .map(|vertex| self.texture_coordinates.get(vertex as usize).copied());
+        Some([a?, b?, c?])
     }
 
     /// A triangle as a shape of its own: a patch, or a polygon if it is flat.

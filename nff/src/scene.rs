@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{Mesh, Sky, View};
+use crate::{Mesh, Sky, Texture, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -79,6 +79,8 @@ pub struct Material {
     pub refraction_index: f64,
     /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,
+    /// What the colour is multiplied by on the triangles of a mesh that has texture coordinates.
+    pub texture: Option<Arc<Texture>>,
 }
 
 /// The shader that computes the colour of a material's surfaces.
@@ -201,6 +203,7 @@ impl PartialEq for Material {
             && self.transmittance == other.transmittance
             && self.refraction_index == other.refraction_index
             && self.shader == other.shader
+            && self.texture == other.texture
     }
 }
 

@@ -92,6 +92,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         transmittance: 0.0,
         refraction_index: 1.0,
         shader: Shader::Phong,
+        texture: None,
     };
     let sphere = Material {
         line: 18,
@@ -102,6 +103,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         transmittance: 0.0,
         refraction_index: 1.0,
         shader: Shader::Phong,
+        texture: None,
     };
     let corner = |x: f64, y: f64| DVec3::new(x * GROUND, y * GROUND, -RADIUS);
     let vertices = vec![

@@ -103,6 +103,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             transmittance: 0.0,
             refraction_index: 1.0,
             shader: Shader::Phong,
+            texture: None,
         }],
         objects,
         mesh: None,

@@ -250,6 +250,7 @@ impl<R: BufRead> Words<R> {
             transmittance: self.not_negative("T")?,
             refraction_index: self.not_negative("index of refraction")?,
             shader: Shader::Phong,
+            texture: None,
         })
     }
 

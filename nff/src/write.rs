@@ -93,6 +93,7 @@ impl fmt::Display for Material {
             transmittance,
             refraction_index,
             shader,
+            texture: _,
         } = self;
         let colour = Triple(*colour);
         writeln!(

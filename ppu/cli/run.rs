@@ -13,6 +13,7 @@ use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
+use protocol::layout::{MESH_LEAST_SLOTS, MESH_MOST_SLOTS};
 
 use super::Outcome;
 use super::camera::Camera;
@@ -76,6 +77,9 @@ pub struct Options {
     /// Limit light that is nearly white or brighter without a step
     #[arg(long)]
     pub roll_off: bool,
+    /// Most blocks of a mesh that an SPU caches, for measurements
+    #[arg(long, default_value_t = MESH_MOST_SLOTS, value_name = "N", hide = true, value_parser = clap::value_parser!(u32).range(i64::from(MESH_LEAST_SLOTS)..=i64::from(MESH_MOST_SLOTS)))]
+    pub mesh_cache: u32,
     /// Trade run time for accuracy
     #[arg(long, value_enum, default_value_t)]
     pub quality: Quality,
@@ -116,6 +120,7 @@ impl Options {
             spd_rays: self.spd_rays,
             shadows: !self.no_shadows,
             corners,
+            mesh_cache: self.mesh_cache,
             ..RenderOptions::default()
         };
         // Corners are the databases' own antialiasing, whose mean is taken of bytes.

@@ -7,6 +7,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
 use crate::scene::mesh::MeshBlocks;
+use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
@@ -22,8 +23,12 @@ pub(super) struct Records {
     mesh_code: SharedMemory,
     /// The number of its bytes.
     mesh_code_bytes: u32,
+    texture_code: SharedMemory,
+    texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
+    /// Its textures.
+    textures: Option<Arc<Textures>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
     /// Room for the largest possible number of units.
@@ -36,16 +41,24 @@ impl Records {
     /// Allocates room for frames of this framebuffer's size.
     pub fn new(framebuffer: Box<dyn Framebuffer>, program: &Program) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
-        let code = program.mesh_code();
-        let mut mesh_code = SharedMemory::new(code.len());
-        mesh_code.write(0, &code);
+        let [
+            (mesh_code, mesh_code_bytes),
+            (texture_code, texture_code_bytes),
+        ] = [program.mesh_code(), program.texture_code()].map(|code| {
+            let mut memory = SharedMemory::new(code.len());
+            memory.write(0, &code);
+            (memory, code.len() as u32)
+        });
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
             scene: SharedMemory::new(SCENE_ROOM as usize),
             mesh_code,
-            mesh_code_bytes: code.len() as u32,
+            mesh_code_bytes,
+            texture_code,
+            texture_code_bytes,
             mesh: None,
+            textures: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
             statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
             units,
@@ -67,6 +80,8 @@ impl Records {
             scene: self.scene.address(),
             mesh_code: self.mesh_code.address(),
             mesh_code_bytes: self.mesh_code_bytes,
+            texture_code: self.texture_code.address(),
+            texture_code_bytes: self.texture_code_bytes,
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             units: self.units.address(),
@@ -81,7 +96,9 @@ impl Records {
         self.spheres.write(0, plan.spheres().bytes());
         if let Some(block) = scene.block() {
             self.scene.write(0, block.bytes());
-            self.mesh = block.mesh().map(|mesh| mesh.blocks.clone());
+            let mesh = block.mesh();
+            self.mesh = mesh.map(|mesh| mesh.blocks.clone());
+            self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
         }
         self.units.write(0, plan.units().bytes());
         costs.clear();

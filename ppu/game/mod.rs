@@ -13,7 +13,7 @@ mod world;
 
 pub use glam::{DAffine3, DVec3};
 pub use nff::depth::DepthShading;
-pub use nff::{LightKind, Mesh, Shader, Shape, Sky, View};
+pub use nff::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
 
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
 pub use run::{

@@ -1,6 +1,7 @@
 //! Render options: settings of a picture that scene files don't have.
 
 use glam::DVec3;
+use protocol::layout::MESH_MOST_SLOTS;
 
 /// The model that a scene is rendered with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -98,6 +99,9 @@ pub struct RenderOptions {
     /// Whether rays go through the corners of the pixels instead of their centres. The picture of
     /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
+    /// The most blocks of a mesh that an SPU caches, for measurements: 4 to 28. Without a limit,
+    /// there are as many as local store has room for.
+    pub mesh_cache: u32,
 }
 
 impl Default for RenderOptions {
@@ -113,6 +117,7 @@ impl Default for RenderOptions {
             colour: Colour::Linear,
             roll_off: false,
             corners: false,
+            mesh_cache: MESH_MOST_SLOTS,
         }
     }
 }

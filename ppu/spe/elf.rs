@@ -36,25 +36,27 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
     Ok(())
 }
 
-/// The bytes that are loaded to a range of local store by segments that begin there, up to the
-/// last one's end, in whole quadwords.
+/// The bytes that segments load to a range of local store, up to the last one's end there, in
+/// whole quadwords. The range's end is a multiple of a quadword.
 pub(super) fn loaded(image: &[u8], range: Range<u32>) -> Result<Vec<u8>, ProgramError> {
     let file = parse(image)?;
     let mut bytes = Vec::new();
     for header in file.elf_program_headers() {
         let start = header.p_vaddr(BigEndian);
-        if header.p_type(BigEndian) != object::elf::PT_LOAD || !range.contains(&start) {
-            continue;
-        }
         let outside = |()| ProgramError::Malformed("a segment is outside of the file".into());
         let data = header.data(BigEndian, image).map_err(outside)?;
-        let at = (start - range.start) as usize;
-        let end = (at + data.len()).next_multiple_of(16);
-        if end > range.len() {
-            return Err(ProgramError::TooLarge(u64::from(range.start) + end as u64));
+        let (low, high) = (
+            start.max(range.start),
+            range.end.min(start + data.len() as u32),
+        );
+        if header.p_type(BigEndian) != object::elf::PT_LOAD || low >= high {
+            continue;
         }
+        let part = &data[(low - start) as usize..(high - start) as usize];
+        let at = (low - range.start) as usize;
+        let end = (at + part.len()).next_multiple_of(16);
         bytes.resize(bytes.len().max(end), 0);
-        bytes[at..at + data.len()].copy_from_slice(data);
+        bytes[at..at + part.len()].copy_from_slice(part);
     }
     Ok(bytes)
 }

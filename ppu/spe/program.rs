@@ -11,7 +11,7 @@ use super::elf;
 use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
-use protocol::layout::{MESH_CODE, MESH_CODE_ROOM};
+use protocol::layout::{MESH_CODE, MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM};
 
 /// Bytes with the alignment for the fastest transfers.
 #[repr(C, align(128))]
@@ -137,6 +137,13 @@ impl Program {
     #[must_use]
     pub fn mesh_code(&self) -> Vec<u8> {
         let room = MESH_CODE..MESH_CODE + MESH_CODE_ROOM;
+        elf::loaded(self.image, room).unwrap_or_default()
+    }
+
+    /// The code that looks up textures, in the same way: what is loaded from `TEXTURE_CODE` on.
+    #[must_use]
+    pub fn texture_code(&self) -> Vec<u8> {
+        let room = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
         elf::loaded(self.image, room).unwrap_or_default()
     }
 

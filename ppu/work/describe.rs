@@ -8,12 +8,12 @@ use super::policy::{Skip, Split};
 use super::units::Units;
 use crate::framebuffer::Target;
 use crate::scene::block::SceneBlock;
-use crate::scene::single::singles;
+use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
     FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES,
-    FEATURE_SRGB, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES,
-    SPLIT_UNITS, VERSION,
+    FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING,
+    SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -27,6 +27,10 @@ pub struct Addresses {
     pub mesh_code: u64,
     /// The number of its bytes.
     pub mesh_code_bytes: u32,
+    /// The program's code that looks up textures.
+    pub texture_code: u64,
+    /// The number of its bytes.
+    pub texture_code_bytes: u32,
     /// The unit counter.
     pub unit_counter: u64,
     /// The statistics records.
@@ -145,6 +149,17 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_material_count = mesh.material_count.into();
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
+        if let Some(textures) = mesh.textures {
+            frame.textures = textures.address().into();
+            frame.texture_code = addresses.texture_code.into();
+            frame.texture_code_bytes = addresses.texture_code_bytes.into();
+            frame.texture_tiles = textures.tiles().into();
+            frame.texture_records = mesh.texture_records.into();
+            frame.texture_count = textures.count().into();
+            frame.texture_level_count = textures.level_count().into();
+            // The camera's plane is at the distance 1.
+            frame.pixel_angle = single(camera.down.length());
+        }
     }
     let options = scene.render_options();
     frame.samples = (options.samples as u32).into();
@@ -160,6 +175,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
         | flag(frame.mesh.get() != 0, FEATURE_MESH)
+        | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)
         | flag(options.roll_off, FEATURE_ROLL_OFF)

@@ -39,7 +39,7 @@ pub enum Objects {
 }
 
 /// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
-const FAMILIES: [(&[Kernel], &[&str]); 12] = [
+const FAMILIES: [(&[Kernel], &[&str]); 13] = [
     (eye::KERNELS, &["eye::"]),
     (
         eye::formulation::KERNELS,
@@ -52,6 +52,7 @@ const FAMILIES: [(&[Kernel], &[&str]); 12] = [
     (whitted::isect::KERNELS, &["pairs::"]),
     (whitted::shade::KERNELS, &["surfaces::"]),
     (whitted::smooth::KERNELS, &["pairs::smooth"]),
+    (whitted::texture::KERNELS, &["pairs::texture"]),
     (whitted::shaders::KERNELS, &["shaders::"]),
     (whitted::bounce::KERNELS, &["bounce::"]),
     (whitted::mesh::KERNELS, &["mesh::"]),

@@ -38,6 +38,7 @@ pub mod sphere;
 pub mod sphere_pairs;
 pub mod sphere_ray;
 pub mod surfaces;
+pub mod texture;
 pub mod triangle;
 pub mod triangle_mt_pairs;
 pub mod triangle_pairs;

@@ -16,6 +16,24 @@ pub(super) fn vectors(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<[f32; 
     Ok(items(accessor, blob, 12)?.map(vector).collect())
 }
 
+/// Texture coordinates: floats, or parts of the greatest number.
+pub(super) fn coordinates(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<[f32; 2]>, Fault> {
+    let size = match (accessor.data_type(), accessor.dimensions()) {
+        (DataType::F32, Dimensions::Vec2) => 4,
+        (DataType::U16, Dimensions::Vec2) => 2,
+        (DataType::U8, Dimensions::Vec2) => 1,
+        _ => return Err(wrong(accessor, "is not of two texture coordinates")),
+    };
+    let number = |bytes: &[u8]| match *bytes {
+        [a, b, c, d] => f32::from_le_bytes([a, b, c, d]),
+        [a, b] => f32::from(u16::from_le_bytes([a, b])) / 65535.0,
+        [a, ..] => f32::from(a) / 255.0,
+        [] => 0.0,
+    };
+    let pair = |item: &[u8]| [number(&item[..size]), number(&item[size..])];
+    Ok(items(accessor, blob, 2 * size)?.map(pair).collect())
+}
+
 /// Indices of vertices.
 pub(super) fn indices(accessor: &Accessor<'_>, blob: &[u8]) -> Result<Vec<i64>, Fault> {
     let size = match (accessor.data_type(), accessor.dimensions()) {

@@ -25,13 +25,12 @@ const GLASS: f32 = 1.5;
 pub(super) fn of(material: &gltf::Material<'_>, mut note: impl FnMut(&str)) -> Material {
     let model = material.pbr_metallic_roughness();
     let [red, green, blue, alpha] = model.base_color_factor().map(f64::from);
-    let is_textured = model.base_color_texture().is_some()
-        || model.metallic_roughness_texture().is_some()
+    let is_textured = model.metallic_roughness_texture().is_some()
         || material.normal_texture().is_some()
         || material.occlusion_texture().is_some()
         || material.emissive_texture().is_some();
     if is_textured {
-        note("textures are ignored");
+        note("textures other than those of base colours are ignored");
     }
     if material.emissive_factor() != [0.0; 3] {
         note("emissive colours are ignored");

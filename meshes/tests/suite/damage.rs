@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::files::{MTL, OBJ, PLY, binary_ply, glb};
+use super::textures;
 
 /// A change of a file.
 #[derive(Clone, Debug)]
@@ -60,23 +61,25 @@ fn damaged(file: &[u8], damages: &[Damage]) -> Vec<u8> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
-
     #[test]
     fn damaged_files_make_no_panic(damages in prop::collection::vec(damage(), 1..6)) {
         let folder = tempfile::tempdir().unwrap();
-        let files: [(&str, &[u8]); 6] = [
+        let picture = textures::png();
+        let files: [(&str, &[u8]); 9] = [
             ("m.mtl", MTL.as_bytes()),
             ("t.obj", OBJ.as_bytes()),
             ("a.ply", PLY.as_bytes()),
             ("l.ply", &binary_ply(false)),
             ("b.ply", &binary_ply(true)),
             ("t.glb", &glb()),
+            ("t.png", &picture),
+            ("textured.obj", textures::OBJ.as_bytes()),
+            ("textured.glb", &textures::glb(&picture, "{", "{")),
         ];
         for (name, bytes) in files {
             let path = folder.path().join(name);
             std::fs::write(&path, damaged(bytes, &damages)).unwrap();
-            if name == "m.mtl" {
+            if name == "m.mtl" || name == "t.png" {
                 continue;
             }
             if let Ok(loaded) = meshes::load(&path) {
@@ -84,6 +87,10 @@ proptest! {
                 prop_assert!(mesh.triangles.iter().flatten().all(|&it| (it as usize) < mesh.positions.len()));
                 prop_assert!(mesh.materials.iter().all(|&it| (it as usize) < loaded.scene.materials.len()));
                 prop_assert!(mesh.positions.as_flattened().iter().all(|it| it.is_finite()));
+                let places = &mesh.texture_coordinates;
+                let textured = loaded.scene.materials.iter().any(|it| it.texture.is_some());
+                prop_assert_eq!(places.len(), if textured { mesh.positions.len() } else { 0 });
+                prop_assert!(places.as_flattened().iter().all(|it| it.is_finite()));
                 prop_assert!(loaded.scene.view.camera(8, 8).is_ok());
             }
         }

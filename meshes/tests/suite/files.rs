@@ -19,7 +19,7 @@ f 1 2 4
 f 1 4 3
 f 2 3 4
 ";
-pub const MTL: &str = "newmtl red\nKd 1 0 0\nillum 3\nKs 0.5 0.25 0\nNs 20\n\nnewmtl glass\nKd 0 1 0\nd 0.25\nNi 1.5\n";
+pub const MTL: &str = "newmtl red\nKd 1 0 0\nillum 3\nKs 0.5 0.25 0\nNs 20\n\nnewmtl glass\nKd 0 1 0\nd 0.25\nNi 1.5\n\nnewmtl t\nmap_Kd t.png\n";
 pub const PLY: &str = "\
 ply
 format ascii 1.0

@@ -4,3 +4,4 @@ mod damage;
 mod faults;
 mod files;
 mod formats;
+mod textures;

@@ -9,6 +9,7 @@ mod light;
 mod path;
 mod probe;
 mod stage;
+mod texture;
 mod weight;
 
 use glam::DVec3;
@@ -89,7 +90,7 @@ pub fn trace(
     if options.corners {
         camera.corner -= (camera.right + camera.down) / 2.0;
     }
-    let stage = Stage::new(scene, options)?;
+    let stage = Stage::new(scene, &camera, options)?;
 
     let row = columns as usize;
     let mut samples = vec![Sample::default(); row * lines as usize];

@@ -33,7 +33,7 @@ impl<'a> Probe<'a> {
                 source,
             })?;
         Ok(Self {
-            stage: Stage::new(scene, options)?,
+            stage: Stage::new(scene, &camera, options)?,
             camera,
         })
     }

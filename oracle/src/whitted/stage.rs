@@ -5,11 +5,12 @@
 //! SPD, it is sent and counted, but changes only the counts.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Scene, Shader, Shape};
+use nff::{Camera, LightKind, Material, Scene, Shader, Shape};
 
 use super::finish::Finish;
 use super::light;
 use super::path::{Counts, Path};
+use super::texture::Textures;
 use super::{MAX_DEPTH, Options, weight};
 use crate::Error;
 use crate::bvh::Bvh;
@@ -20,6 +21,11 @@ pub(super) struct Stage<'a> {
     tree: Bvh,
     /// The material of each surface.
     materials: Vec<&'a Material>,
+    textures: Textures,
+    /// Where primary rays start.
+    eye: DVec3,
+    /// The angle between the rays of neighbouring pixels in the middle of the picture.
+    pixel: f64,
     /// The position or direction, and the brightness, of each light.
     lights: Vec<(LightKind, DVec3)>,
     ambient: DVec3,
@@ -62,7 +68,7 @@ fn check_material(scene: &Scene, material: &Material) -> Result<(), Error> {
 }
 
 impl<'a> Stage<'a> {
-    pub(super) fn new(scene: &'a Scene, options: &Options) -> Result<Self, Error> {
+    pub(super) fn new(scene: &'a Scene, camera: &Camera, options: &Options) -> Result<Self, Error> {
         if !(1..=MAX_DEPTH).contains(&options.depth) {
             return Err(Error::Depth(options.depth));
         }
@@ -87,6 +93,7 @@ impl<'a> Stage<'a> {
                 materials.push(material);
             }
         }
+        let mut textures = Textures::default();
         for (mesh, triangle) in scene
             .mesh
             .iter()
@@ -99,6 +106,7 @@ impl<'a> Stage<'a> {
             check_material(scene, material)?;
             let both = mesh.two_sided || material.transmittance > 0.0;
             if let Some(surface) = Surface::new(&mesh.shape(triangle), both) {
+                textures.add(surfaces.len(), scene, mesh, triangle, options.colour);
                 surfaces.push(surface);
                 materials.push(material);
             }
@@ -116,6 +124,9 @@ impl<'a> Stage<'a> {
         Ok(Self {
             tree: Bvh::new(surfaces),
             materials,
+            textures,
+            eye: camera.eye,
+            pixel: camera.down.length(),
             lights,
             ambient: scene.ambient,
             background: options.colour.light(scene.background),
@@ -172,7 +183,7 @@ impl<'a> Stage<'a> {
         let place = self.tree.surface(index).place(ray, distance);
         let outside = place.normal.dot(ray.direction) < 0.0;
         path.note(1 + 2 * index as u64 + u64::from(outside));
-        let finish = Finish::of(
+        let mut finish = Finish::of(
             self.materials[index],
             place.point,
             distance,
@@ -180,6 +191,11 @@ impl<'a> Stage<'a> {
         );
         if finish.other {
             path.note(1);
+        } else {
+            let width = self.pixel * (ray.origin.distance(self.eye) + distance);
+            let cosine = place.normal.dot(ray.direction);
+            let texel = self.textures.colour(index, place.point, width, cosine);
+            finish.colour *= texel.unwrap_or(DVec3::ONE);
         }
         let (normal, smooth) = if outside {
             (place.normal, place.smooth)

@@ -113,6 +113,12 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
             "{vertices} vertices need as many normals, or none, not {count}"
         ));
     }
+    if !mesh.texture_coordinates.is_empty() && mesh.texture_coordinates.len() != vertices {
+        let count = mesh.texture_coordinates.len();
+        return bad(format!(
+            "{vertices} vertices need as many texture coordinates, or none, not {count}"
+        ));
+    }
     for (number, triangle) in mesh.triangles.iter().enumerate() {
         if let Some(vertex) = triangle.iter().find(|vertex| **vertex as usize >= vertices) {
             return bad(format!(
@@ -135,6 +141,9 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
         for &value in vectors.iter().flatten() {
             number(what, f64::from(value))?;
         }
+    }
+    for &value in mesh.texture_coordinates.iter().flatten() {
+        number("texture coordinate", f64::from(value))?;
     }
     let used = used.into_iter().enumerate();
     Ok(used

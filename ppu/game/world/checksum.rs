@@ -75,6 +75,9 @@ impl Checksum {
                 self.bytes(&number.to_bits().to_be_bytes());
             }
         }
+        for number in mesh.texture_coordinates.iter().flatten() {
+            self.bytes(&number.to_bits().to_be_bytes());
+        }
         for number in mesh.triangles.iter().flatten().chain(&mesh.materials) {
             self.bytes(&number.to_be_bytes());
         }
@@ -106,6 +109,9 @@ impl Checksum {
             material.refraction_index,
         ] {
             self.float(share);
+        }
+        if let Some(texture) = &material.texture {
+            self.word(texture.checksum());
         }
         match &material.shader {
             Shader::Flat => self.word(0),

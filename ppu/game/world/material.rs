@@ -1,7 +1,9 @@
 //! Materials and lights.
 
+use std::sync::Arc;
+
 use glam::DVec3;
-use nff::{LightKind, Shader};
+use nff::{LightKind, Shader, Texture};
 
 /// How an object looks. The fields are those of NFF's `f` and `#cellray shader`.
 ///
@@ -32,6 +34,8 @@ pub struct Material {
     pub refraction_index: f64,
     /// The shader that computes the colour; [`Shader::Own`] names one of the SPU program's.
     pub shader: Shader,
+    /// What the colour is multiplied by on meshes with texture coordinates.
+    pub texture: Option<Arc<Texture>>,
 }
 
 impl Material {
@@ -46,6 +50,7 @@ impl Material {
             transmittance: 0.0,
             refraction_index: 1.0,
             shader: Shader::Phong,
+            texture: None,
         }
     }
 
@@ -106,6 +111,7 @@ impl Material {
             transmittance: self.transmittance,
             refraction_index: self.refraction_index,
             shader: self.shader,
+            texture: self.texture,
         }
     }
 }
@@ -120,6 +126,7 @@ impl From<&nff::Material> for Material {
             transmittance: material.transmittance,
             refraction_index: material.refraction_index,
             shader: material.shader.clone(),
+            texture: material.texture.clone(),
         }
     }
 }

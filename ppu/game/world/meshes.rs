@@ -115,7 +115,7 @@ impl World {
     ///
     /// # Errors
     /// - A triangle names a vertex or a material that doesn't exist, or there is no triangle.
-    /// - The number of normals or of triangles' materials is wrong.
+    /// - The number of normals, of texture coordinates or of triangles' materials is wrong.
     /// - A number is out of range, or the place is flat.
     pub fn add_mesh(
         &mut self,
@@ -219,6 +219,7 @@ impl World {
             return Some(first.mesh.clone());
         }
         let has_normals = visible().any(|entry| !entry.mesh.normals.is_empty());
+        let has_coordinates = visible().any(|entry| !entry.mesh.texture_coordinates.is_empty());
         let mut joined = Mesh {
             two_sided: visible().any(|entry| entry.mesh.two_sided),
             ..Mesh::default()
@@ -232,6 +233,11 @@ impl World {
                 .resize(if has_normals { after } else { 0 }, [0.0; 3]);
             let normals = joined.normals.get_mut(first..).unwrap_or_default();
             entry.write(&mut joined.positions[first..], normals);
+            if has_coordinates {
+                let coordinates = &entry.mesh.texture_coordinates;
+                joined.texture_coordinates.extend_from_slice(coordinates);
+                joined.texture_coordinates.resize(after, [0.0; 2]);
+            }
             let is_mirrored = entry.is_mirrored();
             let triangles = entry.mesh.triangles.iter().map(|triangle| {
                 let [a, b, c] = triangle.map(|vertex| first as u32 + vertex);

@@ -4,6 +4,8 @@
 //! error, a new block must be made of the scene. A change allocates no memory, and the next
 //! [`SceneBlock::write_for`] writes it. Call [`SceneBlock::bound_chains`] before that.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use nff::{LightKind, Material, Mesh, Scene, Shape, Sky};
 use zerocopy::IntoBytes as _;
@@ -15,7 +17,7 @@ use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
-use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest};
+use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
@@ -131,8 +133,15 @@ impl SceneBlock {
             None => Ok(false),
             // The record is written when an object needs it.
             Some(None) => Ok(true),
-            Some(&Some(Surface { address, .. })) => {
-                self.write_material(number, address, material, shaders)?;
+            Some(Some(Surface {
+                address, texture, ..
+            })) => {
+                let (old, new) = (texture.as_ref(), material.texture.as_ref());
+                if old.map(Arc::as_ptr) != new.map(Arc::as_ptr) {
+                    // The mesh's blocks and tiles are made for the textures.
+                    return Ok(false);
+                }
+                self.write_material(number, *address, material, shaders)?;
                 Ok(true)
             }
         }
@@ -146,12 +155,14 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let record = materials::record(&self.file, material, self.options, &shader)?;
+        let texture = texture_address(self.streamed.as_ref(), material);
+        let record = materials::record(&self.file, material, texture, self.options, &shader)?;
         let bytes = self.block.at(address, record.as_bytes().len());
         bytes.copy_from_slice(record.as_bytes());
         self.materials[number] = Some(Surface {
             address,
             sends: Sends::of(&record, material, self.options.colour),
+            texture: material.texture.clone(),
         });
         Ok(())
     }
@@ -176,7 +187,7 @@ impl SceneBlock {
     ) -> Result<Option<u32>, BlockError> {
         match self.materials.get(number) {
             None => Ok(None),
-            Some(&Some(Surface { address, .. })) => Ok(Some(address)),
+            Some(Some(Surface { address, .. })) => Ok(Some(*address)),
             Some(None) => {
                 let Some(address) = self.material_room.pop() else {
                     return Ok(None);

@@ -14,7 +14,8 @@ use super::source_location::SourceLocation;
 use crate::scene::Colour;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
-    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
+    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TEXTURED,
+    MATERIAL_TRANSMITS,
 };
 
 /// Blinn's exponent for a highlight, as a multiple of Phong's.
@@ -115,11 +116,12 @@ pub(super) fn background(
     })
 }
 
-/// The record of a material. `entry` looks up the entry of a shader of the SPU program by its
-/// name.
+/// The record of a material. `texture` is the address of its texture's record, or 0. `entry` looks
+/// up the entry of a shader of the SPU program by its name.
 pub(super) fn record(
     file: &str,
     material: &Material,
+    texture: u32,
     options: BlockOptions,
     entry: &dyn Fn(&str) -> Option<u32>,
 ) -> Result<layout::Material, BlockError> {
@@ -132,6 +134,7 @@ pub(super) fn record(
         transmittance,
         refraction_index,
         shader: _,
+        texture: _,
     } = material;
     let place = SourceLocation {
         file,
@@ -207,7 +210,8 @@ pub(super) fn record(
         | flag(mirror > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
         | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
         | flag(highlight > 0.0, MATERIAL_SHINES)
-        | flag(shading.shader.is_some(), MATERIAL_SHADED);
+        | flag(shading.shader.is_some(), MATERIAL_SHADED)
+        | flag(texture != 0, MATERIAL_TEXTURED);
     Ok(layout::Material {
         colour: singles(options.colour.light(colour)),
         diffuse: single(diffuse),
@@ -223,6 +227,7 @@ pub(super) fn record(
         flags: flags.into(),
         parameters: parameters.map(single),
         shader: shader.into(),
+        texture: texture.into(),
         ..layout::Material::new_zeroed()
     })
 }

@@ -33,7 +33,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{Scene, Sky};
+use nff::{Scene, Sky, Texture};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
@@ -44,7 +44,7 @@ use self::objects::Object;
 use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
-use self::streamed::{LEAST_ROOM, Streamed, may_stay};
+use self::streamed::{Streamed, may_stay};
 use crate::scene::Colour;
 use crate::scene::single::singles;
 use protocol::layout::{
@@ -91,10 +91,11 @@ pub struct SceneBlock {
 }
 
 /// A material in the block.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Surface {
     address: u32,
     sends: Sends,
+    texture: Option<Arc<Texture>>,
 }
 
 /// A primitive: an object, or a part of one.
@@ -136,7 +137,7 @@ impl SceneBlock {
                 done => return done,
             }
         }
-        let streamed = Streamed::of(scene, false)?;
+        let streamed = Streamed::of(scene, false, options.colour)?;
         Self::with_spare(scene, options, shader, Spare::default(), streamed)
     }
 
@@ -155,7 +156,7 @@ impl SceneBlock {
         else {
             return outcome;
         };
-        match Streamed::of(scene, true)? {
+        match Streamed::of(scene, true, options.colour)? {
             None => outcome,
             streamed => Self::with_spare(scene, options, shader, Spare::default(), streamed),
         }
@@ -187,6 +188,9 @@ impl SceneBlock {
         // Those of a mesh in main memory are in a row, in the order of its blocks' numbers.
         let mut used: Vec<u32> = Vec::new();
         if let Some(streamed) = &mut streamed {
+            if let Some(textures) = &streamed.textures {
+                streamed.texture_records = block.append(&textures.records(block.end()));
+            }
             streamed.materials = block.end();
             used.extend(streamed.blocks.materials());
         }
@@ -195,10 +199,12 @@ impl SceneBlock {
             let index = index as usize;
             if materials[index].is_none() {
                 let material = &scene.materials[index];
-                let record = materials::record(&scene.name, material, options, shader)?;
+                let texture = texture_address(streamed.as_ref(), material);
+                let record = materials::record(&scene.name, material, texture, options, shader)?;
                 materials[index] = Some(Surface {
                     address: block.append(record.as_bytes()),
                     sends: Sends::of(&record, material, options.colour),
+                    texture: material.texture.clone(),
                 });
             }
         }
@@ -206,7 +212,7 @@ impl SceneBlock {
             .map(|_| block.reserve(size_of::<layout::Material>()))
             .collect();
         let material = |object: &Object| {
-            let surface = materials[object.material as usize];
+            let surface = materials[object.material as usize].as_ref();
             U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
         };
         let mut slots = PrimitiveKind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
@@ -331,7 +337,7 @@ impl SceneBlock {
 
     /// The bytes that the queue of rays, and a mesh's cache and code, leave for the scene.
     fn room(&self, batch: u32, ray_depth: u32) -> usize {
-        let mesh = self.streamed.as_ref().map_or(0, |_| LEAST_ROOM);
+        let mesh = self.streamed.as_ref().map_or(0, Streamed::least_room);
         room(batch, ray_depth).saturating_sub(mesh)
     }
 
@@ -341,7 +347,8 @@ impl SceneBlock {
     pub fn mesh(&self) -> Option<MeshPlace<'_>> {
         let streamed = self.streamed.as_ref()?;
         let queue = queue_bytes(self.batch(), self.ray_depth());
-        Some(streamed.place(self.bytes().len() + queue, self.eye.unwrap_or_default()))
+        let eye = self.eye.unwrap_or_default();
+        Some(streamed.place(self.bytes().len() + queue, eye, self.options.mesh_cache))
     }
 
     /// Computes the bounds of the chains from the scene's materials and lights. Call it after
@@ -373,6 +380,13 @@ impl SceneBlock {
             fits: memory_use.fits(room),
         })
     }
+}
+
+/// The address of the record of a material's texture; 0 if the streamed mesh doesn't have it.
+fn texture_address(streamed: Option<&Streamed>, material: &nff::Material) -> u32 {
+    let texture = material.texture.as_ref();
+    let address = texture.and_then(|texture| streamed?.texture_address(texture));
+    address.unwrap_or_default()
 }
 
 /// The bytes that the queue of rays leaves for a scene.

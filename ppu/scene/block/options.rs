@@ -1,6 +1,7 @@
 //! The settings of a block, and the SPU program's shaders.
 
 use crate::scene::Colour;
+use protocol::layout::MESH_MOST_SLOTS;
 
 /// Settings of Whitted's model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,6 +16,8 @@ pub struct BlockOptions {
     pub spd_rays: bool,
     /// What the channels of the scene's colours say about light.
     pub colour: Colour,
+    /// The most blocks of a mesh that an SPU caches.
+    pub mesh_cache: u32,
 }
 
 impl Default for BlockOptions {
@@ -24,6 +27,7 @@ impl Default for BlockOptions {
             fresnel: false,
             spd_rays: false,
             colour: Colour::Linear,
+            mesh_cache: MESH_MOST_SLOTS,
         }
     }
 }

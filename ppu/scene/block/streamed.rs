@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{Mesh, Scene, Shape};
+use nff::{Mesh, Scene, Shape, Texture};
 use protocol::layout::{
-    MESH_BLOCK, MESH_CODE, MESH_CODE_ROOM, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM,
+    MESH_BLOCK, MESH_CODE, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM, TEXTURE_CACHE,
 };
 use zerocopy::big_endian::F32;
 
@@ -14,13 +14,13 @@ use super::error::BlockError;
 use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
+use crate::scene::Colour;
 use crate::scene::mesh::{MeshBlocks, MeshSphere, RESIDENT};
 use crate::scene::single::singles;
+use crate::scene::texture::Textures;
 
 /// The fewest blocks that the cache has room for.
 const LEAST_SLOTS: usize = 8;
-/// The bytes that a mesh takes from the room of a scene and its queue, at least.
-pub(super) const LEAST_ROOM: usize = MESH_CODE_ROOM as usize + LEAST_SLOTS * MESH_BLOCK as usize;
 
 /// A scene's mesh in main memory.
 #[derive(Clone, Debug)]
@@ -32,6 +32,10 @@ pub(super) struct Streamed {
     pub with_spheres: bool,
     /// The address of the first of its materials, which are in a row.
     pub materials: u32,
+    /// The textures of these, if there are any.
+    pub textures: Option<Arc<Textures>>,
+    /// The address of their records.
+    pub texture_records: u32,
 }
 
 /// What a frame tells SPUs of a scene's mesh.
@@ -47,6 +51,10 @@ pub struct MeshPlace<'a> {
     pub cache: u32,
     /// The number of blocks that the cache has room for.
     pub slots: u32,
+    /// The textures in main memory, if there are any.
+    pub textures: Option<&'a Arc<Textures>>,
+    /// The local-store address of their records.
+    pub texture_records: u32,
     /// The eye in the mesh's coordinates, and 0.
     pub eye: [F32; 4],
 }
@@ -54,7 +62,11 @@ pub struct MeshPlace<'a> {
 impl Streamed {
     /// The blocks of a scene's mesh, and of its spheres if they are to be in main memory too;
     /// `None` if there is nothing for these.
-    pub fn of(scene: &Scene, with_spheres: bool) -> Result<Option<Self>, BlockError> {
+    pub fn of(
+        scene: &Scene,
+        with_spheres: bool,
+        colour: Colour,
+    ) -> Result<Option<Self>, BlockError> {
         let spheres = match with_spheres {
             true => spheres(scene)?,
             false => Vec::new(),
@@ -79,10 +91,12 @@ impl Streamed {
             Some([low.min(corner), high.max(corner)])
         });
         Ok(Some(Self {
-            blocks: Arc::new(blocks),
             bounds: bounds.unwrap_or_default(),
             with_spheres,
+            textures: textures(scene, &blocks, colour),
+            blocks: Arc::new(blocks),
             materials: SCENE_ADDRESS,
+            texture_records: SCENE_ADDRESS,
         }))
     }
 
@@ -103,20 +117,60 @@ impl Streamed {
         LEAVE * (taxicab(farthest) + taxicab(high - low))
     }
 
-    /// Its place beside a scene's block and queue of these sizes.
-    pub fn place(&self, used: usize, eye: DVec3) -> MeshPlace<'_> {
-        let room = (SCENE_ROOM - MESH_CODE_ROOM).saturating_sub(used as u32);
-        let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS);
+    /// Where the mesh's cache ends: before the code that it needs.
+    fn end(&self) -> u32 {
+        match self.textures {
+            Some(_) => TEXTURE_CACHE,
+            None => MESH_CODE,
+        }
+    }
+
+    /// The bytes that the mesh takes from the room of a scene and its queue, at least.
+    pub fn least_room(&self) -> usize {
+        let code = SCENE_ADDRESS + SCENE_ROOM - self.end();
+        code as usize + LEAST_SLOTS * MESH_BLOCK as usize
+    }
+
+    /// The address of a texture's record, if it is one of the mesh's.
+    pub fn texture_address(&self, texture: &Arc<Texture>) -> Option<u32> {
+        let number = self.textures.as_ref()?.number_of(texture)?;
+        let size = size_of::<protocol::layout::Texture>();
+        Some(self.texture_records + (number * size) as u32)
+    }
+
+    /// Its place beside a scene's block and queue of these sizes, with at most so many blocks in
+    /// the cache.
+    pub fn place(&self, used: usize, eye: DVec3, most: u32) -> MeshPlace<'_> {
+        let room = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
+        let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
         let [x, y, z] = singles(eye);
         MeshPlace {
             blocks: &self.blocks,
             materials: self.materials,
             material_count: self.blocks.materials().len() as u32,
-            cache: MESH_CODE - slots * MESH_BLOCK,
+            cache: self.end() - slots * MESH_BLOCK,
             slots,
+            textures: self.textures.as_ref(),
+            texture_records: self.texture_records,
             eye: [x, y, z, F32::ZERO],
         }
     }
+}
+
+/// The textures of a mesh's materials, if it has texture coordinates.
+fn textures(scene: &Scene, blocks: &MeshBlocks, colour: Colour) -> Option<Arc<Textures>> {
+    let mesh = scene.mesh.as_ref();
+    mesh.filter(|mesh| !mesh.texture_coordinates.is_empty())?;
+    let mut found: Vec<Arc<Texture>> = Vec::new();
+    for &number in blocks.materials() {
+        let texture = scene.materials[number as usize].texture.as_ref();
+        if let Some(texture) =
+            texture.filter(|it| !found.iter().any(|other| Arc::ptr_eq(it, other)))
+        {
+            found.push(texture.clone());
+        }
+    }
+    (!found.is_empty()).then(|| Arc::new(Textures::new(found, colour)))
 }
 
 /// A scene's spheres, with single precision.
@@ -148,8 +202,13 @@ fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
     Ok(found)
 }
 
-/// Whether a scene's mesh is small enough to be tried in local store, where it is faster.
+/// Whether a scene's mesh is small enough to be tried in local store, where it is faster, and has
+/// no texture.
 pub(super) fn may_stay(scene: &Scene) -> bool {
-    let mesh = scene.mesh.as_ref();
-    mesh.is_none_or(|mesh| mesh.triangles.len() <= RESIDENT)
+    let is_textured = |mesh: &Mesh| {
+        let of = |&number: &u32| scene.materials.get(number as usize)?.texture.as_ref();
+        !mesh.texture_coordinates.is_empty() && mesh.materials.iter().any(|it| of(it).is_some())
+    };
+    let mesh = scene.mesh.as_deref();
+    mesh.is_none_or(|mesh| mesh.triangles.len() <= RESIDENT && !is_textured(mesh))
 }

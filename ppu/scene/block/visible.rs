@@ -63,7 +63,7 @@ impl SceneBlock {
                     record: (address, object.primitive.size()),
                     material: material.get(),
                     sees_others: surface
-                        .and_then(|surface| *surface)
+                        .and_then(Option::as_ref)
                         .is_none_or(|surface| surface.sends.goes_on()),
                 }
             });

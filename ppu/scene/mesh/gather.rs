@@ -112,6 +112,9 @@ impl Gatherer {
             let [position, normal] = vertex;
             mesh.positions.push(position);
             mesh.normals.push(normal);
+            if !mesh.texture_coordinates.is_empty() {
+                mesh.texture_coordinates.push([0.0; 2]);
+            }
             mesh.positions.len() as u32 - 1
         })
     }

@@ -2,9 +2,10 @@
 //! and spheres, cut into blocks of one DMA transfer each.
 //!
 //! A block has nodes in a few complete levels, and a leaf block also its triangles with their
-//! vertices, or its spheres (`docs/work-unit.md`). Positions are the mesh's own singles, so a box
-//! holds exactly its vertices. The triangles are divided by the surface area heuristic until they
-//! fit a leaf block each; near that size the heuristic counts blocks instead of triangles, so that blocks get full.
+//! vertices and texture coordinates, or its spheres (`docs/work-unit.md`). Positions are the
+//! mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the surface
+//! area heuristic until they fit a leaf block each; near that size the heuristic counts blocks
+//! instead of triangles, so that blocks get full.
 //!
 //! Invariant: every sphere, and every triangle with an area, is in exactly one leaf block. A
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A
@@ -25,7 +26,9 @@ mod write;
 
 use glam::DVec3;
 use nff::{Material, Mesh};
-use protocol::layout::{MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH};
+use protocol::layout::{
+    MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
+};
 
 use self::tree::{Bounds, Kind, Piece, Tree};
 use super::single::LARGEST;
@@ -36,15 +39,19 @@ pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 
 /// The kinds of pieces: triangles by their sides, then spheres.
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 9] = [
     Kind::Triangles(0),
     Kind::Triangles(SIDES_BOTH),
     Kind::Triangles(SIDES_SMOOTH),
     Kind::Triangles(SIDES_BOTH | SIDES_SMOOTH),
+    Kind::Triangles(SIDES_TEXTURED),
+    Kind::Triangles(SIDES_TEXTURED | SIDES_BOTH),
+    Kind::Triangles(SIDES_TEXTURED | SIDES_SMOOTH),
+    Kind::Triangles(SIDES_TEXTURED | SIDES_BOTH | SIDES_SMOOTH),
     Kind::Spheres,
 ];
 /// The place of spheres among them.
-const SPHERES: usize = 4;
+const SPHERES: usize = 8;
 
 /// Why a mesh can't be converted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -139,7 +146,10 @@ impl MeshBlocks {
             let material = material as usize;
             number(material);
             let smooth = mesh.corner_normals(triangle).is_some();
-            let kind = usize::from(both[material]) + 2 * usize::from(smooth);
+            let textured = materials[material].texture.is_some()
+                && mesh.corner_coordinates(triangle).is_some();
+            let kind =
+                usize::from(both[material]) + 2 * usize::from(smooth) + 4 * usize::from(textured);
             kinds[kind].push(Piece {
                 bounds: Bounds {
                     low: corners[0].min(corners[1]).min(corners[2]),

@@ -10,7 +10,10 @@ use super::leaf::WIDTH;
 use super::sweep::sweep;
 use glam::Vec3;
 use nff::Mesh;
-use protocol::layout::{Boxes, MESH_BLOCK, MESH_FACES, MeshFace, MeshHeader, MeshVertex};
+use protocol::layout::{
+    Boxes, MESH_BLOCK, MESH_FACES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
+    SIDES_TEXTURED,
+};
 
 /// Bins of an axis.
 const BINS: usize = 16;
@@ -62,6 +65,18 @@ pub(super) enum Kind {
     Spheres,
 }
 
+impl Kind {
+    /// The bytes that a vertex takes.
+    fn vertex(self) -> usize {
+        match self {
+            Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
+                size_of::<MeshVertex>() + size_of::<MeshCoordinates>()
+            }
+            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>(),
+        }
+    }
+}
+
 /// A triangle or a sphere, and its box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
@@ -101,8 +116,8 @@ pub(super) struct Tree<'a> {
     mesh: &'a Mesh,
     pub pieces: Vec<Piece>,
     pub nodes: Vec<Node>,
-    /// About how many triangles a leaf block holds.
-    triangles: usize,
+    /// About how many vertices a triangle of a leaf block has for itself.
+    vertices: f64,
     /// For each vertex the last leaf that it was counted for.
     counted: Vec<u32>,
     count: u32,
@@ -113,13 +128,11 @@ impl<'a> Tree<'a> {
         let shared = mesh.positions.len().min(3 * pieces.len()) as f64 / pieces.len().max(1) as f64;
         // The vertices on the border of a block's triangles are in other blocks, too.
         let vertices = (1.2 * shared).min(3.0);
-        let room = MESH_BLOCK as usize - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
-        let each = size_of::<MeshFace>() as f64 + vertices * size_of::<MeshVertex>() as f64;
         Self {
             mesh,
             pieces,
             nodes: Vec::new(),
-            triangles: ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize),
+            vertices,
             counted: vec![0; mesh.positions.len()],
             count: 0,
         }
@@ -129,7 +142,7 @@ impl<'a> Tree<'a> {
     pub fn grow(&mut self, kind: Kind, pieces: Range<usize>) -> usize {
         let bounds = around(&self.pieces[pieces.clone()]);
         let (fits, capacity) = match kind {
-            Kind::Triangles(_) => (self.fits(pieces.clone()), self.triangles),
+            Kind::Triangles(_) => (self.fits(kind, pieces.clone()), self.capacity(kind)),
             Kind::Spheres => (pieces.len() <= SPHERES, SPHERES),
         };
         if fits {
@@ -162,8 +175,15 @@ impl<'a> Tree<'a> {
         self.nodes.len() - 1
     }
 
-    /// Whether a leaf block has room for triangles.
-    fn fits(&mut self, pieces: Range<usize>) -> bool {
+    /// About how many triangles of a kind a leaf block holds.
+    fn capacity(&self, kind: Kind) -> usize {
+        let room = MESH_BLOCK as usize - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
+        let each = size_of::<MeshFace>() as f64 + self.vertices * kind.vertex() as f64;
+        ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize)
+    }
+
+    /// Whether a leaf block has room for triangles of a kind.
+    fn fits(&mut self, kind: Kind, pieces: Range<usize>) -> bool {
         if pieces.len() > MESH_FACES as usize {
             return false;
         }
@@ -178,8 +198,8 @@ impl<'a> Tree<'a> {
         }
         let needed = size_of::<MeshHeader>()
             + LEAF_NODES * size_of::<Boxes>()
-            + vertices * size_of::<MeshVertex>()
-            + pieces.len() * size_of::<MeshFace>();
+            + vertices * kind.vertex()
+            + (pieces.len() * size_of::<MeshFace>()).next_multiple_of(16);
         needed <= MESH_BLOCK as usize
     }
 }

@@ -6,7 +6,8 @@ use std::ops::Range;
 use nff::Mesh;
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
-    MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
+    MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
+    SIDES_TEXTURED,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
@@ -135,6 +136,7 @@ impl Writer<'_> {
         let (nodes, levels) = under_a_root(lowest);
 
         let mut vertices = Vec::new();
+        let mut coordinates = Vec::new();
         let mut faces = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
             let triangle = piece.index as usize;
@@ -149,6 +151,10 @@ impl Writer<'_> {
                         0
                     };
                     self.sources.push(vertex);
+                    if sides & SIDES_TEXTURED != 0 {
+                        let [u, v] = self.mesh.texture_coordinates[vertex as usize].map(F32::new);
+                        coordinates.push(MeshCoordinates { u, v });
+                    }
                     vertices.push(MeshVertex {
                         position: self.mesh.positions[vertex as usize].map(F32::new),
                         normal: normal.into(),
@@ -171,8 +177,11 @@ impl Writer<'_> {
             around(pieces),
             &header,
             &nodes,
-            vertices.as_bytes(),
-            faces.as_bytes(),
+            &[
+                vertices.as_bytes(),
+                faces.as_bytes(),
+                coordinates.as_bytes(),
+            ],
         )
     }
 
@@ -200,7 +209,7 @@ impl Writer<'_> {
             triangles: (records.len() as u32).into(),
             ..header(number, MESH_SPHERES, levels, nodes.len())
         };
-        self.block(around(pieces), &header, &nodes, records.as_bytes(), &[])
+        self.block(around(pieces), &header, &nodes, &[records.as_bytes()])
     }
 
     /// Writes an inner block. `child` gives a node of the tree a block's number.
@@ -226,7 +235,7 @@ impl Writer<'_> {
         }
         self.statistics.inner += 1;
         let header = header(number, MESH_INNER, levels, nodes.len());
-        self.block(self.nodes[at].bounds, &header, &nodes, &[], &[])
+        self.block(self.nodes[at].bounds, &header, &nodes, &[])
     }
 
     fn around(&self, branch: &Branch) -> Bounds {
@@ -244,8 +253,7 @@ impl Writer<'_> {
         bounds: Bounds,
         header: &MeshHeader,
         nodes: &[Vec<Child>],
-        vertices: &[u8],
-        faces: &[u8],
+        arrays: &[&[u8]],
     ) -> Block {
         self.statistics.expected_blocks += self.share(bounds);
         let mut block = Block([0; MESH_BLOCK as usize]);
@@ -253,7 +261,8 @@ impl Writer<'_> {
         let mut put = |bytes: &[u8]| {
             let place: Range<usize> = at..at + bytes.len();
             block.0[place].copy_from_slice(bytes);
-            at += bytes.len();
+            // Each array begins at a quadword.
+            at = (at + bytes.len()).next_multiple_of(16);
         };
         put(header.as_bytes());
         for children in nodes {
@@ -262,8 +271,9 @@ impl Writer<'_> {
             self.cost += boxes_of_children.sum::<f64>();
             put(boxes(children).as_bytes());
         }
-        put(vertices);
-        put(faces);
+        for array in arrays {
+            put(array);
+        }
         block
     }
 }

@@ -112,6 +112,25 @@ record! {
         /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour
         /// in its tile; 0: every pixel is.
         contrast: U32,
+        /// Effective address of the textures' first tile; a multiple of 128.
+        textures: U64,
+        /// Effective address of the code that looks up textures; a multiple of 128.
+        texture_code: U64,
+        /// Bytes of that code; a multiple of 16.
+        texture_code_bytes: U32,
+        /// Tiles of all textures.
+        texture_tiles: U32,
+        /// Where in local store the first `TEXTURE` is, which the others and then the levels
+        /// follow.
+        texture_records: U32,
+        /// Textures.
+        texture_count: U32,
+        /// Levels of all textures.
+        texture_level_count: U32,
+        /// The angle between the rays of neighbouring pixels in the middle of the picture.
+        pixel_angle: F32,
+        /// Zero; fills the quadword.
+        unused: [U32; 2],
     }
 }
 

@@ -2,7 +2,8 @@
 //! while it is traced through them.
 //!
 //! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
-//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. Positions are
+//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. With
+//! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. Positions are
 //! in the mesh's own coordinates until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
@@ -27,7 +28,7 @@ record! {
         triangles: U32,
         /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
-        /// `SIDES_BOTH` and `SIDES_SMOOTH`, for all triangles of the block.
+        /// `SIDES_BOTH`, `SIDES_SMOOTH` and `SIDES_TEXTURED`, for all triangles of the block.
         sides: U32,
     }
 }
@@ -72,6 +73,62 @@ record! {
         vertex: [u8; 3],
         /// Index of its material among the mesh's.
         material: u8,
+    }
+}
+
+record! {
+    /// A vertex's texture coordinates.
+    MeshCoordinates as "MESH_UV" {
+        /// From the left, in widths of the texture.
+        u: F32,
+        /// From above, in heights of the texture.
+        v: F32,
+    }
+}
+
+record! {
+    /// A texture. Its levels follow one another, the largest first.
+    Texture as "TEXTURE" {
+        /// Address of the first `LEVEL`.
+        levels: U32,
+        /// Number of the last level.
+        last: U32,
+        /// Texels of the first level.
+        texels: F32,
+        /// `WRAP_` bits.
+        wraps: U32,
+    }
+}
+
+record! {
+    /// A level of a texture. Its tiles follow one another, row by row: `width` / 8 + 1 across and
+    /// `height` / 8 + 1 down, rounded down. A tile has `TEXTURE_SIDE` rows of as many texels, each
+    /// a word of red, green, blue and 0, eight texels from those of the next tile. Its first row
+    /// and column begin one texel before the texture, whose edges are continued as its `wraps`
+    /// say.
+    TextureLevel as "LEVEL" {
+        /// Texels across.
+        width: F32,
+        /// Texels down.
+        height: F32,
+        /// Tiles across.
+        across: U32,
+        /// Number of the first tile.
+        first: U32,
+    }
+}
+
+record! {
+    /// Local store: where the texels of sixteen rays' hits are; rows of four.
+    Texels as "TEXELS" {
+        /// Number of the tile; all ones without a texture.
+        tile: [U32; 16],
+        /// Of the upper left one of four texels, the offset in the tile; later its address.
+        place: [U32; 16],
+        /// Part of the way from the left texels to the right ones.
+        right: [F32; 16],
+        /// Part of the way from the upper texels to the lower ones.
+        down: [F32; 16],
     }
 }
 
@@ -141,6 +198,9 @@ const _: () = {
     assert!(size_of::<Boxes>() == 112);
     assert!(size_of::<MeshVertex>() == 16);
     assert!(size_of::<MeshFace>() == 4);
+    assert!(size_of::<MeshCoordinates>() == 8);
+    assert!(size_of::<Texture>() == 16);
+    assert!(size_of::<TextureLevel>() == 16);
     assert!(size_of::<MeshBound>() == size_of::<super::Bound>());
     assert!(size_of::<MeshCandidate>() == size_of::<super::Candidate>());
 };

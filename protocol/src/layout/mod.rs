@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 7;
+    VERSION = 9;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -97,8 +97,10 @@ constants! {
     FEATURE_SRGB = 32;
     /// Feature bit: light that is nearly white or brighter is limited without a step.
     FEATURE_ROLL_OFF = 64;
+    /// Feature bit: the mesh in main memory has textures.
+    FEATURE_TEXTURES = 128;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 127;
+    FEATURES_KNOWN = 255;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -170,6 +172,8 @@ constants! {
     SIDES_EXIT = 0x8000_0000;
     /// In `sides`: a triangle with normals at its vertices.
     SIDES_SMOOTH = 0x2000_0000;
+    /// In `sides`: a triangle of a mesh with texture coordinates at its vertices.
+    SIDES_TEXTURED = 0x1000_0000;
     /// First word of a mesh's block: `MESH`.
     MESH_MAGIC = 0x4d45_5348;
     /// Bytes of a mesh's block.
@@ -203,6 +207,32 @@ constants! {
     /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times
     /// 128, and the triangle's index in it.
     MESH_HIT = 0x8000_0000;
+    /// Texels across and down a tile of a texture, whose neighbours have its last ones, too.
+    TEXTURE_SIDE = 9;
+    /// Bytes of a tile: three lines.
+    TEXTURE_TILE = 384;
+    /// Most tiles of all textures.
+    TEXTURE_TILES = 0x0010_0000;
+    /// Most texels across and down a texture.
+    TEXTURE_MOST = 4096;
+    /// Most levels of all textures.
+    TEXTURE_LEVELS = 1024;
+    /// Tiles in an SPU's cache.
+    TEXTURE_SLOTS = 16;
+    /// Bytes in front of the code that traces meshes for the code that looks up textures.
+    TEXTURE_CODE_ROOM = 4096;
+    /// Address in local store of that code.
+    TEXTURE_CODE = MESH_CODE - TEXTURE_CODE_ROOM;
+    /// Address in local store of the tiles.
+    TEXTURE_CACHE = TEXTURE_CODE - TEXTURE_SLOTS * TEXTURE_TILE;
+    /// In `wraps` of a texture: it is repeated at its sides.
+    WRAP_ACROSS = 8;
+    /// In `wraps`: with `WRAP_ACROSS`, it is mirrored each second time.
+    WRAP_MIRRORED_ACROSS = 4;
+    /// In `wraps`: it is repeated above and below.
+    WRAP_DOWN = 2;
+    /// In `wraps`: with `WRAP_DOWN`, it is mirrored each second time.
+    WRAP_MIRRORED_DOWN = 1;
     /// Corner of a box that is not there, as bits: 2^66, sixteen times `FARTHEST`.
     NO_BOX = 0x6080_0000;
     /// In `flags` of a material: it transmits light.
@@ -215,6 +245,8 @@ constants! {
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
+    /// In `flags`: it has a texture.
+    MATERIAL_TEXTURED = 32;
     /// With the status `Shader`, times 256: no shader has this number. Added to it is the number
     /// times 2^24, at most 255.
     RULE_KNOWN = 1;
@@ -276,6 +308,10 @@ pub const RECORDS: &[Record] = &[
     MeshFace::RECORD,
     MeshBound::RECORD,
     MeshCandidate::RECORD,
+    MeshCoordinates::RECORD,
+    Texture::RECORD,
+    TextureLevel::RECORD,
+    Texels::RECORD,
 ];
 
 macro_rules! statuses {
@@ -366,11 +402,20 @@ statuses! {
     MeshBlock = 33, "mesh";
     /// Must be 1, 4 or 16 samples, and a contrast of at most 255.
     Samples = 34, "samples, contrast";
+    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 4096.
+    TextureCode = 35, "texture_code, texture_code_bytes";
+    /// Must be a multiple of 128, with 1 to 2^20 tiles.
+    Textures = 36, "textures, texture_tiles";
+    /// Must be 1 to 256 textures with up to 1024 levels, on quadwords of the scene.
+    TextureRecords = 37, "texture_records, texture_count, texture_level_count";
+    /// A texture's levels must be among those of the frame and their tiles among its tiles, and a material must have one of the textures, or none.
+    Texture = 38, "texture_records";
 }
 
 const _: () = {
     assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
-    assert!(size_of::<Frame>() == 448);
+    assert!(size_of::<Frame>() == 496);
+    assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<UnitCounter>() == LINE as usize);

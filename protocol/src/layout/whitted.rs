@@ -48,6 +48,8 @@ record! {
 
 record! {
     /// A triangle: follows its `OBJECT`. With `SIDES_SMOOTH` the normals of its vertices follow it.
+    /// With `SIDES_TEXTURED` they follow it, too, and may be anything; then the last words of the
+    /// vertices are the texture coordinates across, and those of the normals the ones down.
     Triangle as "TRI" {
         /// The common beginning.
         object: [U32; 12],
@@ -121,8 +123,10 @@ record! {
         parameters: [F32; 4],
         /// Entry of the shader, in `SHADER_` order.
         shader: U32,
+        /// Address of its `TEXTURE`; 0 if it has none.
+        texture: U32,
         /// 0.
-        reserved: [U32; 3],
+        reserved: [U32; 2],
     }
 }
 

@@ -54,7 +54,7 @@ trace_call:
         brsl    $lr,flags_gather
         stqa    $flags,batch_flags
 
-        load_constant $wanted,SIDES_SMOOTH|MATERIAL_SHADED
+        load_constant $wanted,SIDES_SMOOTH|MATERIAL_SHADED|MATERIAL_TEXTURED
         and     $wanted,$wanted,$flags
         brz     $wanted,shaded
         brsl    $lr,batch_shade
@@ -172,7 +172,7 @@ sent:   sum_lanes $3,$amount
         leave
 endfunction surfaces_make
 
-# batch_shade   applies smooth normals and shaders, to the packets that have any
+# batch_shade   applies smooth normals, textures and shaders, to the packets that have any
 #   Uses    $3-$79, w_left
 
 .macro  packet_and_surfaces
@@ -187,6 +187,12 @@ endfunction surfaces_make
         lqd     $flags,SURFACES_flags($4)
 .endm
 
+        # FEATURE_TEXTURES becomes MATERIAL_TEXTURED.
+        .set    FEATURE_TO_FLAG,-2
+    .if FEATURE_TEXTURES>>2 != MATERIAL_TEXTURED
+        .error  "the bits of textures are elsewhere"
+    .endif
+
 function batch_shade
         enter
         ori     $w_left,$w_count,0
@@ -198,7 +204,15 @@ next_packet:
         brz     $wanted,flat
         brsl    $lr,smooth_r16
         packet_and_surfaces
-flat:   andi    $wanted,$flags,MATERIAL_SHADED
+flat:   andi    $wanted,$flags,MATERIAL_SHADED|MATERIAL_TEXTURED
+        brz     $wanted,as_it_is
+        andi    $wanted,$flags,MATERIAL_TEXTURED
+        lqa     $offset,streamed
+        rotmi   $offset,$offset,FEATURE_TO_FLAG
+        and     $wanted,$wanted,$offset
+        brz     $wanted,plain
+        brsl    $lr,texture_packet
+plain:  andi    $wanted,$flags,MATERIAL_SHADED
         brz     $wanted,as_it_is
         ori     $offset,$3,0
         ori     $3,$4,0

@@ -8,7 +8,7 @@
         .section .bss
         .align  4
         .global streamed
-streamed:                               # not 0 if the scene has a mesh in main memory
+streamed:                               # bits of FEATURE_MESH and FEATURE_TEXTURES; 0 without a mesh
         .skip   16
 
         .set    status,3
@@ -29,9 +29,10 @@ streamed:                               # not 0 if the scene has a mesh in main 
 #   Out     $3 STATUS_ value
 #   Uses    $3, $16-$23
 function whitted_check
-        # mesh_begin checks the rest of the mesh's fields, when its code is there.
+        # mesh_begin checks the rest of the fields of the mesh and its textures, when its code is
+        # there.
         load_word $batch,FRAME_features,$a_frame
-        andi    $batch,$batch,FEATURE_MESH
+        andi    $batch,$batch,FEATURE_MESH|FEATURE_TEXTURES
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned mesh_code,LINE,MeshCode
@@ -64,7 +65,10 @@ no_mesh:
         load_constant $limit,SCENE_ROOM
         lqa     $batch,streamed
         brz     $batch,resident
-        ila     $limit,SCENE_ROOM-MESH_CODE_ROOM
+        ila     $limit,MESH_CODE-SCENE_ADDRESS
+        andi    $batch,$batch,FEATURE_TEXTURES
+        brz     $batch,resident
+        ila     $limit,TEXTURE_CACHE-SCENE_ADDRESS
 resident:
         clgt    $bad,$value,$limit
         refuse_if $bad,SceneBytes

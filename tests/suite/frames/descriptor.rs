@@ -19,6 +19,10 @@ pub struct Descriptor {
     pub mesh: Vec<u8>,
     /// The program's code that traces meshes.
     pub mesh_code: Vec<u8>,
+    /// The tiles of its textures, or none.
+    pub textures: Vec<u8>,
+    /// The program's code that looks up textures.
+    pub texture_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
     /// The memory for the picture. The frame contains its address.
@@ -35,7 +39,7 @@ impl Descriptor {
         let mut records = EyeSpheres::default();
         let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program;
-        let mesh_code = program.mesh_code();
+        let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
         let program = program.formulations().unwrap();
         records.cull(
             scene.spheres(),
@@ -54,6 +58,8 @@ impl Descriptor {
                 scene: 0,
                 mesh_code: 0,
                 mesh_code_bytes: mesh_code.len() as u32,
+                texture_code: 0,
+                texture_code_bytes: texture_code.len() as u32,
                 unit_counter: 0,
                 statistics: 0,
                 units: 0,
@@ -69,6 +75,8 @@ impl Descriptor {
         });
         let block = scene.block();
         let mesh = block.and_then(|block| block.mesh());
+        let textures = mesh.and_then(|mesh| mesh.textures);
+        let textures = textures.map_or(Vec::new(), |textures| textures.bytes().to_vec());
         let mesh = mesh.map_or(Vec::new(), |mesh| mesh.blocks.bytes().to_vec());
         let block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
         Self {
@@ -77,6 +85,8 @@ impl Descriptor {
             block,
             mesh,
             mesh_code,
+            textures,
+            texture_code,
             units: units.bytes().to_vec(),
             framebuffer,
         }

@@ -18,6 +18,8 @@ pub struct Fixture {
     pub units: SharedMemory,
     /// The blocks of the scene's mesh.
     pub mesh: SharedMemory,
+    /// The block of Whitted's model.
+    pub scene: SharedMemory,
     pub framebuffer: Memory,
     _memory: Vec<SharedMemory>,
 }
@@ -30,6 +32,8 @@ impl Fixture {
             block,
             mesh,
             mesh_code,
+            textures,
+            texture_code,
             units,
             framebuffer,
         } = Descriptor::of(scene, spus);
@@ -39,12 +43,15 @@ impl Fixture {
             memory
         };
         let costs = SharedMemory::new(units.len());
-        let [spheres, whitted, mesh, mesh_code, units] =
+        let [spheres, scene, mesh, mesh_code, units] =
             [spheres, block, mesh, mesh_code, units].map(|bytes| shared(&bytes));
+        let [textures, texture_code] = [textures, texture_code].map(|bytes| shared(&bytes));
         let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
         let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
         frame.spheres = spheres.address().into();
-        frame.scene = whitted.address().into();
+        frame.scene = scene.address().into();
+        frame.textures = textures.address().into();
+        frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
         frame.mesh_code = mesh_code.address().into();
         frame.unit_counter = unit_counter.address().into();
@@ -62,8 +69,17 @@ impl Fixture {
             frame,
             units,
             mesh,
+            scene,
             framebuffer,
-            _memory: vec![spheres, whitted, mesh_code, unit_counter, statistics, costs],
+            _memory: vec![
+                spheres,
+                mesh_code,
+                textures,
+                texture_code,
+                unit_counter,
+                statistics,
+                costs,
+            ],
         }
     }
 

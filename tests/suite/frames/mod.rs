@@ -11,3 +11,4 @@ mod protocol;
 mod random;
 mod retained;
 mod shaders;
+mod textures;

@@ -34,6 +34,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         transmittance: 0.0,
         refraction_index: 1.0,
         shader: Shader::Phong,
+        texture: None,
     };
     let materials: Vec<Material> = (0..5)
         .map(|_| material(vector(random, 1.0).abs()))

@@ -5,7 +5,8 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use cellray::game::{
-    DAffine3, DVec3, Light, Material, MaterialId, Mesh, MeshId, RenderOptions, World, WorldError,
+    DAffine3, DVec3, Light, Material, MaterialId, Mesh, MeshId, RenderOptions, Texture, World,
+    WorldError, Wrap,
 };
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
@@ -106,6 +107,62 @@ impl Compared {
 
 fn at(x: f64, y: f64, z: f64) -> DAffine3 {
     DAffine3::from_translation(DVec3::new(x, y, z))
+}
+
+/// A texture of four texels, of which two have this colour.
+fn chequered(colour: [u8; 3]) -> Option<Arc<Texture>> {
+    let texels = vec![colour, [255; 3], [255; 3], colour];
+    Texture::new(2, texels, [Wrap::Repeat; 2]).map(Arc::new)
+}
+
+/// A mesh with a texture beside one without texture coordinates, of the same material: the texture
+/// is changed, taken away and put back, and the mesh moves.
+#[test]
+fn textures_of_meshes() {
+    let (mut world, red) = world();
+    let plain = Arc::new(pear(8, 12));
+    let mut mesh = pear(8, 12);
+    let places = mesh.positions.iter().map(|[x, y, _]| [2.0 * x, 3.0 * y]);
+    mesh.texture_coordinates = places.collect();
+    let first = world
+        .add_mesh(Arc::new(mesh.clone()), &[red], at(-1.0, 0.0, 0.0))
+        .unwrap();
+    world.add_mesh(plain, &[red], at(1.5, 0.2, -0.5)).unwrap();
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    let mut sum = world.checksum();
+    for step in 0..6 {
+        let material = Material {
+            texture: match step {
+                0 | 4 => chequered([20, 40, 90]),
+                1 | 5 => chequered([90, 200, 40]),
+                _ => None,
+            },
+            ..world.material(red).unwrap()
+        };
+        match step {
+            3 => world.place_mesh(first, at(-1.2, 0.1, 0.0)).unwrap(),
+            _ => world.set_material(red, material).unwrap(),
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "{step}");
+        assert_ne!(world.checksum(), sum, "{step}");
+        (last, sum) = (picture, world.checksum());
+    }
+    world.place_mesh(first, at(-1.0, 0.3, 0.0)).unwrap();
+    assert!(compared.picture(&mut world) != last);
+
+    mesh.texture_coordinates.pop();
+    let refused = world.add_mesh(Arc::new(mesh.clone()), &[red], DAffine3::IDENTITY);
+    let message = refused.unwrap_err().to_string();
+    assert!(
+        message.contains("as many texture coordinates, or none"),
+        "{message}"
+    );
+    mesh.texture_coordinates.push([0.0, f32::NAN]);
+    let refused = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY);
+    let message = refused.unwrap_err().to_string();
+    assert!(message.contains("texture coordinate NaN"), "{message}");
 }
 
 /// Two places of a mesh: one turns and grows, the other is mirrored, hidden, shown and removed.

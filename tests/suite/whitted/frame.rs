@@ -7,6 +7,7 @@ use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 use oracle::whitted::{Options, trace};
 use oracle::{Comparison, Picture};
+use protocol::layout::MESH_MOST_SLOTS;
 
 use crate::recorder::Recorder;
 
@@ -22,6 +23,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     colour: Colour::Linear,
     roll_off: false,
     corners: false,
+    mesh_cache: MESH_MOST_SLOTS,
 };
 
 /// A finished frame.

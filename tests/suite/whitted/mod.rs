@@ -12,4 +12,5 @@ mod placed;
 mod polygons;
 mod random;
 mod scale;
+mod textures;
 mod tolerance;

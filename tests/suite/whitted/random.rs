@@ -122,6 +122,7 @@ fn material(random: &mut ChaCha8Rng) -> Material {
         transmittance,
         refraction_index: random.random_range(0.6..2.4),
         shader: shader(random),
+        texture: None,
     }
 }
 

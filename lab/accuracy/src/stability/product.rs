@@ -121,6 +121,7 @@ impl Product {
                 transmittance: stuff.transmittance,
                 refraction_index: stuff.index,
                 shader: nff::Shader::Phong,
+                texture: None,
             }],
             objects: vec![nff::Object {
                 line: 0,

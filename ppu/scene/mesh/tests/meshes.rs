@@ -18,6 +18,7 @@ pub fn materials() -> Vec<Material> {
         transmittance,
         refraction_index: 1.5,
         shader: Shader::Phong,
+        texture: None,
     };
     vec![material(0.0), material(0.5)]
 }
@@ -26,10 +27,9 @@ pub fn materials() -> Vec<Material> {
 pub fn mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>) -> Mesh {
     Mesh {
         positions,
-        normals: Vec::new(),
         materials: vec![0; triangles.len()],
         triangles,
-        two_sided: false,
+        ..Mesh::default()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Every triangle in exactly one leaf, boxes as small as they can be, numbers in order.
 
+use std::sync::Arc;
+
 use super::super::MeshBlocks;
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
@@ -77,6 +79,29 @@ fn blocks_don_t_mix_sides() {
     checked(&mixed);
     mixed.two_sided = true;
     checked(&mixed);
+}
+
+#[test]
+fn texture_coordinates_are_where_a_material_has_a_texture() {
+    let texture = nff::Texture::new(1, vec![[1, 2, 3]], [nff::Wrap::Clamp; 2]);
+    let mut materials = materials();
+    materials[0].texture = texture.map(Arc::new);
+    for rows in [2, 5, 40] {
+        let mut mesh = ball(rows);
+        let plain = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        check(&mesh, &materials, &plain);
+        let places = mesh
+            .positions
+            .iter()
+            .map(|[x, y, z]| [2.0 * x + z, 9.0 * y]);
+        mesh.texture_coordinates = places.collect();
+        for (triangle, material) in mesh.materials.iter_mut().enumerate() {
+            *material = u32::from(triangle % 5 == 0);
+        }
+        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        check(&mesh, &materials, &blocks);
+        assert!(blocks.count() > plain.count() || rows == 2);
+    }
 }
 
 #[test]

@@ -6,8 +6,8 @@ use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_VERTICES, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_BOTH,
-    SIDES_SMOOTH,
+    MESH_SPHERES, MESH_VERTICES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object,
+    SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
@@ -21,6 +21,7 @@ pub struct Parts {
     pub nodes: Vec<Boxes>,
     pub vertices: Vec<MeshVertex>,
     pub faces: Vec<MeshFace>,
+    pub coordinates: Vec<MeshCoordinates>,
 }
 
 impl Parts {
@@ -38,12 +39,20 @@ impl Parts {
         let (faces, rest) = <[MeshFace]>::ref_from_prefix_with_elems(rest, faces).unwrap();
         let records = if spheres { count(header.triangles) } else { 0 };
         let rest = &rest[records * size_of::<Object>()..];
+        // Texture coordinates begin at the next quadword.
+        let is_textured = header.sides.get() & SIDES_TEXTURED != 0;
+        let gap = if is_textured { rest.len() % 16 } else { 0 };
+        assert!(rest[..gap].iter().all(|&byte| byte == 0), "block {number}");
+        let coordinates = if is_textured { vertices.len() } else { 0 };
+        let (coordinates, rest) =
+            <[MeshCoordinates]>::ref_from_prefix_with_elems(&rest[gap..], coordinates).unwrap();
         assert!(rest.iter().all(|&byte| byte == 0), "block {number}");
         Self {
             header,
             nodes: nodes.to_vec(),
             vertices: vertices.to_vec(),
             faces: faces.to_vec(),
+            coordinates: coordinates.to_vec(),
         }
     }
 
@@ -110,6 +119,10 @@ pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
         let mut sides = if both { SIDES_BOTH } else { 0 };
         if mesh.corner_normals(triangle).is_some() {
             sides |= SIDES_SMOOTH;
+        }
+        let has_texture = materials[material as usize].texture.is_some();
+        if has_texture && !mesh.texture_coordinates.is_empty() {
+            sides |= SIDES_TEXTURED;
         }
         *wanted.entry((bits(corners), material, sides)).or_default() += 1;
     }
@@ -221,6 +234,15 @@ fn leaf(
             }
             normals
         });
+    for (vertex, found) in parts.vertices.iter().zip(&parts.coordinates) {
+        let position = vertex.position.map(F32::get);
+        let mut all = mesh.positions.iter().zip(&mesh.texture_coordinates);
+        let found = [found.u.get(), found.v.get()];
+        assert!(
+            all.any(|known| known == (&position, &found)),
+            "{position:?}"
+        );
+    }
     for vertex in &parts.vertices {
         if parts.header.sides.get() & SIDES_SMOOTH == 0 {
             assert_eq!(vertex.normal.get(), 0);

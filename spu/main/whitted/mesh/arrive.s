@@ -27,10 +27,11 @@
         registers largest,magnitude,c_greater,slack
         registers bad                                   # not 0 in any lane: not as it should be
         registers t
+        registers coordinates                           # SIDES_TEXTURED, or 0; then their bytes
         # vertices and faces
-        registers a_vertex,left,vertex                  # to 61
+        registers a_vertex,left,vertex                  # to 62
         .set    NEXT,vertex+4
-        registers moved                                 # to 65
+        registers moved                                 # to 66
         .set    NEXT,moved+4
         registers eye,m_xyz,face,limit
         .set    a_face,a_vertex
@@ -57,7 +58,7 @@ eye_axes:
 # mesh_arrive   checks a block, makes its positions relative to the eye, and adds the numbers of
 #               boxes to the children of an inner block; gives up if the block is damaged
 #   In      $3 address, $4 number
-#   Uses    $3, $10-$69
+#   Uses    $3, $10-$70
 #
 # What is checked is what makes the traversal end and stay within the lists: the levels of nodes are
 # complete, runs have triangles of the block, triangles have vertices of the block, they and spheres
@@ -91,7 +92,9 @@ function mesh_arrive
         clgti   $wrong,$vertices,MESH_VERTICES
         or      $bad,$bad,$wrong
         rotqbyi $t,$counts,MESH_HEADER_sides&15
-        load_constant $wrong,SIDES_BOTH|SIDES_SMOOTH
+        lqa     $wrong,sides_known
+        ilhu    $coordinates,SIDES_TEXTURED>>16
+        and     $coordinates,$coordinates,$t
         andc    $wrong,$t,$wrong
         or      $bad,$bad,$wrong
         # An inner block has no triangles or spheres, and only triangles have vertices.
@@ -110,6 +113,13 @@ function mesh_arrive
         shli    $expected,$triangles,2
         mpyi    $wrong,$triangles,OBJECT_SIZE
         selb    $wrong,$expected,$wrong,$of_spheres
+        a       $t,$t,$wrong
+        # Texture coordinates begin at the next quadword.
+        ai      $t,$t,15
+        andi    $t,$t,-16
+        cgti    $coordinates,$coordinates,0
+        shli    $wrong,$vertices,3
+        and     $wrong,$wrong,$coordinates
         a       $t,$t,$wrong
         il      $wrong,MESH_BLOCK-MESH_HEADER_SIZE
         cgt     $wrong,$t,$wrong

@@ -8,11 +8,20 @@
 
         .set    status,3
         .set    NEXT,15
-        registers a_frame,value,limit,bad,end
+        registers a_frame,value,limit,bad,end,k_sides,k_textured
 
-# mesh_begin   checks the fields; gives up if one of them is wrong
-#   Uses    $3, $15-$19
+        .section .data.mesh,"aw",@progbits
+        .align  4
+        .global sides_known
+sides_known:                            # the bits of `sides` that blocks may have
+        .skip   16
+
+# mesh_begin   checks the fields, and those of the textures; gives up if one of them is wrong
+#   Out     sides_known
+#   Uses    $3-$7, $10-$27
 function mesh_begin
+        load_constant $k_sides,SIDES_BOTH|SIDES_SMOOTH
+        ilhu    $k_textured,SIDES_TEXTURED>>16
         ila     $a_frame,frame
         require_aligned mesh,LINE,Mesh
         require_from_one mesh_blocks,MESH_BLOCKS,Mesh
@@ -51,7 +60,29 @@ function mesh_begin
         a       $end,$end,$value
         clgt    $bad,$end,$limit
         refuse_if $bad,MeshCache
-        bi      $lr
+        stqa    $k_sides,sides_known
+        lqa     $value,streamed
+        andi    $value,$value,FEATURE_TEXTURES
+        biz     $value,$lr
+
+        # The code for textures is fetched now, in front of this code.
+        or      $k_sides,$k_sides,$k_textured
+        stqa    $k_sides,sides_known
+        require_aligned texture_code,LINE,TextureCode
+        require_at_most texture_code_bytes,TEXTURE_CODE_ROOM,TextureCode
+        andi    $bad,$value,15
+        refuse_if $bad,TextureCode
+        enter
+        ori     $6,$value,0
+        ila     $3,TEXTURE_CODE
+        load_word $4,FRAME_texture_code,$a_frame
+        load_word $5,FRAME_texture_code+4,$a_frame
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        brsl    $lr,texture_begin
+        leave
 refused:
         br      give_up
 endfunction mesh_begin

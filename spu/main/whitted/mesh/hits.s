@@ -50,7 +50,7 @@ lanes:
         registers a,b,c,to_b,to_c,turned_b,turned_c,normal,square,inverse,t_y,t_e
         registers k_half,k_one,k_sign,m_xyz,m_next,k_leave,k_scale
         registers sum,sum_b,sum_c,c_more,leave_object,head,size
-        registers u,v,z,fold,part,m_lane,m_third
+        registers u,v,z,fold,part,m_lane,m_third,textured
 
 # out = |x| + |y| + |z| in the first lane. t is changed.
 .macro  taxicab out:req, vector:req, t:req
@@ -201,7 +201,7 @@ the_same_block:
         and     $head,$c,$m_xyz
         stqd    $head,TRI_c($h_patch)
         rotqbyi $part,$counts,MESH_HEADER_sides&15
-        ilhu    $size,SIDES_SMOOTH>>16
+        ilhu    $size,(SIDES_SMOOTH|SIDES_TEXTURED)>>16
         and     $part,$part,$size
         brz     $part,made
 
@@ -234,6 +234,10 @@ the_same_block:
         fma     $square,$v,$v,$square
         fma     $square,$z,$z,$square
         rsqrt_f4 $inverse,$square,$t_y,$t_e,$k_half,$k_one
+        # While that is computed.
+        rotqbyi $textured,$counts,MESH_HEADER_sides&15
+        ilhu    $size,SIDES_TEXTURED>>16
+        and     $textured,$textured,$size
         fm      $u,$u,$inverse
         fm      $v,$v,$inverse
         fm      $z,$z,$inverse
@@ -245,6 +249,31 @@ the_same_block:
         shufb   $part,$part,$z,$m_third
         stqd    $part,PATCH_normal_\vertex($h_patch)
     .set    lane_at,lane_at+32
+    .endr
+        brz     $textured,made
+
+        # Its texture coordinates, which begin at the quadword after the faces. The vertices'
+        # offsets have turned by two words.
+        rotqbyi $part,$counts,MESH_HEADER_triangles&15
+        ai      $part,$part,3
+        andi    $part,$part,-4
+        shli    $part,$part,2
+        a       $a_faces,$a_faces,$part
+        rotmi   $index,$face,-1
+        rotqbyi $index,$index,8
+        cwd     $m_lane,12($sp)
+    .irp vertex, a,b,c
+        a       $address,$a_faces,$index
+        lqd     $u,0($address)
+        lqd     $part,TRI_\vertex($h_patch)
+        lqd     $z,PATCH_normal_\vertex($h_patch)
+        rotqby  $u,$u,$address
+        rotqbyi $v,$u,4
+        shufb   $part,$u,$part,$m_lane
+        shufb   $z,$v,$z,$m_lane
+        rotqbyi $index,$index,4
+        stqd    $part,TRI_\vertex($h_patch)
+        stqd    $z,PATCH_normal_\vertex($h_patch)
     .endr
         br      made
 

@@ -7,3 +7,4 @@ pub mod rays;
 pub mod shade;
 pub mod shaders;
 pub mod smooth;
+pub mod texture;

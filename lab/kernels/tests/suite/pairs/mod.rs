@@ -5,6 +5,7 @@ mod cone;
 mod flat;
 mod smooth;
 mod sphere;
+mod texture;
 
 use std::collections::BTreeSet;
 

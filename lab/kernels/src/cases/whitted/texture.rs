@@ -1,0 +1,443 @@
+//! The kernels for textures: hits on textured triangles, texels, their cases and errors.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::sphere_ray::Ray;
+use twins::texture::{Hit, Level, Texel, Texture};
+use twins::{ONE, Single};
+use zerocopy::FromZeros as _;
+use zerocopy::big_endian::U32;
+
+use super::isect::call;
+use super::isect::error::SCALES;
+use super::isect::shape::head_words;
+use super::isect::sphere::FRONT;
+use super::smooth;
+use crate::bench::{Bench, Place};
+use crate::cases::eye::call::{address, put};
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::flat_records::{point, quad};
+use crate::single::{bits, single};
+use crate::vector::{Vector, cross, dot, less};
+use protocol::layout::{self, SIDES_TEXTURED, Surfaces, TEXTURE_SIDE, Texels};
+
+/// The angle of a pixel, in the cases and for the errors.
+const ANGLE: f64 = 1e-3;
+/// A texture of one level of 64x64 texels.
+const SMALL: f64 = 64.0;
+
+/// The kernels in this file.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "texture_places_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "a packet",
+            objects: Objects::Fixed(1),
+            place: |bench, _| {
+                let hit = Hit {
+                    vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
+                    coordinates: [[0.0, 1.0], [1.0, 1.0], [0.5, 0.0]].map(|it| it.map(from_f64)),
+                    point: point([0.0, 0.0, -5.0]),
+                    plane: point([0.0, 0.0, 1.0]),
+                    origin: [0; 3],
+                    direction: point([0.0, 0.0, -1.0]),
+                    t: from_f64(5.0),
+                };
+                place(bench, &[Some(hit); 16], &small(), ANGLE, 0).0
+            },
+        }],
+        error: Some(place_error),
+    },
+    Kernel {
+        name: "texture_filter_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "a packet",
+            objects: Objects::Fixed(1),
+            place: |bench, _| {
+                let lane = Filtered {
+                    texels: [0xff80_4000; 4],
+                    right: 0,
+                    down: 0,
+                    colour: [ONE; 3],
+                };
+                put_filtered(bench, &[Some(lane); 16], 0).0
+            },
+        }],
+        error: Some(filter_error),
+    },
+];
+
+/// A texture and its levels.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// The texture.
+    pub texture: Texture,
+    /// Its levels.
+    pub levels: Vec<Level>,
+}
+
+fn small() -> Table {
+    table(&[(64, 64)], 0)
+}
+
+/// A table of levels of these sizes.
+#[must_use]
+pub fn table(sizes: &[(u32, u32)], wraps: u32) -> Table {
+    let mut first = 0;
+    let level = |&(width, height): &(u32, u32)| {
+        let level = Level {
+            width: from_f64(width.into()),
+            height: from_f64(height.into()),
+            across: width / 8 + 1,
+            first,
+        };
+        first += level.across * (height / 8 + 1);
+        level
+    };
+    let (width, height) = sizes[0];
+    Table {
+        texture: Texture {
+            last: sizes.len() as u32 - 1,
+            texels: from_f64(f64::from(width) * f64::from(height)),
+            wraps,
+        },
+        levels: sizes.iter().map(level).collect(),
+    }
+}
+
+/// The record of a patch. Without a hit its numbers are anything, and it has no texture.
+fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
+    let vertices = hit.map_or([[anything; 3]; 3], |hit| hit.vertices);
+    let coordinates = hit.map_or([[anything; 2]; 3], |hit| hit.coordinates);
+    let [a, b, c] = [0, 1, 2].map(|corner| quad(vertices[corner], coordinates[corner][0]));
+    let [normal_a, normal_b, normal_c] = coordinates.map(|[_, v]| quad([anything; 3], v));
+    let textured = if hit.is_some() { SIDES_TEXTURED } else { 0 };
+    let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
+    object[11] = U32::new(anything & !SIDES_TEXTURED | textured);
+    let triangle = layout::Triangle { object, a, b, c };
+    layout::Patch {
+        triangle: zerocopy::transmute!(triangle),
+        normal_a,
+        normal_b,
+        normal_c,
+    }
+}
+
+/// Puts hits, their surfaces and a texture into local store. Returns the arguments, and the buffer
+/// for the texels, which `anything` fills. Lanes without a hit have one on something without a
+/// texture: an object, or a material.
+fn place(
+    bench: &mut Bench,
+    hits: &[Option<Hit>; 16],
+    table: &Table,
+    angle: f64,
+    anything: u32,
+) -> (Vec<u32>, Place) {
+    let levels: Vec<layout::TextureLevel> = table
+        .levels
+        .iter()
+        .map(|level| layout::TextureLevel {
+            width: single(level.width),
+            height: single(level.height),
+            across: level.across.into(),
+            first: level.first.into(),
+        })
+        .collect();
+    let levels = put(bench, &levels);
+    let texture = layout::Texture {
+        levels: levels.address.into(),
+        last: table.texture.last.into(),
+        texels: single(table.texture.texels),
+        wraps: table.texture.wraps.into(),
+    };
+    let texture = put(bench, &[texture]);
+    let material = |texture: u32| layout::Material {
+        texture: texture.into(),
+        ..layout::Material::new_zeroed()
+    };
+    let materials = put(bench, &[material(0), material(texture.address)]);
+    // Every second lane without a texture has it because of its material.
+    let plain = |lane: usize| hits[lane].is_none() && lane.is_multiple_of(2);
+    let known = Hit {
+        vertices: [[0; 3]; 3],
+        coordinates: [[0; 2]; 3],
+        point: [0; 3],
+        plane: [0; 3],
+        origin: [0; 3],
+        direction: [0; 3],
+        t: 0,
+    };
+    let records: [layout::Patch; 16] = std::array::from_fn(|lane| {
+        let hit = if plain(lane) {
+            Some(&known)
+        } else {
+            hits[lane].as_ref()
+        };
+        record(hit, anything)
+    });
+    let records = put(bench, &records);
+    let rays = std::array::from_fn(|lane| {
+        let hit = hits[lane].unwrap_or(known);
+        Ray {
+            origin: hit.origin,
+            direction: hit.direction,
+            t: hit.t,
+            object: address::<layout::Patch>(records, lane),
+        }
+    });
+    let rays = put(bench, &[call::packet(&rays, anything)]);
+    let mut surfaces = any_surfaces(anything);
+    for (lane, hit) in hits.iter().enumerate() {
+        let hit = hit.unwrap_or(known);
+        let rows = &mut surfaces;
+        [rows.point_x[lane], rows.point_y[lane], rows.point_z[lane]] = hit.point.map(single);
+        [rows.plane_x[lane], rows.plane_y[lane], rows.plane_z[lane]] = hit.plane.map(single);
+        let number = usize::from(!plain(lane));
+        surfaces.material[lane] = address::<layout::Material>(materials, number).into();
+    }
+    let surfaces = put(bench, &[surfaces]);
+    let texels = put(bench, &[any_texels(anything)]);
+    let arguments = vec![
+        rays.address,
+        surfaces.address,
+        texels.address,
+        from_f64(angle),
+    ];
+    (arguments, texels)
+}
+
+fn any_surfaces(anything: u32) -> Surfaces {
+    zerocopy::transmute!([U32::new(anything); size_of::<Surfaces>() / 4])
+}
+
+fn any_texels(anything: u32) -> Texels {
+    zerocopy::transmute!([U32::new(anything); size_of::<Texels>() / 4])
+}
+
+/// `texture_places_r16`: the texels of these hits, all on triangles with this texture.
+pub fn places(
+    bench: &mut Bench,
+    hits: &[Option<Hit>; 16],
+    table: &Table,
+    angle: f64,
+    anything: u32,
+) -> [Texel; 16] {
+    bench.reset();
+    let (arguments, texels) = place(bench, hits, table, angle, anything);
+    bench.call("texture_places_r16", &arguments);
+    let texels: Texels = bench.read(texels);
+    std::array::from_fn(|lane| Texel {
+        tile: texels.tile[lane].get(),
+        place: texels.place[lane].get(),
+        right: bits(texels.right[lane]),
+        down: bits(texels.down[lane]),
+    })
+}
+
+/// A hit from the stated domain, in a scene scaled by `scale`.
+pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
+    let hit = smooth::any_hit(random, scale);
+    let span = libm::exp2(random.random_range(-6.0..3.0));
+    let middle: [f64; 2] = std::array::from_fn(|_| random.random_range(-2.0..2.0));
+    let coordinates = std::array::from_fn(|_| {
+        middle.map(|middle| from_f64(middle + span * random.random_range(-1.0..1.0)))
+    });
+    let distance = dot(hit.point.map(to_f64), hit.point.map(to_f64)).sqrt();
+    let part = random.random_range(0.0..1.0);
+    Hit {
+        vertices: hit.patch.vertices,
+        coordinates,
+        point: hit.point,
+        plane: hit.plane,
+        origin: hit.point.map(|it| from_f64(part * to_f64(it))),
+        direction: hit.direction,
+        t: from_f64(distance),
+    }
+}
+
+/// The texture coordinates of a hit, and the width of a pixel there in widths of the texture.
+#[must_use]
+pub fn truth(hit: &Hit, angle: f64) -> ([f64; 2], f64) {
+    let wide = |it: [Single; 3]| -> Vector { it.map(to_f64) };
+    let [a, b, c] = hit.vertices.map(wide);
+    let p = wide(hit.point);
+    let normal = cross(less(b, a), less(c, a));
+    let part = |from: Vector, to: Vector| {
+        dot(cross(less(from, p), less(to, p)), normal) / dot(normal, normal)
+    };
+    let shares = [part(b, c), part(c, a), part(a, b)];
+    let coordinates = hit.coordinates.map(|it| it.map(to_f64));
+    let place = [0, 1].map(|axis| {
+        (0..3)
+            .map(|corner| shares[corner] * coordinates[corner][axis])
+            .sum()
+    });
+    let edge = |corner: usize| [0, 1].map(|axis| coordinates[corner][axis] - coordinates[0][axis]);
+    let (first, second) = (edge(1), edge(2));
+    let area = (first[0] * second[1] - first[1] * second[0]).abs();
+    let origin = wide(hit.origin);
+    let far = dot(origin, origin).sqrt() + to_f64(hit.t);
+    let cosine = dot(wide(hit.plane), wide(hit.direction)).abs();
+    let stretch = (area / dot(normal, normal).sqrt()).sqrt();
+    (place, stretch * far * angle / cosine)
+}
+
+/// The largest error of texture coordinates, of the size that the header names.
+fn place_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let table = small();
+    let mut worst = 0.0_f64;
+    for _ in 0..300 {
+        for scale in SCALES {
+            let hits = std::array::from_fn(|_| Some(any_hit(random, scale)));
+            let found = places(bench, &hits, &table, ANGLE, random.random());
+            for (hit, found) in hits.iter().flatten().zip(found) {
+                worst = worst.max(off(hit, &found) / size(hit));
+            }
+        }
+    }
+    worst
+}
+
+/// How far a texel of the small, clamped texture is off the hit's texture coordinates.
+#[must_use]
+pub fn off(hit: &Hit, found: &Texel) -> f64 {
+    let (truth, _) = truth(hit, ANGLE);
+    let across = 64 / 8 + 1;
+    let column = 8 * (found.tile % across) + found.place / 4 % TEXTURE_SIDE;
+    let row = 8 * (found.tile / across) + found.place / 4 / TEXTURE_SIDE;
+    let places = [(column, found.right), (row, found.down)];
+    (0..2)
+        .map(|axis| {
+            let (texel, part) = places[axis];
+            let place = (f64::from(texel) + to_f64(part) - 0.5) / SMALL;
+            (place - truth[axis].clamp(0.0, 1.0)).abs()
+        })
+        .fold(0.0, f64::max)
+}
+
+/// The largest texture coordinate, or 1, plus the largest difference between vertices.
+fn size(hit: &Hit) -> f64 {
+    let coordinates = hit.coordinates.map(|it| it.map(to_f64));
+    let axis = |axis: usize| coordinates.map(|it| it[axis]);
+    let span = |[a, b, c]: [f64; 3]| (a.max(b).max(c)) - (a.min(b).min(c));
+    let largest = coordinates
+        .as_flattened()
+        .iter()
+        .fold(0.0_f64, |sum, it| sum.max(it.abs()));
+    span(axis(0)).max(span(axis(1))) + largest.max(1.0)
+}
+
+/// A surface and its four texels: left and right, above and below.
+#[derive(Clone, Copy, Debug)]
+pub struct Filtered {
+    /// The texels' words.
+    pub texels: [u32; 4],
+    /// Part of the way to the right.
+    pub right: Single,
+    /// Part of the way down.
+    pub down: Single,
+    /// The surface's colour.
+    pub colour: [Single; 3],
+}
+
+/// Puts surfaces and their texels into local store. Lanes without any have no texture, and colours
+/// of `anything`.
+fn put_filtered(
+    bench: &mut Bench,
+    lanes: &[Option<Filtered>; 16],
+    anything: u32,
+) -> (Vec<u32>, Place) {
+    // Each lane's texels begin at another word of a quadword.
+    let mut words = [[U32::new(anything); 15]; 16];
+    for (words, lane) in words.iter_mut().zip(lanes) {
+        let side = TEXTURE_SIDE as usize;
+        for (place, texel) in [0, 1, side, side + 1]
+            .into_iter()
+            .zip(lane.map_or([0; 4], |it| it.texels))
+        {
+            words[place] = texel.into();
+        }
+    }
+    let words = put(bench, &words.map(Words));
+    let mut texels = any_texels(anything);
+    for (lane, filtered) in lanes.iter().enumerate() {
+        texels.tile[lane] = if filtered.is_some() { 7 } else { u32::MAX }.into();
+        texels.place[lane] = address::<Words>(words, lane).into();
+        let filtered = filtered.as_ref();
+        texels.right[lane] = single(filtered.map_or(anything, |it| it.right));
+        texels.down[lane] = single(filtered.map_or(anything, |it| it.down));
+    }
+    let texels = put(bench, &[texels]);
+    let surfaces = put(bench, &[coloured(lanes, anything)]);
+    (vec![texels.address, surfaces.address], surfaces)
+}
+
+/// The texels of a lane.
+#[derive(Clone, Copy, zerocopy::FromBytes, zerocopy::IntoBytes, zerocopy::Immutable)]
+#[repr(transparent)]
+struct Words([U32; 15]);
+
+/// Surfaces with the lanes' colours, and `anything` otherwise.
+#[must_use]
+pub fn coloured(lanes: &[Option<Filtered>; 16], anything: u32) -> Surfaces {
+    let mut surfaces = any_surfaces(anything);
+    for (lane, filtered) in lanes.iter().enumerate() {
+        if let Some(filtered) = filtered {
+            set_colour(&mut surfaces, lane, filtered.colour);
+        }
+    }
+    surfaces
+}
+
+/// Sets the colour of a lane.
+pub fn set_colour(surfaces: &mut Surfaces, lane: usize, colour: [Single; 3]) {
+    [
+        surfaces.red[lane],
+        surfaces.green[lane],
+        surfaces.blue[lane],
+    ] = colour.map(single);
+}
+
+/// `texture_filter_r16` on these lanes: returns the surfaces after the call.
+pub fn filtered(bench: &mut Bench, lanes: &[Option<Filtered>; 16], anything: u32) -> Surfaces {
+    bench.reset();
+    let (arguments, surfaces) = put_filtered(bench, lanes, anything);
+    bench.call("texture_filter_r16", &arguments);
+    bench.read(surfaces)
+}
+
+/// Any surface and texels of the stated domain.
+pub fn any_filtered(random: &mut ChaCha8Rng) -> Filtered {
+    Filtered {
+        texels: random.random(),
+        right: from_f64(random.random_range(0.0..1.0)),
+        down: from_f64(random.random_range(0.0..1.0)),
+        colour: std::array::from_fn(|_| from_f64(random.random_range(0.0..1.0))),
+    }
+}
+
+/// The largest error of a channel, of 1.
+fn filter_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..2000 {
+        let lanes = std::array::from_fn(|_| Some(any_filtered(random)));
+        let surfaces = filtered(bench, &lanes, random.random());
+        for (lane, given) in lanes.iter().flatten().enumerate() {
+            let rows = [surfaces.red, surfaces.green, surfaces.blue];
+            for (channel, row) in rows.iter().enumerate() {
+                let [a, b, c, d] = given
+                    .texels
+                    .map(|texel| f64::from(texel >> (24 - 8 * channel) & 255) / 255.0);
+                let (right, down) = (to_f64(given.right), to_f64(given.down));
+                let above = a + right * (b - a);
+                let below = c + right * (d - c);
+                let exact = (above + down * (below - above)) * to_f64(given.colour[channel]);
+                worst = worst.max((to_f64(bits(row[lane])) - exact).abs());
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,187 @@
+//! `texture_places_r16` and `texture_filter_r16`.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::whitted::isect::error::SCALES;
+use kernels::cases::whitted::texture::{
+    Table, any_filtered, any_hit, coloured, filtered, places, set_colour, table, truth,
+};
+use rand::Rng as _;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::texture::{Hit, filter as filter_twin, texel as twin};
+use zerocopy::IntoBytes as _;
+
+const ANGLE: f64 = 1e-3;
+
+/// A texture of 20x36 texels with all of its levels.
+fn levels(wraps: u32) -> Table {
+    table(&[(20, 36), (10, 18), (5, 9), (2, 4), (1, 2), (1, 1)], wraps)
+}
+
+/// Runs the kernel and compares every lane with the twin. Returns the tiles.
+fn check(bench: &mut Bench, hits: &[Option<Hit>; 16], table: &Table, anything: u32) -> [u32; 16] {
+    let found = places(bench, hits, table, ANGLE, anything);
+    for (hit, found) in hits.iter().zip(found) {
+        match hit {
+            None => assert_eq!(found.tile, u32::MAX),
+            Some(hit) => {
+                let expected = twin(hit, from_f64(ANGLE), &table.texture, &table.levels);
+                assert_eq!(found, expected, "{hit:x?}");
+            }
+        }
+    }
+    found.map(|found| found.tile)
+}
+
+#[test]
+fn sensible_hits_equal_the_twin_in_all_levels() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut seen = [0; 6];
+    for round in 0..100 {
+        for scale in SCALES {
+            let table = levels(round % 16);
+            let hits = std::array::from_fn(|_| {
+                random
+                    .random_ratio(3, 4)
+                    .then(|| any_hit(&mut random, scale))
+            });
+            let tiles = check(&mut bench, &hits, &table, random.random());
+            for (tile, _) in tiles.iter().zip(&hits).filter(|(_, hit)| hit.is_some()) {
+                let firsts = table.levels.iter().map(|level| level.first);
+                seen[firsts.filter(|first| first <= tile).count() - 1] += 1;
+            }
+        }
+    }
+    println!("hits in each level: {seen:?}");
+    assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for round in 0..1000 {
+        let hits = std::array::from_fn(|_| {
+            Some(Hit {
+                vertices: random.random(),
+                coordinates: random.random(),
+                point: random.random(),
+                plane: random.random(),
+                origin: random.random(),
+                direction: random.random(),
+                t: random.random(),
+            })
+        });
+        let table = levels(round % 16);
+        let last = &table.levels[5];
+        for tile in check(&mut bench, &hits, &table, random.random()) {
+            assert!(tile < last.first + last.across, "{tile:#x}");
+        }
+    }
+}
+
+/// The level is the one for the pixel's width, but where that is between two levels.
+#[test]
+fn the_level_is_that_of_a_pixels_width() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let table = levels(10);
+    let (mut compared, mut other) = (0, 0);
+    for _ in 0..300 {
+        for scale in SCALES {
+            let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(&mut random, scale));
+            let found = places(&mut bench, &hits.map(Some), &table, ANGLE, 0);
+            for (hit, found) in hits.iter().zip(found) {
+                let (_, width) = truth(hit, ANGLE);
+                let exact = libm::log2(width * libm::sqrt(20.0 * 36.0));
+                let expected = (libm::round(exact).max(0.0) as usize).min(5);
+                let firsts = table.levels.iter().map(|level| level.first);
+                let level = firsts.filter(|&first| first <= found.tile).count() - 1;
+                compared += 1;
+                if level != expected {
+                    other += 1;
+                    let between = (exact - libm::floor(exact) - 0.5).abs();
+                    assert!(between < 1e-4, "{level} for {exact}");
+                }
+            }
+        }
+    }
+    println!("{other} of {compared} levels differ");
+    assert!(other < 5);
+}
+
+/// Coordinates outside of the texture are where `wraps` says.
+#[test]
+fn edges_are_continued() {
+    let mut bench = Bench::new();
+    // The whole triangle has the same coordinates.
+    let hit = |u: f64, v: f64| Hit {
+        vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]]
+            .map(|it| it.map(from_f64)),
+        coordinates: [[u, v].map(from_f64); 3],
+        point: [0.0, 0.0, -5.0].map(from_f64),
+        plane: [0.0, 0.0, 1.0].map(from_f64),
+        origin: [0; 3],
+        direction: [0.0, 0.0, -1.0].map(from_f64),
+        t: from_f64(5.0),
+    };
+    // The texel at the middle of which the point is, counted from one before the first.
+    let mut at = |wraps: u32, u: f64, v: f64| {
+        let table = table(&[(64, 64)], wraps);
+        let found = places(&mut bench, &[Some(hit(u, v)); 16], &table, ANGLE, 0)[0];
+        assert_eq!((to_f64(found.right), to_f64(found.down)), (0.0, 0.0));
+        let column = 8 * (found.tile % 9) + found.place / 4 % 9;
+        let row = 8 * (found.tile / 9) + found.place / 4 / 9;
+        (column, row)
+    };
+    let middle = |texel: f64| (texel + 0.5) / 64.0;
+    assert_eq!(at(0, middle(3.0), middle(9.0)), (4, 10));
+    // Repeated across and clamped down, then mirrored.
+    assert_eq!(at(8, 7.0 + middle(3.0), 0.5 / 64.0), (4, 1));
+    assert_eq!(at(8, middle(3.0) - 7.0, 1.0 - 0.5 / 64.0), (4, 64));
+    assert_eq!(at(2, 0.5 / 64.0, middle(3.0) - 7.0), (1, 4));
+    assert_eq!(at(12, 7.0 + middle(3.0), 0.5 / 64.0), (61, 1));
+    assert_eq!(at(12, middle(3.0) - 8.0, 0.5 / 64.0), (4, 1));
+    assert_eq!(at(15, middle(3.0) - 1.0, middle(5.0) + 1.0), (61, 59));
+}
+
+#[test]
+fn filtered_colours_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for round in 0..1000 {
+        let lanes = std::array::from_fn(|_| {
+            random.random_ratio(3, 4).then(|| {
+                let mut lane = any_filtered(&mut random);
+                if round % 2 == 0 {
+                    (lane.right, lane.down) = (random.random(), random.random());
+                    lane.colour = random.random();
+                }
+                lane
+            })
+        });
+        let anything = random.random();
+        let after = filtered(&mut bench, &lanes, anything);
+        let mut expected = coloured(&lanes, anything);
+        for (lane, given) in lanes.iter().enumerate() {
+            if let Some(given) = given {
+                let colour = filter_twin(given.colour, given.texels, given.right, given.down);
+                set_colour(&mut expected, lane, colour);
+            }
+        }
+        assert_eq!(after.as_bytes(), expected.as_bytes());
+    }
+}
+
+#[test]
+fn white_texels_leave_a_colour_as_it_is() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let lanes = std::array::from_fn(|_| {
+        let mut lane = any_filtered(&mut random);
+        lane.texels = [0xffff_ff00; 4];
+        Some(lane)
+    });
+    let after = filtered(&mut bench, &lanes, 0);
+    assert_eq!(after.as_bytes(), coloured(&lanes, 0).as_bytes());
+}

@@ -1,0 +1,177 @@
+//! Textures in the form that SPUs fetch from main memory: levels, each about half as large as the
+//! one before, cut into tiles of one DMA transfer each.
+//!
+//! A tile has the first texels of its neighbours, too, and the edges of a level are continued, so
+//! that the four texels of a filter are always in one tile (`docs/work-unit.md`).
+
+mod level;
+#[cfg(test)]
+mod tests;
+
+use std::sync::Arc;
+
+use nff::{Texture, Wrap};
+use protocol::layout::{
+    self, TEXTURE_SIDE, TEXTURE_TILE, TextureLevel, WRAP_ACROSS, WRAP_DOWN, WRAP_MIRRORED_ACROSS,
+    WRAP_MIRRORED_DOWN,
+};
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::U32;
+
+use self::level::{Level, light};
+use super::Colour;
+use super::single::single;
+
+/// Texels from one tile to the next.
+const STEP: usize = TEXTURE_SIDE as usize - 1;
+/// Words of a tile.
+const WORDS: usize = TEXTURE_TILE as usize / 4;
+
+/// A tile's texels, aligned as its DMA transfer needs it.
+#[derive(Clone)]
+#[repr(C, align(128))]
+struct Tile([U32; WORDS]);
+
+/// The textures of a scene's mesh.
+#[derive(Clone)]
+pub struct Textures {
+    tiles: Vec<Tile>,
+    sources: Vec<Arc<Texture>>,
+    /// The number of the first level of each texture, and of the one after the last.
+    firsts: Vec<usize>,
+    levels: Vec<TextureLevel>,
+}
+
+impl Textures {
+    /// Cuts textures into tiles. None of them should be there twice. `colour` says what the colours
+    /// of the scene are: if they are sRGB's, tiles have their light, rounded to bytes.
+    #[must_use]
+    pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {
+        let mut textures = Self {
+            tiles: Vec::new(),
+            firsts: vec![0],
+            levels: Vec::new(),
+            sources: Vec::new(),
+        };
+        for source in &sources {
+            let mut level = Some(Level::new(source));
+            while let Some(largest) = level {
+                textures.cut(&largest, source.wrap(), colour);
+                level = largest.half();
+            }
+            textures.firsts.push(textures.levels.len());
+        }
+        textures.sources = sources;
+        textures
+    }
+
+    /// Adds a level and its tiles.
+    fn cut(&mut self, level: &Level, wrap: [Wrap; 2], colour: Colour) {
+        let (width, height) = (level.width(), level.height());
+        let (across, down) = (width / STEP + 1, height / STEP + 1);
+        self.levels.push(TextureLevel {
+            width: single(width as f64),
+            height: single(height as f64),
+            across: (across as u32).into(),
+            first: (self.tiles.len() as u32).into(),
+        });
+        for top in (0..down).map(|row| row * STEP) {
+            for left in (0..across).map(|column| column * STEP) {
+                let mut tile = Tile([U32::ZERO; WORDS]);
+                let rows = tile.0.chunks_mut(STEP + 1).take(STEP + 1);
+                for (row, texels) in rows.enumerate() {
+                    let y = continued(top + row, height, wrap[1]);
+                    for (column, texel) in texels.iter_mut().enumerate() {
+                        let x = continued(left + column, width, wrap[0]);
+                        let [red, green, blue] = match colour {
+                            Colour::Linear => level.texel(x, y),
+                            Colour::Srgb => level.texel(x, y).map(light),
+                        };
+                        *texel = u32::from_be_bytes([red, green, blue, 0]).into();
+                    }
+                }
+                self.tiles.push(tile);
+            }
+        }
+    }
+
+    /// The number of tiles.
+    #[must_use]
+    pub fn tiles(&self) -> u32 {
+        self.tiles.len() as u32
+    }
+
+    /// The bytes of all tiles. SPUs read them by their address.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        let start = self.tiles.as_ptr().cast::<u8>();
+        // SAFETY: the tiles are arrays of bytes, without padding, one after another: their size is
+        // a multiple of their alignment. The slice borrows `self`, and bytes have no alignment.
+        unsafe { std::slice::from_raw_parts(start, self.tiles.len() * TEXTURE_TILE as usize) }
+    }
+
+    /// The address of the first tile, for SPUs.
+    #[must_use]
+    pub fn address(&self) -> u64 {
+        self.tiles.as_ptr().expose_provenance() as u64
+    }
+
+    /// The number of textures.
+    #[must_use]
+    pub fn count(&self) -> u32 {
+        self.sources.len() as u32
+    }
+
+    /// The number of the levels of all textures.
+    #[must_use]
+    pub fn level_count(&self) -> u32 {
+        self.levels.len() as u32
+    }
+
+    /// The number of a texture.
+    pub(super) fn number_of(&self, texture: &Arc<Texture>) -> Option<usize> {
+        let mut sources = self.sources.iter();
+        sources.position(|source| Arc::ptr_eq(source, texture))
+    }
+
+    /// The records of all textures and their levels, for this local-store address.
+    pub(super) fn records(&self, address: u32) -> Vec<u8> {
+        let levels = address as usize + self.sources.len() * size_of::<layout::Texture>();
+        let mut bytes = Vec::new();
+        for (source, part) in self.sources.iter().zip(self.firsts.windows(2)) {
+            let record = layout::Texture {
+                levels: ((levels + part[0] * size_of::<TextureLevel>()) as u32).into(),
+                last: ((part[1] - part[0] - 1) as u32).into(),
+                texels: single(source.texels().len() as f64),
+                wraps: wraps(source.wrap()).into(),
+            };
+            bytes.extend_from_slice(record.as_bytes());
+        }
+        bytes.extend_from_slice(self.levels.as_bytes());
+        bytes
+    }
+}
+
+impl std::fmt::Debug for Textures {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let mut all = f.debug_struct("Textures");
+        all.field("sources", &self.sources).finish_non_exhaustive()
+    }
+}
+
+/// The texel that is at `place`, counted from one before the first of `count`.
+fn continued(place: usize, count: usize, wrap: Wrap) -> usize {
+    match wrap {
+        Wrap::Repeat => (place + count - 1) % count,
+        Wrap::Clamp | Wrap::Mirror => place.saturating_sub(1).min(count - 1),
+    }
+}
+
+fn wraps([across, down]: [Wrap; 2]) -> u32 {
+    let bits = |wrap: Wrap, repeated: u32, mirrored: u32| match wrap {
+        Wrap::Clamp => 0,
+        Wrap::Repeat => repeated,
+        Wrap::Mirror => repeated | mirrored,
+    };
+    bits(across, WRAP_ACROSS, WRAP_MIRRORED_ACROSS) | bits(down, WRAP_DOWN, WRAP_MIRRORED_DOWN)
+}
