@@ -77,6 +77,7 @@ impl Emitter<'_> {
             i.rt,
             Node {
                 doubles: Some(results),
+                is_of_doubles: true,
                 facts: Facts {
                     no_negative_zero: true,
                     flags_noted: true,
@@ -290,6 +291,7 @@ impl Emitter<'_> {
             i.rt,
             Node {
                 doubles: Some(doubles),
+                is_of_doubles: true,
                 facts,
                 ..Node::default()
             },

@@ -352,10 +352,11 @@ impl Emitter<'_> {
         } else {
             Facts::default()
         };
+        let are_all = self.node(a).is_of_doubles && self.node(b).is_of_doubles;
         if let (Some(one), Some(other), true) = (
             self.node(a).doubles,
             self.node(b).doubles,
-            self.facts(c).mask,
+            self.facts(c).mask && are_all,
         ) {
             return self.select_doubles(i, [one, other], c, facts);
         }
