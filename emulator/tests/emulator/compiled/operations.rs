@@ -275,3 +275,28 @@ fn specials_do_not_fail_in_doubles() {
     assert!(doubles < singles / 10, "{doubles} of {singles}");
     assert_eq!(exact, 0);
 }
+
+/// A selection keeps the bits of denormals and of -0, also where arithmetic has read them.
+#[test]
+fn selections_between_operands_and_results() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let states: Vec<_> = (0..20).map(|_| state(&mut rng, false)).collect();
+    let instruction = |op, [rt, ra, rb, rc]: [u8; 4]| Instruction {
+        op,
+        rt,
+        ra,
+        rb,
+        rc,
+        branch_distance: 0,
+        immediate: 0,
+    };
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma];
+    compare_all(&mut rng, 40, &states, |rng| {
+        let op = arithmetic[rng.random_range(0..arithmetic.len())];
+        let compared = instruction(Op::Fcgt, [10, 5, 6, 0]);
+        let computed = instruction(op, [11, 3, 4, 5]);
+        let selected = [[12, 3, 11, 10], [13, 11, 4, 10], [14, 3, 4, 10]];
+        let selected = selected.map(|operands| instruction(Op::Selb, operands));
+        Some([&[compared, computed], &selected[..]].concat())
+    });
+}
