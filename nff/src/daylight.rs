@@ -1,12 +1,12 @@
-//! A gradient of the background, and the light of a fine day for scenes without lights of their own.
+//! A gradient of the background, and the light of a fine day for scenes without lights.
 
 use glam::DVec3;
 
 use crate::view::{self, ViewError, unit};
 use crate::{Light, LightKind, View};
 
-/// A sky (`#cellray sky`): a ray that hits nothing sees the background at the horizon and below, and
-/// this colour at the zenith. Between them it sees their mixture by the sine of its elevation.
+/// A sky (`#cellray sky`): a ray that hits nothing sees the background at the horizon and below,
+/// and this colour at the zenith. Between them it sees their mixture by the sine of its elevation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sky {
     /// The colour at the zenith: red, green and blue from 0 to 1.

@@ -240,8 +240,8 @@ pub struct Options {
     /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
     #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true)]
     contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light [default: srgb; linear
-    /// by depth shading, whose shades are distances]
+    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
+    /// linear by depth shading, whose shades are distances]
     #[arg(long, value_enum)]
     colour: Option<Colour>,
     /// Limit light that is nearly white or brighter without a step

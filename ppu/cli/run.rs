@@ -70,8 +70,8 @@ pub struct Options {
         allow_negative_numbers = true
     )]
     pub contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light [default: srgb; linear
-    /// by depth shading, whose shades are distances, and with --corners]
+    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
+    /// linear by depth shading, whose shades are distances, and with --corners]
     #[arg(long, value_enum)]
     pub colour: Option<Colour>,
     /// Limit light that is nearly white or brighter without a step

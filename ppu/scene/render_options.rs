@@ -36,8 +36,8 @@ impl Colour {
         }
     }
 
-    /// The share of light with which a surface shows the colours that it reflects or lets through, if
-    /// the material says that it shows this share of them.
+    /// The share of light with which a surface shows the colours that it reflects or lets through,
+    /// if the material says that it shows this share of them.
     pub(crate) fn seen(self, share: f64) -> f64 {
         match self {
             Self::Linear => share,

@@ -38,8 +38,8 @@ pub(super) struct Node {
     pub root: Option<(Id, u32)>,
     /// The lanes as doubles: words 0 and 1, words 2 and 3.
     pub doubles: Option<[Value; 2]>,
-    /// Whether the value was computed as doubles, so that they are all of it. Doubles that were made
-    /// from words have 0 for denormal lanes and for -0.
+    /// Whether the value was computed as doubles, so that they are all of it. Doubles that were
+    /// made from words have 0 for denormal lanes and for -0.
     pub is_of_doubles: bool,
     /// As singles, with +0 in place of -0.
     pub canonical: Option<Value>,

@@ -130,7 +130,7 @@ fn means(samples: &[DVec3], side: u32) -> Vec<DVec3> {
 /// What a ray through a point of a picture of [`SIZE`] sees, channels from 0 to 1.
 enum Light<'a> {
     Depth(DepthProbe),
-    Whitted(Probe<'a>),
+    Whitted(Box<Probe<'a>>),
 }
 
 impl<'a> Light<'a> {
@@ -140,7 +140,7 @@ impl<'a> Light<'a> {
             Self::Depth(DepthProbe::new(scene, width, height)?)
         } else {
             let options = whitted::Options::default();
-            Self::Whitted(Probe::new(scene, width, height, &options)?)
+            Self::Whitted(Box::new(Probe::new(scene, width, height, &options)?))
         })
     }
 

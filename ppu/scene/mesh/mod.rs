@@ -3,9 +3,9 @@
 //!
 //! A block has nodes in a few complete levels, and a leaf block also its triangles with their
 //! vertices and texture coordinates, or its spheres (`docs/work-unit.md`). Positions are the
-//! mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the surface
-//! area heuristic until they fit a leaf block each; near that size the heuristic counts blocks
-//! instead of triangles, so that blocks get full.
+//! mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the
+//! surface area heuristic until they fit a leaf block each; near that size the heuristic counts
+//! blocks instead of triangles, so that blocks get full.
 //!
 //! Invariant: every sphere, and every triangle with an area, is in exactly one leaf block. A
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A

@@ -28,8 +28,8 @@ pub fn good(program: &str, folder: &Path, arguments: &[&str]) -> String {
     stderr
 }
 
-/// Renders pictures of the frames A..B, of [`SIZE`], with one sample a pixel and linear light as the
-/// reference has them.
+/// Renders pictures of the frames A..B, of [`SIZE`], with one sample a pixel and linear light as
+/// the reference has them.
 pub fn pictures(program: &str, folder: &Path, frames: &str, more: &[&str]) -> String {
     let size = format!("{}x{}", SIZE.0, SIZE.1);
     let arguments = ["--size", &size, "--frames", frames, "--out", "f-%05d.png"];

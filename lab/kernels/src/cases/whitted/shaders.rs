@@ -1,4 +1,4 @@
-//! The built-in shaders: cases, surfaces to shade, and the errors of `shader_depth` and `shader_sky`.
+//! The built-in shaders: cases, surfaces to shade, errors of `shader_depth` and `shader_sky`.
 
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
