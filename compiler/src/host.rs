@@ -8,6 +8,9 @@ use std::mem::offset_of;
 /// denormal operands, mask all exceptions. Its exception flags are clear.
 const MXCSR: u32 = 0xff80;
 
+/// The bits that mask exceptions.
+const MASKS: u32 = 0x1f80;
+
 /// The exceptions after which the host's result may differ from an SPU's: invalid, denormal
 /// operand, overflow, underflow. Inexact results are truncated, as on an SPU, and compiled code
 /// has no divisions.
@@ -51,6 +54,33 @@ pub(crate) extern "C" fn read_mxcsr() {
         "stmxcsr [rdi + {mxcsr}]",
         "ret",
         mxcsr = const offset_of!(Context, mxcsr)
+    )
+}
+
+/// Has the host round to nearest and keep tiny results, as double precision needs. Called like
+/// [`read_mxcsr`].
+#[unsafe(naked)]
+pub(crate) extern "C" fn round_to_nearest() {
+    naked_asm!(
+        "stmxcsr [rdi + {mxcsr}]",
+        "and dword ptr [rdi + {mxcsr}], {kept}",
+        "ldmxcsr [rdi + {mxcsr}]",
+        "ret",
+        mxcsr = const offset_of!(Context, mxcsr),
+        kept = const !(MXCSR & !MASKS),
+    )
+}
+
+/// Undoes [`round_to_nearest`]. Called like [`read_mxcsr`].
+#[unsafe(naked)]
+pub(crate) extern "C" fn round_toward_zero() {
+    naked_asm!(
+        "stmxcsr [rdi + {mxcsr}]",
+        "or dword ptr [rdi + {mxcsr}], {added}",
+        "ldmxcsr [rdi + {mxcsr}]",
+        "ret",
+        mxcsr = const offset_of!(Context, mxcsr),
+        added = const MXCSR & !MASKS,
     )
 }
 

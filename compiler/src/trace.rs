@@ -1,6 +1,6 @@
 //! Traces: paths through SPU code, which the compiler translates to units.
 
-use spu_isa::{Instruction, LIMIT_MASK, Op, feature};
+use spu_isa::{Class, Instruction, LIMIT_MASK, Op, feature};
 
 /// The most instructions that a trace may have.
 pub const MAX_STEPS: usize = 160;
@@ -82,6 +82,21 @@ impl Trace {
         self.steps[0].pc
     }
 
+    /// Whether the trace returns to its start.
+    pub(crate) fn is_loop(&self) -> bool {
+        let last = self.steps.last();
+        last.is_some_and(|last| code_address(last.next) == self.start())
+    }
+
+    /// The trace up to its first double-precision instruction. Returns `None` if it has none, or
+    /// begins with it.
+    #[must_use]
+    pub fn before_double_precision(&self) -> Option<Self> {
+        let is_double = |step: &Step| step.instruction.op.row().class == Class::Fpd;
+        let count = self.steps.iter().position(is_double)?;
+        Self::new(self.steps[..count].to_vec())
+    }
+
     pub(crate) fn ranges(&self) -> &[Range] {
         &self.ranges
     }
@@ -99,14 +114,13 @@ impl Trace {
 }
 
 /// Whether the instruction can be compiled. The interpreter runs all others: instructions that
-/// access more than registers and local store, rare ones, and double precision.
+/// access more than registers and local store, rare ones, and the double-precision extension.
 #[must_use]
 pub fn can_compile(i: Instruction) -> bool {
     use Op::*;
     match i.op {
-        Stop | Stopd | Sync | Dsync | Mfspr | Rdch | Rchcnt | Wrch | Bisled | Iret | Dfa | Dfs
-        | Dfm | Dfma | Dfms | Dfnms | Dfnma | Fesd | Frds | Fscrrd | Fscrwr | Dfceq | Dfcmeq
-        | Dfcgt | Dfcmgt | Dftsv => false,
+        Stop | Stopd | Sync | Dsync | Mfspr | Rdch | Rchcnt | Wrch | Bisled | Iret | Fscrrd
+        | Fscrwr | Dfceq | Dfcmeq | Dfcgt | Dfcmgt | Dftsv => false,
         Bi | Bisl | Biz | Binz | Bihz | Bihnz => {
             i.immediate & (feature::DISABLE | feature::ENABLE) == 0
         }

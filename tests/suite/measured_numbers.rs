@@ -11,6 +11,7 @@ const END: &str = "<!-- end of what is written -->";
 const OTHERS: &[(&str, &str, &str)] = &[
     ("docs/frame.md", "52", "the paper's, on a console"),
     ("docs/frame.md", "1615", "a step of this project's history"),
+    ("docs/meshes.md", "2.7", "a step of this project's history"),
 ];
 
 fn documents() -> Vec<PathBuf> {

@@ -38,13 +38,18 @@ pub(super) struct Pending {
 /// Everything that the next commit must check.
 #[derive(Default)]
 pub(super) struct Unverified {
-    /// In singles: whether there was arithmetic. The host's exception flags show how it went.
+    /// In singles, and in double precision: whether there was arithmetic. The host's exception
+    /// flags show how it went.
     pub arithmetic: bool,
     /// In singles: the largest operand of each lane, as bits without the sign, shifted left by
     /// one.
     pub magnitudes: Option<Value>,
-    /// In singles: a mask of lanes with special operands or results.
+    /// A mask of lanes with special operands or results.
     pub special: Option<Value>,
+    /// Whether there was double precision, which units compute in one rounding mode only.
+    pub double_precision: bool,
+    /// In double precision: whether the FPSCR had the inexact flags of both slices.
+    pub inexact_flags: Option<Value>,
     /// In doubles: the largest magnitude of each lane's results, before saturation.
     pub largest: Option<[Value; 2]>,
     /// In doubles: the bits of all magnitudes that were too small, combined with OR.
@@ -52,7 +57,7 @@ pub(super) struct Unverified {
     /// With exact sums: a mask of sums that exceeded the largest number by less than a double's
     /// precision.
     pub above: Option<[Value; 2]>,
-    /// In doubles: further flags, at their positions in the FPSCR.
+    /// Further flags, at their positions in the FPSCR.
     pub flags: Option<Value>,
     /// In doubles: a mask of lanes in which an estimate's operand was zero.
     pub zeros: Option<Value>,
@@ -131,6 +136,7 @@ impl Emitter<'_> {
     }
 
     fn leave(&mut self, status: u32, pc: Value, count: u32) {
+        self.round_toward_zero();
         self.log(count);
         self.store_field(pc, field::PC);
         let left = self.budget_left(count);
@@ -168,6 +174,7 @@ impl Emitter<'_> {
     /// Commits, and jumps to the unit at `pc`, or to the exit stub if there is none.
     pub(super) fn chain_to(&mut self, pc: Value) {
         self.commit();
+        self.round_toward_zero();
         self.write_back();
         self.log(self.count);
         let left = self.budget_left(self.count);
@@ -258,7 +265,7 @@ impl Emitter<'_> {
         failures.extend(all);
     }
 
-    /// In singles: adds conditions under which the host's results may differ from an SPU's.
+    /// Adds conditions under which the host's results may differ from an SPU's.
     fn find_specials(&mut self, failures: &mut Vec<Value>) {
         let mut special = self.unverified.special;
         if let Some(magnitudes) = self.unverified.magnitudes {
@@ -274,13 +281,13 @@ impl Emitter<'_> {
             failures.push(self.b.ins().vany_true(special));
         }
         if self.unverified.arithmetic {
-            let reader = host::read_mxcsr as *const () as i64;
-            let reader = self.b.ins().iconst(types::I64, reader);
-            self.b
-                .ins()
-                .call_indirect(self.mxcsr_reader, reader, &[self.context]);
+            self.call_with_context(host::read_mxcsr);
             let mxcsr = self.load_field(types::I32, field::MXCSR);
             failures.push(self.b.ins().band_imm_u(mxcsr, i64::from(host::EXCEPTIONS)));
+        }
+        if self.unverified.double_precision {
+            let modes = self.load_field(types::I32, field::FPSCR);
+            failures.push(self.b.ins().band_imm_u(modes, ROUNDING_MODES));
         }
     }
 
@@ -356,6 +363,9 @@ impl Emitter<'_> {
 const LARGEST: f64 = f64::from_bits((1023 + 128) << 52 | 0xf_ffff_e000_0000);
 /// 2^128, the smallest number beyond the range of IEEE singles.
 const BEYOND_IEEE: f64 = f64::from_bits((1023 + 128) << 52);
+
+/// The rounding modes of both slices in the first word of the FPSCR: 0 for to nearest.
+const ROUNDING_MODES: i64 = 0xf00;
 
 /// A shuffle that reverses the order of the words.
 pub(super) const REVERSED_WORDS: [u8; 16] = [12, 13, 14, 15, 8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3];

@@ -17,6 +17,7 @@ mod branch;
 mod bytes;
 mod commit;
 mod convert;
+mod double_precision;
 mod doubles;
 mod estimate;
 mod float;
@@ -41,6 +42,7 @@ use crate::tables::Estimates;
 use crate::trace::{Range, Step, Trace, code_address};
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
+use spu_isa::Class;
 use spu_isa::timing::hints_by_register;
 
 /// Offsets of [`Context`](crate::host::Context)'s fields.
@@ -75,6 +77,10 @@ pub(crate) struct Emitter<'a> {
     mode: FloatMode,
     /// Whether the current instruction is computed in doubles.
     in_doubles: bool,
+    /// Whether the host rounds to nearest here, for double precision.
+    rounds_to_nearest: bool,
+    /// Whether the host rounds to nearest where the trace's loop begins.
+    loop_rounds_to_nearest: bool,
     estimates: Estimates,
     /// The unit's number.
     number: u32,
@@ -92,7 +98,7 @@ pub(crate) struct Emitter<'a> {
     /// The block to which the trace's loop jumps back, if the trace is a loop.
     entry: Block,
     unit: SigRef,
-    mxcsr_reader: SigRef,
+    context_function: SigRef,
     file: Registers,
     committed: Committed,
     pending: Vec<Pending>,
@@ -122,18 +128,17 @@ impl<'a> Emitter<'a> {
             unreachable!("the signature has five parameters");
         };
         let entry = b.create_block();
-        b.ins().jump(entry, &[budget.into()]);
-        let budget = b.append_block_param(entry, types::I64);
-        b.switch_to_block(entry);
         let unit = b.import_signature(unit_signature());
         let mut signature = Signature::new(CallConv::PreserveAll);
         signature.params.push(AbiParam::new(types::I64));
-        let mxcsr_reader = b.import_signature(signature);
+        let context_function = b.import_signature(signature);
         let start = trace.start();
         Self {
             b,
             mode,
             in_doubles: false,
+            rounds_to_nearest: false,
+            loop_rounds_to_nearest: false,
             estimates,
             number,
             logs,
@@ -145,7 +150,7 @@ impl<'a> Emitter<'a> {
             budget,
             entry,
             unit,
-            mxcsr_reader,
+            context_function,
             file: Registers::default(),
             committed: Committed::at(start),
             pending: Vec::new(),
@@ -159,6 +164,7 @@ impl<'a> Emitter<'a> {
 
     /// Emits the function. Returns whether it has float operations that can fail in singles.
     pub fn emit(mut self, trace: &Trace, target: TargetFrontendConfig) -> bool {
+        self.begin(trace);
         self.enter(trace.steps().len());
         for step in trace.steps() {
             self.step(step);
@@ -169,9 +175,29 @@ impl<'a> Emitter<'a> {
         self.has_floats
     }
 
+    /// Emits the way to the block to which a loop returns. A loop whose only arithmetic is double
+    /// precision keeps the host's rounding mode from one iteration to the next.
+    fn begin(&mut self, trace: &Trace) {
+        let classes = || {
+            trace
+                .steps()
+                .iter()
+                .map(|step| step.instruction.op.row().class)
+        };
+        let is_single = |class| matches!(class, Class::Fp6 | Class::Fp7);
+        if trace.is_loop() && !classes().any(is_single) && classes().any(|c| c == Class::Fpd) {
+            self.round_for(Class::Fpd);
+        }
+        self.loop_rounds_to_nearest = self.rounds_to_nearest;
+        self.b.ins().jump(self.entry, &[self.budget.into()]);
+        self.budget = self.b.append_block_param(self.entry, types::I64);
+        self.b.switch_to_block(self.entry);
+    }
+
     fn step(&mut self, step: &Step) {
         self.pc = step.pc;
         self.in_doubles = self.mode.in_doubles.contains(self.count as usize);
+        self.round_for(step.instruction.op.row().class);
         if !self.branch(step.instruction, step.next) {
             self.operation(step.instruction);
         }
@@ -187,9 +213,12 @@ impl<'a> Emitter<'a> {
             return;
         };
         self.pc = code_address(last.next);
-        if self.pc == trace.start() {
+        if trace.is_loop() {
             self.commit();
             self.write_back();
+            if !self.loop_rounds_to_nearest {
+                self.round_toward_zero();
+            }
             self.log(self.count);
             let left = self.budget_left(self.count);
             self.b.ins().jump(self.entry, &[left.into()]);
@@ -239,6 +268,15 @@ impl<'a> Emitter<'a> {
     fn store_field(&mut self, value: Value, offset: i32) {
         let flags = MemFlagsData::trusted();
         self.b.ins().store(flags, value, self.context, offset);
+    }
+
+    /// Calls a function of the host that takes the context and preserves all registers.
+    fn call_with_context(&mut self, function: extern "C" fn()) {
+        let function = function as *const () as i64;
+        let function = self.b.ins().iconst(types::I64, function);
+        self.b
+            .ins()
+            .call_indirect(self.context_function, function, &[self.context]);
     }
 
     /// A 32-bit constant.

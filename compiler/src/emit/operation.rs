@@ -197,15 +197,20 @@ impl Emitter<'_> {
             Op::Fcgt => self.compare_singles(i, Compare::Greater, false),
             Op::Fcmgt => self.compare_singles(i, Compare::Greater, true),
 
+            Op::Dfa | Op::Dfs | Op::Dfm | Op::Dfma | Op::Dfms | Op::Dfnms | Op::Dfnma => {
+                self.double_arithmetic(i);
+            }
+            Op::Fesd => self.double_of_single(i),
+            Op::Frds => self.single_of_double(i),
+
             // Branches and halts, which `branch` emits.
             Op::Br | Op::Bra | Op::Brsl | Op::Brasl | Op::Brz | Op::Brnz | Op::Brhz
             | Op::Brhnz | Op::Bi | Op::Bisl | Op::Biz | Op::Binz | Op::Bihz | Op::Bihnz
             | Op::Heq | Op::Heqi | Op::Hgt | Op::Hgti | Op::Hlgt | Op::Hlgti
             // Instructions that `can_compile` rejects.
             | Op::Iret | Op::Bisled | Op::Stop | Op::Stopd | Op::Sync | Op::Dsync | Op::Mfspr
-            | Op::Rdch | Op::Rchcnt | Op::Wrch | Op::Dfa | Op::Dfs | Op::Dfm | Op::Dfma
-            | Op::Dfms | Op::Dfnms | Op::Dfnma | Op::Fesd | Op::Frds | Op::Fscrrd | Op::Fscrwr
-            | Op::Dfceq | Op::Dfcmeq | Op::Dfcgt | Op::Dfcmgt | Op::Dftsv => {
+            | Op::Rdch | Op::Rchcnt | Op::Wrch | Op::Fscrrd | Op::Fscrwr | Op::Dfceq
+            | Op::Dfcmeq | Op::Dfcgt | Op::Dfcmgt | Op::Dftsv => {
                 unreachable!("a trace can't contain this operation: {i:?}")
             }
         }

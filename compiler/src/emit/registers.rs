@@ -41,6 +41,8 @@ pub(super) struct Node {
     /// Whether the value was computed as doubles, so that they are all of it. Doubles that were
     /// made from words have 0 for denormal lanes and for -0.
     pub is_of_doubles: bool,
+    /// In double precision: the two slices.
+    pub slices: Option<Value>,
     /// As singles, with +0 in place of -0.
     pub canonical: Option<Value>,
     /// As negated singles, with +0 for zeros.

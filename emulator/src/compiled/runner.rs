@@ -371,8 +371,9 @@ impl Runner {
         exit
     }
 
-    /// A unit has failed. If it fails often, a unit with a slower [`FloatMode`] replaces it. If
-    /// there can't be one, the address is never compiled again.
+    /// A unit has failed. If it fails often, a unit with a slower [`FloatMode`] replaces it, or one
+    /// that ends before its double precision. If there can't be one, the address is never compiled
+    /// again.
     fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
@@ -400,7 +401,15 @@ impl Runner {
         }
         let other = unit.mode().fallback(failures.special);
         let other = other.filter(|_| unit.has_floats());
-        let other = other.map(|mode| self.translations.add(unit.trace().clone(), mode));
+        let other = match other {
+            Some(mode) => Some((unit.trace().clone(), mode)),
+            // Singles fail in no other mode, so what fails now is double precision.
+            None => unit
+                .trace()
+                .before_double_precision()
+                .map(|trace| (trace, FloatMode::SINGLES)),
+        };
+        let other = other.map(|(trace, mode)| self.translations.add(trace, mode));
         match other {
             Some(Added::Ready(unit)) => self.cpu.install(&unit),
             // Until then the code is interpreted.

@@ -1,7 +1,7 @@
 //! Finds the instructions that the host's singles can't compute.
 
 use spu_compiler::{Steps, Trace};
-use spu_isa::{Instruction, Op};
+use spu_isa::{Class, Instruction, Op};
 
 use crate::channel::NoChannels;
 use crate::float::fpscr::Fpscr;
@@ -50,8 +50,9 @@ impl Specials {
             let special = self.is_special(step.instruction);
             self.spu.fpscr = Fpscr::default();
             let stopped = self.spu.step(&self.local_store, &mut NoChannels);
+            let is_single = step.instruction.op.row().class != Class::Fpd;
             let raised = self.spu.fpscr.words() != [0; 4];
-            if special || raised {
+            if special || is_single && raised {
                 specials.add(number);
             }
             if stopped.is_some() || self.spu.pc() != step.next {

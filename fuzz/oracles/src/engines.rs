@@ -122,7 +122,7 @@ impl Choices<'_> {
             Op::Lqr,
             Op::Stqr,
         ];
-        const FLOATS: [Op; 12] = [
+        const FLOATS: [Op; 17] = [
             Op::Fa,
             Op::Fs,
             Op::Fm,
@@ -135,6 +135,11 @@ impl Choices<'_> {
             Op::Fcgt,
             Op::Fcmeq,
             Op::Fscrrd,
+            Op::Selb,
+            Op::Dfa,
+            Op::Dfma,
+            Op::Fesd,
+            Op::Frds,
         ];
         let rows = Op::rows();
         let op = match self.below(16) {

@@ -1,5 +1,6 @@
 //! Tests that compare compiled code with the interpreter, which is the reference.
 
+mod double_precision;
 mod operations;
 mod programs;
 mod units;

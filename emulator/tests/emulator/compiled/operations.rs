@@ -82,7 +82,7 @@ const LARGE: [u32; 8] = [
     0x7380_0000,
 ];
 
-fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
+pub(super) fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
     match kind {
         4 => LARGE[rng.random_range(0..LARGE.len())],
         0 => rng.random(),
@@ -125,7 +125,7 @@ fn state(rng: &mut ChaCha8Rng, ordinary: bool) -> State {
 }
 
 /// A random instruction with this operation, one of few registers and any immediate.
-fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
+pub(super) fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
     let row = op.row();
     let word = u32::from(row.opcode) << 21 | rng.random::<u32>() & 0x1fff_ffff >> 3;
     let mut i = Instruction::decode(word).filter(|i| i.op == op)?;
@@ -149,7 +149,7 @@ fn operations() -> impl Iterator<Item = Op> {
 
 /// Compares compiled code with the interpreter on every sequence of instructions that `make`
 /// returns. Returns the number of failures in each mode.
-fn compare_all(
+pub(super) fn compare_all(
     rng: &mut ChaCha8Rng,
     rounds: usize,
     states: &[State],
