@@ -82,6 +82,7 @@ use crate::spe::{Program, ProgramError};
 pub struct Session<G> {
     game: G,
     world: World,
+    look: Option<Look>,
     engine: Engine,
     settings: Settings,
     /// The width and height in pixels that the game is told.
@@ -128,6 +129,7 @@ impl<G: Game> Session<G> {
             engine,
             game,
             world: World::new(),
+            look: None,
             settings,
             size,
             start: None,
@@ -305,7 +307,7 @@ impl<G: Game> Session<G> {
     /// Sets how the world is looked at, from the next frame on. The game does not notice, and its
     /// [`RenderOptions`](crate::scene::RenderOptions) stay as they are; with `None` they count.
     pub fn look(&mut self, look: Option<Look>) {
-        self.world.set_look(look);
+        self.look = look;
     }
 
     fn traced_step(
@@ -334,6 +336,8 @@ impl<G: Game> Session<G> {
     }
 
     fn trace(&mut self, tracing: &mut dyn FnMut(f64)) -> Result<(), SessionError> {
+        // A game may put another world in place of this one.
+        self.world.set_look(self.look);
         let scene = self.world.scene(&self.settings.program)?;
         let statistics = self.engine.render(scene, tracing)?;
         if !statistics.is_put_off {

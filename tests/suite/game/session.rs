@@ -50,6 +50,8 @@ impl Game for Driven {
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
+        // As games do whose world is in a file.
+        *world = World::new();
         self.random = ChaCha8Rng::seed_from_u64(start.seed);
         world.add_light(Light::at(DVec3::new(3.0, 9.0, 9.0)))?;
         let wide = f64::from(start.size.0) / f64::from(start.size.1);
