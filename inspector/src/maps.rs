@@ -53,14 +53,10 @@ pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Mar
         style { (PreEscaped(ids.iter().map(|(id, _)| shown(id)).collect::<String>())) }
         section.maps {
             h2 { "The picture, and maps of its tiles and pixels" }
-            input #map-none type="radio" name="map" checked;
-            label for="map-none" { "picture" }
+            label { input #map-none type="radio" name="map" checked; " picture" }
             @for (id, name) in &ids {
                 " "
-                input id={ "map-" (id) } type="radio" name="map";
-                // So that no line ends between a button and its name.
-                "\u{a0}"
-                label for={ "map-" (id) } { (name) }
+                label { input id={ "map-" (id) } type="radio" name="map"; " " (name) }
             }
             div.stage style={ "aspect-ratio:" (width) "/" (height) ";max-width:" (width) "px" } {
                 img src=(data(inspection.picture)) width=(width) height=(height) alt="The traced picture";
@@ -81,9 +77,7 @@ pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Mar
 
 /// The rules by which a map is shown while its button is pressed.
 fn shown(id: &str) -> String {
-    format!(
-        "#map-{id}:checked ~ .stage .for-{id}, #map-{id}:checked ~ p.for-{id} {{ display: block }}\n"
-    )
+    format!(".maps:has(#map-{id}:checked) .for-{id} {{ display: block }}\n")
 }
 
 /// A picture within the page.
