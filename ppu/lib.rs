@@ -41,6 +41,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "cli")]
+pub mod choices;
 pub mod engine;
 pub mod framebuffer;
 pub mod game;

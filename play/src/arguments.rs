@@ -4,9 +4,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cellray::Settings;
+use cellray::choices::{Antialias, Colour, Model};
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
+use cellray::scene::{CONTRAST, Look, RenderOptions, Samples};
 use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -106,70 +107,6 @@ pub struct ViewArguments {
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
-}
-
-/// `--antialias`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Antialias {
-    /// No antialiasing: one ray through the pixel's centre.
-    #[value(name = "1")]
-    One,
-    /// Four samples.
-    #[value(name = "4")]
-    Four,
-    /// Sixteen samples.
-    #[value(name = "16")]
-    Sixteen,
-}
-
-impl From<Antialias> for scene::Samples {
-    fn from(antialias: Antialias) -> Self {
-        match antialias {
-            Antialias::One => Self::One,
-            Antialias::Four => Self::Four,
-            Antialias::Sixteen => Self::Sixteen,
-        }
-    }
-}
-
-/// `--colour`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Colour {
-    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
-    Linear,
-    /// They have sRGB's values, which viewers of pictures expect.
-    Srgb,
-}
-
-impl From<Colour> for scene::Colour {
-    fn from(colour: Colour) -> Self {
-        match colour {
-            Colour::Linear => Self::Linear,
-            Colour::Srgb => Self::Srgb,
-        }
-    }
-}
-
-/// `--model`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Model {
-    /// Whitted's model if the scene has lights, otherwise depth shading.
-    #[default]
-    Scene,
-    /// The paper's model: spheres that fade to black with their distance.
-    Depth,
-    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
-    Whitted,
-}
-
-impl From<Model> for scene::Model {
-    fn from(model: Model) -> Self {
-        match model {
-            Model::Scene => Self::Scene,
-            Model::Depth => Self::Depth,
-            Model::Whitted => Self::Whitted,
-        }
-    }
 }
 
 impl ViewArguments {

@@ -205,18 +205,7 @@ impl<'a> Show<'a> {
 
     /// Steps the session. If something has moved while the picture was refined, it is coarse again.
     fn step(&mut self, step: Duration) -> Result<ControlFlow<()>, PlayError> {
-        let tiles = self.pace.as_ref().and_then(Pace::tiles);
-        self.session.engine().limit_tiles(tiles);
-        let mut tracing = |part| {
-            keep_responsive(
-                &mut self.front,
-                &mut self.waiting,
-                self.picture.as_ref(),
-                &self.overlay,
-                part,
-            )
-        };
-        let flow = self.session.step(step, &mut self.events, &mut tracing)?;
+        let flow = self.traced(|session, events, tracing| session.step(step, events, tracing))?;
         if self.session.engine().statistics().is_put_off {
             self.coarsen()?;
             self.trace_again()?;
@@ -227,6 +216,19 @@ impl<'a> Show<'a> {
     /// Traces the last step's world again. In a pause that refines the picture, and shows the text
     /// where the SPUs write to the screen.
     fn trace_again(&mut self) -> Result<(), PlayError> {
+        self.traced(|session, _, tracing| session.trace_again(tracing))
+    }
+
+    /// Has the session trace a frame, as many tiles as the pace allows. It is given the events for
+    /// its next step, and what keeps the display responsive meanwhile.
+    fn traced<T>(
+        &mut self,
+        trace: impl FnOnce(
+            &mut Session<Box<dyn Game>>,
+            &mut Vec<InputEvent>,
+            &mut dyn FnMut(f64),
+        ) -> Result<T, SessionError>,
+    ) -> Result<T, PlayError> {
         let tiles = self.pace.as_ref().and_then(Pace::tiles);
         self.session.engine().limit_tiles(tiles);
         let mut tracing = |part| {
@@ -238,7 +240,7 @@ impl<'a> Show<'a> {
                 part,
             )
         };
-        Ok(self.session.trace_again(&mut tracing)?)
+        Ok(trace(&mut self.session, &mut self.events, &mut tracing)?)
     }
 
     /// Whether the game's time stands still. There is nothing to show before the first frame.

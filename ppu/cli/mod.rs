@@ -1,7 +1,6 @@
 //! The commands. Data goes to standard output, messages go to standard error.
 
 mod camera;
-mod choices;
 mod external;
 mod fb;
 mod info;

@@ -5,6 +5,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use cellray::choices::{Antialias, Colour, Model, Quality, Split};
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
 use cellray::spe::Program;
@@ -17,7 +18,6 @@ use protocol::layout::{MESH_LEAST_SLOTS, MESH_MOST_SLOTS};
 
 use super::Outcome;
 use super::camera::Camera;
-use super::choices::{Antialias, Colour, Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options for the scene, the SPUs and the statistics.

@@ -1,9 +1,9 @@
-//! The library's choices as words of the command line. Their help is written here because it
-//! addresses the command line's users.
+//! The library's choices as words of command lines: cellray's, and those of games. Their help is
+//! written here because it addresses the users of command lines.
 
-use cellray::scene;
-use cellray::work;
 use clap::ValueEnum;
+
+use crate::{quality, scene, work};
 
 /// `--antialias`.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -100,7 +100,7 @@ pub enum Quality {
     Exact,
 }
 
-impl From<Quality> for cellray::Quality {
+impl From<Quality> for quality::Quality {
     fn from(quality: Quality) -> Self {
         match quality {
             Quality::Fast => Self::Fast,
