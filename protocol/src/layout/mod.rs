@@ -197,7 +197,7 @@ constants! {
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
-    MESH_CODE_ROOM = 13312;
+    MESH_CODE_ROOM = 17920;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
     /// Fewest blocks that the cache of an SPU must have room for.
@@ -390,7 +390,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 13312.
+    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 17920.
     MeshCode = 29, "mesh_code, mesh_code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

@@ -24,7 +24,7 @@
         registers boxes                                 # the numbers of the node's boxes, shifted
         registers child,valid,wrong,expected,lengths,firsts,words
         registers lo_x,lo_y,lo_z,hi_x,hi_y,hi_z
-        registers largest,magnitude,c_greater,slack
+        registers slack
         registers bad                                   # not 0 in any lane: not as it should be
         registers t
         registers coordinates                           # SIDES_TEXTURED, or 0; then their bytes
@@ -35,6 +35,16 @@
         .set    NEXT,moved+4
         registers eye,m_xyz,face,limit
         .set    a_face,a_vertex
+        # Temporaries of a node, where the vertices come afterwards.
+        .set    largest_x,vertex
+        .set    largest_y,vertex+1
+        .set    largest_z,vertex+2
+        .set    magnitude_x,moved
+        .set    magnitude_y,moved+1
+        .set    magnitude_z,moved+2
+        .set    greater_x,vertex+3
+        .set    greater_y,moved+3
+        .set    greater_z,face
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -46,9 +56,17 @@ eye_axes:
         .int    0x04050607,0x04050607,0x04050607,0x04050607
         .int    0x08090a0b,0x08090a0b,0x08090a0b,0x08090a0b
 
-# Goes to the next node by the branch `next`.
+# Stores the node's box, and goes to the next node by the branch `next`.
 .macro  node_done next:req
         or      $bad,$bad,$wrong
+    .irp axis, x,y,z
+        fs      $lo_\axis,$lo_\axis,$slack
+        fa      $hi_\axis,$hi_\axis,$slack
+    .endr
+    .irp axis, x,y,z
+        stqd    $lo_\axis,BOXES_lo_\axis($a_node)
+        stqd    $hi_\axis,BOXES_hi_\axis($a_node)
+    .endr
         ai      $a_node,$a_node,BOXES_SIZE
         ceq     $t,$a_node,$a_level_end
         brnz    $t,level_done
@@ -173,36 +191,39 @@ next_level:
 next_node:
         hbr     by_kind,$a_children
         lqd     $child,BOXES_child($a_node)
-    .irp corner, lo,hi
     .irp axis, x,y,z
-        lqd     $\corner\()_\axis,BOXES_\corner\()_\axis($a_node)
+        lqd     $lo_\axis,BOXES_lo_\axis($a_node)
+        lqd     $hi_\axis,BOXES_hi_\axis($a_node)
     .endr
-    .endr
+        # The box relative to the eye. A lane without a child must have no box.
         ceqi    $valid,$child,0
         ceq     $wrong,$lo_x,$k_none
         xor     $t,$hi_x,$k_sign
+        fs      $lo_x,$lo_x,$eye_x
         ceq     $t,$t,$k_none
+        fs      $hi_x,$hi_x,$eye_x
         and     $wrong,$wrong,$t
-        andc    $wrong,$valid,$wrong                    # no child, but a box
+        fs      $lo_y,$lo_y,$eye_y
+        andc    $wrong,$valid,$wrong
+        fs      $hi_y,$hi_y,$eye_y
         or      $bad,$bad,$wrong
+        fs      $lo_z,$lo_z,$eye_z
         xori    $valid,$valid,-1
-        # The box relative to the eye, and larger by the rounding of that and of its test.
+        fs      $hi_z,$hi_z,$eye_z
+        # It becomes larger by the rounding of that and of its test.
     .irp axis, x,y,z
-        fs      $lo_\axis,$lo_\axis,$eye_\axis
-        fs      $hi_\axis,$hi_\axis,$eye_\axis
+        andc    $largest_\axis,$lo_\axis,$k_sign
+        andc    $magnitude_\axis,$hi_\axis,$k_sign
     .endr
-        andc    $largest,$lo_x,$k_sign
-    .irp corner, lo_y,lo_z,hi_x,hi_y,hi_z
-        andc    $magnitude,$\corner,$k_sign
-        maximum $largest,$magnitude,$c_greater
-    .endr
-        fm      $slack,$largest,$k_slack
     .irp axis, x,y,z
-        fs      $lo_\axis,$lo_\axis,$slack
-        fa      $hi_\axis,$hi_\axis,$slack
-        stqd    $lo_\axis,BOXES_lo_\axis($a_node)
-        stqd    $hi_\axis,BOXES_hi_\axis($a_node)
+        fcgt    $greater_\axis,$magnitude_\axis,$largest_\axis
     .endr
+    .irp axis, x,y,z
+        selb    $largest_\axis,$largest_\axis,$magnitude_\axis,$greater_\axis
+    .endr
+        maximum $largest_x,$largest_y,$greater_x
+        maximum $largest_x,$largest_z,$greater_x
+        fm      $slack,$largest_x,$k_slack
 by_kind:
         bi      $a_children
 
@@ -352,21 +373,25 @@ bad_block:
         ori     $3,$3,STATUS_MeshBlock
         br      give_up
 
-        # The centres of spheres.
+        # The centres of spheres. The next one is loaded while one is moved; behind the last one that
+        # is whatever comes after the block.
 objects:
-        hbrr    last_object,objects
         lqd     $vertex,OBJECT_centre($a_vertex)
+next_object:
+        hbrr    last_object,next_object
         lqd     $face,OBJECT_material&~15($a_vertex)
         fs      $moved,$vertex,$eye
-        rotqbyi $face,$face,OBJECT_material&15
-        clgt    $face,$face,$limit
-        or      $bad,$bad,$face
-        selb    $vertex,$vertex,$moved,$m_xyz
-        stqd    $vertex,OBJECT_centre($a_vertex)
-        ai      $a_vertex,$a_vertex,OBJECT_SIZE
+        lqd     $vertex+1,OBJECT_centre+OBJECT_SIZE($a_vertex)
         ai      $triangles,$triangles,-1
+        rotqbyi $face,$face,OBJECT_material&15
+        selb    $moved,$vertex,$moved,$m_xyz
+        clgt    $face,$face,$limit
+        stqd    $moved,OBJECT_centre($a_vertex)
+        ai      $a_vertex,$a_vertex,OBJECT_SIZE
+        ori     $vertex,$vertex+1,0
+        or      $bad,$bad,$face
 last_object:
-        brnz    $triangles,objects
+        brnz    $triangles,next_object
         biz     $bad,$lr
         br      bad_block
 endfunction mesh_arrive

@@ -13,7 +13,7 @@
         .section .data.mesh,"aw",@progbits
         .align  4
 hit:    .skip   16                                      # what RAYS16 has of the current hit
-current_block:                          # its block's number; no block has all ones
+current_block:                                          # its block's number
         .skip   16
 
         .section .rodata.mesh,"a",@progbits
@@ -43,14 +43,18 @@ lanes:
         .set    h_patch,118
 
         .set    NEXT,10
-        registers mask,bits,lane,offset,address,same,all_hit,all_patch,m_splat
-        registers object                                # to 22: the packet's
+        registers mask,lane,offset,address,same,is_same,all_hit,all_patch,m_splat
+        registers bits                                  # to 22: of the rows
+        .set    NEXT,bits+4
+        registers object                                # to 26: the packet's
         .set    NEXT,object+4
-        registers number,counts,a_vertices,a_faces,index,face,material
+        registers number,counts,of_spheres,a_vertices,a_faces # the block's
+        registers index,face,material
         registers a,b,c,to_b,to_c,turned_b,turned_c,normal,square,inverse,t_y,t_e
         registers k_half,k_one,k_sign,m_xyz,m_next,k_leave,k_scale
         registers sum,sum_b,sum_c,c_more,leave_object,head,size
-        registers u,v,z,fold,part,m_lane,m_third,textured
+        registers u,v,z,fold,part,m_lane,m_third,textured,squares,places
+        registers far_a,far_b,far_c                     # magnitudes of a, b - a and c - a
 
 # out = |x| + |y| + |z| in the first lane. t is changed.
 .macro  taxicab out:req, vector:req, t:req
@@ -81,21 +85,26 @@ function mesh_hits
         ila     $h_packet,arena+BATCH_RAYS
         ila     $h_patch,arena+MESH_POOL
         ori     $h_left,$w_traced,0
-        il      $number,-1
-        stqa    $number,current_block
+        il      $number,-1                              # no block's
 next_hit:
         # The first of the rays that have hit a triangle of the mesh.
     .irp row, 0,1,2,3
         lqd     $object+\row,RAYS16_object+16*\row($h_packet)
     .endr
-        il      $mask,0
     .irp row, 0,1,2,3
-        rotmi   $bits,$object+\row,-31
-        gb      $bits,$bits
-        shli    $mask,$mask,4
-        or      $mask,$mask,$bits
+        rotmi   $bits+\row,$object+\row,-31
     .endr
+    .irp row, 0,1,2,3
+        gb      $bits+\row,$bits+\row
+    .endr
+    .irp row, 0,1,2
+        shli    $bits+\row,$bits+\row,4*(3-\row)
+    .endr
+        or      $mask,$bits,$bits+1
+        or      $bits,$bits+2,$bits+3
+        or      $mask,$mask,$bits
         brz     $mask,next_packet
+        hbrr    same_block,made_of_block
         clz     $lane,$mask
         shli    $lane,$lane,2
         il      $offset,RAYS16_object-4*16
@@ -107,38 +116,40 @@ next_hit:
         splat_mask $m_splat
         splat   $all_hit,$same,$m_splat
         splat   $all_patch,$h_patch,$m_splat
+        shli    $3,$same,1
+        rotmi   $3,$3,-8
+        ceq     $is_same,$number,$3
     .irp row, 0,1,2,3
         ceq     $same,$object+\row,$all_hit
         selb    $object+\row,$object+\row,$all_patch,$same
         stqd    $object+\row,RAYS16_object+16*\row($h_packet)
     .endr
+same_block:
+        brnz    $is_same,made_of_block
         stqa    $all_hit,hit
-        shli    $3,$all_hit,1
-        rotmi   $3,$3,-8
-        lqa     $number,current_block
-        ceq     $same,$number,$3
-        brnz    $same,the_same_block
         stqa    $3,current_block
         brsl    $lr,mesh_block
+        lqa     $number,current_block
+        lqa     $all_hit,hit
         ori     $h_block,$3,0
-the_same_block:
+        lqd     $of_spheres,MESH_HEADER_magic($h_block)
+        lqd     $counts,MESH_HEADER_nodes($h_block)
+        rotqbyi $of_spheres,$of_spheres,MESH_HEADER_kind
+        mpyi    $a_vertices,$counts,BOXES_SIZE
+        rotqbyi $a_faces,$counts,MESH_HEADER_vertices&15
+        ceqi    $of_spheres,$of_spheres,MESH_SPHERES
+        a       $a_vertices,$a_vertices,$h_block
+        shli    $a_faces,$a_faces,4
+        ai      $a_vertices,$a_vertices,MESH_HEADER_SIZE
+        a       $a_faces,$a_faces,$a_vertices
+made_of_block:
         ilhu    $k_sign,0x8000
         ilhu    $k_leave,0x3580                         # 2^-20
-        lqd     $counts,MESH_HEADER_magic($h_block)
-        rotqbyi $counts,$counts,MESH_HEADER_kind
-        ceqi    $counts,$counts,MESH_SPHERES
-        brnz    $counts,sphere
+        andi    $index,$all_hit,(1<<7)-1
+        brnz    $of_spheres,sphere
         # Its vertices, relative to the eye.
-        lqa     $index,hit
-        andi    $index,$index,(1<<7)-1
         shli    $index,$index,2
-        lqd     $counts,MESH_HEADER_nodes($h_block)
-        mpyi    $a_vertices,$counts,BOXES_SIZE
-        a       $a_vertices,$a_vertices,$h_block
-        ai      $a_vertices,$a_vertices,MESH_HEADER_SIZE
-        rotqbyi $a_faces,$counts,MESH_HEADER_vertices&15
-        shli    $a_faces,$a_faces,4
-        a       $a_faces,$a_faces,$a_vertices
+        hbrr    plain,next_hit
         lqx     $face,$a_faces,$index
         a       $address,$a_faces,$index
         rotqby  $face,$face,$address
@@ -152,95 +163,103 @@ the_same_block:
         rotqbyi $face,$face,4
         lqx     $c,$a_vertices,$face
 
-        # The normal is (b - a) x (c - a), with the edges made about 1 long before.
-        ilhu    $k_half,0x3f00
-        ilhu    $k_one,0x3f80
-        fsmbi   $m_xyz,0xfff0
-        lqa     $m_next,next_axes
-        fs      $to_b,$b,$a
-        fs      $to_c,$c,$a
-        and     $to_b,$to_b,$m_xyz
-        and     $to_c,$to_c,$m_xyz
-        taxicab $sum,$a,$t_e
-        taxicab $sum_b,$to_b,$t_e
-        taxicab $sum_c,$to_c,$t_e
-        cgt     $c_more,$sum_c,$sum_b
-        selb    $size,$sum_b,$sum_c,$c_more
-        fa      $leave_object,$sum,$size
-        fm      $leave_object,$leave_object,$k_leave
-        recip_interpolated_f4 $inverse,$size
-        splat_mask $m_splat
-        splat   $inverse,$inverse,$m_splat
-        fm      $to_b,$to_b,$inverse
-        fm      $to_c,$to_c,$inverse
-        shufb   $turned_b,$to_b,$to_b,$m_next
-        shufb   $turned_c,$to_c,$to_c,$m_next
-        fm      $normal,$turned_b,$to_c
-        fms     $normal,$to_b,$turned_c,$normal
-        shufb   $normal,$normal,$normal,$m_next
-        fm      $square,$normal,$normal
-        rotqbyi $t_y,$square,4
-        rotqbyi $t_e,$square,8
-        fa      $square,$square,$t_y
-        fa      $square,$square,$t_e
-        splat   $square,$square,$m_splat
-        rsqrt_f4 $inverse,$square,$t_y,$t_e,$k_half,$k_one
-        fm      $normal,$normal,$inverse
-
-        # The record of a plane through a.
-        and     $head,$a,$m_xyz
-        stqd    $head,OBJECT_centre($h_patch)
-        stqd    $head,TRI_a($h_patch)
-        selb    $normal,$k_one,$normal,$m_xyz           # 1 is the slope
-        stqd    $normal,OBJECT_axis($h_patch)
-        lqa     $m_lane,object_end
-        shufb   $leave_object,$leave_object,$counts,$m_lane
-        put_head $leave_object
-        and     $head,$b,$m_xyz
-        stqd    $head,TRI_b($h_patch)
-        and     $head,$c,$m_xyz
-        stqd    $head,TRI_c($h_patch)
-        rotqbyi $part,$counts,MESH_HEADER_sides&15
-        ilhu    $size,(SIDES_SMOOTH|SIDES_TEXTURED)>>16
-        and     $part,$part,$size
-        brz     $part,made
-
-        # The normals at its vertices: the lower half of the octahedron is folded back.
+        # The normal is (b - a) x (c - a), with the edges made about 1 long before. The normals at its
+        # vertices are found along with it, so that the steps of one fill the waits of the other: the
+        # lower half of the octahedron is folded back. Without such normals they are of no use.
         lqa     $m_lane,last_of_two
+        fs      $to_b,$b,$a
         lqa     $m_third,and_a_third
+        fs      $to_c,$c,$a
+        lqa     $m_next,next_axes
+        fsmbi   $m_xyz,0xfff0
+        andc    $far_a,$a,$k_sign
+        splat_mask $m_splat
+        ilhu    $k_half,0x3f00
+        and     $to_b,$to_b,$m_xyz
         shufb   $u,$a,$b,$m_lane
+        and     $to_c,$to_c,$m_xyz
+        rotqbyi $sum,$far_a,4
+        andc    $far_b,$to_b,$k_sign
         shufb   $u,$u,$c,$m_third
+        andc    $far_c,$to_c,$k_sign
+        rotqbyi $sum_b,$far_b,4
+        fa      $sum,$sum,$far_a
+        rotqbyi $sum_c,$far_c,4
         shli    $v,$u,16
+        rotqbyi $far_a,$far_a,8
+        fa      $sum_b,$sum_b,$far_b
+        rotqbyi $far_b,$far_b,8
+        fa      $sum_c,$sum_c,$far_c
+        rotqbyi $far_c,$far_c,8
         rotmai  $u,$u,-16
         rotmai  $v,$v,-16
+        fa      $sum,$sum,$far_a
+        fa      $sum_b,$sum_b,$far_b
+        fa      $sum_c,$sum_c,$far_c
         csflt   $u,$u,0
         csflt   $v,$v,0
         load_constant $k_scale,0x38000100               # 1 / 32767
+        cgt     $c_more,$sum_c,$sum_b
+        selb    $size,$sum_b,$sum_c,$c_more
         fm      $u,$u,$k_scale
         fm      $v,$v,$k_scale
+        recip_interpolated_f4 $inverse,$size
+        fa      $leave_object,$sum,$size
+        ilhu    $k_one,0x3f80
         andc    $z,$u,$k_sign
         andc    $part,$v,$k_sign
         fs      $z,$k_one,$z
+        splat   $inverse,$inverse,$m_splat
+        fm      $leave_object,$leave_object,$k_leave
+        fm      $to_b,$to_b,$inverse
+        fm      $to_c,$to_c,$inverse
         fs      $z,$z,$part
+        and     $head,$a,$m_xyz
+        shufb   $turned_b,$to_b,$to_b,$m_next
+        stqd    $head,OBJECT_centre($h_patch)
+        shufb   $turned_c,$to_c,$to_c,$m_next
+        stqd    $head,TRI_a($h_patch)
         rotmai  $fold,$z,-31
+        fm      $normal,$turned_b,$to_c
         and     $fold,$fold,$z
         andc    $fold,$fold,$k_sign                     # what z is below 0
-    .irp axis, u,v
-        and     $part,$\axis,$k_sign
+        and     $part,$u,$k_sign
         or      $part,$part,$fold
-        fs      $\axis,$\axis,$part
-    .endr
-        fm      $square,$u,$u
-        fma     $square,$v,$v,$square
-        fma     $square,$z,$z,$square
-        rsqrt_f4 $inverse,$square,$t_y,$t_e,$k_half,$k_one
-        # While that is computed.
-        rotqbyi $textured,$counts,MESH_HEADER_sides&15
+        fs      $u,$u,$part
+        and     $part,$v,$k_sign
+        fms     $normal,$to_b,$turned_c,$normal
+        or      $part,$part,$fold
+        fs      $v,$v,$part
+        and     $head,$b,$m_xyz
+        stqd    $head,TRI_b($h_patch)
+        fm      $squares,$u,$u
+        shufb   $normal,$normal,$normal,$m_next
+        and     $head,$c,$m_xyz
+        stqd    $head,TRI_c($h_patch)
+        fm      $square,$normal,$normal
+        fma     $squares,$v,$v,$squares
+        cwd     $m_lane,12($sp)
+        rotqbyi $t_y,$square,4
+        rotqbyi $t_e,$square,8
+        fa      $square,$square,$t_y
+        fma     $squares,$z,$z,$squares
+        fa      $square,$square,$t_e
+        # One root for all four.
+        shufb   $squares,$square,$squares,$m_lane
+        rsqrt_interpolated_f4 $t_y,$squares
+        lqa     $m_lane,object_end
+        shufb   $leave_object,$leave_object,$counts,$m_lane
+        put_head $leave_object
+        rsqrt_step_f4 $inverse,$squares,$t_y,$t_e,$k_half,$k_one
+        rotqbyi $part,$counts,MESH_HEADER_sides&15
         ilhu    $size,SIDES_TEXTURED>>16
-        and     $textured,$textured,$size
+        and     $textured,$part,$size
         fm      $u,$u,$inverse
+        rotqbyi $t_y,$inverse,12
         fm      $v,$v,$inverse
+        splat   $t_y,$t_y,$m_splat
         fm      $z,$z,$inverse
+        fm      $normal,$normal,$t_y
     .set    lane_at,0
     .irp vertex, a,b,c
         lqa     $m_lane,lanes+lane_at
@@ -250,7 +269,11 @@ the_same_block:
         stqd    $part,PATCH_normal_\vertex($h_patch)
     .set    lane_at,lane_at+32
     .endr
-        brz     $textured,made
+        # The record of a plane through a.
+        selb    $normal,$k_one,$normal,$m_xyz           # 1 is the slope
+        stqd    $normal,OBJECT_axis($h_patch)
+        ai      $h_patch,$h_patch,PATCH_SIZE
+plain:  brz     $textured,next_hit
 
         # Its texture coordinates, which begin at the quadword after the faces. The vertices'
         # offsets have turned by two words.
@@ -258,30 +281,30 @@ the_same_block:
         ai      $part,$part,3
         andi    $part,$part,-4
         shli    $part,$part,2
-        a       $a_faces,$a_faces,$part
+        a       $places,$a_faces,$part
         rotmi   $index,$face,-1
         rotqbyi $index,$index,8
         cwd     $m_lane,12($sp)
+        hbrr    has_texture,next_hit
     .irp vertex, a,b,c
-        a       $address,$a_faces,$index
+        a       $address,$places,$index
         lqd     $u,0($address)
-        lqd     $part,TRI_\vertex($h_patch)
-        lqd     $z,PATCH_normal_\vertex($h_patch)
+        lqd     $part,TRI_\vertex-PATCH_SIZE($h_patch)
+        lqd     $z,PATCH_normal_\vertex-PATCH_SIZE($h_patch)
         rotqby  $u,$u,$address
         rotqbyi $v,$u,4
         shufb   $part,$u,$part,$m_lane
         shufb   $z,$v,$z,$m_lane
         rotqbyi $index,$index,4
-        stqd    $part,TRI_\vertex($h_patch)
-        stqd    $z,PATCH_normal_\vertex($h_patch)
+        stqd    $part,TRI_\vertex-PATCH_SIZE($h_patch)
+        stqd    $z,PATCH_normal_\vertex-PATCH_SIZE($h_patch)
     .endr
-        br      made
+has_texture:
+        br      next_hit
 
         # The record of a sphere, whose number is its offset in quadwords. It lacks `leave`, and has
         # the number of its material.
-sphere: lqa     $index,hit
-        andi    $index,$index,(1<<7)-1
-        shli    $index,$index,4
+sphere: shli    $index,$index,4
         a       $address,$h_block,$index
         lqd     $a,OBJECT_centre($address)
         lqd     $b,OBJECT_axis($address)
@@ -296,7 +319,7 @@ sphere: lqa     $index,hit
         shufb   $c,$leave_object,$c,$m_lane
         rotqbyi $material,$c,OBJECT_material&15
         put_head $c
-made:   ai      $h_patch,$h_patch,PATCH_SIZE
+        ai      $h_patch,$h_patch,PATCH_SIZE
         br      next_hit
 
 next_packet:
