@@ -7,6 +7,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use cellray::Settings;
@@ -617,6 +618,8 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
     for number in 1..=3 {
         let shown = pty.seen().len();
         pty.wait_until(|seen| seen.len() > shown + 20_000);
+        // A key that is pressed again within 150 ms counts as held.
+        thread::sleep(Duration::from_millis(300));
         pty.type_in(F12);
         pty.wait_until(|_| files(&shots).len() == number);
     }
