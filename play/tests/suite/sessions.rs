@@ -159,9 +159,10 @@ fn ends_pictures(signal: i32) {
         .spawn()
         .expect("the program");
     let begun = Instant::now();
-    while files(folder.path()).len() < 3 {
+    // A picture has another name while it is written, so nothing is read yet.
+    while fs::read_dir(&folder).expect("a folder").count() < 3 {
         assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
-        std::thread::sleep(Duration::from_millis(20));
+        thread::sleep(Duration::from_millis(20));
     }
     pty::signal(child.id(), signal);
     let status = child.wait().expect("its end");
@@ -621,7 +622,9 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
         // A key that is pressed again within 150 ms counts as held.
         thread::sleep(Duration::from_millis(300));
         pty.type_in(F12);
-        pty.wait_until(|_| files(&shots).len() == number);
+        // An empty file keeps the name until the picture is written.
+        let shot = shots.join(format!("{GAME}-{number:04}.png"));
+        pty.wait_until(|_| fs::metadata(&shot).is_ok_and(|file| file.len() > 0));
     }
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
