@@ -13,6 +13,7 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::error::PlayError;
 use crate::keys;
+use crate::spu_clock::SpuClock;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
@@ -187,14 +188,10 @@ pub struct Options {
     /// Start without text on the screen; F1 shows it
     #[arg(long)]
     pub no_overlay: bool,
-    /// SPUs to use
-    #[arg(
-        long,
-        default_value_t = 6,
-        value_name = "N",
-        allow_negative_numbers = true
-    )]
-    spus: u32,
+    /// SPUs to use [default: 6; without simulated time on a computer with fewer processors, as many
+    /// as these]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    spus: Option<u32>,
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
@@ -227,7 +224,7 @@ impl Options {
     /// The SPU program of `--program` can't be read or is not valid, or a shader can't be built.
     pub fn settings(&self) -> Result<Settings, PlayError> {
         Ok(Settings {
-            spus: self.spus,
+            spus: self.spus.unwrap_or_else(|| SpuClock::here().usual_spus()),
             check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
             program: match &self.program {

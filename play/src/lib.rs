@@ -21,6 +21,7 @@ mod pace;
 mod recording;
 mod reload;
 mod screenshot;
+mod spu_clock;
 mod talk;
 mod texts;
 mod viewer;

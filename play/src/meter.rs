@@ -5,39 +5,10 @@ use std::time::{Duration, Instant};
 use cellray::Report;
 use cellray::statistics::FrameStatistics;
 
+use crate::spu_clock::SpuClock;
+
 /// Numbers are averages over this time; for shorter times they change too fast to be read.
 const EVERY: Duration = Duration::from_millis(400);
-
-/// The clock that the SPUs' speed is measured by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SpuClock {
-    /// That of a console, whose SPUs they are.
-    Console,
-    /// That of the timing model, which counts the cycles of a console.
-    Model,
-    /// That of this computer, which emulates the SPUs.
-    Host,
-}
-
-impl SpuClock {
-    /// The clock on a machine. `timing` is the value of `LIBSPE2_TIMING`.
-    fn of(is_console: bool, timing: Option<&str>) -> Self {
-        match timing {
-            _ if is_console => Self::Console,
-            Some("1") => Self::Model,
-            _ => Self::Host,
-        }
-    }
-
-    /// What a speed by this clock is, in words.
-    fn words(self, spus: usize) -> String {
-        match self {
-            Self::Console => format!("the {spus} SPUs could make"),
-            Self::Model => format!("by {spus} SPUs of a console, by the timing model"),
-            Self::Host => format!("the {spus} emulated SPUs could make"),
-        }
-    }
-}
 
 /// Measures the speed and the load of a session.
 #[derive(Debug)]
@@ -60,10 +31,8 @@ impl Meter {
     /// Starts to measure.
     #[must_use]
     pub fn new(now: Instant) -> Self {
-        let timing = std::env::var("LIBSPE2_TIMING");
-        let is_console = cfg!(target_arch = "powerpc64");
         Self {
-            clock: SpuClock::of(is_console, timing.as_deref().ok()),
+            clock: SpuClock::here(),
             began: now,
             frames: 0,
             traced: 0,
@@ -149,22 +118,6 @@ impl Meter {
 mod tests {
     use super::*;
     use cellray::statistics::SpuStatistics;
-
-    #[test]
-    fn the_frame_rates_are_told_apart_in_words() {
-        for (is_console, timing, words) in [
-            (true, None, "the 6 SPUs could make"),
-            (
-                false,
-                Some("1"),
-                "by 6 SPUs of a console, by the timing model",
-            ),
-            (false, Some("0"), "the 6 emulated SPUs could make"),
-            (false, None, "the 6 emulated SPUs could make"),
-        ] {
-            assert_eq!(SpuClock::of(is_console, timing).words(6), words);
-        }
-    }
 
     #[test]
     fn tiles_that_are_left_are_told() {

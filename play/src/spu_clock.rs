@@ -1,0 +1,88 @@
+//! The clock that the SPUs run by: a console's, the timing model's, or the host's.
+
+use std::num::NonZero;
+use std::thread;
+
+/// The SPUs of a console.
+const SPUS: usize = 6;
+
+/// The clock that the SPUs' speed is measured by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SpuClock {
+    /// That of a console, whose SPUs they are.
+    Console,
+    /// That of the timing model, which counts the cycles of a console.
+    Model,
+    /// That of this computer, which emulates the SPUs.
+    Host,
+}
+
+impl SpuClock {
+    /// The clock on this machine.
+    #[must_use]
+    pub fn here() -> Self {
+        let timing = std::env::var("LIBSPE2_TIMING");
+        Self::of(cfg!(target_arch = "powerpc64"), timing.as_deref().ok())
+    }
+
+    /// The clock on a machine. `timing` is the value of `LIBSPE2_TIMING`.
+    fn of(is_console: bool, timing: Option<&str>) -> Self {
+        match timing {
+            _ if is_console => Self::Console,
+            Some("1") => Self::Model,
+            _ => Self::Host,
+        }
+    }
+
+    /// How many SPUs a session has that requests no number: a console's six. By the host's clock,
+    /// more than it has processors would only take turns, and the last tiles of a frame would wait
+    /// for theirs.
+    #[must_use]
+    pub fn usual_spus(self) -> u32 {
+        let processors = || thread::available_parallelism().map_or(SPUS, NonZero::get);
+        let spus = match self {
+            Self::Console | Self::Model => SPUS,
+            Self::Host => SPUS.min(processors()),
+        };
+        spus as u32
+    }
+
+    /// What a speed by this clock is, in words.
+    #[must_use]
+    pub fn words(self, spus: usize) -> String {
+        match self {
+            Self::Console => format!("the {spus} SPUs could make"),
+            Self::Model => format!("by {spus} SPUs of a console, by the timing model"),
+            Self::Host => format!("the {spus} emulated SPUs could make"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_frame_rates_are_told_apart_in_words() {
+        for (is_console, timing, words) in [
+            (true, None, "the 6 SPUs could make"),
+            (
+                false,
+                Some("1"),
+                "by 6 SPUs of a console, by the timing model",
+            ),
+            (false, Some("0"), "the 6 emulated SPUs could make"),
+            (false, None, "the 6 emulated SPUs could make"),
+        ] {
+            assert_eq!(SpuClock::of(is_console, timing).words(6), words);
+        }
+    }
+
+    #[test]
+    fn only_the_hosts_clock_makes_the_number_of_spus_depend_on_the_host() {
+        for clock in [SpuClock::Console, SpuClock::Model] {
+            assert_eq!(clock.usual_spus(), 6);
+        }
+        assert!((1..=6).contains(&SpuClock::Host.usual_spus()));
+    }
+}
