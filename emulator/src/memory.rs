@@ -33,6 +33,17 @@ pub trait MainMemory: Send + Sync {
     fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault>;
     /// Copies `from` to `ea`. If it fails, a part may have been written.
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault>;
+    /// Copies the pieces of `from` in their order, each to the address that `pieces` has for it
+    /// beside its length. If it fails, a part may have been written.
+    fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
+        let mut rest = from;
+        for &(ea, length) in pieces {
+            let (piece, others) = rest.split_at(length);
+            self.write(ea, piece)?;
+            rest = others;
+        }
+        Ok(())
+    }
     /// Writes `new` to the line at `ea` (a multiple of [`LINE`]) if the line equals `expected`.
     /// Returns whether it did.
     fn compare_exchange_line(

@@ -36,6 +36,11 @@ impl MainMemory for ProcessMemory {
             .map_err(|ea| MemoryFault { ea })
     }
 
+    fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
+        POOL.with(|scratch| scratch.store_pieces(pieces, from))
+            .map_err(|ea| MemoryFault { ea })
+    }
+
     /// Atomic with respect to the PPE's own atomic instructions if the change is within one
     /// aligned word of the process's width, as it is for locks and counters. The change is then
     /// one compare-and-exchange.
@@ -106,6 +111,37 @@ mod tests {
         let mut back = vec![0; 40_000];
         ProcessMemory.read(ea, &mut back).unwrap();
         assert!(back == sent);
+    }
+
+    #[test]
+    fn pieces_arrive_at_their_addresses() {
+        let sent: Vec<u8> = (0..40_000_u32).map(|n| (n * 7) as u8).collect();
+        for length in [1, 16, 256, 16_384, 20_000] {
+            let mut there = vec![0_u8; 80_000];
+            let ea = there.as_mut_ptr().expose_provenance() as u64;
+            let pieces: Vec<_> = sent
+                .chunks(length)
+                .enumerate()
+                .map(|(at, piece)| (ea + (2 * at * length) as u64, piece.len()))
+                .collect();
+            ProcessMemory.write_pieces(&pieces, &sent).unwrap();
+            let found: Vec<u8> = there
+                .chunks(2 * length)
+                .flat_map(|part| &part[..length.min(part.len())])
+                .copied()
+                .collect();
+            assert!(found[..sent.len()] == sent, "{length}");
+        }
+    }
+
+    #[test]
+    fn pieces_end_at_a_bad_address() {
+        let mut there = [0_u8; 32];
+        let ea = there.as_mut_ptr().expose_provenance() as u64;
+        let pieces = [(ea, 16), (8, 16), (ea + 16, 16)];
+        let fault = ProcessMemory.write_pieces(&pieces, &[1; 48]).unwrap_err();
+        assert_eq!(fault.ea, 8);
+        assert_eq!(there[..16], [1; 16]);
     }
 
     #[test]

@@ -12,6 +12,9 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 /// Size of a scratch buffer in bytes: the largest transfer of an MFC.
 pub(crate) const SCRATCH: usize = 16 * 1024;
 
+/// The most pieces of one system call.
+const MOST_PIECES: usize = 64;
+
 pub(crate) struct Scratch {
     file: OwnedFd,
     mapping: NonNull<u8>,
@@ -92,6 +95,55 @@ impl Scratch {
                 // written. The program asked its MFC to write there.
                 unsafe { libc::pread(file, address.cast_mut(), n, offset) }
             })?;
+        }
+        Ok(())
+    }
+
+    /// Copies the pieces of `from`, each to its address, with as few system calls as possible. The
+    /// error is the first address that can't be written, as far as it is known.
+    pub(crate) fn store_pieces(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), u64> {
+        if pieces.len() > MOST_PIECES || from.len() > SCRATCH {
+            let mut rest = from;
+            for &(ea, length) in pieces {
+                let (piece, others) = rest.split_at(length);
+                self.store(ea, piece)?;
+                rest = others;
+            }
+            return Ok(());
+        }
+        // SAFETY: the mapping has SCRATCH bytes, `from` has no more and does not overlap it.
+        unsafe {
+            ptr::copy_nonoverlapping(from.as_ptr(), self.mapping.as_ptr(), from.len());
+        }
+        let nowhere = libc::iovec {
+            iov_base: ptr::null_mut(),
+            iov_len: 0,
+        };
+        let mut targets = [nowhere; MOST_PIECES];
+        for (target, &(ea, length)) in targets.iter_mut().zip(pieces) {
+            target.iov_base = ptr::with_exposed_provenance_mut(ea as usize);
+            target.iov_len = length;
+        }
+        // SAFETY: the kernel checks the range of each target and ends at the first that can't be
+        // written. The program asked its MFC to write there. There are at least so many targets.
+        let written = unsafe {
+            libc::preadv(
+                self.file.as_raw_fd(),
+                targets.as_ptr(),
+                pieces.len() as i32,
+                0,
+            )
+        };
+        // What is missing is tried again piece by piece, which says where it fails.
+        let mut done = usize::try_from(written).unwrap_or(0);
+        let mut rest = from;
+        for &(ea, length) in pieces {
+            let (piece, others) = rest.split_at(length);
+            if done < length {
+                self.store(ea, piece)?;
+            }
+            done = done.saturating_sub(length);
+            rest = others;
         }
         Ok(())
     }

@@ -88,14 +88,21 @@ impl Members {
     }
 
     fn broken(&self, ea: u64, length: usize, except: Option<&Reservation>) {
-        if length == 0 {
-            return;
-        }
+        self.broken_by_pieces(&[(ea, length)], except);
+    }
+
+    fn broken_by_pieces(&self, pieces: &[(u64, usize)], except: Option<&Reservation>) {
         let line = !(LINE as u64 - 1);
-        let (first, last) = (ea & line, ea.saturating_add(length as u64 - 1) & line);
         for unit in self.units.iter().filter_map(Weak::upgrade) {
-            let own = except.is_some_and(|own| std::ptr::eq(own, unit.reservation()));
-            if !own && unit.reservation().break_within(first, last) {
+            let reservation = unit.reservation();
+            if except.is_some_and(|own| std::ptr::eq(own, reservation)) {
+                continue;
+            }
+            let is_broken = |&(ea, length): &(u64, usize)| {
+                let last = ea.saturating_add(length as u64).wrapping_sub(1) & line;
+                length > 0 && reservation.break_within(ea & line, last)
+            };
+            if pieces.iter().any(is_broken) {
                 unit.reservation_lost();
             }
         }
@@ -214,6 +221,28 @@ impl Interconnect {
         }
         let written = self.memory.write(ea, from);
         members.broken(ea, from.len(), None);
+        written
+    }
+
+    /// Whether these bytes are in main memory only, and in no local store or signal register.
+    pub(crate) fn is_memory(&self, ea: u64, length: u32) -> bool {
+        let end = ea.saturating_add(length.into());
+        let apart = |start: u64, size: u64| end <= start || start.saturating_add(size) <= ea;
+        let members = read_lock(&self.members);
+        let mut stores = members.local_stores.iter();
+        let mut signals = members.signals.iter();
+        stores.all(|(start, _)| apart(*start, SIZE.into())) && signals.all(|(at, ..)| apart(*at, 4))
+    }
+
+    /// Writes the pieces of `from`, each to its address, to main memory.
+    pub(crate) fn write_pieces(
+        &self,
+        pieces: &[(u64, usize)],
+        from: &[u8],
+    ) -> Result<(), MemoryFault> {
+        let members = read_lock(&self.members);
+        let written = self.memory.write_pieces(pieces, from);
+        members.broken_by_pieces(pieces, None);
         written
     }
 

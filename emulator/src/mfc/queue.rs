@@ -70,12 +70,29 @@ impl Path<'_> {
     }
 }
 
+#[derive(Clone, Copy)]
 struct Entry {
     command: Command,
     /// Bytes of the list that are done, and the local-store address of its next element.
     list_done: u32,
     list_lsa: u32,
     stalled: bool,
+}
+
+impl Entry {
+    /// The list's next element, and whether the list stalls after it.
+    fn element(&self, path: Path<'_>) -> Result<(Command, bool), DmaError> {
+        let address = (self.command.ea as u32).wrapping_add(self.list_done);
+        let words = [0, 4].map(|n| path.local_store.load_word(address.wrapping_add(n)));
+        self.command.element(words, self.list_lsa)
+    }
+
+    /// The list's next element is done.
+    fn pass(&mut self, element: &Command) {
+        self.list_done += ELEMENT;
+        let size = element.size.next_multiple_of(16);
+        self.list_lsa = self.list_lsa.wrapping_add(size);
+    }
 }
 
 /// The outcome of running a command.
@@ -217,17 +234,18 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
     let list = entry.command;
     let mut pieces = Vec::new();
     while entry.list_done < list.size {
-        let address = (list.ea as u32).wrapping_add(entry.list_done);
-        let words = [0, 4].map(|n| path.local_store.load_word(address.wrapping_add(n)));
-        let (element, stall) = list.element(words, entry.list_lsa)?;
+        if list.operation == Operation::PutList {
+            put_together(entry, buffer, path, &mut pieces);
+            if entry.list_done == list.size {
+                break;
+            }
+        }
+        let (element, stall) = entry.element(path)?;
         let pending = run_simple(&element, buffer, path)?;
         if path.moved.is_some() {
             pieces.push(path.piece(&element, pending));
         }
-        entry.list_done += ELEMENT;
-        entry.list_lsa = entry
-            .list_lsa
-            .wrapping_add(element.size.next_multiple_of(16));
+        entry.pass(&element);
         if stall {
             entry.stalled = true;
             path.note(|| Movement {
@@ -246,6 +264,41 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
         atomic: None,
     });
     Ok(RunOutcome::Complete)
+}
+
+/// Carries out the next elements of a list of puts to main memory in one access, as many as fit
+/// the buffer and need no stall. If that fails, none of them counts as done: one by one, they fail
+/// at the right one.
+fn put_together(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>, moved: &mut Vec<Piece>) {
+    let mut ahead = *entry;
+    let mut elements = Vec::new();
+    let mut length = 0;
+    while ahead.list_done < ahead.command.size {
+        let Ok((element, false)) = ahead.element(path) else {
+            break;
+        };
+        if !path.interconnect.is_memory(element.ea, element.size) {
+            break;
+        }
+        let Some(bytes) = buffer.get_mut(length..length + element.size as usize) else {
+            break;
+        };
+        path.local_store.read(element.lsa, bytes);
+        length += bytes.len();
+        ahead.pass(&element);
+        elements.push(element);
+    }
+    let pieces: Vec<_> = elements
+        .iter()
+        .map(|element| (element.ea, element.size as usize))
+        .collect();
+    let written = path.interconnect.write_pieces(&pieces, &buffer[..length]);
+    if written.is_ok() {
+        *entry = ahead;
+        if path.moved.is_some() {
+            moved.extend(elements.iter().map(|element| path.piece(element, None)));
+        }
+    }
 }
 
 /// What a command other than a list moves over the bus.

@@ -1,6 +1,6 @@
 //! DMA lists: gathering, small elements, stall-and-notify.
 
-use spu_emulator::mfc::Policy;
+use spu_emulator::mfc::{DmaError, Policy};
 use spu_emulator::stop::{Stop, Stopped};
 
 use super::support::{BASE, Machine, register, run, run_to_stop, start};
@@ -72,6 +72,59 @@ fn a_list_scatters_two_thousand_elements() {
     for n in 0..2048 {
         assert_eq!(machine.word(n * 16), 2047 - n as u32);
     }
+}
+
+#[test]
+fn a_list_of_puts_ends_at_the_element_that_fails() {
+    const NOWHERE: u32 = 0x100_0000;
+    let source = "
+        ila     $4,0x8000
+        command PUTL, 0x10000, $4, 4*8, 2
+        wait_tags 4
+        stop    1
+";
+    for policy in POLICIES {
+        let machine = Machine::new();
+        let (spe, entry) = machine.loaded(policy, source);
+        list(&spe, &[(16, 0), (64, 64), (32, NOWHERE), (16, 128)]);
+        spe.local_store().write(0x10000, &[7; 128]);
+        let reason = run(&spe, entry).reason;
+        let expected = DmaError::Storage {
+            command: 0x24,
+            lsa: 0x10050,
+            ea: BASE + u64::from(NOWHERE),
+            size: 32,
+        };
+        assert_eq!(reason, Stop::Dma(expected));
+        assert_eq!(machine.read(0, 16), [7; 16]);
+        assert_eq!(machine.read(64, 64), [7; 64]);
+        assert_eq!(machine.read(128, 16), [0; 16]);
+    }
+}
+
+#[test]
+fn an_element_sends_what_the_one_before_it_has_written() {
+    const STORE: u32 = 0x100_0000;
+    let source = "
+        ila     $4,0x8000
+        command PUTL, 0x10000, $4, 3*8, 2
+        wait_tags 4
+        stop    1
+";
+    let machine = Machine::new();
+    let (spe, entry) = machine.loaded(Policy::AtOnce, source);
+    let ea = BASE + u64::from(STORE);
+    let store = spe.local_store().clone();
+    machine.memory.register_local_store(ea, store).unwrap();
+    spe.map_local_store(ea);
+    // The second element goes to this SPE's own local store, to where the third comes from.
+    list(&spe, &[(16, 0), (16, STORE + 0x10020), (16, 16)]);
+    for (at, byte) in [(0x10000, 1), (0x10010, 2), (0x10020, 3)] {
+        spe.local_store().write(at, &[byte; 16]);
+    }
+    assert_eq!(run_to_stop(&spe, entry), 1);
+    assert_eq!(machine.read(0, 16), [1; 16]);
+    assert_eq!(machine.read(16, 16), [2; 16]);
 }
 
 #[test]
