@@ -1,15 +1,17 @@
 # texture_filter_r16   multiplies the colours of sixteen surfaces by those of their texels
-#   C       void texture_filter_r16(const struct texels *, struct surfaces *);
-#   In      $3 texels, whose places are addresses of words; $4 surfaces; pointers 16-aligned
+#   C       void texture_filter_r16(const struct texels *, struct surfaces *, int are_roots);
+#   In      $3 texels, whose places are addresses of words; $4 surfaces; pointers 16-aligned;
+#           $5 -1 if texels are square roots of light, 0 if they are light
 #   Out     surfaces: red, green and blue, where the tile is not all ones
-#   Uses    $3-$4, $10-$55   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$5, $10-$57   Saves  -   Stack  0   Calls  -
 #   Domain  right and down from 0 to 1
 #   Error   4e-7 of the greatest texel, for a colour of 1
 #   Twin    lab/twins/src/texture.rs
 #
 # The texel's colour is interpolated between the left and the right texels of both rows, and then
 # between the rows. The texels are the words at the place, 4 bytes after it, and the same in the
-# next row of the tile.
+# next row of the tile. A byte that is a square root has the same step for the eye in the dark as
+# in the light; one that is light itself would show steps in dark textures.
 #
 # The loop counts up, so that it isn't pipelined, which would take as much room again.
 
@@ -17,22 +19,22 @@
         .include "macros.inc"
 
         .set    NEXT,3
-        registers a_texels,a_surfaces
+        registers a_texels,a_surfaces,are_roots
         # constants
         .set    NEXT,10
-        registers m_pair,m_pairs,k_byte,k_scale,rows
+        registers m_pair,m_pairs,k_byte,k_scale,k_light,k_square,rows
         # the lanes' addresses, and what is there
-        registers address                               # to 18
-        .set    quad,19                                 # to 22
-        .set    NEXT,23
+        registers address                               # to 20
+        .set    quad,21                                 # to 24
+        .set    NEXT,25
         registers low,high
-        registers texel                                 # to 28: left and right, above and below
+        registers texel                                 # to 30: left and right, above and below
         .set    NEXT,texel+4
-        registers part                                  # to 32
+        registers part                                  # to 34
         .set    NEXT,part+4
-        registers right,down,none,above,below,colour,old
+        registers right,down,none,above,below,colour,old,factor
         # where the words of the other texels are
-        registers beside                                # to 43
+        registers beside                                # to 46
         .set    NEXT,beside+4
 
         .section .rodata.texture,"a",@progbits
@@ -69,6 +71,8 @@ words:  .int    0x00010203,0x10111213,0x80808080,0x80808080
         and     $part+\place,$part+\place,$k_byte
     .endif
         csflt   $part+\place,$part+\place,0
+        fma     $factor,$part+\place,$k_square,$k_light
+        fm      $part+\place,$part+\place,$factor
     .endr
         fs      $above,$part+1,$part
         fs      $below,$part+3,$part+2
@@ -88,6 +92,10 @@ function texture_filter_r16
         lqa     $m_pairs,words+16
         il      $k_byte,255
         load_constant $k_scale,0x3b808081               # 1 / 255
+        load_constant $k_light,0x3f800000               # 1
+        fsm     $are_roots,$are_roots
+        and     $k_square,$k_scale,$are_roots
+        andc    $k_light,$k_light,$are_roots
         il      $rows,-4
 next_row:
         lqd     $address,TEXELS_place($a_texels)

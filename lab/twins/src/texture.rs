@@ -143,11 +143,22 @@ fn within(place: Single, repeats: bool, mirrors: bool) -> Single {
     select(place, ONE, fcgt(place, ONE) != 0)
 }
 
-/// The colour of a surface with these four texels: left and right, above and below.
+/// The colour of a surface with these four texels: left and right, above and below. They are light,
+/// or its square root.
 #[must_use]
-pub fn filter(colour: [Single; 3], texels: [u32; 4], right: Single, down: Single) -> [Single; 3] {
+pub fn filter(
+    colour: [Single; 3],
+    texels: [u32; 4],
+    are_roots: bool,
+    right: Single,
+    down: Single,
+) -> [Single; 3] {
+    let (light, square) = if are_roots { (0, SCALE) } else { (ONE, 0) };
     std::array::from_fn(|channel| {
-        let [a, b, c, d] = texels.map(|texel| csflt(texel >> (24 - 8 * channel) & 255, 0));
+        let [a, b, c, d] = texels.map(|texel| {
+            let part = csflt(texel >> (24 - 8 * channel) & 255, 0);
+            fm(part, fma(part, square, light))
+        });
         let above = fma(fs(b, a), right, a);
         let below = fma(fs(d, c), right, c);
         let mixed = fma(fs(below, above), down, above);

@@ -108,7 +108,7 @@ impl Levels {
             levels.push(half);
         }
         for texel in levels.iter_mut().flat_map(|level| &mut level.texels) {
-            *texel = (colour.light(*texel) * 255.0).round() / 255.0;
+            *texel = colour.light(*texel);
         }
         let wrap = texture.wrap();
         Self { levels, wrap }

@@ -17,9 +17,9 @@ static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
     })
 });
 
-/// The byte of the light that a byte of a screen's values stands for.
-pub(super) fn light(byte: u8) -> u8 {
-    (255.0 * LIGHT[usize::from(byte)]).round() as u8
+/// 255 times the square root of the light that a byte of a screen's values stands for.
+pub(super) fn root(byte: u8) -> u8 {
+    libm::roundf(255.0 * libm::sqrtf(LIGHT[usize::from(byte)])) as u8
 }
 
 /// A texture at one size.

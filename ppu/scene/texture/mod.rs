@@ -18,7 +18,7 @@ use protocol::layout::{
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
-use self::level::{Level, light};
+use self::level::{Level, root};
 use super::Colour;
 use super::single::single;
 
@@ -44,7 +44,8 @@ pub struct Textures {
 
 impl Textures {
     /// Cuts textures into tiles. None of them should be there twice. `colour` says what the colours
-    /// of the scene are: if they are sRGB's, tiles have their light, rounded to bytes.
+    /// of the scene are: if they are sRGB's, tiles have the square roots of their light, whose bytes
+    /// are as fine in the dark as the eye is.
     #[must_use]
     pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {
         let mut textures = Self {
@@ -85,7 +86,7 @@ impl Textures {
                         let x = continued(left + column, width, wrap[0]);
                         let [red, green, blue] = match colour {
                             Colour::Linear => level.texel(x, y),
-                            Colour::Srgb => level.texel(x, y).map(light),
+                            Colour::Srgb => level.texel(x, y).map(root),
                         };
                         *texel = u32::from_be_bytes([red, green, blue, 0]).into();
                     }

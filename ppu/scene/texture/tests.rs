@@ -102,10 +102,25 @@ fn records_name_each_textures_levels() {
     assert_eq!(textures.number_of(&numbered(1, 1, [Wrap::Clamp; 2])), None);
 }
 
-/// In sRGB a tile has light: half of the screen's values are 55 of 255 of it.
+/// In sRGB a tile has square roots of light, whose squares are less than two thirds of a step
+/// of the screen away from what they stand for.
 #[test]
-fn tiles_of_srgb_have_light() {
-    let texture = plain(1, 1, |_, _| [255, 128, 0]);
+fn tiles_of_srgb_have_roots_of_light() {
+    let texture = plain(256, 1, |x, _| [x as u8, 255, 0]);
     let textures = Textures::new(vec![Arc::new(texture)], Colour::Srgb);
-    assert_eq!(textures.bytes()[..4], [255, 55, 0, 0]);
+    for (byte, place) in (0..256_usize).map(|byte| (byte, byte + 1)) {
+        // The second row of a tile is the texture's only one, behind a texel of its edge.
+        let tile = place / STEP * TEXTURE_TILE as usize;
+        let texel = &textures.bytes()[tile + 4 * (STEP + 1 + place % STEP)..][..4];
+        let shown = 255.0 * encode((f64::from(texel[0]) / 255.0).powi(2));
+        assert!((shown - byte as f64).abs() < 0.66, "{byte}: {shown}");
+        assert_eq!(texel[1..], [255, 0, 0]);
+    }
+}
+
+fn encode(light: f64) -> f64 {
+    match light {
+        light if light <= 0.003_130_8 => 12.92 * light,
+        light => 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055,
+    }
 }

@@ -105,7 +105,7 @@ record! {
     /// `height` / 8 + 1 down, rounded down. A tile has `TEXTURE_SIDE` rows of as many texels, each
     /// a word of red, green, blue and 0, eight texels from those of the next tile. Its first row
     /// and column begin one texel before the texture, whose edges are continued as its `wraps`
-    /// say.
+    /// say. A byte over 255 is light, or its square root with `FEATURE_SRGB`.
     TextureLevel as "LEVEL" {
         /// Texels across.
         width: F32,

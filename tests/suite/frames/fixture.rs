@@ -1,5 +1,6 @@
 //! A frame descriptor that can be spoilt, and an engine to send it to.
 
+use std::env;
 use std::time::Duration;
 
 use crate::frames::descriptor::Descriptor;
@@ -60,7 +61,7 @@ impl Fixture {
         frame.costs = costs.address().into();
         let settings = Settings {
             spus,
-            timeout: Duration::from_secs(30),
+            timeout: patience(),
             ..Settings::default()
         };
         let (recorder, _) = Recorder::pair(4, 4);
@@ -115,4 +116,11 @@ impl Fixture {
                 .unwrap_or_else(|error| panic!("after {field}: {error}"));
         }
     }
+}
+
+/// How long an SPU may be silent. Where compiled code is compared with the interpreter, a frame
+/// takes many times as long.
+fn patience() -> Duration {
+    let is_checked = env::var("LIBSPE2_CHECK").is_ok_and(|value| value == "1");
+    Duration::from_secs(if is_checked { 3600 } else { 30 })
 }

@@ -8,6 +8,7 @@ use oracle::whitted::Probe;
 
 use crate::recorder::nff_scene;
 use crate::whitted::frame::{Frame, WHITTED, options};
+use crate::whitted::textures::dark_scene;
 use twins::sample_rays::sample;
 
 const SIZE: (u32, u32) = (165, 90);
@@ -89,8 +90,8 @@ fn check<'a>(scene: &nff::Scene, model: Model, reference: &dyn Fn(RenderOptions)
 
 #[test]
 fn by_whitteds_model() {
-    for name in ["whitted16.nff", "daylight.nff"] {
-        let scene = nff_scene(name);
+    let scenes = ["whitted16.nff", "daylight.nff"].map(nff_scene);
+    for scene in scenes.into_iter().chain([dark_scene()]) {
         check(&scene, Model::Whitted, &|render_options| {
             let probe = Probe::new(&scene, SIZE.0, SIZE.1, &options(render_options)).unwrap();
             Box::new(move |x, y| probe.light(x, y))

@@ -62,6 +62,17 @@ fn scene(texture: Arc<Texture>) -> nff::Scene {
     scene
 }
 
+/// The scene with a texture so dark that its light, in bytes, has only 11 values.
+pub fn dark_scene() -> nff::Scene {
+    let texels = (0..64 * 64).map(|at| {
+        let [x, y] = [at % 64, at / 64];
+        [x, y, (x + y) / 2]
+    });
+    let texels = texels.map(|texel| texel.map(|byte| byte as u8)).collect();
+    let texture = Texture::new(64, texels, [Wrap::Mirror; 2]).unwrap();
+    scene(Arc::new(texture))
+}
+
 #[test]
 fn a_texture_is_drawn_as_the_reference_draws_it() {
     for (width, height, wrap) in [

@@ -238,6 +238,12 @@ all_found:
         brnz    $fetched,wait
 filter: hbrr    filter_call,texture_filter_r16
         lqa     $4,surfaces
+        # Texels are square roots of light where pixels have sRGB's values.
+        ila     $3,frame
+        load_word $5,FRAME_features,$3
+        andi    $5,$5,FEATURE_SRGB
+        ceqi    $5,$5,0
+        nor     $5,$5,$5
         ila     $3,arena+TEXEL_BUFFER
 filter_call:
         brsl    $lr,texture_filter_r16

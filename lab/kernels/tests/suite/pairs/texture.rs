@@ -161,11 +161,13 @@ fn filtered_colours_equal_the_twin() {
             })
         });
         let anything = random.random();
-        let after = filtered(&mut bench, &lanes, anything);
+        let are_roots = random.random();
+        let after = filtered(&mut bench, &lanes, are_roots, anything);
         let mut expected = coloured(&lanes, anything);
         for (lane, given) in lanes.iter().enumerate() {
             if let Some(given) = given {
-                let colour = filter_twin(given.colour, given.texels, given.right, given.down);
+                let (texels, right, down) = (given.texels, given.right, given.down);
+                let colour = filter_twin(given.colour, texels, are_roots, right, down);
                 set_colour(&mut expected, lane, colour);
             }
         }
@@ -182,6 +184,8 @@ fn white_texels_leave_a_colour_as_it_is() {
         lane.texels = [0xffff_ff00; 4];
         Some(lane)
     });
-    let after = filtered(&mut bench, &lanes, 0);
-    assert_eq!(after.as_bytes(), coloured(&lanes, 0).as_bytes());
+    for are_roots in [false, true] {
+        let after = filtered(&mut bench, &lanes, are_roots, 0);
+        assert_eq!(after.as_bytes(), coloured(&lanes, 0).as_bytes());
+    }
 }
