@@ -233,9 +233,10 @@ impl Queue {
 fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunOutcome, DmaError> {
     let list = entry.command;
     let mut pieces = Vec::new();
+    let mut may_join = list.operation == Operation::PutList;
     while entry.list_done < list.size {
-        if list.operation == Operation::PutList {
-            put_together(entry, buffer, path, &mut pieces);
+        if may_join {
+            may_join = put_together(entry, buffer, path, &mut pieces);
             if entry.list_done == list.size {
                 break;
             }
@@ -267,9 +268,14 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
 }
 
 /// Carries out the next elements of a list of puts to main memory in one access, as many as fit
-/// the buffer and need no stall. If that fails, none of them counts as done: one by one, they fail
-/// at the right one.
-fn put_together(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>, moved: &mut Vec<Piece>) {
+/// the buffer and need no stall. If that fails, it returns `false`, and none of them counts as
+/// done: one by one, they fail at the right one.
+fn put_together(
+    entry: &mut Entry,
+    buffer: &mut [u8],
+    path: Path<'_>,
+    moved: &mut Vec<Piece>,
+) -> bool {
     let mut ahead = *entry;
     let mut elements = Vec::new();
     let mut length = 0;
@@ -299,6 +305,7 @@ fn put_together(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>, moved: &mu
             moved.extend(elements.iter().map(|element| path.piece(element, None)));
         }
     }
+    written.is_ok()
 }
 
 /// What a command other than a list moves over the bus.
