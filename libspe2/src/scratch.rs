@@ -102,14 +102,25 @@ impl Scratch {
     /// Copies the pieces of `from`, each to its address, with as few system calls as possible. The
     /// error is the first address that can't be written, as far as it is known.
     pub(crate) fn store_pieces(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), u64> {
-        if pieces.len() > MOST_PIECES || from.len() > SCRATCH {
-            let mut rest = from;
-            for &(ea, length) in pieces {
-                let (piece, others) = rest.split_at(length);
+        let mut done = self.store_at_once(pieces, from);
+        // What is missing is tried again piece by piece, which says where it fails.
+        let mut rest = from;
+        for &(ea, length) in pieces {
+            let (piece, others) = rest.split_at(length);
+            if done < length {
                 self.store(ea, piece)?;
-                rest = others;
             }
-            return Ok(());
+            done = done.saturating_sub(length);
+            rest = others;
+        }
+        Ok(())
+    }
+
+    /// Copies the pieces of `from` with one system call. Returns how many bytes it has copied: none
+    /// if there are too many for one.
+    fn store_at_once(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> usize {
+        if pieces.len() > MOST_PIECES || from.len() > SCRATCH {
+            return 0;
         }
         // SAFETY: the mapping has SCRATCH bytes, `from` has no more and does not overlap it.
         unsafe {
@@ -134,18 +145,7 @@ impl Scratch {
                 0,
             )
         };
-        // What is missing is tried again piece by piece, which says where it fails.
-        let mut done = usize::try_from(written).unwrap_or(0);
-        let mut rest = from;
-        for &(ea, length) in pieces {
-            let (piece, others) = rest.split_at(length);
-            if done < length {
-                self.store(ea, piece)?;
-            }
-            done = done.saturating_sub(length);
-            rest = others;
-        }
-        Ok(())
+        usize::try_from(written).unwrap_or(0)
     }
 
     fn move_all(

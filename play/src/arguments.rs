@@ -188,8 +188,8 @@ pub struct Options {
     /// Start without text on the screen; F1 shows it
     #[arg(long)]
     pub no_overlay: bool,
-    /// SPUs to use [default: 6; without simulated time on a computer with fewer processors, as many
-    /// as these]
+    /// SPUs to use [default: 6, but no more than the computer has processors, unless it is a
+    /// console or time is simulated]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     spus: Option<u32>,
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]

@@ -10,8 +10,8 @@
 #
 # The texel's colour is interpolated between the left and the right texels of both rows, and then
 # between the rows. The texels are the words at the place, 4 bytes after it, and the same in the
-# next row of the tile. A byte that is a square root has the same step for the eye in the dark as
-# in the light; one that is light itself would show steps in dark textures.
+# next row of the tile. Where pixels have sRGB's values, bytes are square roots of light: of light
+# itself they would have too few steps in dark textures.
 #
 # The loop counts up, so that it isn't pipelined, which would take as much room again.
 

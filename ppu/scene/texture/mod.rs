@@ -44,8 +44,8 @@ pub struct Textures {
 
 impl Textures {
     /// Cuts textures into tiles. None of them should be there twice. `colour` says what the colours
-    /// of the scene are: if they are sRGB's, tiles have the square roots of their light, whose bytes
-    /// are as fine in the dark as the eye is.
+    /// of the scene are. If they are sRGB's, tiles have the square roots of their light: of light
+    /// itself, bytes would have too few steps in the dark.
     #[must_use]
     pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {
         let mut textures = Self {

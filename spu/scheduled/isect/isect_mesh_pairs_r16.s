@@ -15,8 +15,8 @@
 #
 # As watertight as isect_triangle_pairs_r16, with the same steps: triangles that share a vertex get
 # the same bits for it. The loop goes over triangles, not over runs, so that short runs cost no
-# branches. Pipelined, it takes 251 cycles a triangle instead of 281, and 2.8 KB more of local store,
-# where the cache loses a block and a half.
+# branches. Pipelined, it takes 251 cycles a triangle instead of 281, and 2.8 KB more of local
+# store, where the cache loses a block and a half.
 # Scheduled by spu schedule from isect_mesh_pairs_r16.s
 
         .include "work_unit.inc"

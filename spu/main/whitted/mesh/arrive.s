@@ -373,8 +373,8 @@ bad_block:
         ori     $3,$3,STATUS_MeshBlock
         br      give_up
 
-        # The centres of spheres. The next one is loaded while one is moved; behind the last one that
-        # is whatever comes after the block.
+        # The centres of spheres. The next one is loaded while one is moved; behind the last one
+        # that is whatever comes after the block.
 objects:
         lqd     $vertex,OBJECT_centre($a_vertex)
 next_object:

@@ -163,9 +163,9 @@ made_of_block:
         rotqbyi $face,$face,4
         lqx     $c,$a_vertices,$face
 
-        # The normal is (b - a) x (c - a), with the edges made about 1 long before. The normals at its
-        # vertices are found along with it, so that the steps of one fill the waits of the other: the
-        # lower half of the octahedron is folded back. Without such normals they are of no use.
+        # The normal is (b - a) x (c - a), with the edges made about 1 long before. The normals at
+        # its vertices are computed beside it, so that each fills the other's waits: the lower half
+        # of the octahedron is folded back. A triangle without such normals ignores them.
         lqa     $m_lane,last_of_two
         fs      $to_b,$b,$a
         lqa     $m_third,and_a_third
