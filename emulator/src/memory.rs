@@ -44,6 +44,11 @@ pub trait MainMemory: Send + Sync {
         }
         Ok(())
     }
+    /// Whether a write of these bytes that follows soon will not fail. It may answer `false` if it
+    /// does not know.
+    fn accepts_write(&self, _ea: u64, _length: usize) -> bool {
+        false
+    }
     /// Writes `new` to the line at `ea` (a multiple of [`LINE`]) if the line equals `expected`.
     /// Returns whether it did.
     fn compare_exchange_line(
@@ -195,6 +200,12 @@ impl MainMemory for RegisteredMemory {
         self.pieces(ea, from.len(), |backing, offset, range| {
             backing.write(offset, &from[range])
         })
+    }
+
+    fn accepts_write(&self, ea: u64, length: usize) -> bool {
+        let accepts = |backing: &Backing| matches!(backing, Backing::Bytes(_, Access::ReadWrite));
+        let pieces = self.pieces(ea, length, |backing, _, _| accepts(backing));
+        pieces.is_ok()
     }
 
     fn compare_exchange_line(

@@ -5,13 +5,20 @@
 //! exchange lines in it. Such a program would fail anyway.
 
 use std::ptr;
-use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::{Mutex, PoisonError};
 
 use spu_emulator::memory::{LINE, MainMemory, MemoryFault};
 
 use crate::futex::{Writable, probe_write};
 use crate::scratch::Pool;
+
+/// Of the smallest pages that Linux has.
+const PAGE: usize = 4096;
+/// Numbers of pages that were found writable, each at its remainder. A program that unmaps one of
+/// them while its SPEs write there gets their faults later than they would occur.
+static KNOWN_PAGES: [AtomicUsize; 8192] = [const { AtomicUsize::new(0) }; 8192];
 
 static POOL: Pool = Pool::new();
 static EXCHANGE: Mutex<()> = Mutex::new(());
@@ -39,6 +46,25 @@ impl MainMemory for ProcessMemory {
     fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
         POOL.with(|scratch| scratch.store_pieces(pieces, from))
             .map_err(|ea| MemoryFault { ea })
+    }
+
+    fn accepts_write(&self, ea: u64, length: usize) -> bool {
+        let start = usize::try_from(ea).ok();
+        let Some((start, end)) = start.and_then(|start| Some((start, start.checked_add(length)?)))
+        else {
+            return false;
+        };
+        (start / PAGE..end.div_ceil(PAGE)).all(|page| {
+            let known = &KNOWN_PAGES[page % KNOWN_PAGES.len()];
+            if known.load(Relaxed) == page {
+                return true;
+            }
+            let writable = probe_write((page * PAGE) as u64) == Writable::Yes;
+            if writable {
+                known.store(page, Relaxed);
+            }
+            writable
+        })
     }
 
     /// Atomic with respect to the PPE's own atomic instructions if the change is within one

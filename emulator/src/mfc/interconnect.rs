@@ -234,6 +234,11 @@ impl Interconnect {
         stores.all(|(start, _)| apart(*start, SIZE.into())) && signals.all(|(at, ..)| apart(*at, 4))
     }
 
+    /// Whether these bytes are in main memory only, and can be written.
+    pub(crate) fn is_writable_memory(&self, ea: u64, length: u32) -> bool {
+        self.is_memory(ea, length) && self.memory.accepts_write(ea, length as usize)
+    }
+
     /// Writes the pieces of `from`, each to its address, to main memory.
     pub(crate) fn write_pieces(
         &self,

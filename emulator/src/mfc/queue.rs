@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
 use super::error::DmaError;
 use super::interconnect::{Interconnect, Unit};
-use super::timing::{Movement, PendingWrite, Piece};
+use super::timing::{Movement, Peer, PendingWrite, Piece};
 use crate::local_store::LocalStore;
 use crate::lock::lock;
 use crate::memory::{LINE, MemoryFault};
@@ -80,6 +80,15 @@ struct Entry {
 }
 
 impl Entry {
+    fn new(command: Command) -> Self {
+        Self {
+            command,
+            list_done: 0,
+            list_lsa: command.lsa,
+            stalled: false,
+        }
+    }
+
     /// The list's next element, and whether the list stalls after it.
     fn element(&self, path: Path<'_>) -> Result<(Command, bool), DmaError> {
         let address = (self.command.ea as u32).wrapping_add(self.list_done);
@@ -128,15 +137,39 @@ impl Queue {
         self.depth - self.entries.len()
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// What this put would write, with copies of its bytes. `None` if it is no put to main memory,
+    /// stalls, might fail, or does not fit the buffer.
+    pub(crate) fn prepare_put(&mut self, command: &Command, path: Path<'_>) -> Option<Put> {
+        let mut entry = Entry::new(*command);
+        let is_writable = |ea, size| path.interconnect.is_writable_memory(ea, size);
+        let elements = match command.operation {
+            Operation::PutList => {
+                let elements = next_puts(&mut entry, &mut self.buffer, path, is_writable);
+                (entry.list_done == command.size).then_some(elements)?
+            }
+            Operation::Put if is_writable(command.ea, command.size) => {
+                let bytes = &mut self.buffer[..command.size as usize];
+                path.local_store.read(command.lsa, bytes);
+                vec![*command]
+            }
+            _ => return None,
+        };
+        let length: u32 = elements.iter().map(|element| element.size).sum();
+        Some(Put {
+            command: *command,
+            bytes: self.buffer[..length as usize].into(),
+            elements,
+        })
+    }
+
     /// Appends a command. There must be room.
     pub(crate) fn push(&mut self, command: Command) {
         debug_assert!(self.room() > 0);
-        self.entries.push_back(Entry {
-            command,
-            list_done: 0,
-            list_lsa: command.lsa,
-            stalled: false,
-        });
+        self.entries.push_back(Entry::new(command));
     }
 
     /// Tags that have outstanding commands.
@@ -230,6 +263,43 @@ impl Queue {
     }
 }
 
+/// A put to main memory, with the bytes that it writes.
+pub(crate) struct Put {
+    command: Command,
+    elements: Vec<Command>,
+    bytes: Box<[u8]>,
+}
+
+impl Put {
+    pub(crate) fn tag_bit(&self) -> u32 {
+        self.command.tag_bit()
+    }
+
+    /// Writes the bytes. Returns what was moved.
+    pub(crate) fn write(self, interconnect: &Interconnect) -> Result<Movement, DmaError> {
+        let (pieces, _) = addresses(&self.elements);
+        if let Err(fault) = interconnect.write_pieces(&pieces, &self.bytes) {
+            let has_fault = |element: &&Command| {
+                (element.ea..element.ea + u64::from(element.size)).contains(&fault.ea)
+            };
+            let failed = self.elements.iter().find(has_fault);
+            return Err(failed.unwrap_or(&self.command).storage(fault.ea));
+        }
+        let piece = |element: &Command| Piece {
+            ea: element.ea,
+            size: element.size,
+            peer: Peer::Memory,
+            pending: None,
+        };
+        Ok(Movement {
+            command: self.command,
+            pieces: self.elements.iter().map(piece).collect(),
+            stalled: false,
+            atomic: None,
+        })
+    }
+}
+
 fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunOutcome, DmaError> {
     let list = entry.command;
     let mut pieces = Vec::new();
@@ -267,6 +337,42 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
     Ok(RunOutcome::Complete)
 }
 
+/// Passes the next elements of a list of puts, as many as fit the buffer, need no stall and have
+/// addresses that are `good`. Returns them, and leaves their bytes in the buffer.
+fn next_puts(
+    entry: &mut Entry,
+    buffer: &mut [u8],
+    path: Path<'_>,
+    good: impl Fn(u64, u32) -> bool,
+) -> Vec<Command> {
+    let mut elements = Vec::new();
+    let mut length = 0;
+    while entry.list_done < entry.command.size {
+        let Ok((element, false)) = entry.element(path) else {
+            break;
+        };
+        if !good(element.ea, element.size) {
+            break;
+        }
+        let Some(bytes) = buffer.get_mut(length..length + element.size as usize) else {
+            break;
+        };
+        path.local_store.read(element.lsa, bytes);
+        length += bytes.len();
+        entry.pass(&element);
+        elements.push(element);
+    }
+    elements
+}
+
+/// The addresses and lengths of elements, and the sum of the lengths.
+fn addresses(elements: &[Command]) -> (Vec<(u64, usize)>, usize) {
+    let address = |element: &Command| (element.ea, element.size as usize);
+    let pieces: Vec<_> = elements.iter().map(address).collect();
+    let length = pieces.iter().map(|(_, length)| length).sum();
+    (pieces, length)
+}
+
 /// Carries out the next elements of a list of puts to main memory in one access, as many as fit
 /// the buffer and need no stall. If that fails, it returns `false`, and none of them counts as
 /// done: one by one, they fail at the right one.
@@ -277,27 +383,9 @@ fn put_together(
     moved: &mut Vec<Piece>,
 ) -> bool {
     let mut ahead = *entry;
-    let mut elements = Vec::new();
-    let mut length = 0;
-    while ahead.list_done < ahead.command.size {
-        let Ok((element, false)) = ahead.element(path) else {
-            break;
-        };
-        if !path.interconnect.is_memory(element.ea, element.size) {
-            break;
-        }
-        let Some(bytes) = buffer.get_mut(length..length + element.size as usize) else {
-            break;
-        };
-        path.local_store.read(element.lsa, bytes);
-        length += bytes.len();
-        ahead.pass(&element);
-        elements.push(element);
-    }
-    let pieces: Vec<_> = elements
-        .iter()
-        .map(|element| (element.ea, element.size as usize))
-        .collect();
+    let is_memory = |ea, size| path.interconnect.is_memory(ea, size);
+    let elements = next_puts(&mut ahead, buffer, path, is_memory);
+    let (pieces, length) = addresses(&elements);
     let written = path.interconnect.write_pieces(&pieces, &buffer[..length]);
     if written.is_ok() {
         *entry = ahead;

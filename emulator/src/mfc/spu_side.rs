@@ -3,9 +3,9 @@
 //! Only the thread that runs the SPU uses it. Where a channel would sleep, a method returns `None`
 //! and the caller sleeps. Events are returned as bits, for the caller to raise.
 
-use super::command::{Command, Operation, Parameters, Side};
+use super::command::{Command, Operation, Order, Parameters, Side};
 use super::error::DmaError;
-use super::queue::{Path, Policy, Queue, RunOutcome, SPU_QUEUE_DEPTH};
+use super::queue::{Path, Policy, Put, Queue, RunOutcome, SPU_QUEUE_DEPTH};
 use super::timing::{Atomic, Movement, TransferTimes};
 use crate::event;
 use crate::memory::LINE;
@@ -91,6 +91,29 @@ impl SpuSide {
             self.parameters = STALE;
         }
         Ok(Some(()))
+    }
+
+    /// In simulated time: the put that channel 21 is given, if it may be carried out later, as if
+    /// it had been carried out now: if it needs no order, and nothing waits for a command's
+    /// completion. With it and `deferred` earlier ones, the queue must not be full.
+    pub(crate) fn put_to_defer(
+        &mut self,
+        word: u32,
+        path: Path<'_>,
+        deferred: usize,
+    ) -> Option<Put> {
+        let command = Command::new(word, self.parameters, Side::Spu).ok()?;
+        let is_free = command.order == Order::Free && self.queue.is_empty();
+        let has_room = self.free_places() > deferred + 1;
+        if !is_free || !has_room || self.awaited.is_some() {
+            return None;
+        }
+        self.queue.prepare_put(&command, path)
+    }
+
+    /// Whether a status update waits for its condition.
+    pub(crate) fn awaits_tags(&self) -> bool {
+        self.awaited.is_some()
     }
 
     fn atomic(&mut self, command: &Command, path: Path<'_>) -> Result<(), DmaError> {

@@ -91,14 +91,16 @@ pub(crate) trait TransferTimes: Send {
     fn incomplete(&self) -> usize;
     /// The tags of these commands.
     fn busy_tags(&self) -> u32;
-    /// When the next command will be complete.
-    fn next(&self) -> Option<u64>;
+    /// When the next command of these tags will be complete.
+    fn next(&self, tags: u32) -> Option<u64>;
     /// When the SPU may learn of the lists that have stalled.
     fn stalled_at(&self) -> u64;
     /// When the status of the last atomic command can be read.
     fn atomic_at(&self) -> u64;
     /// Counts of all commands so far.
     fn commands(&self) -> Commands;
+    /// The same transfers, for a thread that times a movement in place of the SPU's own.
+    fn shared(&self) -> Box<dyn TransferTimes>;
 }
 
 /// The data in flight between the local stores of one machine.

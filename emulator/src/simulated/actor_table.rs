@@ -1,8 +1,8 @@
 //! The table of actors and their order.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::AtomicU32;
 use std::sync::atomic::Ordering::SeqCst;
+use std::sync::atomic::{AtomicU32, AtomicUsize};
 use std::sync::{Arc, Condvar};
 
 use portable_atomic::AtomicU64;
@@ -50,7 +50,23 @@ pub(super) struct Runner {
     pub called: Condvar,
     /// The host's thread that acts as it, or 0.
     pub thread: AtomicU32,
+    /// How many of its acts are deferred.
+    pub deferred: AtomicUsize,
+    /// The clock of the last one that was.
+    pub last_deferred: AtomicU64,
+    /// The tags for whose deferred acts it waits.
+    pub awaited: AtomicU32,
 }
+
+/// An act that its actor did not wait for.
+pub(super) struct Deferred {
+    pub tags: u32,
+    /// `None` while a thread carries it out.
+    pub act: Option<DeferredAct>,
+}
+
+/// What is done in a deferred act.
+pub(crate) type DeferredAct = Box<dyn FnOnce() + Send>;
 
 /// The state of an actor.
 pub(super) enum Status {
@@ -88,6 +104,8 @@ impl Entry {
 #[derive(Default)]
 pub(super) struct ActorTable {
     pub actors: BTreeMap<Rank, Entry>,
+    /// By clock and rank. An SPU gives no two commands in one cycle.
+    pub deferred: BTreeMap<(u64, Rank), Deferred>,
     /// The time of the current act, or of the last one.
     pub now: u64,
     pub ppe_threads: u64,
@@ -101,6 +119,20 @@ impl ActorTable {
             .iter()
             .filter_map(|(&rank, entry)| Some((entry.place()?, rank)))
             .min()
+    }
+
+    /// The first deferred act, if no actor can act before it.
+    pub fn due(&mut self) -> Option<((u64, Rank), &mut Deferred)> {
+        let leader = self.leader();
+        let first = self.deferred.first_entry()?;
+        let is_due = leader.is_none_or(|leader| *first.key() <= leader);
+        is_due.then(|| (*first.key(), first.into_mut()))
+    }
+
+    /// Whether acts of this actor with some of these tags are deferred.
+    pub fn is_deferred(&self, rank: Rank, tags: u32) -> bool {
+        let mut deferred = self.deferred.iter();
+        deferred.any(|((_, by), act)| *by == rank && act.tags & tags != 0)
     }
 
     /// Whether `me` sleeps and no other scheduled actor could wake it.

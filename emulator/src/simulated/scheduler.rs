@@ -5,8 +5,9 @@
 //! waits for its turn at a certain time, and another actor may wake it earlier. Invariant: an
 //! actor gets its turn only while no other free or waiting actor has a smaller (clock, rank), and
 //! it keeps the turn until it shows a larger clock. So acts never overlap, and no clock runs
-//! backwards. Data that was sent to a local store is in it as soon as all clocks have reached its
-//! arrival.
+//! backwards. An actor may defer an act for whose outcome it does not wait: the thread that finds
+//! that all clocks have reached the act's time carries it out. Data that was sent to a local store
+//! is in it as soon as all clocks have reached its arrival.
 
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU32};
@@ -15,7 +16,7 @@ use std::time::Duration;
 
 use portable_atomic::AtomicU64;
 
-use super::actor_table::{ActorTable, Entry, Rank, Runner, Status, WaitKey};
+use super::actor_table::{ActorTable, Deferred, DeferredAct, Entry, Rank, Runner, Status, WaitKey};
 use super::arrivals::Arrivals;
 use super::host_threads::{self, Wakers};
 use super::time::NEVER;
@@ -26,11 +27,15 @@ use crate::lock::lock;
 /// many that the checks cost nothing.
 const CYCLES_BETWEEN_CHECKS: u64 = 1024;
 
+/// How far an actor may run ahead of its deferred acts. Then it waits for them, because only who
+/// waits finds that another actor, which is behind them, may never act again.
+const CYCLES_AHEAD: u64 = 1 << 20;
+
 /// The scheduler of one machine.
 pub(crate) struct Scheduler {
     table: Mutex<ActorTable>,
-    /// The earliest time at which an actor waits. An actor that runs past it must call the waiting
-    /// one.
+    /// The earliest time at which an actor waits or of a deferred act. An actor that runs past it
+    /// must call the waiting one, or carry the act out.
     first_wait: AtomicU64,
     /// Whether actors not only act one at a time, but also run one at a time.
     serial: AtomicBool,
@@ -102,15 +107,17 @@ impl Scheduler {
     /// other.
     fn call_next(&self, table: &ActorTable) {
         let leader = table.leader();
-        self.arrivals
-            .deliver(leader.map_or(NEVER, |(clock, _)| clock));
+        let deferred = table.deferred.first_key_value();
+        let deferred = deferred.map_or(NEVER, |(&(clock, _), _)| clock);
+        let time = leader.map_or(NEVER, |(clock, _)| clock).min(deferred);
+        self.arrivals.deliver(time);
         let waiting = |(&rank, entry): (&Rank, &Entry)| match entry.status {
             Status::Waiting { wanted, .. } if wanted != NEVER => Some((wanted, rank)),
             _ => None,
         };
         let first = table.actors.iter().filter_map(waiting).min();
-        self.first_wait
-            .store(first.map_or(NEVER, |(wanted, _)| wanted), SeqCst);
+        let wanted = first.map_or(NEVER, |(wanted, _)| wanted);
+        self.first_wait.store(wanted.min(deferred), SeqCst);
         let (Some(first), Some(leader)) = (first, leader) else {
             return;
         };
@@ -134,6 +141,31 @@ impl Scheduler {
         let sent = others.filter_map(|(_, entry)| entry.place()).min();
         let sent = sent.map_or(NEVER, |place| place.saturating_add(self.local_store_delay));
         check.min(sent).min(self.arrivals.next())
+    }
+
+    /// Carries out the deferred acts that are due, then calls the next waiting actor.
+    ///
+    /// The table is not locked during an act, which may wake other actors. But the act stays in it,
+    /// so that no other act begins.
+    fn proceed<'a>(&'a self, mut table: MutexGuard<'a, ActorTable>) -> MutexGuard<'a, ActorTable> {
+        while let Some((key, deferred)) = table.due()
+            && let Some(act) = deferred.act.take()
+        {
+            table.now = key.0;
+            drop(table);
+            act();
+            table = lock(&self.table);
+            let done = table.deferred.remove(&key);
+            let owner = table.actors.get(&key.1).map(|entry| &entry.runner);
+            if let (Some(owner), Some(done)) = (owner, done) {
+                owner.deferred.fetch_sub(1, SeqCst);
+                if owner.awaited.load(SeqCst) & done.tags != 0 {
+                    owner.called.notify_one();
+                }
+            }
+        }
+        self.call_next(&table);
+        table
     }
 
     fn give_up(&self, table: &mut ActorTable, rank: Rank) {
@@ -166,16 +198,29 @@ impl Scheduler {
         table
     }
 
+    /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been carried out. Returns
+    /// its clock then.
     fn await_turn<'a>(
         &'a self,
         mut table: MutexGuard<'a, ActorTable>,
         me: &Actor,
         mut pause: Option<Duration>,
+        deferred: Option<u32>,
     ) -> u64 {
-        self.call_next(&table);
         loop {
+            table = self.proceed(table);
+            if deferred.is_some_and(|tags| !table.is_deferred(me.rank, tags)) {
+                table.set(me.rank, Status::Free(me.timeout()));
+                self.call_next(&table);
+                return me.clock();
+            }
             let mut limit = None;
-            match table.leader() {
+            // While another thread carries out an act, nobody has the turn.
+            let leader = match table.due() {
+                Some(_) => None,
+                None => table.leader(),
+            };
+            match leader {
                 Some((clock, rank)) if rank == me.rank => {
                     match pause.take_if(|_| table.sleeps_alone(rank)) {
                         Some(left) => limit = Some(left),
@@ -304,7 +349,43 @@ impl Actor {
                 key: None,
             },
         );
-        self.scheduler.await_turn(table, self, None);
+        self.scheduler.await_turn(table, self, None, None);
+    }
+
+    /// How many of its acts are deferred.
+    #[inline]
+    pub fn deferred(&self) -> usize {
+        self.runner.deferred.load(SeqCst)
+    }
+
+    /// Has `act` carried out in the actor's turn at `clock`, perhaps later and by another thread.
+    pub fn defer(&self, clock: u64, tags: u32, act: DeferredAct) {
+        self.runner.clock.store(clock, SeqCst);
+        self.runner.last_deferred.store(clock, Relaxed);
+        let mut table = lock(&self.scheduler.table);
+        self.runner.deferred.fetch_add(1, SeqCst);
+        let act = Some(act);
+        let deferred = Deferred { tags, act };
+        table.deferred.insert((clock, self.rank), deferred);
+        drop(self.scheduler.proceed(table));
+    }
+
+    /// Waits at `clock` until its deferred acts of these tags have been carried out.
+    pub fn await_deferred(&self, clock: u64, tags: u32) {
+        let mut table = lock(&self.scheduler.table);
+        if !table.is_deferred(self.rank, tags) {
+            return;
+        }
+        self.runner.clock.store(clock, SeqCst);
+        self.runner.awaited.store(tags, SeqCst);
+        let status = Status::Waiting {
+            wanted: clock,
+            since: clock,
+            key: None,
+        };
+        table.set(self.rank, status);
+        self.scheduler.await_turn(table, self, None, Some(tags));
+        self.runner.awaited.store(0, SeqCst);
     }
 
     /// Sleeps until another actor wakes `key`, or until `limit`. Returns the time of the turn that
@@ -319,7 +400,7 @@ impl Actor {
             key: Some(key),
         };
         table.set(self.rank, status);
-        self.scheduler.await_turn(table, self, pause)
+        self.scheduler.await_turn(table, self, pause, None)
     }
 
     /// The actor has run up to `clock`. At its limit, it lets actors that are behind go first.
@@ -363,6 +444,10 @@ impl Actor {
         self.runner
             .limit
             .store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
+        let deferred = self.runner.last_deferred.load(Relaxed);
+        if self.deferred() > 0 && clock > deferred + CYCLES_AHEAD {
+            return self.await_deferred(clock, u32::MAX);
+        }
         let first_wait = self.scheduler.first_wait.load(SeqCst);
         // Once for each wait is enough, because the last actor that passes it calls the waiter.
         // Compiled code comes here every few microseconds, and several SPEs would otherwise keep
@@ -374,7 +459,7 @@ impl Actor {
                 .swap(first_wait.wrapping_add(1), SeqCst)
                 != first_wait.wrapping_add(1)
         {
-            self.scheduler.call_next(&lock(&self.scheduler.table));
+            drop(self.scheduler.proceed(lock(&self.scheduler.table)));
         }
     }
 
@@ -382,7 +467,7 @@ impl Actor {
     pub fn leave(&self) {
         let mut table = lock(&self.scheduler.table);
         table.set(self.rank, Status::Outside);
-        self.scheduler.call_next(&table);
+        drop(self.scheduler.proceed(table));
     }
 
     /// The actor, if it is outside, will soon be scheduled at `clock`. No other actor may pass
@@ -405,7 +490,7 @@ impl Actor {
         table.set(other.rank, Status::Free(other.timeout()));
         let thread = host_threads::this_thread().unwrap_or(0);
         other.runner.thread.store(thread, SeqCst);
-        self.scheduler.call_next(&table);
+        drop(self.scheduler.proceed(table));
     }
 }
 
@@ -413,7 +498,7 @@ impl Drop for Actor {
     fn drop(&mut self) {
         let mut table = lock(&self.scheduler.table);
         table.actors.remove(&self.rank);
-        self.scheduler.call_next(&table);
+        drop(self.scheduler.proceed(table));
     }
 }
 
@@ -456,6 +541,41 @@ mod tests {
             }
         });
         let acts = acts.into_inner().unwrap();
+        assert_eq!(acts.len() as u64, ACTORS * ACTS);
+        assert!(acts.is_sorted());
+    }
+
+    #[test]
+    fn deferred_acts_come_in_the_same_order() {
+        const ACTORS: u64 = 5;
+        const ACTS: u64 = 200;
+        const TAG: u32 = 1;
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let acts = Arc::new(Mutex::new(Vec::new()));
+        let actors: Vec<_> = (0..ACTORS).map(|n| free(&scheduler, n, 0)).collect();
+        thread::scope(|scope| {
+            for (number, actor) in (0..ACTORS).zip(actors) {
+                let acts = &acts;
+                scope.spawn(move || {
+                    for act in 1..=ACTS {
+                        let clock = act * (number % 3 + 1);
+                        if (act + number) % 4 == 0 {
+                            actor.turn(clock);
+                            lock(acts).push((clock, number));
+                            continue;
+                        }
+                        let list = Arc::clone(acts);
+                        let push = move || lock(&list).push((clock, number));
+                        actor.defer(clock, TAG, Box::new(push));
+                        if act % 7 == 0 {
+                            actor.await_deferred(clock, TAG);
+                            assert!(lock(acts).contains(&(clock, number)));
+                        }
+                    }
+                });
+            }
+        });
+        let acts = lock(&acts);
         assert_eq!(acts.len() as u64, ACTORS * ACTS);
         assert!(acts.is_sorted());
     }

@@ -112,6 +112,19 @@ impl SpeSide {
         self.actor.turn(now);
     }
 
+    /// Whether puts may be deferred: not if SPUs run one at a time, and not if a timeline records
+    /// them in their order.
+    pub fn may_defer(&self) -> bool {
+        !self.actor.is_serial() && !self.simulation.options().timeline
+    }
+
+    /// Waits until this SPE's deferred puts of these tags have been carried out.
+    pub fn await_deferred(&self, clock: &RefCell<SpuClock>, tags: u32) {
+        if self.actor.deferred() > 0 {
+            self.actor.await_deferred(clock.borrow().now(), tags);
+        }
+    }
+
     /// Sleeps until another actor changes this SPE, or until `limit`.
     pub fn sleep(
         &self,

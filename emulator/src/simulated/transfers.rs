@@ -5,12 +5,13 @@
 //! queue, appear at the simulated time. A command that must follow earlier commands is delayed
 //! until those are complete.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, MutexGuard};
 
 use super::arrivals::Arrivals;
 use super::figures::MemoryFigures;
 use super::memory_system::{Direction, MemorySystem, Port};
 use super::simulation::Simulation;
+use crate::lock::lock;
 use crate::mfc::Commands;
 use crate::mfc::command::{Command, Operation, Order, TAGS};
 use crate::mfc::timing::{Movement, TransferTimes};
@@ -58,9 +59,10 @@ impl Transfers {
             .fold(0, |tags, command| tags | 1 << command.tag)
     }
 
-    fn next(&self) -> Option<u64> {
+    fn next(&self, tags: u32) -> Option<u64> {
         self.outstanding
             .iter()
+            .filter(|command| 1 << command.tag & tags != 0)
             .map(|command| command.complete)
             .min()
     }
@@ -140,8 +142,9 @@ impl Transfers {
 }
 
 /// The commands of one SPU in its machine's time.
+#[derive(Clone)]
 pub(super) struct SpuTransfers {
-    transfers: Transfers,
+    transfers: Arc<Mutex<Transfers>>,
     simulation: Arc<Simulation>,
 }
 
@@ -149,9 +152,16 @@ impl SpuTransfers {
     /// The transfers of SPE `number`.
     pub fn new(number: u64, simulation: &Arc<Simulation>) -> Self {
         Self {
-            transfers: Transfers::new(number, simulation.timing().memory),
+            transfers: Arc::new(Mutex::new(Transfers::new(
+                number,
+                simulation.timing().memory,
+            ))),
             simulation: Arc::clone(simulation),
         }
+    }
+
+    fn transfers(&self) -> MutexGuard<'_, Transfers> {
+        lock(&self.transfers)
     }
 }
 
@@ -159,35 +169,39 @@ impl TransferTimes for SpuTransfers {
     fn add(&mut self, movement: Movement, now: u64) -> u64 {
         let mut memory = self.simulation.memory();
         let arrivals = &self.simulation.scheduler().arrivals;
-        self.transfers.add(movement, now, &mut memory, arrivals)
+        self.transfers().add(movement, now, &mut memory, arrivals)
     }
 
     fn advance(&mut self, now: u64) {
-        self.transfers.advance(now);
+        self.transfers().advance(now);
     }
 
     fn incomplete(&self) -> usize {
-        self.transfers.outstanding.len()
+        self.transfers().outstanding.len()
     }
 
     fn busy_tags(&self) -> u32 {
-        self.transfers.busy_tags()
+        self.transfers().busy_tags()
     }
 
-    fn next(&self) -> Option<u64> {
-        self.transfers.next()
+    fn next(&self, tags: u32) -> Option<u64> {
+        self.transfers().next(tags)
     }
 
     fn stalled_at(&self) -> u64 {
-        self.transfers.stalls
+        self.transfers().stalls
     }
 
     fn atomic_at(&self) -> u64 {
-        self.transfers.atomic
+        self.transfers().atomic
     }
 
     fn commands(&self) -> Commands {
-        self.transfers.commands
+        self.transfers().commands
+    }
+
+    fn shared(&self) -> Box<dyn TransferTimes> {
+        Box::new(self.clone())
     }
 }
 
@@ -258,7 +272,7 @@ mod tests {
             (transfers.busy_tags(), transfers.outstanding.len()),
             (0b10_0010, 2)
         );
-        let first = transfers.next().unwrap();
+        let first = transfers.next(u32::MAX).unwrap();
         transfers.advance(first - 1);
         assert_eq!(transfers.outstanding.len(), 2);
         transfers.advance(first);

@@ -111,12 +111,23 @@ impl Channels for RunningChannels<'_> {
             }
             SIZE => self.own.mfc.parameters.size = value,
             TAG_ID => self.own.mfc.parameters.tag = value,
+            CMD if self.defer_put(value) => {}
             CMD => self.sleep_for_mfc(Wait::Queue, |mfc, path| mfc.command(value, path))?,
-            WR_TAG_MASK => self.mfc(|mfc, _| {
-                mfc.set_tag_mask(value);
-                Ok(())
-            })?,
-            WR_TAG_UPDATE => self.mfc(|mfc, path| mfc.request_tag_status(value, path))?,
+            WR_TAG_MASK => {
+                let tags = if self.own.mfc.awaits_tags() {
+                    u32::MAX
+                } else {
+                    0
+                };
+                self.mfc_for(tags, |mfc, _| {
+                    mfc.set_tag_mask(value);
+                    Ok(())
+                })?;
+            }
+            WR_TAG_UPDATE => {
+                let tags = self.own.mfc.tag_mask();
+                self.mfc_for(tags, |mfc, path| mfc.request_tag_status(value, path))?;
+            }
             WR_LIST_STALL_ACK => {
                 self.turn();
                 self.mfc(|mfc, path| mfc.resume(value, path))?;

@@ -4,6 +4,7 @@
 //! ends its sleep. So the instruction can be run again.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::Spe;
@@ -113,6 +114,18 @@ impl<'a> RunningChannels<'a> {
         &mut self,
         body: impl FnOnce(&mut SpuSide, Path<'a>) -> Result<T, DmaError>,
     ) -> Result<T, Stop> {
+        self.mfc_for(u32::MAX, body)
+    }
+
+    /// As [`mfc`](Self::mfc), where `body` depends on the commands of these tags only.
+    pub(super) fn mfc_for<T>(
+        &mut self,
+        tags: u32,
+        body: impl FnOnce(&mut SpuSide, Path<'a>) -> Result<T, DmaError>,
+    ) -> Result<T, Stop> {
+        if let Some(side) = self.simulated() {
+            side.await_deferred(self.clock, tags);
+        }
         let path = self.path();
         self.advance_transfers();
         let result = body(&mut self.own.mfc, path);
@@ -122,6 +135,41 @@ impl<'a> RunningChannels<'a> {
         }
         self.problem_state().raise(self.own.mfc.take_events());
         result.map_err(Stop::Dma)
+    }
+
+    /// In simulated time: gives the MFC a put whose turn is not waited for. Returns `false`, without
+    /// any effect, if it must be waited for.
+    pub(super) fn defer_put(&mut self, word: u32) -> bool {
+        let Some(side) = self.simulated() else {
+            return false;
+        };
+        if !side.may_defer() {
+            return false;
+        }
+        // In this order: a put that is carried out in between counts twice, and not never.
+        let deferred = side.actor.deferred();
+        self.advance_transfers();
+        let path = self.path();
+        let mfc = &mut self.own.mfc;
+        let put = mfc.put_to_defer(word, path, deferred);
+        let (Some(put), Some(transfers)) = (put, mfc.transfers()) else {
+            return false;
+        };
+        let now = self.clock.borrow().now();
+        let (machine, problem_state) = (
+            Arc::clone(&self.spe.machine),
+            Arc::clone(&self.spe.problem_state),
+        );
+        let mut transfers = transfers.shared();
+        let tag = put.tag_bit();
+        let act = move || match put.write(machine.interconnect()) {
+            Ok(movement) => {
+                transfers.add(movement, now);
+            }
+            Err(fault) => problem_state.request_stop(Some(fault)),
+        };
+        side.actor.defer(now, tag, Box::new(act));
+        true
     }
 
     /// Carries out the commands that the policy put off, because the program has stopped.
@@ -240,14 +288,18 @@ impl<'a> RunningChannels<'a> {
             if wait == Wait::Queue {
                 self.turn();
             }
-            if let Some(value) = self.mfc(&mut poll)? {
+            let tags = match wait {
+                Wait::Tag => self.own.mfc.tag_mask(),
+                _ => u32::MAX,
+            };
+            if let Some(value) = self.mfc_for(tags, &mut poll)? {
                 return Ok(value);
             }
             match self
                 .own
                 .mfc
                 .transfers()
-                .and_then(|transfers| transfers.next())
+                .and_then(|transfers| transfers.next(tags))
             {
                 Some(complete) => self.sleep_until(complete, wait),
                 None => return self.sleep_for_ever(wait),
@@ -326,7 +378,7 @@ impl<'a> RunningChannels<'a> {
                 self.own
                     .mfc
                     .transfers()
-                    .and_then(|transfers| transfers.next())
+                    .and_then(|transfers| transfers.next(u32::MAX))
             })
             .flatten();
         [decrementer, line, mfc].into_iter().flatten().min()

@@ -158,6 +158,71 @@ fn who_wins_a_line_is_the_same_in_every_run() {
     }
 }
 
+/// Each SPE puts its count to lines that all share, by a command and by a list, and adds up what it
+/// finds in one of them. It waits for each put only before it changes the put's bytes.
+const SHARE: &str = "
+        ila     $5,150
+        a       $6,$3,$4
+        ila     $7,0x12000
+        ilhu    $9,0
+        iohl    $9,16
+again:  wait_tags 2
+        a       $8,$5,$4
+        stqa    $8,0x10000
+        command PUT, 0x10000, $3, 16, 1
+        andi    $20,$8,15
+        ai      $20,$20,3
+work:   fa      $21,$21,$22
+        ai      $20,$20,-1
+        brnz    $20,work
+        wait_tags 4
+        stqa    $8,0x11000
+        stqa    $9,0x12000
+        ai      $10,$3,128
+        cwd     $11,4($13)
+        lqa     $12,0x12000
+        shufb   $12,$10,$12,$11
+        stqa    $12,0x12000
+        command PUTL, 0x11000, $7, 8, 2
+        andi    $20,$5,3
+        brnz    $20,next
+        command GET, 0x13000, $3, 256, 3
+        wait_tags 8
+        lqa     $12,0x13000
+        a       $30,$30,$12
+        lqa     $12,0x13080
+        a       $30,$30,$12
+next:   ai      $5,$5,-1
+        brnz    $5,again
+        stop    0x2000
+";
+
+/// With a timeline each put waits for its turn, so this compares both ways.
+#[test]
+fn puts_that_do_not_wait_for_their_turn_are_made_in_it() {
+    let share = |machine: Machine| {
+        let image = assemble(SHARE);
+        let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();
+        let running: Vec<_> = (0..)
+            .zip(&spes)
+            .map(|(number, (spe, entry))| start(spe, *entry, number, Duration::ZERO))
+            .collect();
+        machine.depart();
+        for one in running {
+            one.end();
+        }
+        let sums: Vec<_> = spes.iter().map(|(spe, _)| register(spe, 30)).collect();
+        (machine.report().spes, sums)
+    };
+    let waiting = share(Machine::recording());
+    assert!(waiting.0.iter().all(|spe| spe.commands.queued > 300));
+    assert!(waiting.1.windows(2).any(|pair| pair[0] != pair[1]));
+    let _load = Load::new(3);
+    for _ in 0..5 {
+        assert_eq!(share(Machine::new()), waiting);
+    }
+}
+
 /// SPE 0 counts until it finds a word that SPE 1 puts into its local store after a while. It
 /// learns of the word in no other way.
 const WATCH: &str = "

@@ -44,6 +44,15 @@ impl Machine {
         Self::simulated_with(Timing::default(), options)
     }
 
+    /// A machine that records timelines.
+    pub fn recording() -> Self {
+        let options = SimulationOptions {
+            timeline: true,
+            ..SimulationOptions::default()
+        };
+        Self::simulated_with(Timing::default(), options)
+    }
+
     fn simulated_with(timing: Timing, options: SimulationOptions) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory
