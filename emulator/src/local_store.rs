@@ -19,6 +19,10 @@ use spu_isa::LOCAL_STORE_SIZE;
 /// Size of local store in bytes.
 pub const SIZE: u32 = LOCAL_STORE_SIZE;
 
+/// Size in bytes of the lines in which local stores are compared.
+#[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+pub(crate) const DIFFERENCE_LINE: usize = 64;
+
 const DOUBLEWORDS: usize = SIZE as usize / 8;
 const DOUBLEWORD_MASK: usize = DOUBLEWORDS - 1;
 
@@ -126,6 +130,31 @@ impl LocalStore {
             rest = later;
             at = at.wrapping_add(n as u32);
         }
+    }
+
+    /// The addresses of the lines of [`DIFFERENCE_LINE`] bytes in which it differs from `other`.
+    #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+    pub(crate) fn changed_lines<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = u32> {
+        let lines = |store: &'a Self| store.0.0.as_chunks::<{ DIFFERENCE_LINE / 8 }>().0;
+        let differs = |(own, its): (&[AtomicU64], &[AtomicU64])| {
+            let pairs = own.iter().zip(its);
+            pairs.fold(0, |bits, (own, its)| {
+                bits | own.load(Relaxed) ^ its.load(Relaxed)
+            }) != 0
+        };
+        let pairs = lines(self).iter().zip(lines(other));
+        let addresses = (0..).step_by(DIFFERENCE_LINE);
+        addresses
+            .zip(pairs)
+            .filter_map(move |(at, (own, its))| differs((own, its)).then_some(at))
+    }
+
+    /// All bytes of a local store that no other thread uses.
+    #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+    pub(crate) fn as_bytes(&mut self) -> &[u8] {
+        // SAFETY: the doublewords are `SIZE` initialised bytes, and the exclusive borrow keeps
+        // others from writing them.
+        unsafe { std::slice::from_raw_parts(self.as_ptr(), SIZE as usize) }
     }
 
     /// The address of local store in the host's memory: [`SIZE`] bytes that live as long as

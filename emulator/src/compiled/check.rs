@@ -10,10 +10,12 @@ use spu_compiler::{Cpu, Exit, MAX_STEPS, Storage};
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Quad, Spu};
-use crate::local_store::{LocalStore, SIZE};
+use crate::local_store::{DIFFERENCE_LINE, LocalStore};
 use crate::stop::{Stop, Stopped};
 
 const QUADWORD: usize = 16;
+/// The number of bytes that are compared first as a whole.
+const CHUNK: usize = 1024;
 /// The most instructions that are compared at once. Comparing local stores takes as long as running
 /// some thousands of instructions.
 const AT_ONCE: u32 = 4096;
@@ -107,67 +109,87 @@ impl fmt::Display for Difference {
 }
 
 /// The copies of local store that the two runs work on.
+///
+/// Each check looks at all of local store, so that no store escapes it. But it copies only what has
+/// changed: between two checks, the copies stay equal.
 pub(super) struct Copies {
     compiled: LocalStore,
     interpreted: LocalStore,
-    /// Their contents, and those of local store before the runs.
-    original: Vec<u8>,
-    by_compiled: Vec<u8>,
-    by_interpreter: Vec<u8>,
+    /// What local store, and so each copy, held before the runs.
+    original: LocalStore,
 }
 
 impl Copies {
     pub fn new() -> Self {
-        let bytes = || vec![0; SIZE as usize];
         Self {
             compiled: LocalStore::new(),
             interpreted: LocalStore::new(),
-            original: bytes(),
-            by_compiled: bytes(),
-            by_interpreter: bytes(),
+            original: LocalStore::new(),
         }
     }
 
-    /// Reads what the runs have made of the copies, and returns the first quadword that differs.
-    fn difference(&mut self) -> Option<(u32, [u32; 4], [u32; 4])> {
-        self.compiled.read(0, &mut self.by_compiled);
-        self.interpreted.read(0, &mut self.by_interpreter);
-        if self.by_compiled == self.by_interpreter {
-            return None;
+    /// Copies what has changed in local store since the last runs.
+    fn update(&mut self, local_store: &LocalStore) {
+        for line in local_store.changed_lines(&self.original) {
+            let mut now = [0; DIFFERENCE_LINE];
+            local_store.read(line, &mut now);
+            for copy in [&self.original, &self.compiled, &self.interpreted] {
+                copy.write(line, &now);
+            }
         }
-        let differs = |&address: &u32| {
-            self.compiled.load_quadword(address) != self.interpreted.load_quadword(address)
-        };
-        let address = (0..SIZE).step_by(QUADWORD).find(differs)?;
-        Some((
-            address,
-            self.compiled.load_quadword(address),
-            self.interpreted.load_quadword(address),
-        ))
     }
 
-    /// Writes the interpreter's changes to local store.
-    fn write_changes(&self, local_store: &LocalStore) {
-        const CHUNK: usize = 1024;
-        let chunks = self.original.chunks_exact(CHUNK);
-        for (start, (before, after)) in (0..)
-            .step_by(CHUNK)
-            .zip(chunks.zip(self.by_interpreter.chunks_exact(CHUNK)))
-        {
-            if before == after {
-                continue;
-            }
-            let quadwords = before.chunks_exact(QUADWORD);
-            for (address, (before, after)) in (start..)
-                .step_by(QUADWORD)
-                .zip(quadwords.zip(after.chunks_exact(QUADWORD)))
-            {
-                if before != after {
-                    local_store.write(address, after);
-                }
+    /// Undoes the runs' changes, which are in these chunks.
+    fn restore(&mut self, chunks: &[u32]) {
+        for address in quadwords(chunks) {
+            let before = self.original.load_quadword(address);
+            for copy in [&self.compiled, &self.interpreted] {
+                copy.store_quadword(address, before);
             }
         }
     }
+
+    /// The addresses of the chunks in which a run has changed its copy.
+    fn changed(&mut self) -> Vec<u32> {
+        let [compiled, interpreted, original] = [
+            self.compiled.as_bytes(),
+            self.interpreted.as_bytes(),
+            self.original.as_bytes(),
+        ]
+        .map(|bytes| bytes.as_chunks::<CHUNK>().0);
+        let differs = |&at: &usize| compiled[at] != original[at] || interpreted[at] != original[at];
+        let chunks = (0..original.len()).filter(differs);
+        chunks.map(|at| (at * CHUNK) as u32).collect()
+    }
+
+    /// The first quadword in these chunks that differs.
+    fn difference(&self, chunks: &[u32]) -> Option<(u32, [u32; 4], [u32; 4])> {
+        quadwords(chunks).find_map(|address| {
+            let compiled = self.compiled.load_quadword(address);
+            let interpreted = self.interpreted.load_quadword(address);
+            (compiled != interpreted).then_some((address, compiled, interpreted))
+        })
+    }
+
+    /// Writes the interpreter's changes, which are in these chunks, to local store and to the other
+    /// copies.
+    fn write_changes(&mut self, chunks: &[u32], local_store: &LocalStore) {
+        for address in quadwords(chunks) {
+            let after = self.interpreted.load_quadword(address);
+            if after != self.original.load_quadword(address) {
+                local_store.store_quadword(address, after);
+                self.original.store_quadword(address, after);
+            }
+            self.compiled.store_quadword(address, after);
+        }
+    }
+}
+
+/// The addresses of the quadwords in these chunks.
+fn quadwords(chunks: &[u32]) -> impl Iterator<Item = u32> {
+    chunks
+        .iter()
+        .flat_map(|&start| (start..start + CHUNK as u32).step_by(QUADWORD))
 }
 
 /// Runs units from the SPU's program counter on, then as many instructions with the interpreter,
@@ -183,31 +205,30 @@ pub(super) fn check<C: Channels>(
 ) -> Result<Exit, Box<Difference>> {
     let left = left.min(u64::from(AT_ONCE)) as u32;
     let (before, executed) = (State::of(spu), spu.executed());
-    local_store.read(0, &mut copies.original);
+    copies.update(local_store);
     let few = MAX_STEPS as u32;
-    let mut result = compare(cpu, spu, copies, channels, left);
+    let (mut result, mut changed) = compare(cpu, spu, copies, channels, left);
     if result.is_err() && left > few {
         spu.registers = before.registers;
         spu.fpscr = Fpscr::from_words(before.fpscr);
         spu.set_pc(before.pc);
         spu.executed = executed;
-        result = compare(cpu, spu, copies, channels, few);
+        copies.restore(&changed);
+        (result, changed) = compare(cpu, spu, copies, channels, few);
     }
-    copies.write_changes(local_store);
+    copies.write_changes(&changed, local_store);
     result
 }
 
-/// Runs at most `budget` instructions by both, each on its copy.
+/// Runs at most `budget` instructions by both, each on its copy. The second value tells where they
+/// have changed their copies.
 fn compare<C: Channels>(
     cpu: &mut Cpu,
     spu: &mut Spu,
     copies: &mut Copies,
     channels: &mut C,
     budget: u32,
-) -> Result<Exit, Box<Difference>> {
-    for copy in [&copies.compiled, &copies.interpreted] {
-        copy.write(0, &copies.original);
-    }
+) -> (Result<Exit, Box<Difference>>, Vec<u32>) {
     let before = State::of(spu);
     let mut compiled = before.clone();
     let storage = Storage {
@@ -225,19 +246,21 @@ fn compare<C: Channels>(
     let requested = |stopped: &Stopped| stopped.reason == Stop::Requested;
     let interrupted = stopped.as_ref().is_some_and(requested);
     let interpreted = State::of(spu);
-    let local_store = copies.difference();
+    let changed = copies.changed();
+    let local_store = copies.difference(&changed);
     let equal = stopped.is_none() && compiled == interpreted && local_store.is_none();
     if equal || interrupted {
-        return Ok(exit);
+        return (Ok(exit), changed);
     }
-    Err(Box::new(Difference {
+    let difference = Difference {
         before,
         instructions,
         compiled,
         interpreted,
         stopped,
         local_store,
-    }))
+    };
+    (Err(Box::new(difference)), changed)
 }
 
 #[cfg(test)]
@@ -247,6 +270,38 @@ mod tests {
     use crate::float::estimate::reciprocal_root_words;
     use spu_compiler::{Compiler, Estimates, FloatMode, Step, Trace};
     use spu_isa::{Instruction, Op};
+
+    /// A store by one run alone is found wherever it is, and only the interpreter's reach local store.
+    #[test]
+    fn stores_that_differ_are_found() {
+        const PLACES: [u32; 4] = [0, 0x1230, 0x2_0000, 0x3_fff0];
+        let ([one, two], other) = ([[1; 4], [2; 4]], [7; 4]);
+        let (store, mut copies) = (LocalStore::new(), Copies::new());
+        for place in PLACES {
+            store.store_quadword(place ^ 0x40, other);
+            copies.update(&store);
+            copies.interpreted.store_quadword(0x400, two);
+            copies.compiled.store_quadword(0x400, two);
+            let same = copies.changed();
+            assert_eq!(
+                (same.as_slice(), copies.difference(&same)),
+                (&[0x400][..], None)
+            );
+            copies.compiled.store_quadword(place, one);
+            let changed = copies.changed();
+            assert_eq!(copies.difference(&changed), Some((place, one, [0; 4])));
+            copies.restore(&changed);
+            assert!(copies.changed().is_empty());
+            copies.interpreted.store_quadword(place, two);
+            copies.compiled.store_quadword(place, one);
+            let changed = copies.changed();
+            copies.write_changes(&changed, &store);
+            assert_eq!(store.load_quadword(place), two);
+            assert_eq!(store.load_quadword(place ^ 0x40), other);
+            assert!(copies.changed().is_empty());
+            store.store_quadword(place, [0; 4]);
+        }
+    }
 
     /// With wrong tables compiled code differs, and the message names the place.
     #[test]
