@@ -18,7 +18,7 @@ use crate::scratch::Pool;
 const PAGE: usize = 4096;
 /// Numbers of pages that were found writable, each at its remainder. A program that unmaps one of
 /// them while its SPEs write there gets their faults later than they would occur.
-static KNOWN_PAGES: [AtomicUsize; 8192] = [const { AtomicUsize::new(0) }; 8192];
+static KNOWN_PAGES: [AtomicUsize; 8192] = [const { AtomicUsize::new(usize::MAX) }; 8192];
 
 static POOL: Pool = Pool::new();
 static EXCHANGE: Mutex<()> = Mutex::new(());
@@ -171,6 +171,33 @@ mod tests {
     }
 
     #[test]
+    fn a_write_is_accepted_if_all_of_its_pages_can_be_written() {
+        // SAFETY: a new private mapping overlaps nothing.
+        let pages = unsafe {
+            libc::mmap(
+                ptr::null_mut(),
+                3 * PAGE,
+                libc::PROT_READ | libc::PROT_WRITE,
+                libc::MAP_PRIVATE | libc::MAP_ANONYMOUS,
+                -1,
+                0,
+            )
+        };
+        assert_ne!(pages, libc::MAP_FAILED);
+        let ea = pages.expose_provenance() as u64;
+        // SAFETY: the last of the three pages is this test's own.
+        unsafe { libc::mprotect(pages.byte_add(2 * PAGE), PAGE, libc::PROT_READ) };
+        for _ in 0..2 {
+            assert!(ProcessMemory.accepts_write(ea + 1, 2 * PAGE - 1));
+            assert!(!ProcessMemory.accepts_write(ea + 1, 2 * PAGE));
+            assert!(!ProcessMemory.accepts_write(0, 16));
+            assert!(!ProcessMemory.accepts_write(u64::MAX - 15, 32));
+        }
+        // SAFETY: the pages are this test's own.
+        unsafe { libc::munmap(pages, 3 * PAGE) };
+    }
+
+    #[test]
     fn bad_addresses_are_faults() {
         for ea in [0, 8, u64::MAX - 15, 1 << 62] {
             assert!(ProcessMemory.read(ea, &mut [0; 16]).is_err(), "{ea:#x}");
@@ -200,6 +227,7 @@ mod tests {
         let ea = page.expose_provenance() as u64;
         ProcessMemory.read(ea, &mut [0; LINE]).unwrap();
         assert!(ProcessMemory.write(ea, &[1]).is_err());
+        assert!(!ProcessMemory.accepts_write(ea, 1));
         let mut new = [0; LINE];
         for at in [0, 8, 127] {
             new[at] = 1;

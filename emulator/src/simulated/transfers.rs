@@ -1,9 +1,9 @@
 //! The MFC commands of one SPU that are not complete yet in simulated time.
 //!
-//! Data moves when the command is given, in the SPU's turn. Only data for another local store
-//! moves when its transfer is complete. Results that the program can see, tags and room in the
-//! queue, appear at the simulated time. A command that must follow earlier commands is delayed
-//! until those are complete.
+//! Data moves when the command is given, in the SPU's turn; another thread may move it in place of
+//! the SPU's. Only data for another local store moves when its transfer is complete. Results that
+//! the program can see, tags and room in the queue, appear at the simulated time. A command that
+//! must follow earlier commands is delayed until those are complete.
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
