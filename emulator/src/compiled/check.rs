@@ -271,7 +271,8 @@ mod tests {
     use spu_compiler::{Compiler, Estimates, FloatMode, Step, Trace};
     use spu_isa::{Instruction, Op};
 
-    /// A store by one run alone is found wherever it is, and only the interpreter's reach local store.
+    /// A store by one run alone is found wherever it is. Only the interpreter's stores reach local
+    /// store.
     #[test]
     fn stores_that_differ_are_found() {
         const PLACES: [u32; 4] = [0, 0x1230, 0x2_0000, 0x3_fff0];

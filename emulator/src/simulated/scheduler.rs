@@ -198,8 +198,8 @@ impl Scheduler {
         table
     }
 
-    /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been carried out. Returns
-    /// its clock then.
+    /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been carried out.
+    /// Returns its clock then.
     fn await_turn<'a>(
         &'a self,
         mut table: MutexGuard<'a, ActorTable>,

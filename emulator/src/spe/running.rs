@@ -137,8 +137,8 @@ impl<'a> RunningChannels<'a> {
         result.map_err(Stop::Dma)
     }
 
-    /// In simulated time: gives the MFC a put whose turn is not waited for. Returns `false`, without
-    /// any effect, if it must be waited for.
+    /// In simulated time: gives the MFC a put whose turn is not waited for. Returns `false`,
+    /// without any effect, if it must be waited for.
     pub(super) fn defer_put(&mut self, word: u32) -> bool {
         let Some(side) = self.simulated() else {
             return false;
