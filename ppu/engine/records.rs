@@ -12,7 +12,8 @@ use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
+    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter,
+    WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -31,6 +32,8 @@ pub(super) struct Records {
     textures: Option<Arc<Textures>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
+    /// The rays of each SPU that have no room in local store.
+    waiting: SharedMemory,
     /// Room for the largest possible number of units.
     units: SharedMemory,
     costs: SharedMemory,
@@ -61,6 +64,7 @@ impl Records {
             textures: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
             statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
+            waiting: SharedMemory::new((MAX_SPUS * WAITING_SIZE) as usize),
             units,
             costs,
             framebuffer,
@@ -84,6 +88,7 @@ impl Records {
             texture_code_bytes: self.texture_code_bytes,
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
+            waiting: self.waiting.address(),
             units: self.units.address(),
             costs: self.costs.address(),
         }

@@ -35,6 +35,8 @@ pub struct Addresses {
     pub unit_counter: u64,
     /// The statistics records.
     pub statistics: u64,
+    /// The room for rays that wait, for each SPU.
+    pub waiting: u64,
     /// The work units.
     pub units: u64,
     /// The lines for the units' costs.
@@ -129,6 +131,7 @@ pub fn describe(order: &Order) -> Frame {
     frame.background = quadword(singles(colour.light(scene.background())));
     if let Some(block) = scene.block() {
         frame.scene = addresses.scene.into();
+        frame.waiting = addresses.waiting.into();
         frame.scene_bytes = (block.bytes().len() as u32).into();
         frame.ray_depth = block.ray_depth().into();
         frame.least_weight = block.least_weight().into();

@@ -394,10 +394,9 @@ fn room(batch: u32, ray_depth: u32) -> usize {
     (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
 }
 
-/// The bytes of the queue of rays: a batch for each ray of a chain, and one more if chains have more
-/// than one.
+/// The bytes of the queue of rays in local store: three batches, if chains have more than one ray.
 fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
-    let batches = if ray_depth > 1 { ray_depth + 1 } else { 0 };
+    let batches = if ray_depth > 1 { 3 } else { 0 };
     PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
 }
 

@@ -129,8 +129,9 @@ record! {
         texture_level_count: U32,
         /// The angle between the rays of neighbouring pixels in the middle of the picture.
         pixel_angle: F32,
-        /// Zero; fills the quadword.
-        unused: [U32; 2],
+        /// Effective address of the room for rays that wait, `WAITING_SIZE` bytes for each SPU, in
+        /// order; a multiple of 128.
+        waiting: U64,
     }
 }
 

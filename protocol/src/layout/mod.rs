@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 9;
+    VERSION = 10;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -152,6 +152,8 @@ constants! {
     MAX_LEVELS = 6;
     /// Most rays in a chain, including the primary ray.
     MAX_DEPTH = 16;
+    /// Bytes of main memory for the rays of an SPU that wait and have no room in local store.
+    WAITING_SIZE = 0x1_0000;
     /// In a ray's `pixel`: what one ray that came before it in its chain adds.
     CHAIN_STEP = 0x0100_0000;
     /// Most packets that are traced together.
@@ -378,7 +380,7 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: 16 `batch` for each ray of a chain, and 16 `batch` more, if chains have more than one.
+    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: 48 `batch`, if chains have more than one.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";
@@ -410,6 +412,8 @@ statuses! {
     TextureRecords = 37, "texture_records, texture_count, texture_level_count";
     /// A texture's levels must be among those of the frame and their tiles among its tiles, and a material must have one of the textures, or none.
     Texture = 38, "texture_records";
+    /// Must be a multiple of 128.
+    Waiting = 39, "waiting";
 }
 
 const _: () = {

@@ -13,7 +13,7 @@
         .set    c_sent,14
         .set    NEXT,15
         registers a_rays,a_surfaces,left,deepest_pixel,flags
-        registers pixel0,pixel1,pixel2,pixel3,rays_step,surfaces_step,both
+        registers pixel0,pixel1,pixel2,pixel3,rays_step,surfaces_step,both,left_flags
 
 # Calls a kernel for the packets with a flag, and counts the secondary rays.
 .macro  send_on kernel:req, flag:req, counter:req
@@ -63,6 +63,7 @@ function batch_bounce
         il      $surfaces_step,SURFACES_SIZE
         il      $both,MATERIAL_TRANSMITS|MATERIAL_MIRRORS
         ori     $left,$w_count,0
+        il      $left_flags,0
 next_packet:
         hbrr    last_packet,next_packet
     .irp row, 0,1,2,3
@@ -82,10 +83,15 @@ next_packet:
         and     $pixel0,$pixel0,$both
         andc    $flags,$flags,$pixel0
         stqd    $flags,SURFACES_flags($a_surfaces)
+        or      $left_flags,$left_flags,$flags
         a       $a_surfaces,$a_surfaces,$surfaces_step
 last_packet:
         brnz    $left,next_packet
+        stqa    $left_flags,batch_flags
+        and     $left_flags,$left_flags,$both
+        brz     $left_flags,sent
 may_send:
+        brsl    $lr,queue_spill
         send_on refract_r16,MATERIAL_TRANSMITS,refracted
         send_on reflect_r16,MATERIAL_MIRRORS,reflected
 sent:

@@ -41,6 +41,7 @@ function whitted_check
         refuse_if $bad,MeshCode
 no_mesh:
         require_aligned scene,LINE,Scene
+        require_aligned waiting,LINE,Waiting
         require_from_one ray_depth,MAX_DEPTH,RayDepth
         require_from_one batch,MAX_BATCH,Batch
         require_at_most light_count,MAX_LIGHTS,LightCount

@@ -54,6 +54,8 @@ in_time:
         shli    $left,$w_most,QUEUED_SIZE_LOG2
         cgt     $left,$left,$amount
         brz     $left,waiting
+        lqa     $left,spilled
+        brnz    $left,refill
         brnz    $w_eye_left,from_eye
         lqa     $left,refining
         brnz    $left,refined
@@ -73,6 +75,8 @@ trace:
 traced:
         leave
 
+refill: brsl    $lr,queue_refill
+        br      waiting
 refined:
         brsl    $lr,samples_list
         brnz    $w_eye_left,from_eye

@@ -62,6 +62,7 @@ impl Descriptor {
                 texture_code_bytes: texture_code.len() as u32,
                 unit_counter: 0,
                 statistics: 0,
+                waiting: 0,
                 units: 0,
                 costs: 0,
             },

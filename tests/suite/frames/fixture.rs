@@ -7,7 +7,7 @@ use crate::frames::descriptor::Descriptor;
 use crate::recorder::Recorder;
 use cellray::framebuffer::Memory;
 use cellray::{Engine, EngineError, Settings, SharedMemory, work};
-use protocol::layout::{Frame, Statistics, UnitCounter};
+use protocol::layout::{Frame, SCENE_ROOM, Statistics, UnitCounter, WAITING_SIZE};
 
 /// Changes one field of a descriptor to a wrong value.
 pub type Spoil = fn(&mut Frame);
@@ -19,8 +19,10 @@ pub struct Fixture {
     pub units: SharedMemory,
     /// The blocks of the scene's mesh.
     pub mesh: SharedMemory,
-    /// The block of Whitted's model.
+    /// The block of Whitted's model, with zeros after it up to the greatest size.
     pub scene: SharedMemory,
+    /// The rays that wait and have no room in local store.
+    pub waiting: SharedMemory,
     pub framebuffer: Memory,
     _memory: Vec<SharedMemory>,
 }
@@ -44,11 +46,15 @@ impl Fixture {
             memory
         };
         let costs = SharedMemory::new(units.len());
-        let [spheres, scene, mesh, mesh_code, units] =
-            [spheres, block, mesh, mesh_code, units].map(|bytes| shared(&bytes));
+        let [spheres, mesh, mesh_code, units] =
+            [spheres, mesh, mesh_code, units].map(|bytes| shared(&bytes));
+        let mut scene = SharedMemory::new(SCENE_ROOM as usize);
+        scene.write(0, &block);
         let [textures, texture_code] = [textures, texture_code].map(|bytes| shared(&bytes));
         let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
         let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
+        let waiting = SharedMemory::new((spus * WAITING_SIZE) as usize);
+        frame.waiting = waiting.address().into();
         frame.spheres = spheres.address().into();
         frame.scene = scene.address().into();
         frame.textures = textures.address().into();
@@ -71,6 +77,7 @@ impl Fixture {
             units,
             mesh,
             scene,
+            waiting,
             framebuffer,
             _memory: vec![
                 spheres,

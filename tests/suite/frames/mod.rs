@@ -12,3 +12,4 @@ mod random;
 mod retained;
 mod shaders;
 mod textures;
+mod waiting;

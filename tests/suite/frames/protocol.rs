@@ -121,9 +121,12 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 
 #[test]
 fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
-    let cases: [(&str, &str, Spoil); 26] = [
+    let cases: [(&str, &str, Spoil); 27] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
+        }),
+        ("waiting", "must be a multiple of 128", |frame| {
+            frame.waiting = (frame.waiting.get() + 64).into()
         }),
         (
             "scene_bytes",
@@ -139,13 +142,14 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "4294967295", |frame| {
             frame.scene_bytes = u32::MAX.into()
         }),
-        // Fifteen depths with three batches of eight packets need 184320 bytes.
+        // Three batches of eight packets need 12288 bytes.
         (
             "ray_depth",
             "16 (0x10), 8 (0x8): must be a multiple",
             |frame| {
                 frame.ray_depth = 16.into();
                 frame.batch = 8.into();
+                frame.scene_bytes = (SCENE_ROOM - 12288 + 128).into();
             },
         ),
         ("ray_depth", "0 (0x0): must be 1 to 16", |frame| {
