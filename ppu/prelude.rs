@@ -2,5 +2,5 @@
 
 pub use crate::game::{
     Axis, Button, DVec3, Frame, Game, Input, Key, Light, LightId, Material, MaterialId, Mouse,
-    MouseButton, ObjectId, Pick, Shader, Shape, Start, World, WorldError,
+    MouseButton, ObjectId, Pick, Shader, Shape, Start, Target, World, WorldError,
 };

@@ -21,7 +21,9 @@ pub use run::{
     Recording, RecordingError, Session, SessionError,
 };
 pub use turntable::Turntable;
-pub use world::{Light, LightId, Material, MaterialId, MeshId, ObjectId, Pick, World, WorldError};
+pub use world::{
+    Light, LightId, Material, MaterialId, MeshId, ObjectId, Pick, Target, World, WorldError,
+};
 
 pub use crate::scene::{Model, RenderOptions};
 use crate::spe::{Program, ProgramError};

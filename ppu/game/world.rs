@@ -21,7 +21,7 @@ mod traced;
 pub use error::WorldError;
 pub use ids::{LightId, MaterialId, MeshId, ObjectId};
 pub use material::{Light, Material};
-pub use pick::Pick;
+pub use pick::{Pick, Target};
 
 use std::borrow::Cow;
 

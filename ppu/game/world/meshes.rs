@@ -11,6 +11,7 @@ use nff::{Mesh, unit};
 use slotmap::SecondaryMap;
 
 use super::checksum::Checksum;
+use super::pick::{Crossing, Ray, Target};
 use super::{MaterialId, MeshId, World, WorldError, check};
 
 /// A mesh at a place.
@@ -21,6 +22,8 @@ pub(super) struct WorldMesh {
     /// Those that its triangles have.
     used: Vec<MaterialId>,
     place: DAffine3,
+    /// The corners of the box around it, in its own coordinates.
+    bounds: (DVec3, DVec3),
     visible: bool,
     /// Whether its place has changed since the world was traced.
     has_moved: bool,
@@ -138,6 +141,7 @@ impl World {
         sum.mesh(&mesh);
         self.edits.rebuild = true;
         Ok(self.meshes.insert(WorldMesh {
+            bounds: mesh.bounds().unwrap_or_default(),
             mesh,
             materials: materials.to_vec(),
             used,
@@ -249,6 +253,36 @@ impl World {
             joined.materials.extend(materials);
         }
         Some(Arc::new(joined))
+    }
+
+    /// The visible meshes that a ray meets: the triangle of each that it meets first, and where.
+    pub(super) fn meshes_met(&self, ray: &Ray) -> impl Iterator<Item = (Target, Crossing)> {
+        let visible = || self.meshes.iter().filter(|(_, entry)| entry.visible);
+        let two_sided = visible().any(|(_, entry)| entry.mesh.two_sided);
+        visible().filter_map(move |(id, entry)| {
+            // The distance is the same in the mesh's coordinates, where the direction has another
+            // length.
+            let inverse = entry.place.inverse();
+            let ray = Ray {
+                origin: inverse.transform_point3(ray.origin),
+                direction: inverse.transform_vector3(ray.direction),
+            };
+            if !ray.meets_box(entry.bounds.0, entry.bounds.1) {
+                return None;
+            }
+            let seen_through = entry.materials.iter().map(|&id| self.is_transparent(id));
+            let seen_through: Vec<bool> = seen_through.collect();
+            let mesh = &entry.mesh;
+            let met = (0..mesh.triangles.len()).filter_map(|triangle| {
+                let both_sides = two_sided || seen_through[mesh.materials[triangle] as usize];
+                let corners = mesh.corners(triangle).map(|corner| corner.as_dvec3());
+                Some((triangle, ray.triangle(corners, both_sides)?))
+            });
+            let (triangle, (distance, normal)) =
+                met.min_by(|(_, a), (_, b)| a.0.total_cmp(&b.0))?;
+            let normal = normal_matrix(entry.place.matrix3) * normal;
+            Some((Target::Mesh(id, triangle), (distance, normal)))
+        })
     }
 
     /// Writes the vertices of the meshes that have moved into the joined mesh.

@@ -1,4 +1,4 @@
-//! Which object a ray meets first, computed on the PPU in `f64`: what is under the pointer, or in
+//! Which object or mesh a ray meets first, computed on the PPU in `f64`: what is under the pointer, or in
 //! a shot's way.
 //!
 //! Invariant: only sums, products, square roots and `libm` are used, so that a recorded session
@@ -8,13 +8,33 @@ use glam::{DVec2, DVec3};
 use nff::{Shape, unit};
 
 use super::content::Object;
-use super::{ObjectId, World};
+use super::{MaterialId, MeshId, ObjectId, World};
+
+/// What has the surface that a ray meets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// An object.
+    Object(ObjectId),
+    /// A triangle of a mesh, by its index in [`Mesh::triangles`](crate::game::Mesh).
+    Mesh(MeshId, usize),
+}
+
+impl Target {
+    /// The object, unless it is a mesh.
+    #[must_use]
+    pub fn object(self) -> Option<ObjectId> {
+        match self {
+            Self::Object(id) => Some(id),
+            Self::Mesh(..) => None,
+        }
+    }
+}
 
 /// The surface that a ray meets first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pick {
-    /// The object.
-    pub object: ObjectId,
+    /// The object or the mesh.
+    pub target: Target,
     /// Distance from the ray's origin.
     pub distance: f64,
     /// The point on the surface.
@@ -23,17 +43,17 @@ pub struct Pick {
     pub normal: DVec3,
 }
 
-/// A ray with a unit direction.
-struct Ray {
-    origin: DVec3,
-    direction: DVec3,
+/// A ray. Its direction is a unit vector, except in the coordinates of a mesh.
+pub(super) struct Ray {
+    pub origin: DVec3,
+    pub direction: DVec3,
 }
 
 /// Where a ray crosses a surface: the distance, and the surface's own normal, of any length.
-type Crossing = (f64, DVec3);
+pub(super) type Crossing = (f64, DVec3);
 
 impl World {
-    /// The visible object under a pixel of a picture of this size, such as
+    /// The visible object or mesh under a pixel of a picture of this size, such as
     /// [`Frame::size`](crate::game::Frame::size), and where it is met. The pixel's coordinates are
     /// from the top left, as the mouse's position; its centre is at whole numbers.
     ///
@@ -46,10 +66,11 @@ impl World {
         self.cast_ray(camera.eye, direction)
     }
 
-    /// The visible object that a ray meets first. The direction may have any length but 0.
+    /// The visible object or mesh that a ray meets first. The direction may have any length but 0.
     ///
-    /// Surfaces are met where the picture shows them: an opaque polygon or sphere from its front,
-    /// glass from both sides. Patches are met as flat polygons. Each call tests all objects.
+    /// Surfaces are met where Whitted's model shows them: an opaque polygon or sphere from its
+    /// front, glass and meshes with `two_sided` from both sides. Patches are met as flat polygons.
+    /// Each call tests all objects, and all triangles of the meshes whose boxes the ray meets.
     #[must_use]
     pub fn cast_ray(&self, origin: impl Into<DVec3>, direction: impl Into<DVec3>) -> Option<Pick> {
         let ray = Ray {
@@ -57,11 +78,15 @@ impl World {
             direction: unit(direction.into())?,
         };
         let visible = self.objects.iter().filter(|(_, object)| object.visible);
-        let met = visible.filter_map(|(id, object)| {
-            let (distance, normal) = ray.meet(object, self.is_transparent(object))?;
+        let objects = visible.filter_map(|(id, object)| {
+            let crossing = ray.meet(object, self.is_transparent(object.material))?;
+            Some((Target::Object(id), crossing))
+        });
+        let met = objects.chain(self.meshes_met(&ray));
+        let met = met.filter_map(|(target, (distance, normal))| {
             let normal = unit(normal)?;
             Some(Pick {
-                object: id,
+                target,
                 distance,
                 point: ray.origin + distance * ray.direction,
                 normal: if normal.dot(ray.direction) > 0.0 {
@@ -74,8 +99,9 @@ impl World {
         met.min_by(|a, b| a.distance.total_cmp(&b.distance))
     }
 
-    fn is_transparent(&self, object: &Object) -> bool {
-        let entry = self.materials.get(object.material);
+    /// Whether a material transmits light, so that its surfaces are seen from both sides.
+    pub(super) fn is_transparent(&self, material: MaterialId) -> bool {
+        let entry = self.materials.get(material);
         entry.is_some_and(|entry| entry.material.transmittance > 0.0)
     }
 }
@@ -124,6 +150,41 @@ impl Ray {
             .into_iter()
             .filter(|(t, normal)| *t > 0.0 && (both_sides || normal.dot(self.direction) < 0.0))
             .min_by(|a, b| a.0.total_cmp(&b.0))
+    }
+
+    /// Whether the ray meets a box ahead.
+    pub fn meets_box(&self, low: DVec3, high: DVec3) -> bool {
+        let (mut enters, mut leaves) = (0.0_f64, f64::INFINITY);
+        for axis in 0..3 {
+            let (origin, direction) = (self.origin[axis], self.direction[axis]);
+            if direction == 0.0 {
+                if !(low[axis]..=high[axis]).contains(&origin) {
+                    return false;
+                }
+                continue;
+            }
+            let at = [low[axis], high[axis]].map(|side| (side - origin) / direction);
+            enters = enters.max(at[0].min(at[1]));
+            leaves = leaves.min(at[0].max(at[1]));
+        }
+        // The numbers are rounded, and a flat mesh has a box without depth.
+        enters <= leaves * (1.0 + 1e-9)
+    }
+
+    /// The crossing with a triangle ahead, by Möller and Trumbore, from its front or `both_sides`.
+    pub fn triangle(&self, [a, b, c]: [DVec3; 3], both_sides: bool) -> Option<Crossing> {
+        let (ab, ac) = (b - a, c - a);
+        let across = self.direction.cross(ac);
+        let volume = ab.dot(across);
+        if volume == 0.0 || (volume < 0.0 && !both_sides) {
+            return None;
+        }
+        let from_a = self.origin - a;
+        let u = from_a.dot(across) / volume;
+        let around = from_a.cross(ab);
+        let v = self.direction.dot(around) / volume;
+        let t = ac.dot(around) / volume;
+        (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0).then(|| (t, ab.cross(ac)))
     }
 
     fn sphere(&self, centre: DVec3, radius: f64) -> Option<[Crossing; 2]> {
@@ -198,7 +259,11 @@ impl Ray {
 
 #[cfg(test)]
 mod tests {
-    use nff::Scene;
+    use std::collections::HashMap;
+    use std::sync::Arc;
+
+    use glam::{DAffine3, DMat3};
+    use nff::{Mesh, Scene};
     use rand::{Rng as _, SeedableRng as _};
     use rand_chacha::ChaCha8Rng;
 
@@ -221,12 +286,21 @@ mod tests {
         let behind = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();
         let middle = [31.5, 23.5];
         let found = world.pick(middle, SIZE).unwrap();
-        assert_eq!((found.object, found.distance), (behind, 11.0));
+        assert_eq!(
+            (found.target, found.distance),
+            (Target::Object(behind), 11.0)
+        );
         assert_eq!((found.point, found.normal), (DVec3::NEG_Z, DVec3::Z));
         let before = world.add_sphere([0.0; 3], 1.0, red).unwrap();
-        assert_eq!(world.pick(middle, SIZE).unwrap().object, before);
+        assert_eq!(
+            world.pick(middle, SIZE).unwrap().target,
+            Target::Object(before)
+        );
         world.show(before, false).unwrap();
-        assert_eq!(world.pick(middle, SIZE).unwrap().object, behind);
+        assert_eq!(
+            world.pick(middle, SIZE).unwrap().target,
+            Target::Object(behind)
+        );
         assert_eq!(world.pick([0.0, 0.0], SIZE), None);
         assert_eq!(world.pick(middle, (0, 0)), None);
         assert_eq!(world.cast_ray([0.0; 3], [0.0; 3]), None);
@@ -258,7 +332,7 @@ mod tests {
             ahead(&world).unwrap().distance,
             5.0 + (16.0_f64 - 0.13).sqrt()
         );
-        assert_eq!(ahead(&world).unwrap().object, room);
+        assert_eq!(ahead(&world).unwrap().target, Target::Object(room));
     }
 
     /// The reference tracer shows a flat colour exactly where an object is picked.
@@ -289,13 +363,89 @@ mod tests {
             let (x, y) = (place % SIZE.0, place / SIZE.0);
             let found = world.pick([x as f32, y as f32], SIZE);
             let colour = found.map_or(0.0, |found| {
-                let material = world.material_of(found.object).unwrap();
+                let object = found.target.object().unwrap();
+                let material = world.material_of(object).unwrap();
                 world.material(material).unwrap().colour.x
             });
             let shown = (colour * 255.0).round() as i32;
             differ += u32::from((shown - i32::from(pixel[0])).abs() > 1);
         }
         assert!(differ <= 3, "{differ} pixels differ");
+    }
+
+    /// Meshes are met where a game draws them: each triangle alone, as a polygon in the world's
+    /// coordinates, is met at the same point.
+    #[test]
+    fn meshes_are_met_at_their_places() {
+        let mut random = ChaCha8Rng::seed_from_u64(8);
+        let mut found = [0; 2];
+        for turn in 0..40 {
+            let mut n = || random.random_range(-1.0..1.0_f64);
+            let mesh = Arc::new(Mesh {
+                positions: (0..60)
+                    .map(|_| [n() as f32, n() as f32, n() as f32])
+                    .collect(),
+                triangles: (0..20).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect(),
+                materials: vec![0; 20],
+                two_sided: turn % 3 == 0,
+                ..Mesh::default()
+            });
+            let matrix = DMat3::from_cols_array(&std::array::from_fn(|_| n()));
+            let place = DAffine3::from_mat3_translation(matrix, DVec3::new(n(), n(), n()));
+            let mirrored = matrix.determinant() < 0.0;
+            let (mut world, mut flat) = (world(), world());
+            let red = Material::matte(1.0, 0.0, 0.0);
+            let material = [&mut world, &mut flat].map(|it| it.add_material(red.clone()).unwrap());
+            let sphere = world
+                .add_sphere([0.0, 0.0, -4.0], 1.0, material[0])
+                .unwrap();
+            let id = world.add_mesh(mesh.clone(), &material[..1], place).unwrap();
+            let mut numbers = HashMap::new();
+            for number in 0..20 {
+                let [a, b, c] = mesh
+                    .corners(number)
+                    .map(|it| place.transform_point3(it.as_dvec3()));
+                let sides = [[a, b, c], [a, c, b]];
+                for (side, corners) in sides.into_iter().enumerate() {
+                    if mesh.two_sided || (side == 1) == mirrored {
+                        let polygon = flat.add_polygon(&corners, material[1]).unwrap();
+                        numbers.insert(polygon, number);
+                    }
+                }
+            }
+            for _ in 0..200 {
+                let origin = DVec3::new(3.0 * n(), 3.0 * n(), 3.0);
+                let direction = DVec3::new(n(), n(), n()) - origin;
+                let expected = flat.cast_ray(origin, direction);
+                let met = world.cast_ray(origin, direction);
+                let Some(expected) = expected else {
+                    let rest = met.map(|met| met.target);
+                    assert!(
+                        rest.is_none_or(|it| it == Target::Object(sphere)),
+                        "{rest:?}"
+                    );
+                    found[0] += 1;
+                    continue;
+                };
+                let met = met.unwrap();
+                if met.target == Target::Object(sphere) {
+                    assert!(met.distance < expected.distance);
+                    continue;
+                }
+                let number = numbers[&expected.target.object().unwrap()];
+                assert_eq!(met.target, Target::Mesh(id, number));
+                assert!((met.distance - expected.distance).abs() < 1e-9);
+                assert!(
+                    (met.normal - expected.normal).length() < 1e-6,
+                    "{met:?} {expected:?}"
+                );
+                found[1] += 1;
+            }
+            world.show_mesh(id, false).unwrap();
+            let hidden = world.cast_ray(place.translation + DVec3::Z, DVec3::NEG_Z);
+            assert!(hidden.is_none_or(|met| met.target == Target::Object(sphere)));
+        }
+        assert!(found.iter().all(|&count| count > 500), "{found:?}");
     }
 
     fn reference(scene: &Scene) -> oracle::Picture {
