@@ -15,8 +15,10 @@ pub(super) struct Traced {
     pub shaders: ShaderEntries,
     /// The program that has the shaders.
     pub program: Program,
-    /// All meshes as one.
+    /// All meshes as one, with the polygons that local store has no room for.
     pub mesh: Option<Arc<Mesh>>,
+    /// Whether there are such polygons.
+    pub has_gathered: bool,
 }
 
 /// Where an object, light or material is in the traced scene.
@@ -26,6 +28,8 @@ pub(super) struct SceneEntry {
     pub number: Option<usize>,
     /// Whether it is in [`Edits`].
     pub is_touched: bool,
+    /// Whether it is a polygon that is part of the scene's mesh.
+    pub is_in_mesh: bool,
 }
 
 /// The changes of a world that its scene doesn't have yet. Where they change the picture is found
@@ -63,6 +67,7 @@ impl Edits {
     }
 
     pub fn removed(&mut self, traced: &SceneEntry) {
+        self.rebuild |= traced.is_in_mesh;
         self.removed.extend(traced.number);
     }
 

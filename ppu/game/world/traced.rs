@@ -4,6 +4,7 @@
 //! for the order of its records and the shape of its trees, which no picture shows. If nothing was
 //! added, this allocates no memory.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use nff::{Mesh, Shape};
@@ -12,6 +13,7 @@ use super::content::{Object, WorldMaterial};
 use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
+use crate::scene::mesh::{are_many, gathered};
 use crate::scene::{Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
@@ -32,8 +34,8 @@ impl World {
     /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
     /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
     /// new scene is made. A new scene is also made when lights or meshes are added or removed, when
-    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere changes that is
-    /// in main memory. Meshes that move get new blocks.
+    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere or a polygon
+    /// changes that is in main memory. Meshes that move get new blocks.
     ///
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
@@ -83,15 +85,29 @@ impl World {
         // Whitted's model keeps room for hidden objects.
         let options = self.traced_options();
         let is_whitted = options.is_whitted(self.light_count());
-        let mut keeps_hidden = is_whitted;
-        let mut content = self.content(|object| object.visible || is_whitted);
-        let mut scene = Scene::with_room(&content, options, &shaders)?;
-        let streams_spheres = scene.block().is_some_and(SceneBlock::streams_spheres);
-        if streams_spheres && self.objects.values().any(|object| !object.visible) {
-            keeps_hidden = false;
-            content = self.content(|object| object.visible);
-            scene = Scene::with_room(&content, options, &shaders)?;
-        }
+        let shown = self.content(|object| object.visible);
+        let has_hidden = self.objects.values().any(|object| !object.visible);
+        let gathered = match is_whitted {
+            true => gathered(&shown),
+            false => Cow::Borrowed(&shown),
+        };
+        let has_gathered = matches!(gathered, Cow::Owned(_));
+        let mut keeps_hidden = is_whitted && has_hidden && !has_gathered;
+        let mut content = match keeps_hidden {
+            true => Cow::Owned(self.content(|_| true)),
+            false => gathered,
+        };
+        let streams_spheres =
+            |scene: &Scene| scene.block().is_some_and(SceneBlock::streams_spheres);
+        let mut scene = match Scene::with_room(&content, options, &shaders) {
+            Ok(scene) if !(keeps_hidden && streams_spheres(&scene)) => scene,
+            Err(error) if !keeps_hidden => return Err(error.into()),
+            _ => {
+                keeps_hidden = false;
+                content = Cow::Borrowed(&shown);
+                Scene::with_room(&content, options, &shaders)?
+            }
+        };
         scene.check_streaming(program)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
             entry.number(number);
@@ -100,8 +116,17 @@ impl World {
             entry.traced.number = Some(number);
         }
         let mut numbers = 0..;
+        let mut shown_objects = shown.objects.iter();
+        let mut rest = content.objects.iter().peekable();
         for object in self.objects.values_mut() {
-            let is_numbered = is_whitted && (object.visible || keeps_hidden);
+            let in_scene = is_whitted && (object.visible || keeps_hidden);
+            // What was gathered is missing among the other objects, which have kept their order.
+            let shown = match object.visible {
+                true => shown_objects.next().filter(|_| has_gathered),
+                false => None,
+            };
+            object.traced.is_in_mesh = shown.is_some_and(|shown| rest.next_if_eq(&shown).is_none());
+            let is_numbered = in_scene && !object.traced.is_in_mesh;
             object.traced.number = is_numbered.then(|| numbers.next()).flatten();
             let Some(number) = object.traced.number else {
                 continue;
@@ -118,7 +143,8 @@ impl World {
             scene,
             shaders,
             program: *program,
-            mesh: content.mesh,
+            mesh: content.mesh.clone(),
+            has_gathered,
         })
     }
 
@@ -128,16 +154,32 @@ impl World {
             scene,
             shaders,
             mesh,
+            has_gathered,
             ..
         } = traced;
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
         scene.set_background(background, sky, shaders)?;
         if scene.block().is_some() {
-            return Ok(self.move_meshes(scene, mesh) && self.change_whitted(scene, shaders)?);
+            return Ok(self.keeps_polygons(*has_gathered)
+                && self.move_meshes(scene, mesh)
+                && self.change_whitted(scene, shaders)?);
         }
         self.set_spheres(scene)?;
         Ok(true)
+    }
+
+    /// Whether no polygon has changed that is in main memory, or would be in a new scene.
+    fn keeps_polygons(&self, has_gathered: bool) -> bool {
+        let is_polygon = |id| {
+            let shape = self.objects.get(id).map(|object| &object.shape);
+            matches!(shape, Some(Shape::Polygon { .. } | Shape::Patch { .. }))
+        };
+        if !self.edits.objects.iter().copied().any(is_polygon) {
+            return true;
+        }
+        let visible = self.objects.values().filter(|object| object.visible);
+        !has_gathered && !are_many(visible.map(|object| &object.shape))
     }
 
     /// Brings the places of meshes into a scene; `false` if it needs another tree.

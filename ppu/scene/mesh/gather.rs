@@ -17,26 +17,17 @@ const PARALLELOGRAMS: usize = 64;
 /// Positions become singles there.
 #[must_use]
 pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
-    let size = |object: &Object| match &object.shape {
-        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
-            vertices.len().saturating_sub(2)
-        }
-        Shape::Sphere { .. } | Shape::Cone { .. } => 0,
-    };
-    let quads = scene
-        .objects
-        .iter()
-        .filter(|object| is_quad(object))
-        .count();
-    let keeps_quads = quads <= PARALLELOGRAMS;
-    let is_moved = |object: &Object| {
-        let knows_material = (object.material as usize) < scene.materials.len();
-        size(object) > 0 && knows_material && !(keeps_quads && is_quad(object))
-    };
-    let moved = scene.objects.iter().filter(|object| is_moved(object));
-    if moved.map(size).sum::<usize>() <= RESIDENT {
+    let knows_material = |object: &Object| (object.material as usize) < scene.materials.len();
+    let known = scene.objects.iter().filter(|object| knows_material(object));
+    let shapes = known.map(|object| &object.shape);
+    if !are_many(shapes.clone()) {
         return Cow::Borrowed(scene);
     }
+    let keeps_quads = keeps_quads(shapes);
+    let is_moved = |object: &Object| {
+        let is_kept = keeps_quads && is_quad(&object.shape);
+        size(&object.shape) > 0 && knows_material(object) && !is_kept
+    };
     let mut gatherer = Gatherer::new(scene.mesh.as_deref());
     let mut rest = Vec::new();
     for object in &scene.objects {
@@ -55,9 +46,30 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
     })
 }
 
-/// Whether an object is a polygon of four vertices, which may be a parallelogram.
-fn is_quad(object: &Object) -> bool {
-    matches!(&object.shape, Shape::Polygon { vertices } if vertices.len() == 4)
+/// Whether so many of the shapes are polygons and patches that these are gathered.
+pub(crate) fn are_many<'a>(shapes: impl Iterator<Item = &'a Shape> + Clone) -> bool {
+    let keeps_quads = keeps_quads(shapes.clone());
+    let moved = shapes.filter(|shape| !(keeps_quads && is_quad(shape)));
+    moved.map(size).sum::<usize>() > RESIDENT
+}
+
+fn keeps_quads<'a>(shapes: impl Iterator<Item = &'a Shape>) -> bool {
+    shapes.filter(|shape| is_quad(shape)).count() <= PARALLELOGRAMS
+}
+
+/// The triangles of a shape; 0 if it is no polygon or patch.
+fn size(shape: &Shape) -> usize {
+    match shape {
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            vertices.len().saturating_sub(2)
+        }
+        Shape::Sphere { .. } | Shape::Cone { .. } => 0,
+    }
+}
+
+/// Whether a shape is a polygon of four vertices, which may be a parallelogram.
+fn is_quad(shape: &Shape) -> bool {
+    matches!(shape, Shape::Polygon { vertices } if vertices.len() == 4)
 }
 
 /// A vertex as bits: its position, and its normal or zeros.

@@ -33,8 +33,8 @@ use protocol::layout::{
 use self::tree::{Bounds, Kind, Piece, Tree};
 use super::single::LARGEST;
 
-pub(crate) use self::gather::RESIDENT;
 pub use self::gather::gathered;
+pub(crate) use self::gather::{RESIDENT, are_many};
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 

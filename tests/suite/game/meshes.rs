@@ -296,6 +296,59 @@ fn more_triangles_than_local_store_has_room_for() {
     Compared::new().picture(&mut world);
 }
 
+/// Polygons join the meshes when there are too many of them, and leave them when there are few.
+#[test]
+fn more_polygons_than_local_store_has_room_for() {
+    for count in [513, 2000] {
+        let (mut world, red) = world();
+        let ball = world.add_sphere([0.0, 1.0, 2.0], 0.4, red).unwrap();
+        let mesh = world
+            .add_mesh(Arc::new(pear(4, 6)), &[red], at(-1.0, 0.5, 1.0))
+            .unwrap();
+        let mut random = ChaCha8Rng::seed_from_u64(11);
+        let mut triangle = |world: &mut World| {
+            let mut point = |around: f64| {
+                DVec3::from_array([0; 3].map(|_| random.random_range(-around..around)))
+            };
+            let middle = point(2.0);
+            let corners = [0; 3].map(|_| middle + point(0.2));
+            world.add_polygon(&corners, red).unwrap()
+        };
+        let mut polygons: Vec<_> = (0..count).map(|_| triangle(&mut world)).collect();
+        let mut compared = Compared::new();
+        let mut last = compared.picture(&mut world);
+        for frame in 0..10 {
+            match frame {
+                0 => world.move_to(ball, [1.0, 1.0, 2.0]).unwrap(),
+                1 => (0..20).for_each(|at| {
+                    let place = [0.1 * at as f64 - 1.0, 0.5, 3.0];
+                    world.move_to(polygons[at], place).unwrap();
+                }),
+                2 => world.place_mesh(mesh, at(1.0, 0.0, 1.5)).unwrap(),
+                3 => world.recolour(red, [0.2, 0.8, 0.1]).unwrap(),
+                4 => polygons.push(triangle(&mut world)),
+                5 => world.show(ball, false).unwrap(),
+                // So few are left that they are in local store.
+                6 => polygons[20..]
+                    .iter()
+                    .for_each(|&id| world.show(id, false).unwrap()),
+                7 => world.show(ball, true).unwrap(),
+                8 => polygons[20..]
+                    .iter()
+                    .for_each(|&id| world.show(id, true).unwrap()),
+                _ => world.remove(polygons[3]).unwrap(),
+            }
+            let picture = compared.picture(&mut world);
+            // One triangle more or less may be hidden by others.
+            assert!(
+                picture != last || [4, 9].contains(&frame),
+                "{count}, frame {frame}"
+            );
+            last = picture;
+        }
+    }
+}
+
 #[test]
 fn wrong_meshes_are_refused() {
     let (mut world, red) = world();
