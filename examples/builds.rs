@@ -1,9 +1,13 @@
 //! How long the PPU takes to prepare a scene: its trees, or its blocks if it does not fit the local
-//! store. Prints the least of several times in milliseconds. `ci/ppe` also counts the instructions.
+//! store. Prints the least of several times in milliseconds. For a file it prints the least times of
+//! loading and of preparing it, and then the most memory that the program had, in MB. `ci/ppe` also
+//! counts the instructions.
 //!
 //!     cargo run --release --example builds -- spheres|triangles COUNT TIMES
+//!     cargo run --release --example builds -- file FILE TIMES
 
 use std::error::Error;
+use std::path::Path;
 use std::time::Instant;
 
 use cellray::Scene;
@@ -16,22 +20,47 @@ const VIEW: &str = "v\nfrom 0 -30 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nres
                     l 50 -50 50\nf 1 1 1 1 0 0 0 0\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let usage = "usage: builds spheres|triangles COUNT TIMES";
+    let usage = "usage: builds spheres|triangles COUNT TIMES, or builds file FILE TIMES";
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [shape, count, times] = &arguments[..] else {
         return Err(usage.into());
     };
     let times: u32 = times.parse()?;
-    let scene = objects(shape, count.parse()?).ok_or(usage)?;
     let program = Program::tracer();
+    let prepare = |scene: &nff::Scene| Scene::new(scene, RenderOptions::default(), &program);
+    if shape == "file" {
+        let mut loaded = None;
+        let load = || meshes::load(Path::new(count)).map(|it| loaded = Some(it.scene));
+        let loading = least(times, load)?;
+        let scene = loaded.ok_or(usage)?;
+        let preparing = least(times, || prepare(&scene))?;
+        println!("{loading:.2} {preparing:.2} {:.1}", most_memory()?);
+    } else {
+        let scene = objects(shape, count.parse()?).ok_or(usage)?;
+        println!("{:.2}", least(times, || prepare(&scene))?);
+    }
+    Ok(())
+}
+
+/// The most memory that this program had, in MB.
+fn most_memory() -> Result<f64, Box<dyn Error>> {
+    let status = std::fs::read_to_string("/proc/self/status")?;
+    let line = status.lines().find_map(|it| it.strip_prefix("VmHWM:"));
+    let words = line.ok_or("/proc/self/status has no VmHWM")?;
+    let kilobytes: f64 = words.trim().trim_end_matches(" kB").parse()?;
+    Ok(kilobytes / 1024.0)
+}
+
+/// The least time that something takes, in milliseconds.
+fn least<T, E>(times: u32, mut done: impl FnMut() -> Result<T, E>) -> Result<f64, E> {
     let mut least = f64::INFINITY;
     for _ in 0..times {
         let began = Instant::now();
-        Scene::new(&scene, RenderOptions::default(), &program)?;
+        let made = done()?;
         least = least.min(began.elapsed().as_secs_f64());
+        drop(made);
     }
-    println!("{:.2}", 1e3 * least);
-    Ok(())
+    Ok(1e3 * least)
 }
 
 /// A scene of small objects that are spread evenly in a cube.
