@@ -75,7 +75,8 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
     {
         let mut pty = in_terminal(&folder.path().join(number.to_string()));
         pty.wait_for(&HALF.to_string());
-        // All are there when it goes on: the frame loop has no time to come round.
+        // All are there when it goes on. Yet one thread may be late with the second signal, so that
+        // the frame loop comes round and ends the program after the first.
         for &signal in [&[libc::SIGSTOP], signals, &[libc::SIGCONT]]
             .concat()
             .iter()
@@ -83,8 +84,9 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
             pty::signal(pty.process(), signal);
         }
         let status = pty.end();
-        let signal = status.signal().expect("a signal's end");
-        assert!(signals.contains(&signal), "{signals:?}: {status}");
+        let in_time = status.code().map(|code| code - 128);
+        let signal = status.signal().or(in_time.filter(|_| signals.len() > 1));
+        assert!(signal.is_some_and(|it| signals.contains(&it)), "{signals:?}: {status}");
         pty.assert_restored();
     }
 }
