@@ -5,6 +5,10 @@ use spu_isa::{Class, Instruction, LIMIT_MASK, Op, feature};
 /// The most instructions that a trace may have.
 pub const MAX_STEPS: usize = 160;
 
+/// A loop is unrolled up to this number of instructions. Each iteration of a unit's loop costs some
+/// tens of the host's instructions, which a short loop would pay for each iteration of its own.
+const MAX_UNROLLED: usize = 40;
+
 /// The scales at which every nonzero 32-bit integer converts to a number that IEEE singles have
 /// too.
 const SCALES: std::ops::RangeInclusive<i32> = -90..=126;
@@ -86,6 +90,26 @@ impl Trace {
     pub(crate) fn is_loop(&self) -> bool {
         let last = self.steps.last();
         last.is_some_and(|last| code_address(last.next) == self.start())
+    }
+
+    /// The trace, or several iterations of it if it is a short loop.
+    #[must_use]
+    pub fn unrolled(mut self) -> Self {
+        if self.is_loop() && self.steps.len() <= MAX_UNROLLED / 2 {
+            self.steps = self.steps.repeat(MAX_UNROLLED / self.steps.len());
+        }
+        self
+    }
+
+    /// One iteration of the loop, if the trace is an [unrolled](Self::unrolled) one.
+    #[must_use]
+    pub fn rolled(&self) -> Option<Self> {
+        let again = self
+            .steps
+            .iter()
+            .skip(1)
+            .position(|step| step.pc == self.start())?;
+        Self::new(self.steps[..=again].to_vec())
     }
 
     /// The trace up to its first double-precision instruction. Returns `None` if it has none, or

@@ -244,6 +244,11 @@ impl Emitter<'_> {
         }
     }
 
+    /// Has the next commit fail if `mask` has a lane that is not 0.
+    pub(super) fn fail_on(&mut self, mask: Value) {
+        self.unverified.special = Some(self.or(self.unverified.special, mask));
+    }
+
     fn find_stores_into_code(&mut self, failures: &mut Vec<Value>) {
         let mut all = None;
         for n in 0..self.pending.len() {

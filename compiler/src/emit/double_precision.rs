@@ -267,8 +267,7 @@ impl Emitter<'_> {
     }
 
     fn note_special(&mut self, mask: Value) {
-        let special = self.or(self.unverified.special, mask);
-        self.unverified.special = Some(special);
+        self.fail_on(mask);
         self.unverified.arithmetic = true;
         self.unverified.double_precision = true;
     }

@@ -10,6 +10,8 @@ use super::float::{EXPONENT, SIGN};
 use super::registers::Facts;
 
 const FRACTION: u32 = 0x007f_ffff;
+/// An estimate's base, shifted to the highest bits.
+const BASE: u32 = 0xfff8_0000;
 /// FPSCR flag: the result was below the smallest number.
 const UNDERFLOW: u32 = 2;
 /// FPSCR flag: IEEE arithmetic would have given a different result.
@@ -21,92 +23,143 @@ impl Emitter<'_> {
         const ENTRY_LOG2: u32 = 2;
         let distances = self.right(words, 18 - ENTRY_LOG2);
         let distances = self.and(distances, (table.len() as u32 - 1) << ENTRY_LOG2);
+        let distances = self.cast(types::I64X2, distances);
         let table = self.b.ins().iconst(types::I64, table.as_ptr() as i64);
-        let entries: Vec<_> = self
-            .extract(distances)
-            .into_iter()
-            .map(|distance| {
-                let distance = self.b.ins().uextend(types::I64, distance);
-                let at = self.b.ins().iadd(table, distance);
-                self.b
-                    .ins()
-                    .load(types::I32, MemFlagsData::trusted(), at, 0)
-            })
-            .collect();
-        self.gather(I32X4, &entries)
+        // Two lanes at a time leave the vector, and each entry is loaded where it is inserted: that
+        // takes the fewest of the host's instructions.
+        let [low, high] = [0, 1].map(|half| {
+            let pair = self.b.ins().extractlane(distances, half);
+            let first = self.b.ins().ireduce(types::I8, pair);
+            let first = self.b.ins().uextend(types::I64, first);
+            let second = self.b.ins().ushr_imm_u(pair, 32);
+            let flags = MemFlagsData::trusted().with_readonly();
+            let at = self.b.ins().iadd(table, first);
+            let entry = self.b.ins().load(types::I32, flags, at, 0);
+            let entries = self.b.ins().scalar_to_vector(I32X4, entry);
+            let at = self.b.ins().iadd(table, second);
+            let entry = self.b.ins().load(types::I32, flags, at, 0);
+            self.b.ins().insertlane(entries, entry, 1)
+        });
+        let entries = self.shuffle(
+            low,
+            high,
+            [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23],
+        );
+        self.cast(I32X4, entries)
     }
 
-    /// The exponents of an estimate: 255 where the operand is zero, else `exponent`. Notes zeros.
-    fn exponent_of_estimate(&mut self, operand: Value, exponent: Value) -> Value {
+    /// Sets an estimate. It is `plain` in singles, where the unit fails if it is not.
+    fn set_estimate(&mut self, register: u8, exponent: Value, entries: Value, plain: bool) {
+        let estimate = self.b.ins().bor(exponent, entries);
+        let facts = Facts {
+            plain,
+            estimate: true,
+            ..Facts::default()
+        };
+        self.set_with(register, estimate, facts);
+    }
+
+    pub(super) fn estimate_reciprocal(&mut self, i: Instruction) {
         self.has_floats = true;
-        let zero = self.is_zero(operand);
-        if self.in_doubles {
-            self.unverified.zeros = Some(self.or(self.unverified.zeros, zero));
-        } else {
-            self.unverified.special = Some(self.or(self.unverified.special, zero));
+        let x = self.lanes(I32X4, i.ra);
+        let entries = self.look_up(x, self.estimates.reciprocal);
+        let field = self.and(x, EXPONENT);
+        let sign = self.and(x, SIGN);
+        let from = self.splat(253 << 23);
+        let exponent = self.b.ins().isub(from, field);
+        if !self.in_doubles {
+            // The operand's exponent is 0 where the difference is 253, and 253 or more where it is
+            // 0 or below.
+            let one = self.splat(1 << 23);
+            let lower = self.b.ins().isub(exponent, one);
+            let limit = self.splat(252 << 23);
+            let special = self
+                .b
+                .ins()
+                .icmp(IntCC::UnsignedGreaterThanOrEqual, lower, limit);
+            self.fail_on(special);
+            let exponent = self.b.ins().bor(exponent, sign);
+            return self.set_estimate(i.rt, exponent, entries, true);
         }
+        let zero = self.splat(0);
+        let exponent = self.b.ins().smax(exponent, zero);
+        let exponent = self.or_largest_for_zeros(x, exponent);
+        let exponent = self.b.ins().bor(exponent, sign);
+        self.set_estimate(i.rt, exponent, entries, false);
+    }
+
+    pub(super) fn estimate_reciprocal_root(&mut self, i: Instruction) {
+        self.has_floats = true;
+        let x = self.lanes(I32X4, i.ra);
+        let entries = self.look_up(x, self.estimates.reciprocal_root);
+        // Half the operand's exponent, rounded up, from 190.
+        let field = self.and(x, EXPONENT);
+        let one = self.splat(1 << 23);
+        let rounded = self.b.ins().iadd(field, one);
+        let half = self.right(rounded, 1);
+        let half = self.and(half, EXPONENT);
+        let from = self.splat(190 << 23);
+        let exponent = self.b.ins().isub(from, half);
+        if !self.in_doubles {
+            let zero = self.splat(0);
+            let special = self.b.ins().icmp(IntCC::Equal, field, zero);
+            self.fail_on(special);
+            return self.set_estimate(i.rt, exponent, entries, true);
+        }
+        let exponent = self.or_largest_for_zeros(x, exponent);
+        self.set_estimate(i.rt, exponent, entries, false);
+    }
+
+    /// In doubles: the exponents of an estimate, which are 255 where the operand is zero. Notes
+    /// these zeros.
+    fn or_largest_for_zeros(&mut self, operand: Value, exponent: Value) -> Value {
+        let zero = self.is_zero(operand);
+        self.unverified.zeros = Some(self.or(self.unverified.zeros, zero));
         let largest = self.splat(EXPONENT);
         self.b.ins().bitselect(zero, largest, exponent)
     }
 
-    pub(super) fn estimate_reciprocal(&mut self, i: Instruction) {
-        let x = self.lanes(I32X4, i.ra);
-        let exponent = self.and(x, EXPONENT);
-        let from = self.splat(253 << 23);
-        let exponent = self.b.ins().isub(from, exponent);
-        let zero = self.splat(0);
-        let exponent = self.b.ins().smax(exponent, zero);
-        let exponent = self.exponent_of_estimate(x, exponent);
-        let sign = self.and(x, SIGN);
-        let entries = self.look_up(x, self.estimates.reciprocal);
-        let estimate = self.b.ins().bor(exponent, entries);
-        let estimate = self.b.ins().bor(estimate, sign);
-        self.set(i.rt, estimate);
-    }
-
-    pub(super) fn estimate_reciprocal_root(&mut self, i: Instruction) {
-        let x = self.lanes(I32X4, i.ra);
-        let exponent = self.right(x, 23);
-        let exponent = self.and(exponent, 0xff);
-        let from = self.splat(380);
-        let exponent = self.b.ins().isub(from, exponent);
-        let exponent = self.right(exponent, 1);
-        let exponent = self.left(exponent, 23);
-        let exponent = self.exponent_of_estimate(x, exponent);
-        let entries = self.look_up(x, self.estimates.reciprocal_root);
-        let estimate = self.b.ins().bor(exponent, entries);
-        self.set(i.rt, estimate);
-    }
-
+    /// `fi`. An estimate's base is at least its step, so it gives no significand below one.
     pub(super) fn interpolate(&mut self, i: Instruction) {
         self.has_floats = true;
-        let (a, estimate) = (self.lanes(I32X4, i.ra), self.lanes(I32X4, i.rb));
-        let base = self.right(estimate, 10);
-        let base = self.left(base, 19);
+        let id = self.get(i.rb);
+        let facts = self.facts(id);
+        let (a, estimate) = (self.lanes(I32X4, i.ra), self.words(id));
+        let base = self.left(estimate, 9);
+        let base = self.and(base, BASE);
         let step = self.and(estimate, 0x3ff);
         let position = self.and(a, 0x7_ffff);
         let part = self.b.ins().imul(step, position);
         let significand = self.b.ins().isub(base, part);
-        let below_one = self.b.ins().icmp(IntCC::UnsignedGreaterThan, part, base);
+        let kept = self.and(estimate, SIGN | EXPONENT);
+        let fraction = self.right(significand, 9);
+        let result = self.b.ins().bor(kept, fraction);
+        let below_one =
+            (!facts.estimate).then(|| self.b.ins().icmp(IntCC::UnsignedGreaterThan, part, base));
+        if facts.estimate && facts.plain {
+            return self.set_interpolated(i.rt, result, true);
+        }
         let exponent = self.and(estimate, EXPONENT);
         let zero = self.splat(0);
         let no_exponent = self.b.ins().icmp(IntCC::Equal, exponent, zero);
         let most = self.splat(EXPONENT);
         let largest = self.b.ins().icmp(IntCC::Equal, exponent, most);
-        let kept = self.and(estimate, SIGN | EXPONENT);
-        let fraction = self.right(significand, 9);
-        let result = self.b.ins().bor(kept, fraction);
         if !self.in_doubles {
-            let special = self.b.ins().bor(no_exponent, largest);
-            let special = self.b.ins().bor(special, below_one);
-            self.unverified.special = Some(self.or(self.unverified.special, special));
-            let facts = Facts {
-                plain: true,
-                no_negative_zero: true,
-                ..Facts::default()
-            };
-            return self.set_with(i.rt, result, facts);
+            let mut special = self.b.ins().bor(no_exponent, largest);
+            special = self.or(below_one, special);
+            self.fail_on(special);
+            return self.set_interpolated(i.rt, result, true);
         }
+        let fraction = self.and(estimate, FRACTION);
+        let none = self.b.ins().icmp(IntCC::Equal, fraction, zero);
+        let denormal = self.b.ins().band_not(no_exponent, none);
+        let different = self.b.ins().bor(denormal, largest);
+        let mut flags = self.and(different, DIFFERENT);
+        let Some(below_one) = below_one else {
+            self.raise(flags);
+            let result = self.b.ins().band_not(result, no_exponent);
+            return self.set_interpolated(i.rt, result, false);
+        };
         // A significand below one is shifted left by one bit, and its exponent decreases by one,
         // if it can.
         let fraction = self.right(significand, 8);
@@ -119,19 +172,18 @@ impl Emitter<'_> {
         let underflow = self.b.ins().band(single, below_one);
         let flushed = self.b.ins().bor(no_exponent, underflow);
         let result = self.b.ins().band_not(result, flushed);
-
-        let fraction = self.and(estimate, FRACTION);
-        let none = self.b.ins().icmp(IntCC::Equal, fraction, zero);
-        let denormal = self.b.ins().band_not(no_exponent, none);
-        let different = self.b.ins().bor(denormal, largest);
-        let different = self.and(different, DIFFERENT);
         let underflow = self.and(underflow, UNDERFLOW | DIFFERENT);
-        let flags = self.b.ins().bor(different, underflow);
+        flags = self.b.ins().bor(flags, underflow);
         self.raise(flags);
+        self.set_interpolated(i.rt, result, false);
+    }
+
+    fn set_interpolated(&mut self, register: u8, result: Value, plain: bool) {
         let facts = Facts {
+            plain,
             no_negative_zero: true,
             ..Facts::default()
         };
-        self.set_with(i.rt, result, facts);
+        self.set_with(register, result, facts);
     }
 }

@@ -346,6 +346,7 @@ impl Emitter<'_> {
                 plain: a.plain && b.plain,
                 no_negative_zero: a.no_negative_zero && b.no_negative_zero,
                 mask: a.mask && b.mask,
+                estimate: a.estimate && b.estimate,
                 flags_noted: (a.flags_noted || a.plain) && (b.flags_noted || b.plain),
                 raises: false,
             }

@@ -18,6 +18,8 @@ pub(super) struct Facts {
     pub no_negative_zero: bool,
     /// Each lane is all ones or all zeros.
     pub mask: bool,
+    /// It is the result of `frest` or `frsqest`, so each lane's base is at least its step.
+    pub estimate: bool,
     /// The result of a float operation that must be computed even if nobody reads it, because its
     /// exceptions count.
     pub raises: bool,

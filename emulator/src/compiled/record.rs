@@ -47,7 +47,7 @@ impl Recorder {
 
     /// The recorded trace, if it isn't empty and can be compiled.
     pub fn trace(self) -> Option<Trace> {
-        Trace::new(self.steps)
+        Trace::new(self.steps).map(Trace::unrolled)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use spu_compiler::{Cpu, Exit, FloatMode, MAX_STEPS, Passage, Steps, Storage, Trace};
+use spu_compiler::{Cpu, Exit, FloatMode, MAX_STEPS, Passage, Steps, Storage, Trace, Unit};
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
 use super::check::{Copies, check};
@@ -67,6 +67,19 @@ fn requested(pc: u32) -> Stopped {
         reason: Stop::Requested,
         pc,
         npc: pc,
+    }
+}
+
+/// What to compile instead of a unit that fails too often.
+fn slower(unit: &Unit, special: Steps) -> Option<(Trace, FloatMode)> {
+    let mode = unit.mode().fallback(special);
+    match mode.filter(|_| unit.has_floats()) {
+        Some(mode) => Some((unit.trace().clone(), mode)),
+        // Singles fail in no other mode, so what fails now is double precision.
+        None => {
+            let trace = unit.trace().before_double_precision()?;
+            Some((trace, FloatMode::SINGLES))
+        }
     }
 }
 
@@ -371,9 +384,9 @@ impl Runner {
         exit
     }
 
-    /// A unit has failed. If it fails often, a unit with a slower [`FloatMode`] replaces it, or one
-    /// that ends before its double precision. If there can't be one, the address is never compiled
-    /// again.
+    /// A unit has failed. If it fails often, it is replaced: by one iteration of an unrolled loop, by
+    /// a unit with a slower [`FloatMode`], or by one that ends before its double precision. If there
+    /// can't be one, the address is never compiled again.
     fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
@@ -399,15 +412,12 @@ impl Runner {
         if count < MIN_FAILURES || !often {
             return;
         }
-        let other = unit.mode().fallback(failures.special);
-        let other = other.filter(|_| unit.has_floats());
-        let other = match other {
-            Some(mode) => Some((unit.trace().clone(), mode)),
-            // Singles fail in no other mode, so what fails now is double precision.
-            None => unit
-                .trace()
-                .before_double_precision()
-                .map(|trace| (trace, FloatMode::SINGLES)),
+        let special = failures.special;
+        let mostly = count.saturating_mul(2) > self.cpu.entries(number);
+        let other = match unit.trace().rolled() {
+            // The failure of one iteration discards several.
+            Some(trace) if !mostly || special == Steps::NONE => Some((trace, unit.mode())),
+            _ => slower(&unit, special),
         };
         let other = other.map(|(trace, mode)| self.translations.add(trace, mode));
         match other {

@@ -46,14 +46,16 @@ impl Specials {
         let mut specials = Steps::NONE;
         let steps = trace.steps();
         let start = steps.iter().position(|step| step.pc == spu.pc());
-        for (number, step) in steps.iter().enumerate().skip(start.unwrap_or(steps.len())) {
+        for step in steps.iter().skip(start.unwrap_or(steps.len())) {
             let special = self.is_special(step.instruction);
             self.spu.fpscr = Fpscr::default();
             let stopped = self.spu.step(&self.local_store, &mut NoChannels);
             let is_single = step.instruction.op.row().class != Class::Fpd;
             let raised = self.spu.fpscr.words() != [0; 4];
             if special || is_single && raised {
-                specials.add(number);
+                // In all iterations, if the trace is an unrolled loop.
+                let same = (0..steps.len()).filter(|&other| steps[other].pc == step.pc);
+                same.for_each(|number| specials.add(number));
             }
             if stopped.is_some() || self.spu.pc() != step.next {
                 break;
