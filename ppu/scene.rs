@@ -383,5 +383,6 @@ fn options(render_options: RenderOptions) -> BlockOptions {
         spd_rays: render_options.spd_rays,
         colour: render_options.colour,
         mesh_cache: render_options.mesh_cache,
+        refit_pictures: render_options.refit_pictures,
     }
 }

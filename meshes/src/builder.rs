@@ -177,16 +177,17 @@ impl Builder {
             let position = self.positions[old];
             let normal = self.normals.get(old).copied();
             let place = self.texture_coordinates.get(old).copied();
-            let bits = |vector: [f32; 3]| vector.map(f32::to_bits);
-            let place_bits = place.map(|place| place.map(f32::to_bits));
-            *vertex = *numbers
-                .entry((bits(position), normal.map(bits), place_bits))
-                .or_insert_with(|| {
-                    positions.push(position);
-                    normals.extend(normal);
-                    texture_coordinates.extend(place);
-                    positions.len() as u32 - 1
-                });
+            // Hashing a few words takes half the time of hashing each number.
+            let ([x, y, z], [nx, ny, nz]) = (position, normal.unwrap_or_default());
+            let pairs = [[x, y], [z, nx], [ny, nz], place.unwrap_or_default()];
+            let bits = pairs
+                .map(|[one, other]| u64::from(one.to_bits()) << 32 | u64::from(other.to_bits()));
+            *vertex = *numbers.entry(bits).or_insert_with(|| {
+                positions.push(position);
+                normals.extend(normal);
+                texture_coordinates.extend(place);
+                positions.len() as u32 - 1
+            });
         }
         (self.positions, self.normals) = (positions, normals);
         self.texture_coordinates = texture_coordinates;

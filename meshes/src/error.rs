@@ -88,6 +88,14 @@ pub enum Fault {
     /// The text of an OBJ file.
     #[error("not a valid OBJ file: {0}")]
     Obj(#[from] tobj::LoadError),
+    /// A material library can't be read.
+    #[error("{file}: {fault}")]
+    Library {
+        /// The library.
+        file: String,
+        /// What is wrong with it.
+        fault: Box<Fault>,
+    },
     /// The text of a material library.
     #[error("{file}:{line}: {word} needs three numbers")]
     Mtl {

@@ -2,7 +2,6 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -29,7 +28,7 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
     let notes = RefCell::new(Vec::new());
     let library = |path: &Path| -> MTLLoadResult {
         let path = name.parent().unwrap_or(Path::new("")).join(path);
-        match fs::read(&path) {
+        match crate::bytes(&path) {
             Ok(text) => match check_library(&path, &text) {
                 Ok(()) => {
                     let found = tobj::load_mtl_buf(&mut text.as_slice());
@@ -40,12 +39,19 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
                     Err(LoadError::MaterialParseError)
                 }
             },
-            Err(error) => {
+            Err(Fault::Io(error)) => {
                 let file = path.display();
                 notes
                     .borrow_mut()
                     .push(format!("{file}: {error}; its materials are grey instead"));
                 Ok((Vec::new(), Default::default()))
+            }
+            Err(fault) => {
+                *trouble.borrow_mut() = Err(Fault::Library {
+                    file: path.display().to_string(),
+                    fault: Box::new(fault),
+                });
+                Err(LoadError::MaterialParseError)
             }
         }
     };
@@ -179,7 +185,7 @@ fn texture(
         name: file.to_owned(),
         what,
     };
-    let bytes = fs::read(&path).map_err(|error| bad(error.to_string()))?;
+    let bytes = crate::bytes(&path).map_err(|fault| bad(fault.to_string()))?;
     let (texture, has_alpha) = decode(&bytes, [wrap; 2]).map_err(bad)?;
     if has_alpha {
         builder.note("the alpha of textures is ignored");

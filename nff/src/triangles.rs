@@ -30,6 +30,9 @@ pub fn area_vector(vertices: &[DVec3]) -> DVec3 {
 /// Use [`even_odd`](crate::even_odd) then.
 #[must_use]
 pub fn triangles(vertices: &[DVec3]) -> Option<Vec<[u32; 3]>> {
+    if vertices.len() == 3 {
+        return Some(vec![[0, 1, 2]]);
+    }
     let flat = flat(vertices);
     let found = cut((0..vertices.len() as u32).collect(), &flat, 0.0);
     is_cover(&found, &flat).then_some(found)

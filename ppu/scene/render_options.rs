@@ -70,6 +70,9 @@ pub enum Samples {
 /// The default of [`RenderOptions::contrast`].
 pub const CONTRAST: u8 = 32;
 
+/// The default of [`RenderOptions::refit_pictures`]. `docs/meshes.md` has the measurements.
+pub(super) const REFIT_PICTURES: u32 = 50;
+
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
@@ -102,6 +105,10 @@ pub struct RenderOptions {
     /// The most blocks of a mesh that an SPU caches, for measurements: 4 to 28. Without a limit,
     /// there are as many as local store has room for.
     pub mesh_cache: u32,
+    /// When the meshes of a world have moved, their tree is refitted, and serves rays worse. A new
+    /// one is built when rays have made as many more tests for it as they make in this many
+    /// pictures with a new tree. With 0, one is built whenever a mesh has moved.
+    pub refit_pictures: u32,
 }
 
 impl Default for RenderOptions {
@@ -118,6 +125,7 @@ impl Default for RenderOptions {
             roll_off: false,
             corners: false,
             mesh_cache: MESH_MOST_SLOTS,
+            refit_pictures: REFIT_PICTURES,
         }
     }
 }

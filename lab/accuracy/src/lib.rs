@@ -11,6 +11,7 @@ mod families;
 mod figures;
 pub mod file;
 mod generator;
+pub mod mesh_cache;
 mod metrics;
 mod origin;
 pub mod output;

@@ -80,6 +80,9 @@ fn files_without_triangles() {
 
 #[test]
 fn truncated_files() {
+    let (before, _) = OBJ.split_once("0\nv 0 1 0").unwrap();
+    let found = refusal("t.obj", before.as_bytes());
+    assert!(found.starts_with("not a valid OBJ file"), "{found}");
     let found = refusal("t.ply", PLY.trim_end_matches("3 0 1 2\n").as_bytes());
     assert!(found.starts_with("not a valid PLY file"), "{found}");
     let binary = binary_ply(false);
@@ -150,4 +153,44 @@ fn files_that_are_not_there() {
         .unwrap_err()
         .to_string();
     assert!(found.starts_with("/nowhere/x.obj: "), "{found}");
+}
+
+/// Files of 17 GB take no space on the disk if nothing is in them.
+#[test]
+fn files_of_17_gigabytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let huge = |name: &str| {
+        let path = folder.path().join(name);
+        let file = std::fs::File::create(&path).unwrap();
+        file.set_len(17 << 30).unwrap();
+        path
+    };
+    let size = "the file has 18253611008 bytes or more; the most is 2147483648";
+    for name in ["t.obj", "t.ply", "t.glb"] {
+        let path = huge(name);
+        let found = meshes::load(&path).unwrap_err().to_string();
+        assert_eq!(found, format!("{}: {size}", path.display()));
+    }
+    // Files that an OBJ file names.
+    let obj = folder.path().join("t.obj");
+    std::fs::write(&obj, OBJ).unwrap();
+    let library = huge("m.mtl");
+    let found = meshes::load(&obj).unwrap_err().to_string();
+    assert_eq!(
+        found,
+        format!("{}: {}: {size}", obj.display(), library.display())
+    );
+    let picture = huge("t.png");
+    std::fs::write(
+        &library,
+        MTL.replace("newmtl red", "newmtl red\nmap_Kd t.png"),
+    )
+    .unwrap();
+    let found = meshes::load(&obj).unwrap_err().to_string();
+    let expected = format!(
+        "{}: the texture {}: {size}",
+        obj.display(),
+        picture.display()
+    );
+    assert_eq!(found, expected);
 }

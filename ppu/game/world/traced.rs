@@ -157,12 +157,13 @@ impl World {
             has_gathered,
             ..
         } = traced;
+        let has_other_view = *scene.view() != self.view;
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
         scene.set_background(background, sky, shaders)?;
         if scene.block().is_some() {
             return Ok(self.keeps_polygons(*has_gathered)
-                && self.move_meshes(scene, mesh)
+                && self.move_meshes(scene, mesh, has_other_view)
                 && self.change_whitted(scene, shaders)?);
         }
         self.set_spheres(scene)?;
@@ -183,11 +184,18 @@ impl World {
     }
 
     /// Brings the places of meshes into a scene; `false` if it needs another tree.
-    fn move_meshes(&self, scene: &mut Scene, mesh: &mut Option<Arc<Mesh>>) -> bool {
+    fn move_meshes(
+        &self,
+        scene: &mut Scene,
+        mesh: &mut Option<Arc<Mesh>>,
+        has_other_view: bool,
+    ) -> bool {
+        let block = scene.block_mut();
         if !self.edits.moved_meshes {
-            return true;
+            // All rays are traced again for another view.
+            return !has_other_view || block.is_none_or(SceneBlock::keep_mesh);
         }
-        let (Some(block), Some(mesh)) = (scene.block_mut(), mesh) else {
+        let (Some(block), Some(mesh)) = (block, mesh) else {
             return false;
         };
         if block.mesh().is_none() {

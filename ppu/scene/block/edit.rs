@@ -65,10 +65,18 @@ impl SceneBlock {
     }
 
     /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and
-    /// normals.
+    /// normals. `false` if a new tree is needed.
     pub(crate) fn refit_mesh(&mut self, mesh: &Mesh) -> bool {
+        let most = self.options.refit_pictures;
         let streamed = self.streamed.as_mut();
-        streamed.is_some_and(|streamed| streamed.refit(mesh))
+        streamed.is_some_and(|streamed| streamed.refit(mesh) && streamed.is_worth_keeping(most))
+    }
+
+    /// Counts a picture in which the mesh has not moved. `false` if a new tree is needed.
+    pub(crate) fn keep_mesh(&mut self) -> bool {
+        let most = self.options.refit_pictures;
+        let worn = self.streamed.as_mut().filter(|it| it.blocks.wear() > 1.0);
+        worn.is_none_or(|streamed| streamed.is_worth_keeping(most))
     }
 
     /// Whether spheres are in main memory. Then none can be changed in place.

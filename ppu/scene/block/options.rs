@@ -1,6 +1,7 @@
 //! The settings of a block, and the SPU program's shaders.
 
 use crate::scene::Colour;
+use crate::scene::render_options::REFIT_PICTURES;
 use protocol::layout::MESH_MOST_SLOTS;
 
 /// Settings of Whitted's model.
@@ -18,6 +19,9 @@ pub struct BlockOptions {
     pub colour: Colour,
     /// The most blocks of a mesh that an SPU caches.
     pub mesh_cache: u32,
+    /// How many pictures' tests of rays a refitted tree may waste, as in
+    /// [`RenderOptions`](crate::scene::RenderOptions).
+    pub refit_pictures: u32,
 }
 
 impl Default for BlockOptions {
@@ -28,6 +32,7 @@ impl Default for BlockOptions {
             spd_rays: false,
             colour: Colour::Linear,
             mesh_cache: MESH_MOST_SLOTS,
+            refit_pictures: REFIT_PICTURES,
         }
     }
 }

@@ -26,6 +26,9 @@ const LEAST_SLOTS: usize = 8;
 #[derive(Clone, Debug)]
 pub(super) struct Streamed {
     pub blocks: Arc<MeshBlocks>,
+    /// What its refitted tree has cost since it was built: tests of rays that a new one would not
+    /// have needed, in pictures.
+    wasted_pictures: f64,
     /// The corners of the box around it.
     bounds: [DVec3; 2],
     /// Whether the scene's spheres are there, too.
@@ -91,6 +94,7 @@ impl Streamed {
             Some([low.min(corner), high.max(corner)])
         });
         Ok(Some(Self {
+            wasted_pictures: 0.0,
             bounds: bounds.unwrap_or_default(),
             with_spheres,
             textures: textures(scene, &blocks, colour),
@@ -108,6 +112,14 @@ impl Streamed {
         self.blocks = Arc::new(blocks);
         self.bounds = [low, high];
         true
+    }
+
+    /// Counts a picture, and says whether rays have wasted fewer tests than they make in `most`
+    /// pictures with a new tree. So what refitting has cost is never much more than a new tree
+    /// would have, whether a tree is worn a little for long or much at once.
+    pub fn is_worth_keeping(&mut self, most: u32) -> bool {
+        self.wasted_pictures += (self.blocks.wear() - 1.0).max(0.0);
+        self.wasted_pictures < f64::from(most)
     }
 
     /// The largest origin offset of its triangles, as `Object::leave` has it for one.

@@ -87,9 +87,9 @@ pub struct MeshBlocks {
     materials: Vec<u32>,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
-    /// The surfaces of all boxes when the tree was built, each times the tests that a ray makes
-    /// that meets it.
+    /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
     cost: f64,
+    cost_when_built: f64,
     statistics: MeshStatistics,
 }
 

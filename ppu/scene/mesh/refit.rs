@@ -14,23 +14,12 @@ use super::tree::Bounds;
 use super::write::RUN_SHIFT;
 use super::{Block, MeshBlocks};
 
-/// Blocks are refitted until rays would make so many times the tests as when the tree was built.
-const WORSE: f64 = 1.5;
-
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
-    /// `None` if a new tree is needed: the old one would cost rays too many tests by now, the
-    /// mesh has other vertices, or the blocks have spheres, too.
+    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres, too.
     #[must_use]
     pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
-        let (refitted, cost) = self.refitted_at_any_cost(mesh)?;
-        (cost <= WORSE * self.cost).then_some(refitted)
-    }
-
-    /// The refitted blocks, and the surfaces of all boxes, each times the tests that a ray makes
-    /// that meets it.
-    pub(super) fn refitted_at_any_cost(&self, mesh: &Mesh) -> Option<(Self, f64)> {
         let mut refitted = self.clone();
         let mut bounds = vec![Bounds::EMPTY; self.blocks.len()];
         let mut sources = &self.sources[..];
@@ -40,7 +29,15 @@ impl MeshBlocks {
             let block = &mut refitted.blocks[number];
             bounds[number] = refit(block, &mut sources, mesh, &bounds, &mut cost)?;
         }
-        Some((refitted, cost))
+        refitted.cost = cost;
+        Some(refitted)
+    }
+
+    /// How many times the tests rays make that they made when the tree was built: the surfaces of
+    /// all boxes, each times the tests that a ray makes that meets it, against those at that time.
+    #[must_use]
+    pub fn wear(&self) -> f64 {
+        self.cost / self.cost_when_built
     }
 }
 

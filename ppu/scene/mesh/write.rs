@@ -85,6 +85,7 @@ pub(super) fn blocks(
             statistics: writer.statistics,
             sources: writer.sources,
             cost: writer.cost,
+            cost_when_built: writer.cost,
             blocks,
             materials,
         }),

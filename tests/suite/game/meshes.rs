@@ -210,6 +210,55 @@ fn meshes_move_in_local_store() {
     play(pear(8, 8));
 }
 
+/// The tree is refitted until rays have wasted as many tests as they make in two pictures, and so is
+/// one that has stopped moving while the eye moves.
+#[test]
+fn a_tree_that_has_become_bad_is_replaced() {
+    for refit_pictures in [0, 2, u32::MAX] {
+        let (mut world, red) = world();
+        world.set_render_options(RenderOptions {
+            refit_pictures,
+            ..RenderOptions::default()
+        });
+        let mesh = Arc::new(pear(30, 30));
+        let other = world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY);
+        let other = other.unwrap();
+        // Both pears fill the same space, so blocks have triangles of both.
+        world.add_mesh(mesh, &[red], DAffine3::IDENTITY).unwrap();
+        let program = Program::tracer();
+        let wear = |world: &mut World| {
+            let scene = world.scene(&program).unwrap();
+            scene.block().unwrap().mesh().unwrap().blocks.wear()
+        };
+        assert!((wear(&mut world) - 1.0).abs() < 1e-9);
+        let (mut wasted, mut replaced) = (0.0, 0);
+        for frame in 1..=30 {
+            match frame {
+                ..=9 => world.place_mesh(other, at(0.03 * f64::from(frame), 0.0, 0.0)),
+                _ => world.look_from([-0.1 * f64::from(frame), 2.5, 7.0], DVec3::ZERO),
+            }
+            .unwrap();
+            match wear(&mut world) {
+                wear if wear > 1.001 => {
+                    wasted += wear - 1.0;
+                    assert!(
+                        wasted < f64::from(refit_pictures),
+                        "frame {frame}: {wasted}"
+                    );
+                }
+                _ if refit_pictures == 0 => replaced += 1,
+                _ => {
+                    // It was nearly used up.
+                    assert!(replaced == 1 || wasted > 1.0, "frame {frame}: {wasted}");
+                    replaced = 1;
+                    wasted = 0.0;
+                }
+            }
+        }
+        assert_eq!(replaced > 0, refit_pictures < u32::MAX, "{refit_pictures}");
+    }
+}
+
 /// A quarter turn is exact, so the vertices can be turned here without the world's own arithmetic.
 #[test]
 fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {

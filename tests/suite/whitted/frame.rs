@@ -24,6 +24,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     roll_off: false,
     corners: false,
     mesh_cache: MESH_MOST_SLOTS,
+    refit_pictures: 50,
 };
 
 /// A finished frame.

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod clock;
+mod mesh_cache;
 mod stability;
 
 use std::process::ExitCode;
@@ -27,12 +28,14 @@ enum Command {
     Stability(stability::Arguments),
     /// Measure pipelines, memory and interconnect by small SPU programs
     Clock(clock::Arguments),
+    /// Draw how many blocks of a mesh an SPU caches against frames a second and bytes a ray
+    MeshCache(mesh_cache::Arguments),
 }
 
 pub fn main() -> ExitCode {
     let command = Arguments::parse().command;
-    // The clock's programs are built in. The others need the kernels' sources.
-    if !matches!(command, Command::Clock(_))
+    // The clock's programs are built in, and plots need none. The others need the kernels' sources.
+    if !matches!(command, Command::Clock(_) | Command::MeshCache(_))
         && let Err(error) = kernels::set::Kernels::here()
     {
         eprintln!("cellray-bench: error: {error}");
@@ -42,6 +45,7 @@ pub fn main() -> ExitCode {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
         Command::Clock(arguments) => clock::run(&arguments),
+        Command::MeshCache(arguments) => mesh_cache::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
         eprintln!("cellray-bench: error: {error}");

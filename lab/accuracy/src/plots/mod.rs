@@ -18,6 +18,7 @@ use crate::families::{FAR, Form};
 use crate::file::OutputError;
 
 use crate::antialiasing::Row;
+use crate::mesh_cache;
 use crate::pictures::{PictureRow, SCENES};
 use crate::roots::RootRow;
 use crate::run::{KernelRow, Results};
@@ -92,6 +93,43 @@ pub fn antialiasing(rows: &[Row]) -> Vec<Plot> {
         Plot::of(scene.to_owned(), chart)
     };
     scenes.into_iter().map(plot).collect()
+}
+
+/// The plots of the cache of a mesh's blocks: one of speed and one of bytes, with a course for each
+/// scene.
+pub fn mesh_cache(rows: &[mesh_cache::Row]) -> Vec<Plot> {
+    let plot = |name: &str, title: &str, label: &str, value: fn(&mesh_cache::Row) -> f64| {
+        let courses = rows.chunk_by(|one, next| one.scene == next.scene);
+        let course = |(number, rows): (usize, &[mesh_cache::Row])| {
+            let point = |row: &mesh_cache::Row| Point {
+                // The size of the picture stands in the table.
+                name: row.scene.split([',', ' ']).next().unwrap_or("").to_owned(),
+                x: row.blocks,
+                y: value(row),
+                colour: [0, 1, 4][number % 3],
+            };
+            Group::Course(rows.iter().map(point).collect())
+        };
+        let chart = Chart {
+            title: format!("Blocks that an SPU caches against {title}"),
+            note: "Blocks of 2048 bytes; six SPUs".to_owned(),
+            x: axis("blocks, at most", Kind::Log),
+            y: axis(label, Kind::Log),
+            groups: courses.enumerate().map(course).collect(),
+        };
+        Plot::of(name.to_owned(), chart)
+    };
+    vec![
+        plot(
+            "frames",
+            "frames a second",
+            "frames a second (simulated)",
+            |row| row.frames_per_second,
+        ),
+        plot("bytes", "bytes a ray", "bytes of blocks a ray", |row| {
+            row.bytes_a_ray
+        }),
+    ]
 }
 
 impl Plot {

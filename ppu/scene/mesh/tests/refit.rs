@@ -25,9 +25,9 @@ fn blocks(mesh: &Mesh) -> MeshBlocks {
 fn blocks_stay_if_nothing_has_moved() {
     for mesh in [soup(1, 1.0, 1), soup(300, 0.1, 2), ball(60)] {
         let blocks = blocks(&mesh);
-        let (refitted, cost) = blocks.refitted_at_any_cost(&mesh).unwrap();
+        let refitted = blocks.refitted(&mesh).unwrap();
         assert!(refitted.bytes() == blocks.bytes());
-        assert!((cost / blocks.cost - 1.0).abs() < 1e-9);
+        assert!((refitted.wear() - 1.0).abs() < 1e-9);
     }
 }
 
@@ -43,26 +43,25 @@ fn boxes_are_made_around_moved_triangles() {
         (ball(60), quarter),
     ] {
         let there = moved(&mesh, place);
-        let (refitted, _) = blocks(&mesh).refitted_at_any_cost(&there).unwrap();
+        let refitted = blocks(&mesh).refitted(&there).unwrap();
         check(&there, &materials(), &refitted);
     }
 }
 
 #[test]
-fn a_torn_mesh_needs_a_new_tree() {
+fn a_tree_is_worn_by_what_moves_its_triangles_apart() {
     let mesh = soup(5000, 0.1, 3);
     let blocks = blocks(&mesh);
-    assert!(
-        blocks
-            .refitted(&moved(&mesh, DAffine3::from_rotation_y(0.2)))
-            .is_some()
-    );
+    let wear = |there: &Mesh| blocks.refitted(there).unwrap().wear();
+    let turned = wear(&moved(&mesh, DAffine3::from_rotation_y(0.2)));
+    assert!(turned < 1.3, "{turned}");
     let mut torn = mesh.clone();
     for (triangle, corners) in torn.positions.chunks_mut(3).enumerate() {
         for corner in corners {
             corner[0] += (triangle % 2) as f32 * 4.0;
         }
     }
-    assert!(blocks.refitted(&torn).is_none());
+    let torn = wear(&torn);
+    assert!(torn > 5.0, "{torn}");
     assert!(blocks.refitted(&soup(4999, 0.1, 3)).is_none());
 }

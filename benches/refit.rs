@@ -1,0 +1,242 @@
+//! What it costs to refit the blocks of meshes that have moved instead of building new ones: frames
+//! in simulated time, and the host's time for the scene. And the host's time for scenes of objects
+//! that move.
+//!
+//!     cargo bench --bench refit [-- meshes|objects]
+
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::process::Command;
+use std::sync::Arc;
+use std::time::Instant;
+
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, World, WorldError};
+use cellray::scene::{RenderOptions, SceneBlock};
+use cellray::{Engine, Report, Settings};
+
+const TIMING: &str = "LIBSPE2_TIMING";
+const SIZE: (u32, u32) = (640, 360);
+
+/// Meshes that move.
+struct Motion {
+    name: &'static str,
+    /// How many there are.
+    count: u32,
+    mesh: fn() -> Mesh,
+    /// The place of a mesh in a picture.
+    place: fn(number: u32, picture: u32) -> DAffine3,
+    /// The pictures that are measured.
+    pictures: &'static [u32],
+}
+
+const MOTIONS: [Motion; 2] = [
+    Motion {
+        name: "8 rings on orbits through each other",
+        count: 8,
+        mesh: || ring(96, 32, 0.3),
+        place: on_an_orbit,
+        pictures: &[1, 2, 4, 6, 8, 12, 16, 24, 32, 48],
+    },
+    Motion {
+        name: "125 small rings that scatter",
+        count: 125,
+        mesh: || ring(20, 10, 0.3),
+        place: scattered,
+        pictures: &[1, 2, 4, 8, 16, 32, 64],
+    },
+];
+
+fn main() -> Result<(), Box<dyn Error>> {
+    if std::env::var_os(TIMING).is_none() {
+        // The library reads the variable when a program starts.
+        let status = Command::new(std::env::current_exe()?)
+            .args(std::env::args().skip(1))
+            .env(TIMING, "1")
+            .status()?;
+        std::process::exit(status.code().unwrap_or(1));
+    }
+    let wanted = |name: &str| {
+        let mut names = std::env::args().filter(|it| it == "meshes" || it == "objects");
+        names.next().is_none_or(|first| first == name)
+    };
+    if wanted("meshes") {
+        meshes()?;
+    }
+    if wanted("objects") {
+        objects()?;
+    }
+    Ok(())
+}
+
+fn meshes() -> Result<(), Box<dyn Error>> {
+    println!(
+        "| picture | tests of rays, times as many | refitted: ms a frame | ms of the host | \
+         new tree: ms a frame | ms of the host |"
+    );
+    println!("|---|---|---|---|---|---|");
+    for motion in MOTIONS {
+        println!("| **{}** | | | | | |", motion.name);
+        let mesh = Arc::new((motion.mesh)());
+        let (mut world, meshes) = motion.world(&mesh, 0)?;
+        let mut refits = Vec::new();
+        for picture in 0..=*motion.pictures.last().unwrap_or(&0) {
+            for (number, &id) in (0..).zip(&meshes) {
+                world.place_mesh(id, (motion.place)(number, picture))?;
+            }
+            refits.push(host(&mut world)?);
+            if motion.pictures.contains(&picture) {
+                let [wear, refitted] = traced(&mut world)?;
+                let (mut built, _) = motion.world(&mesh, picture)?;
+                let mut build = host(&mut built)?;
+                for _ in 1..5 {
+                    build = build.min(host(&mut motion.world(&mesh, picture)?.0)?);
+                }
+                let [_, new] = traced(&mut built)?;
+                let refit = refits.drain(..).fold(f64::INFINITY, f64::min);
+                println!(
+                    "| {picture} | {wear:.2} | {refitted:.2} | {refit:.1} | {new:.2} | {build:.0} |"
+                );
+            }
+        }
+    }
+    Ok(())
+}
+
+impl Motion {
+    fn world(&self, mesh: &Arc<Mesh>, picture: u32) -> Result<(World, Vec<MeshId>), WorldError> {
+        let mut world = World::new();
+        world.set_render_options(RenderOptions {
+            refit_pictures: u32::MAX,
+            ..RenderOptions::default()
+        });
+        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+        let add = |number| world.add_mesh(mesh.clone(), &[red], (self.place)(number, picture));
+        let meshes = (0..self.count).map(add).collect::<Result<_, _>>()?;
+        Ok((world, meshes))
+    }
+}
+
+/// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds
+/// of a frame in simulated time.
+fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
+    let settings = Settings {
+        retain: false,
+        ..Settings::default()
+    };
+    let scene = world.scene(&settings.program)?;
+    let mesh = scene.block().and_then(SceneBlock::mesh);
+    let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();
+    let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+    let mut engine = Engine::start(settings, Box::new(picture))?;
+    // The first frame does not know the tiles' costs yet.
+    engine.render(scene, &mut |_| {})?;
+    let mut report = Report::new("refit", SIZE, settings.spus);
+    report.add(engine.render(scene, &mut |_| {})?);
+    Ok([wear, 1e3 / report.frames_per_second])
+}
+
+/// Milliseconds of the host for a world's scene.
+fn host(world: &mut World) -> Result<f64, WorldError> {
+    let began = Instant::now();
+    world.scene(&Settings::default().program)?;
+    Ok(1e3 * began.elapsed().as_secs_f64())
+}
+
+/// Objects of a world that all move a little for each picture: the median time of its scenes.
+fn objects() -> Result<(), Box<dyn Error>> {
+    println!("| objects that move | ms of the host |");
+    println!("|---|---|");
+    for (count, name) in [
+        (500, "triangles"),
+        (700, "triangles"),
+        (2000, "triangles"),
+        (800, "spheres"),
+        (1200, "spheres"),
+        (4000, "spheres"),
+    ] {
+        let mut world = World::new();
+        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+        let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
+        let place = |number: u32, picture: u32| {
+            let cell = [number % side, number / side % side, number / side / side];
+            let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
+            let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
+            6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
+        };
+        let mut ids = Vec::new();
+        for number in 0..count {
+            let middle = place(number, 0);
+            ids.push(match name {
+                "spheres" => world.add_sphere(middle, 0.1, red)?,
+                _ => {
+                    let corners = [DVec3::X, DVec3::Y, DVec3::Z];
+                    world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
+                }
+            });
+        }
+        let mut times = Vec::new();
+        for picture in 0..31 {
+            for (number, &id) in (0..).zip(&ids) {
+                world.move_to(id, place(number, picture))?;
+            }
+            times.push(host(&mut world)?);
+        }
+        // The first scene is not a change.
+        let times = &mut times[1..];
+        times.sort_by(f64::total_cmp);
+        println!("| {count} {name} | {:.2} |", times[times.len() / 2]);
+    }
+    Ok(())
+}
+
+fn turned(turns: f64) -> DAffine3 {
+    // `libm`'s sines are the same on every machine.
+    let (sine, cosine) = libm::sincos(TAU * turns);
+    let x = DVec3::new(cosine, 0.0, -sine);
+    let z = DVec3::new(sine, 0.0, cosine);
+    DAffine3::from_cols(x, DVec3::Y, z, DVec3::ZERO)
+}
+
+/// Neighbours have different speeds. The slowest take 96 pictures.
+fn on_an_orbit(number: u32, picture: u32) -> DAffine3 {
+    let turns = f64::from(number) / 8.0 + f64::from(picture * (1 + number % 3)) / 96.0;
+    let radius = 2.0 + 0.25 * f64::from(number % 4);
+    turned(turns) * DAffine3::from_translation(DVec3::new(radius, 0.0, 0.0)) * turned(3.0 * turns)
+}
+
+/// From a place in a grid, each in a direction of its own.
+fn scattered(number: u32, picture: u32) -> DAffine3 {
+    let cell = [number % 5, number / 5 % 5, number / 25];
+    let place = DVec3::from_array(cell.map(f64::from)) - DVec3::splat(2.0);
+    // Steps around the sphere by the golden ratio are in no order with those through the grid.
+    let height = 1.0 - 2.0 * f64::from(number * 37 % 125) / 124.0;
+    let (sine, cosine) = libm::sincos(TAU * 0.618_033_988_749_895 * f64::from(number));
+    let around = libm::sqrt(1.0 - height * height);
+    let direction = DVec3::new(around * cosine, height, around * sine);
+    let moved = 0.9 * place + 0.05 * f64::from(picture) * direction;
+    let turns = f64::from(number) / 7.0 + f64::from(picture) / 50.0;
+    DAffine3::from_translation(moved) * turned(turns) * DAffine3::from_scale(DVec3::splat(0.3))
+}
+
+/// An upright ring of radius 1 with smooth normals.
+fn ring(along: u32, around: u32, thickness: f64) -> Mesh {
+    let mut mesh = Mesh::default();
+    let turn = |part: u32, of: u32| libm::sincos(TAU * f64::from(part) / f64::from(of));
+    for (first, second) in (0..along).flat_map(|first| (0..around).map(move |it| (first, it))) {
+        let ((y, x), (z, out)) = (turn(first, along), turn(second, around));
+        let normal = DVec3::new(x * out, y * out, z);
+        let point = DVec3::new(x, y, 0.0) + thickness * normal;
+        mesh.positions.push(point.as_vec3().to_array());
+        mesh.normals.push(normal.as_vec3().to_array());
+        let at = |first: u32, second: u32| first % along * around + second % around;
+        let (a, b) = (at(first, second), at(first + 1, second));
+        let (c, d) = (at(first, second + 1), at(first + 1, second + 1));
+        mesh.triangles.extend([[a, b, d], [a, d, c]]);
+        mesh.materials.extend([0, 0]);
+    }
+    mesh
+}
