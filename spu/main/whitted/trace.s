@@ -35,6 +35,7 @@ plans_end:                              # the address after the last plan
         .skip   16
 sheared:                                # objects that need their packets' shears
         .skip   16
+        .global of_eye
 of_eye:                                 # whether the rays are primary rays
         .skip   16
 along:                                  # the input of cull_faces
