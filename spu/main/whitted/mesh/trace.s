@@ -105,10 +105,10 @@ function mesh_trace
 unblocked:
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
+        lqa     $mask,of_eye
+        brnz    $mask,eye_bounds
 bounds_call:
         brsl    $lr,mesh_bounds_r16
-        lqa     $mask,of_eye
-        brnz    $mask,windows
 bounded:
         gather_farthest
         cgti    $mask,$w_depth,1
@@ -294,13 +294,11 @@ leaf_done:
         br      next_block
 
         # The rays are from the eye.
-windows:
-        lqa     $candidate,first_candidate
-        ori     $4,$w_traced,0
-        ila     $5,arena+MESH_WINDOWS
-        rotqbyi $3,$candidate,MESH_CANDIDATE_packet
-        brsl    $lr,mesh_windows_r16
+eye_bounds:
+        ila     $7,arena+MESH_WINDOWS
+        brsl    $lr,mesh_eye_bounds_r16
         br      bounded
+
         # A flat leaf's place is kept for mesh_hits.
 known_leaf:
         lqd     $header,MESH_HEADER_magic($m_block)

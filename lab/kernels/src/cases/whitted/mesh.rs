@@ -73,14 +73,14 @@ pub const KERNELS: &[Kernel] = &[
         error: Some(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
     },
     Kernel {
-        name: "mesh_windows_r16",
+        name: "mesh_eye_bounds_r16",
         rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
                 let packets = vec![case_rays(); count as usize];
-                call::put_for_windows(bench, &packets).1
+                call::put_for_eye_bounds(bench, &packets, 0).2
             },
         }],
         error: None,

@@ -1,4 +1,4 @@
-//! `mesh_windows_r16`, `filter_triangles_r16` and `isect_mesh_rows_r4` compared with their twins,
+//! `mesh_eye_bounds_r16`, `filter_triangles_r16` and `isect_mesh_rows_r4` compared with their twins,
 //! and together with the test of every triangle with every ray.
 
 use std::ops::Range;
@@ -7,12 +7,14 @@ use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect;
 use kernels::cases::whitted::mesh::call::{self, Rows};
 use kernels::vector::unit;
-use protocol::layout::{MESH_FACES, MESH_RUN, RayPacket};
+use protocol::layout::{MESH_FACES, MESH_RUN, RayPacket, Shear};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
+use twins::mesh::mesh_bound;
 use twins::mesh_pairs::MeshBlock;
-use twins::mesh_rows::{MeshWindow, mesh_window};
+use twins::mesh_rows::{MeshWindow, mesh_eye_bound, mesh_window};
+use twins::primary_rays;
 use twins::sphere_ray::Ray;
 use twins::{FARTHEST, ZERO};
 use zerocopy::IntoBytes as _;
@@ -182,7 +184,7 @@ fn check_rows(
 }
 
 #[test]
-fn windows_equal_the_twin() {
+fn bounds_and_windows_equal_the_twins() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut wide = 0;
@@ -191,15 +193,38 @@ fn windows_equal_the_twin() {
             0 => (0..at % 9).map(|_| junk(&mut random)).collect(),
             _ => aimed(&mut random).1[..at % 9].to_vec(),
         };
-        let found = call::windows(&mut bench, &packets);
-        for (found, rays) in found.iter().zip(&packets) {
+        let (bounds, windows) = call::eye_bounds(&mut bench, &packets, 0x3_0000);
+        for (at, rays) in packets.iter().enumerate() {
+            let shears = 0x3_0000 + (at * size_of::<Shear>()) as u32;
+            let expected = call::bound_record(&mesh_eye_bound(rays), shears);
+            assert_eq!(bounds[at].as_bytes(), expected.as_bytes(), "{rays:x?}");
             let expected = mesh_window(rays);
             wide += usize::from(expected.rows[0].low[0] == u32::MAX);
             let record = call::window_record(&expected);
-            assert_eq!(found.as_bytes(), record.as_bytes(), "{rays:x?}");
+            assert_eq!(windows[at].as_bytes(), record.as_bytes(), "{rays:x?}");
         }
     }
     assert!(wide > 100 && wide < 1000, "{wide}");
+}
+
+/// What `mesh_bounds_r16` makes of all rays of a packet from the eye, `mesh_eye_bounds_r16` makes.
+#[test]
+fn bounds_are_those_of_rays_from_anywhere() {
+    let mut random = random();
+    for _ in 0..400 {
+        for rays in aimed(&mut random).1 {
+            let there = rays.map(|ray| Ray { t: FARTHEST, ..ray });
+            let from_anywhere = there.map(|ray| primary_rays::Ray {
+                origin: ray.origin,
+                direction: ray.direction,
+                t: ray.t,
+                object: 0,
+                weight: ZERO,
+                pixel: 0,
+            });
+            assert_eq!(mesh_eye_bound(&there), mesh_bound(&from_anywhere));
+        }
+    }
 }
 
 #[test]

@@ -389,26 +389,41 @@ pub fn window_record(window: &mesh_rows::MeshWindow) -> MeshWindow {
     }
 }
 
-/// Puts the inputs of `mesh_windows_r16` into local store. Returns the windows' buffer and the
-/// arguments.
-pub fn put_for_windows(bench: &mut Bench, packets: &[[sphere_ray::Ray; 16]]) -> (Place, Vec<u32>) {
+/// Puts the inputs of `mesh_eye_bounds_r16` into local store, with shears at `shears`, where nothing
+/// needs to be. Returns the bounds' buffer, the windows' and the arguments.
+pub fn put_for_eye_bounds(
+    bench: &mut Bench,
+    packets: &[[sphere_ray::Ray; 16]],
+    shears: u32,
+) -> (Place, Place, Vec<u32>) {
     let records: Vec<RayPacket> = packets
         .iter()
         .map(|rays| isect::call::packet(rays, 0))
         .collect();
     let placed = put(bench, &records);
-    let windows = vec![MeshWindow::new_zeroed(); packets.len()];
-    let windows = put(bench, &windows);
+    let bounds = put(bench, &vec![MeshBound::new_zeroed(); packets.len()]);
+    let windows = put(bench, &vec![MeshWindow::new_zeroed(); packets.len()]);
     let count = packets.len() as u32;
-    (windows, vec![placed.address, count, windows.address])
+    let arguments = vec![
+        placed.address,
+        count,
+        bounds.address,
+        shears,
+        windows.address,
+    ];
+    (bounds, windows, arguments)
 }
 
-/// Calls `mesh_windows_r16`. Returns the records.
-pub fn windows(bench: &mut Bench, packets: &[[sphere_ray::Ray; 16]]) -> Vec<MeshWindow> {
+/// Calls `mesh_eye_bounds_r16`. Returns the records.
+pub fn eye_bounds(
+    bench: &mut Bench,
+    packets: &[[sphere_ray::Ray; 16]],
+    shears: u32,
+) -> (Vec<MeshBound>, Vec<MeshWindow>) {
     bench.reset();
-    let (windows, arguments) = put_for_windows(bench, packets);
-    bench.call("mesh_windows_r16", &arguments);
-    bench.read_all(windows)
+    let (bounds, windows, arguments) = put_for_eye_bounds(bench, packets, shears);
+    bench.call("mesh_eye_bounds_r16", &arguments);
+    (bench.read_all(bounds), bench.read_all(windows))
 }
 
 /// Some rows of a packet and a triangle that they may hit.
