@@ -21,6 +21,8 @@ pub mod load_rays;
 pub mod math;
 pub mod mesh;
 pub mod mesh_pairs;
+pub mod mesh_patches;
+pub mod mesh_rows;
 pub mod pack;
 pub mod pairs;
 pub mod primary_rays;

@@ -97,7 +97,7 @@ fn over(k: Single, x: Single) -> Single {
     recip_step(k, x, recip_interpolated(x))
 }
 
-fn slab([low, high]: [Single; 2], [least, most]: [Single; 2]) -> Slab {
+pub(super) fn slab([low, high]: [Single; 2], [least, most]: [Single; 2]) -> Slab {
     let minus_tiny = TINY | SIGN;
     let down = fcgt(minus_tiny, most) != 0;
     let up = fcgt(least, TINY) != 0;

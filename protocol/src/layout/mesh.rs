@@ -193,6 +193,68 @@ record! {
     }
 }
 
+record! {
+    /// Local store: where the rays of a packet from the eye go, for tests with triangles. The
+    /// packet's own axes are in a cyclic order, with z the one along which it goes. The limits are
+    /// those of direction x/z and y/z over a row's four rays, in all lanes of the row; a row
+    /// without rays has low above high.
+    MeshWindow as "MESH_WINDOW" {
+        /// Least direction x/z.
+        low_x: [F32; 16],
+        /// Greatest direction x/z.
+        high_x: [F32; 16],
+        /// Least direction y/z.
+        low_y: [F32; 16],
+        /// Greatest direction y/z.
+        high_y: [F32; 16],
+        /// Shuffle of two vertices: their x, then their y.
+        order: [u8; 16],
+        /// Shuffle of two vertices: their z in the first two words.
+        depth: [u8; 16],
+    }
+}
+
+record! {
+    /// Local store: where a leaf block has its triangles, if these have neither normals at their
+    /// vertices nor textures.
+    MeshLeaf as "MESH_LEAVES" {
+        /// The block's number; all ones if it isn't there.
+        number: U32,
+        /// Address of its vertices.
+        vertices: U32,
+        /// Address of its faces.
+        faces: U32,
+        /// Its `sides`.
+        sides: U32,
+    }
+}
+
+record! {
+    /// Local store: a triangle of a mesh that a packet has hit.
+    MeshHit as "MESH_HITS" {
+        /// What `RAYS16` has of it.
+        object: U32,
+        /// Address of its `PATCH`.
+        patch: U32,
+        /// Anything.
+        rest: [U32; 2],
+    }
+}
+
+record! {
+    /// Local store: a triangle of a mesh and the rows of a packet that may hit it.
+    MeshRows as "MESH_ROWS" {
+        /// The triangle's index times 2^10, plus a bit for each row: 8 for the first one.
+        rows: U32,
+        /// Address of the packet.
+        packet: U32,
+        /// Address of the packet's `MESH_BOUND`.
+        bound: U32,
+        /// Anything.
+        rest: U32,
+    }
+}
+
 const _: () = {
     assert!(size_of::<MeshHeader>() == 32);
     assert!(size_of::<Boxes>() == 112);

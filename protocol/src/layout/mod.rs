@@ -199,13 +199,16 @@ constants! {
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
-    MESH_CODE_ROOM = 17920;
+    MESH_CODE_ROOM = 32256;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
     /// Fewest blocks that the cache of an SPU must have room for.
     MESH_LEAST_SLOTS = 4;
     /// Most blocks that the cache of an SPU can have.
     MESH_MOST_SLOTS = 28;
+    /// Entries of the table of leaf blocks, `MESH_LEAVES`: a block's is that of the last bits of its
+    /// number.
+    MESH_LEAF_PLACES = 32;
     /// In `object` of `RAYS16`: a triangle of a mesh. Added to it are the number of the block times
     /// 128, and the triangle's index in it.
     MESH_HIT = 0x8000_0000;
@@ -310,6 +313,10 @@ pub const RECORDS: &[Record] = &[
     MeshFace::RECORD,
     MeshBound::RECORD,
     MeshCandidate::RECORD,
+    MeshWindow::RECORD,
+    MeshRows::RECORD,
+    MeshLeaf::RECORD,
+    MeshHit::RECORD,
     MeshCoordinates::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,

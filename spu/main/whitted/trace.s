@@ -35,6 +35,7 @@ plans_end:                              # the address after the last plan
         .skip   16
 sheared:                                # objects that need their packets' shears
         .skip   16
+        .global of_eye
 of_eye:                                 # whether the rays are primary rays
         .skip   16
 along:                                  # the input of cull_faces
@@ -292,8 +293,14 @@ function packets_trace
         il      $w_left,SHADOW_CANDIDATES
         andc    $w_packets,$w_left,$w_packets
         ila     $w_plan,plans
+        # Without trees nobody needs their bounds.
+        lqa     $c_more,plans_end
+        ceq     $c_more,$c_more,$w_plan
+        selb    $w_after,$w_after,$amount,$c_more
+        brnz    $c_more,no_trees
 bound_call:
         brsl    $lr,bound_fan_r16
+no_trees:
         hbr     fan_end,$w_after
         # Without a point that all rays go through, their origins are bounded, too.
         lqa     $c_more,sheared

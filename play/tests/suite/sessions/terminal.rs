@@ -86,7 +86,10 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
         let status = pty.end();
         let in_time = status.code().map(|code| code - 128);
         let signal = status.signal().or(in_time.filter(|_| signals.len() > 1));
-        assert!(signal.is_some_and(|it| signals.contains(&it)), "{signals:?}: {status}");
+        assert!(
+            signal.is_some_and(|it| signals.contains(&it)),
+            "{signals:?}: {status}"
+        );
         pty.assert_restored();
     }
 }

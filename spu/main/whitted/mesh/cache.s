@@ -15,6 +15,11 @@ numbers:                                # of the blocks in the slots; no block h
     .endr
 next_slot:                              # the slot that is filled next: the oldest block leaves
         .int    0,0,0,0
+        .global mesh_leaves
+mesh_leaves:                            # of the slots, but few blocks with the same last bits
+    .rept   MESH_LEAF_PLACES
+        .int    -1,-1,-1,-1
+    .endr
 arriving:                               # a bit for each slot whose block is on its way
         .int    0,0,0,0
 wanted: .skip   16
@@ -95,8 +100,15 @@ ready:  ila     $slots,numbers
         lqd     $in_slot,0($offset)
         cwd     $mask,0($offset)
         lqa     $number,wanted
+        rotqby  $size,$in_slot,$offset
         shufb   $in_slot,$number,$in_slot,$mask
         stqd    $in_slot,0($offset)
+        # The block that leaves is no known leaf any more.
+        andi    $size,$size,MESH_LEAF_PLACES-1
+        shli    $size,$size,4
+        ila     $address,mesh_leaves
+        il      $high,-1
+        stqx    $high,$address,$size
 
         ila     $slots,frame
         load_word $high,FRAME_mesh,$slots

@@ -1,6 +1,7 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
-# takes: patches and objects. A packet's rays hit the same ones again and again, so each is made
-# once a packet.
+# takes: patches and objects. Neighbours in a packet share them. Most are made by mesh_flat_patches,
+# four at a time. Those whose blocks have left the cache are made here, and so are spheres, and
+# triangles with normals or textures. Both ways make the same bits.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -37,17 +38,13 @@ lanes:
     .endr
 
         # The registers of the traversal, which is done.
-        .set    h_left,89                               # packets
+        .set    h_list,89                               # the hits that are to be made here
         .set    h_block,92                              # address of the block
-        .set    h_packet,109
+        .set    h_end,109                               # the list's
         .set    h_patch,118
 
         .set    NEXT,10
-        registers mask,lane,offset,address,same,is_same,all_hit,all_patch,m_splat
-        registers bits                                  # to 22: of the rows
-        .set    NEXT,bits+4
-        registers object                                # to 26: the packet's
-        .set    NEXT,object+4
+        registers lane,offset,address,is_same,all_hit,m_splat,c_end,bytes
         registers number,counts,of_spheres,a_vertices,a_faces # the block's
         registers index,face,material
         registers a,b,c,to_b,to_c,turned_b,turned_c,normal,square,inverse,t_y,t_e
@@ -81,49 +78,47 @@ lanes:
 #   Out     RAYS16_object, MESH_POOL
 #   Uses    $3-$79, w_plan, w_first, w_here, w_left
 function mesh_hits
+        hbrr    list_call,mesh_list_hits_r16
         enter
-        ila     $h_packet,arena+BATCH_RAYS
-        ila     $h_patch,arena+MESH_POOL
-        ori     $h_left,$w_traced,0
+        ila     $3,arena+BATCH_RAYS
+        ori     $4,$w_traced,0
+        ila     $5,arena+MESH_POOL
+        ila     $6,hit
+list_call:
+        brsl    $lr,mesh_list_hits_r16
+        hbrr    patches_call,mesh_flat_patches
+        # Nothing is behind the last patch.
+        il      $number,0
+        stqd    $number,0($3)
+        stqd    $number,PATCH_SIZE($3)
+        stqd    $number,2*PATCH_SIZE($3)
+        ila     $address,arena+MESH_POOL
+        sf      $bytes,$address,$3
+        il      $4,0x10000/PATCH_SIZE+1                 # exact for as many as there may be
+        mpyu    $4,$4,$bytes
+        rotmi   $4,$4,-16
+        ai      $4,$4,3
+        rotmi   $4,$4,-2
+        ori     $3,$address,0
+        ila     $5,mesh_leaves
+        ila     $6,arena+MESH_HIT_LIST
+        ila     $7,frame
+        load_word $7,FRAME_mesh_materials,$7
+patches_call:
+        brsl    $lr,mesh_flat_patches
+        ila     $h_list,arena+MESH_HIT_LIST
+        ori     $h_end,$3,0
         il      $number,-1                              # no block's
 next_hit:
-        # The first of the rays that have hit a triangle of the mesh.
-    .irp row, 0,1,2,3
-        lqd     $object+\row,RAYS16_object+16*\row($h_packet)
-    .endr
-    .irp row, 0,1,2,3
-        rotmi   $bits+\row,$object+\row,-31
-    .endr
-    .irp row, 0,1,2,3
-        gb      $bits+\row,$bits+\row
-    .endr
-    .irp row, 0,1,2
-        shli    $bits+\row,$bits+\row,4*(3-\row)
-    .endr
-        or      $mask,$bits,$bits+1
-        or      $bits,$bits+2,$bits+3
-        or      $mask,$mask,$bits
-        brz     $mask,next_packet
+        ceq     $c_end,$h_list,$h_end
+        brnz    $c_end,all_made
         hbrr    same_block,made_of_block
-        clz     $lane,$mask
-        shli    $lane,$lane,2
-        il      $offset,RAYS16_object-4*16
-        a       $offset,$offset,$lane
-        a       $address,$h_packet,$offset
-        lqx     $same,$h_packet,$offset
-        rotqby  $same,$same,$address
-        # All that have hit the same get the address of the patch.
-        splat_mask $m_splat
-        splat   $all_hit,$same,$m_splat
-        splat   $all_patch,$h_patch,$m_splat
-        shli    $3,$same,1
+        lqd     $all_hit,0($h_list)
+        rotqbyi $h_patch,$all_hit,4
+        ai      $h_list,$h_list,MESH_HITS_SIZE
+        shli    $3,$all_hit,1
         rotmi   $3,$3,-8
         ceq     $is_same,$number,$3
-    .irp row, 0,1,2,3
-        ceq     $same,$object+\row,$all_hit
-        selb    $object+\row,$object+\row,$all_patch,$same
-        stqd    $object+\row,RAYS16_object+16*\row($h_packet)
-    .endr
 same_block:
         brnz    $is_same,made_of_block
         stqa    $all_hit,hit
@@ -322,11 +317,6 @@ sphere: shli    $index,$index,4
         ai      $h_patch,$h_patch,PATCH_SIZE
         br      next_hit
 
-next_packet:
-    .rept   2                                           # ai reaches to 511
-        ai      $h_packet,$h_packet,RAYS16_SIZE/2
-    .endr
-        ai      $h_left,$h_left,-1
-        brnz    $h_left,next_hit
+all_made:
         leave
 endfunction mesh_hits

@@ -29,6 +29,10 @@ node_count:
         .skip   16
 scattered:                              # whether packets' rays are far apart, as shadow rays are
         .skip   16
+runs:                                   # of a leaf, from the eye: those that are still to be tested
+        .skip   16
+run_count:
+        .skip   16
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -101,8 +105,11 @@ function mesh_trace
 unblocked:
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
+        lqa     $mask,of_eye
+        brnz    $mask,eye_bounds
 bounds_call:
         brsl    $lr,mesh_bounds_r16
+bounded:
         gather_farthest
         cgti    $mask,$w_depth,1
         or      $mask,$mask,$w_packets
@@ -244,7 +251,11 @@ met:    ila     $a_list,arena+MESH_LIST
         hbrr    isect_call,isect_mesh_pairs_r16
         phase_ends $g_ticks_cull,$t_sum
         ceqi    $c_end,$header,MESH_SPHERES
+        lqa     $mask,of_eye
         brnz    $c_end,sphere_leaf
+        brz     $w_packets,known_leaf
+not_kept:
+        brnz    $mask,eye_leaf
         ori     $5,$m_block,0
 isect_call:
         brsl    $lr,isect_mesh_pairs_r16
@@ -281,6 +292,71 @@ farthest_call:
         gather_farthest
 leaf_done:
         br      next_block
+
+        # The rays are from the eye.
+eye_bounds:
+        ila     $7,arena+MESH_WINDOWS
+        brsl    $lr,mesh_eye_bounds_r16
+        br      bounded
+
+        # A flat leaf's place is kept for mesh_hits.
+known_leaf:
+        lqd     $header,MESH_HEADER_magic($m_block)
+        lqd     $last,MESH_HEADER_nodes&~15($m_block)
+        rotqbyi $header,$header,MESH_HEADER_number
+        andi    $box,$header,MESH_LEAF_PLACES-1
+        shli    $box,$box,4
+        mpyi    $near,$last,BOXES_SIZE
+        rotqbyi $below,$last,MESH_HEADER_vertices&15
+        rotqbyi $last,$last,MESH_HEADER_sides&15
+        ilhu    $number,(SIDES_SMOOTH|SIDES_TEXTURED)>>16
+        and     $number,$number,$last
+        brnz    $number,not_kept
+        a       $near,$near,$m_block
+        ai      $near,$near,MESH_HEADER_SIZE
+        shli    $below,$below,4
+        a       $below,$below,$near
+        cwd     $m_word,MESH_LEAVES_vertices($sp)
+        shufb   $header,$near,$header,$m_word
+        cwd     $m_word,MESH_LEAVES_faces($sp)
+        shufb   $header,$below,$header,$m_word
+        cwd     $m_word,MESH_LEAVES_sides($sp)
+        shufb   $header,$last,$header,$m_word
+        ila     $number,mesh_leaves
+        stqx    $header,$number,$box
+        br      not_kept
+
+        # Few rows of rays hit a small triangle, so these are found first.
+eye_leaf:
+        hbrr    filter_call,filter_triangles_r16
+        il      $number,MESH_RUNS_AT_ONCE
+        cgt     $c_more,$4,$number
+        selb    $number,$4,$number,$c_more
+        sf      $left,$number,$4
+        shli    $step,$number,CANDIDATE_SIZE_LOG2
+        a       $step,$step,$3
+        stqa    $left,run_count
+        stqa    $step,runs
+        ori     $4,$number,0
+        ori     $5,$m_block,0
+        ila     $6,arena+MESH_ROW_LIST
+        ila     $7,arena+MESH_WINDOWS
+filter_call:
+        brsl    $lr,filter_triangles_r16
+        hbrr    rows_call,isect_mesh_rows_r4
+        rotqbyi $number,$3,8
+        rotqbyi $4,$3,4
+        tally   tests_made,$number
+        tally   tests_possible,$number
+        ila     $3,arena+MESH_ROW_LIST
+        ori     $5,$m_block,0
+rows_call:
+        brsl    $lr,isect_mesh_rows_r4
+        lqa     $4,run_count
+        lqa     $3,runs
+        il      $c_end,0
+        brz     $4,tested
+        br      eye_leaf
 
         # More than one child of each node is left, so the packets' rays are tested with them.
 filter: ila     $5,arena+MESH_LIST

@@ -3,11 +3,12 @@
 pub mod call;
 
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use spu_emulator::float::single::{from_f64, fs, to_f64};
 use twins::mesh::{Corners, MeshBound, mesh_bound};
 use twins::mesh_pairs::MeshBlock;
+use twins::mesh_rows::mesh_window;
 use twins::primary_rays::Ray;
-use twins::{FARTHEST, ONE, ZERO, sphere_ray};
+use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
 use zerocopy::FromZeros as _;
 
 use super::isect;
@@ -17,8 +18,9 @@ use super::isect::triangle::TriangleObject;
 use crate::bench::Bench;
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
-use call::Node;
-use protocol::layout;
+use crate::vector::{cross, less, unit};
+use call::{Node, Rows};
+use protocol::layout::{self, MESH_HIT};
 
 /// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -68,7 +70,80 @@ pub const KERNELS: &[Kernel] = &[
                 place: |bench, count| triangles(bench, 0.0, count),
             },
         ],
-        error: Some(error),
+        error: Some(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
+    },
+    Kernel {
+        name: "mesh_eye_bounds_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let packets = vec![case_rays(); count as usize];
+                call::put_for_eye_bounds(bench, &packets, 0).2
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "filter_triangles_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: TRIANGLES,
+                place: |bench, count| filtered(bench, 9.0, count),
+            },
+            Case {
+                name: "all kept",
+                objects: TRIANGLES,
+                place: |bench, count| filtered(bench, 0.0, count),
+            },
+        ],
+        error: None,
+    },
+    Kernel {
+        name: "isect_mesh_rows_r4",
+        rays: 4,
+        cases: &[
+            Case {
+                name: "all miss",
+                objects: TRIANGLES,
+                place: |bench, count| rows_of_triangles(bench, 9.0, count),
+            },
+            Case {
+                name: "all hit, each nearer",
+                objects: TRIANGLES,
+                place: |bench, count| rows_of_triangles(bench, 0.0, count),
+            },
+        ],
+        error: Some(|bench, random| error(bench, random, from_the_eye, relative_to_the_eye)),
+    },
+    Kernel {
+        name: "mesh_list_hits_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let hits: [u32; 16] = std::array::from_fn(|ray| MESH_HIT + ray as u32);
+                call::put_for_hits(bench, &vec![hits; count as usize]).2
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_flat_patches",
+        rays: 1,
+        cases: &[Case {
+            name: "all there",
+            objects: TRIANGLES,
+            place: |bench, count| {
+                let hits: Vec<u32> = (0..count).map(|at| MESH_HIT + (1 << 7) + at % 4).collect();
+                call::put_for_patches(bench, &hits, &[one_behind_another(0.0)], 0).2
+            },
+        }],
+        error: Some(patch_error),
     },
 ];
 
@@ -123,37 +198,109 @@ fn candidates(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
     call::put_candidates(bench, &[node], &[packet], &pairs, 0).arguments
 }
 
-/// Runs of four triangles, each one nearer than the one before, for this many triangles in all.
-fn triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
+/// A block of four triangles, each one nearer than the one before.
+fn one_behind_another(x: f64) -> MeshBlock {
     let faces = [20.0, 15.0, 10.0, 5.0].map(|distance| TriangleObject::ahead(x, distance));
-    let block = MeshBlock {
+    MeshBlock {
         number: 1,
         both: false,
         vertices: faces.iter().flat_map(|face| face.vertices).collect(),
         faces: (0..4)
             .map(|face| [3 * face, 3 * face + 1, 3 * face + 2])
             .collect(),
-    };
+    }
+}
+
+/// Runs of these four triangles, for this many triangles in all.
+fn triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
     let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
     let packets = vec![isect::call::packet(&rays, 0); count as usize / 4];
     let runs: Vec<_> = (0..packets.len()).map(|packet| (0..4, packet)).collect();
-    call::put_runs(bench, &packets, &block, &runs, 0).1
+    call::put_runs(bench, &packets, &one_behind_another(x), &runs, 0).1
+}
+
+/// The same runs with a packet from the eye.
+fn filtered(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
+    let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
+    let runs = vec![(0..4, 0); count as usize / 4];
+    let windows = [mesh_window(&rays)];
+    call::put_filter(bench, &windows, &one_behind_another(x), &runs, 0).1
+}
+
+/// Rows that may hit these triangles, a quarter of a packet's rows with each.
+fn rows_of_triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
+    let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
+    let packets = vec![isect::call::packet(&rays, 0); count as usize / 4];
+    let rows: Vec<_> = (0..count as usize)
+        .map(|at| Rows {
+            triangle: at % 4,
+            rows: std::array::from_fn(|row| row == at % 4),
+            packet: at / 4,
+        })
+        .collect();
+    call::put_rows(bench, &packets, &one_behind_another(x), &rows, 0).1
+}
+
+/// A triangle, and rays to it and around it.
+type Aimed = (TriangleObject, [sphere_ray::Ray; 16]);
+
+/// What becomes of them before the test.
+type From = fn(Aimed) -> Aimed;
+
+/// With the rays' origin, which is that of all, as the eye.
+#[must_use]
+pub fn relative_to_the_eye((object, rays): Aimed) -> Aimed {
+    let eye = rays[0].origin;
+    let relative = |vertex: [Single; 3]| std::array::from_fn(|axis| fs(vertex[axis], eye[axis]));
+    let object = TriangleObject {
+        vertices: object.vertices.map(relative),
+        ..object
+    };
+    let rays = rays.map(|ray| sphere_ray::Ray {
+        origin: [ZERO; 3],
+        ..ray
+    });
+    (object, rays)
+}
+
+/// Tests a packet with a triangle, the only one of a block. Returns the packet.
+type Test = fn(&mut Bench, &[sphere_ray::Ray; 16], &MeshBlock) -> layout::RayPacket;
+
+fn from_anywhere(
+    bench: &mut Bench,
+    rays: &[sphere_ray::Ray; 16],
+    block: &MeshBlock,
+) -> layout::RayPacket {
+    call::isect_runs(bench, &[*rays], block, &[(0..1, 0)], 0)[0]
+}
+
+fn from_the_eye(
+    bench: &mut Bench,
+    rays: &[sphere_ray::Ray; 16],
+    block: &MeshBlock,
+) -> layout::RayPacket {
+    let all = Rows {
+        triangle: 0,
+        rows: [true; 4],
+        packet: 0,
+    };
+    call::isect_rows(bench, &[*rays], block, &[all], 0)[0]
 }
 
 /// The largest error of t in ulps. Infinite for a missed or a false hit.
-fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+fn error(bench: &mut Bench, random: &mut ChaCha8Rng, test: Test, from: From) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..TESTED {
         for scale in SCALES {
-            let (object, rays) = TriangleObject::around(random, scale);
+            let (object, rays) = from(TriangleObject::around(random, scale));
             let block = MeshBlock {
                 number: 0,
                 both: object.both,
                 vertices: object.vertices.to_vec(),
                 faces: vec![[0, 1, 2]],
             };
-            let after = call::isect_runs(bench, &[rays], &block, &[(0..1, 0)], 0);
-            for (ray, after) in rays.iter().zip(isect::call::rays(&after[0])) {
+            let after = test(bench, &rays, &block);
+            for (ray, after) in rays.iter().zip(isect::call::rays(&after)) {
                 let truth = object.truth(ray);
                 let found = (after.object == block.hit(0)).then(|| to_f64(after.t));
                 match (found, truth.t) {
@@ -163,6 +310,29 @@ fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
                     (None, Some(_)) | (Some(_), None) if truth.sure => worst = f64::INFINITY,
                     _ => {}
                 }
+            }
+        }
+    }
+    worst
+}
+
+/// The largest error of a component of the normal, in ulps of 1.
+fn patch_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..TESTED {
+        for scale in SCALES {
+            let (object, _) = TriangleObject::around(random, scale);
+            let [a, b, c] = object.vertices.map(|vertex| vertex.map(to_f64));
+            let normal = unit(cross(less(b, a), less(c, a)));
+            let block = MeshBlock {
+                number: 5,
+                both: object.both,
+                vertices: object.vertices.to_vec(),
+                faces: vec![[0, 1, 2]],
+            };
+            let (_, made) = call::flat_patches(bench, &[MESH_HIT + (5 << 7)], &[block], 0);
+            for (found, axis) in made[0][0].normal.iter().zip(normal) {
+                worst = worst.max((to_f64(*found) - axis).abs() * 2_f64.powi(23));
             }
         }
     }

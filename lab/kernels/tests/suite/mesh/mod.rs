@@ -5,6 +5,8 @@
 mod bounds;
 mod boxes;
 mod conservative;
+mod patches;
+mod rows;
 mod triangles;
 
 /// Lengths of lists. A scheduled loop takes other paths for the short ones.
