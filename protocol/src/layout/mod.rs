@@ -199,13 +199,13 @@ constants! {
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
-    MESH_CODE_ROOM = 32256;
+    MESH_CODE_ROOM = 28416;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
     /// Fewest blocks that the cache of an SPU must have room for.
     MESH_LEAST_SLOTS = 4;
     /// Most blocks that the cache of an SPU can have.
-    MESH_MOST_SLOTS = 28;
+    MESH_MOST_SLOTS = 20;
     /// Entries of the table of leaf blocks, `MESH_LEAVES`: a block's is that of the last bits of its
     /// number.
     MESH_LEAF_PLACES = 32;
@@ -405,7 +405,7 @@ statuses! {
     Mesh = 30, "mesh, mesh_blocks";
     /// Must be 1 to 256 materials on quadwords of the scene.
     MeshMaterials = 31, "mesh_materials, mesh_material_count";
-    /// Must be a multiple of 128, with 4 to 28 blocks behind the rays that wait and before the code.
+    /// Must be a multiple of 128, with 4 to 20 blocks behind the rays that wait and before the code.
     MeshCache = 32, "mesh_cache, mesh_slots";
     /// A block must be as the work unit's document has it, and its children must come after it.
     MeshBlock = 33, "mesh";

@@ -18,7 +18,8 @@
 # than 1/2, or has the other sign, the windows have everything: packets across so wide an angle are
 # seldom. Absent rays count, since they go through pixels beside the others'.
 #
-# The loop counts up, so that it isn't pipelined, which would take 3 KB more of local store.
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 186 cycles a packet instead
+# of 221, but 4.2 KB of local store instead of 1.6.
 # Scheduled by spu schedule from mesh_eye_bounds_r16.s
 
         .include "work_unit.inc"

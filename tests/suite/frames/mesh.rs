@@ -205,10 +205,10 @@ fn fields_of_the_mesh_that_are_wrong() {
         ("mesh_materials", "of the scene", |frame| {
             frame.mesh_materials = (SCENE_ADDRESS + frame.scene_bytes.get() - 80).into()
         }),
-        ("mesh_slots", "4 to 28 blocks", |frame| {
+        ("mesh_slots", "4 to 20 blocks", |frame| {
             frame.mesh_slots = 3.into()
         }),
-        ("mesh_slots", "4 to 28 blocks", |frame| {
+        ("mesh_slots", "4 to 20 blocks", |frame| {
             frame.mesh_slots = 29.into()
         }),
         ("mesh_slots", "4294967295", |frame| {

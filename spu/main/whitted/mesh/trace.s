@@ -173,7 +173,6 @@ block_call:
         ori     $m_block,$3,0
 
         # The block's first node and its packets.
-        hbrr    last_packet,next_packet
         lqa     $candidate,first_candidate
         lqa     $step,next_candidate
         lqa     $mask,packets
@@ -182,17 +181,28 @@ block_call:
         shufb   $candidate,$box,$candidate,$m_word
         ila     $3,arena+MESH_FIRST
         ori     $a_out,$3,0
-        il      $left,MAX_BATCH
-next_packet:
+    .set    nth,0
+    .rept   MAX_BATCH
+        andi    $last+nth,$mask,1<<(MAX_BATCH-1-nth)
+    .set    nth,nth+1
+    .endr
+    .set    nth,0
+    .rept   MAX_BATCH
+        # From its bit to the size of a candidate.
+    .if nth < MAX_BATCH-1-CANDIDATE_SIZE_LOG2
+        rotmi   $last+nth,$last+nth,-(MAX_BATCH-1-CANDIDATE_SIZE_LOG2-nth)
+    .else
+        shli    $last+nth,$last+nth,nth-(MAX_BATCH-1-CANDIDATE_SIZE_LOG2)
+    .endif
+    .set    nth,nth+1
+    .endr
+    .set    nth,0
+    .rept   MAX_BATCH
         stqd    $candidate,0($a_out)
-        andi    $bit,$mask,1<<(MAX_BATCH-1)
-        rotmi   $bit,$bit,-3
-        a       $a_out,$a_out,$bit
-        shli    $mask,$mask,1
         a       $candidate,$candidate,$step
-        ai      $left,$left,-1
-last_packet:
-        brnz    $left,next_packet
+        a       $a_out,$a_out,$last+nth
+    .set    nth,nth+1
+    .endr
         sf      $4,$3,$a_out
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         lqd     $levels,MESH_HEADER_levels&~15($m_block)
@@ -443,29 +453,32 @@ inner:
         lqa     $m_entry,candidate_to_entry
         fsmbi   $m_near,0x00f0
         il      $k_step,CANDIDATE_SIZE
+        lqd     $candidate,0($3)
 next_child:
         hbrr    last_child,next_child
-        lqd     $candidate,0($3)
+        # What waits for nothing stands between what does.
         rotmi   $box,$candidate,CANDIDATE_SIZE_LOG2-CHILD_SHIFT
-        andi    $box,$box,-CANDIDATE_SIZE
         rotqbyi $packet,$candidate,MESH_CANDIDATE_packet
+        ai      $3,$3,CANDIDATE_SIZE
+        lqd     $beyond,0($3)
+        ai      $4,$4,-1
+        andi    $box,$box,-CANDIDATE_SIZE
         andi    $packet,$packet,MAX_BATCH-1
+        lqx     $old,$a_table,$box
         sfi     $packet,$packet,0
         rotm    $packet,$k_first_packet,$packet
+        stqd    $box,0($a_met)
         shufb   $new,$candidate,$packet,$m_entry
-        lqx     $old,$a_table,$box
+        ceqi    $c_first,$old,0
+        rotqbyi $c_first,$c_first,ENTRY_packets
+        ori     $candidate,$beyond,0
         cgt     $c_nearer,$old,$new
         selb    $c_nearer,$old,$new,$c_nearer
         or      $new,$old,$new
-        selb    $new,$new,$c_nearer,$m_near
-        stqx    $new,$a_table,$box
-        stqd    $box,0($a_met)
-        ceqi    $c_first,$old,0
-        rotqbyi $c_first,$c_first,ENTRY_packets
         and     $c_first,$c_first,$k_step
+        selb    $new,$new,$c_nearer,$m_near
         a       $a_met,$a_met,$c_first
-        ai      $3,$3,CANDIDATE_SIZE
-        ai      $4,$4,-1
+        stqx    $new,$a_table,$box
 last_child:
         brnz    $4,next_child
 
@@ -490,7 +503,8 @@ next_met:
         ori     $place,$m_top,0
         and     $new,$new,$m_entry
         rotqbyi $near,$new,ENTRY_near
-higher: ceq     $c_end,$place,$a_end
+higher: hbrr    not_yet,higher
+        ceq     $c_end,$place,$a_end
         lqd     $below,-CANDIDATE_SIZE($place)
         rotqbyi $c_more,$below,ENTRY_near
         cgt     $c_more,$near,$c_more
@@ -498,6 +512,7 @@ higher: ceq     $c_end,$place,$a_end
         brz     $c_more,here
         stqd    $below,0($place)
         ai      $place,$place,-CANDIDATE_SIZE
+not_yet:
         br      higher
 here:   stqd    $new,0($place)
         ai      $m_top,$m_top,CANDIDATE_SIZE
