@@ -162,3 +162,48 @@ pub(crate) const fn following(pc: u32) -> u32 {
 pub(crate) const fn code_address(address: u32) -> u32 {
     address & LIMIT_MASK & !3
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A loop of this many instructions at address 0, or the same code if it goes on behind it.
+    fn trace(count: u32, is_loop: bool) -> Trace {
+        let instruction = Instruction::decode(0x4020_0000).expect("lnop");
+        let step = |pc| Step {
+            pc,
+            word: 0x4020_0000,
+            instruction,
+            next: if is_loop && pc / 4 + 1 == count {
+                0
+            } else {
+                pc + 4
+            },
+        };
+        Trace::new((0..count).map(|n| step(4 * n)).collect()).expect("a path")
+    }
+
+    #[test]
+    fn short_loops_are_unrolled() {
+        for count in 1..=MAX_STEPS as u32 {
+            let one = trace(count, true);
+            let several = one.clone().unrolled();
+            assert_eq!(several.ranges(), one.ranges());
+            assert!(several.is_loop());
+            if count <= 20 {
+                assert!((21..=40).contains(&several.steps().len()), "{count}");
+                assert_eq!(several.rolled(), Some(one));
+            } else {
+                assert_eq!(several, one);
+                assert_eq!(several.rolled(), None);
+            }
+        }
+    }
+
+    #[test]
+    fn other_traces_are_not_unrolled() {
+        let trace = trace(8, false);
+        assert_eq!(trace.clone().unrolled(), trace);
+        assert_eq!(trace.rolled(), None);
+    }
+}
