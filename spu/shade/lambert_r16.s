@@ -1,12 +1,12 @@
 # lambert_r16   what a light adds to surfaces without a highlight
 #   C       void lambert_r16(const struct site *, int count, const struct light *,
-#                            const struct object *background);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers
-#           16-aligned
+#                            const struct object *background, const struct ray_packet *);
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the
+#           sites' packets of shadow rays, one behind the other; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
 #   Uses    $3-$4, $6-$25   Saves  -   Stack  0   Calls  -
-#   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1
+#   Domain  N.L >= 0 where there is a shadow ray; shares from 0 to 1
 #   Error   4 ulp of the brightness
 #   Twin    lab/twins/src/light.rs
 #
@@ -19,7 +19,6 @@ function lambert_r16
         light_begin
 next_site:
         lqd     $a_surfaces,SITE_surfaces($a_site)
-        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
     .irp row, 0,1,2,3
         light_row \row
         light_add \row

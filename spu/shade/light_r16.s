@@ -1,19 +1,19 @@
 # light_r16   what a light adds to surfaces: Lambert's share and Blinn's highlight
 #   C       void light_r16(const struct site *, int count, const struct light *,
-#                          const struct object *background);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers
-#           16-aligned
+#                          const struct object *background, const struct ray_packet *);
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the
+#           sites' packets of shadow rays, one behind the other; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
 #   Uses    $3-$4, $6-$70   Saves  -   Stack  0   Calls  -
-#   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length 1 within 8
-#           ulp; exponent 0, or from 0.25 to 4096
+#   Domain  N.L >= 0 and N.d <= 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length
+#           1 within 8 ulp; exponent 0, or from 0.25 to 4096
 #   Error   0.6 thousandths of the brightness, exponents to 1000; 1.5 to 4096
 #   Twin    lab/twins/src/light.rs
 #
 #   lit += brightness (diffuse (N.L) colour + highlight (N.H)^exponent)
 # For H = L - d, without a root or a unit vector:
-#   q = (N.H)^2 / |H|^2                      the square of the cosine, where N.H is at least 0
+#   q = (N.H)^2 / |H|^2                      the square of the cosine: N.H is at least 0
 #   q = 2^k m, sqrt(1/2) <= m <= sqrt(2)     log2(q) = k + u p(u), u = m - 1
 #   n = -exponent log2(q) / 2                fixed point with 23 bits of fraction, at least 0
 #   2^-n = 2^-f / 2^i                        f and i are bits of n: 1 + f is n's fraction under the
@@ -25,8 +25,7 @@
         .include "light_tmpl.inc"
 
         # constants
-        .set    k_one,26
-        .set    m_sign,27
+        .set    k_one,27
         .set    m_fraction,28
         .set    k_root2,29
         .set    k_none,30
@@ -78,8 +77,6 @@
     .endr
         dot_f4  $cosine,normal,half
         dot_f4  $squared,half,half
-        cgti    $t_e,$cosine,-1
-        and     $cosine,$cosine,$t_e
         fm      $cosine,$cosine,$cosine
         frest   $t_y,$squared
         fi      $t_y,$squared,$t_y
@@ -88,24 +85,22 @@
         fm      $quotient,$cosine,$inverse
 .endm
 
-# $n = log2($quotient) / 2
+# $n = -log2($quotient) / 2
 .macro  half_log2
-        sf      $power,$quotient,$k_root2               # -k, and what the shift drops
-        rotmai  $power,$power,-23
-        shli    $mantissa,$power,23
-        a       $mantissa,$mantissa,$quotient
-        csflt   $power,$power,1                         # -k/2
+        sf      $power,$quotient,$k_root2
+        andc    $power,$power,$m_fraction               # -k above the fraction
+        a       $mantissa,$power,$quotient
+        csflt   $power,$power,24                        # -k/2
         fs      $unit,$mantissa,$k_one
         fma     $n,$unit,$k_log+4,$k_log+3
         fma     $n,$unit,$n,$k_log+2
         fma     $n,$unit,$n,$k_log+1
         fma     $n,$unit,$n,$k_log+0
-        fms     $n,$unit,$n,$power
+        fnms    $n,$unit,$n,$power
 .endm
 
-# $result = 2^($n $exponent)
+# $result = 2^(-$n $exponent)
 .macro  exp2_of_product
-        xor     $exponent,$exponent,$m_sign
         fm      $n,$n,$exponent
         cfltu   $whole,$n,23
         selb    $fraction,$k_one,$whole,$m_fraction
@@ -121,7 +116,6 @@
 function light_r16
         light_begin
         ilhu    $k_one,0x3f80
-        ilhu    $m_sign,0x8000
         load_constant $m_fraction,0x007fffff
         load_constant $k_root2,0x3fb504f3
         ilhu    $k_none,0x3f00                          # 126: 2^-n is 0
@@ -130,7 +124,6 @@ function light_r16
 next_site:
         lqd     $a_surfaces,SITE_surfaces($a_site)
         rotqbyi $a_rays,$a_surfaces,SITE_rays
-        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
     .irp row, 0,1,2,3
         light_row \row
         cosine_squared \row

@@ -1,42 +1,74 @@
-# shadow_rays_r16   rays from where sixteen rays have hit to a light
+# shadow_rays_r16   rays from where sixteen rays have hit to a light, unless they show nothing
 #   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
-#                                     const struct object *background);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers
-#           16-aligned
-#   Out     the sites' shadow rays: origin, direction, t, object; weight and pixel stay as they are
-#           $3 shadow rays, a count a lane
-#   Uses    $3-$4, $6-$7, $10-$50   Saves  -   Stack  0   Calls  -
+#                                     const struct object *background, float least,
+#                                     struct ray_packet *, struct site *listed);
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the least share
+#           of the light that counts, or 0 if every ray does; $8 where the rays go, $9 where their
+#           sites go, with room for as many as there are sites; pointers 16-aligned
+#   Out     a packet for each site in which some lane has a ray, in order: origin, direction, t,
+#           object; and these sites, as they are; what is behind these may be anything. $3 the end
+#           of the listed sites, number of rays, how many bytes of the listed sites shine
+#   Uses    $3-$79   Saves  -   Stack  0   Calls  -
 #   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
 #           the direction then of length 1
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    lab/twins/src/shadow_rays.rs
 #
 #   to = position - point, L = to / |to|, t = |to|
-#   for a directional light: L = position, t = FARTHEST
-#   a ray exists if N.L > 0, plane.L > 0 and diffuse or highlight > 0; otherwise t = -1
+#   for a directional light: to = position, t = FARTHEST
+#   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
+#   |weight (most diffuse (N.L) + highlight)| > least; otherwise t = -1
 #   origin = point + leave plane
-# A light exactly at the point has L = 0, so N.L = 0 and there is no ray.
+# most is the OR of the bits of red, green and blue: at least the greatest of them, and less than
+# twice as much. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
+# exists where any share is. A light exactly at the point has L = 0, and there is no ray.
+#
+# Each packet is stored behind the last one that has a ray in some lane, so a packet without any is
+# overwritten. The site is stored in the same way. A pass makes two rows of four rays.
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "math.inc"
         .include "vectors.inc"
 
+        .set    SITE_SHINES,0x80
+
+        .section .rodata
+        .align  4
+two:    .int    0x00010203,0x10111213,0x80808080,0x80808080
+as_is:  .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
+# The lanes' OR enters from the right, as two bytes: the first four are of the last two passes.
+recent: .int    0x02031010,0x02031010,0x02031010,0x80808080
+# What is returned: the end of the listed sites, rays, how many bytes of these sites have highlights.
+ended:  .int    0x00010203,0x10111213,0x04050607,0x80808080
+# How far these move behind the rows 0 and 2: only behind a packet's last ones. The second part is
+# for sites with highlights.
+steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
+        .skip   SITE_SHINES-48
+        .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,SITE_SIZE,0
+
         .set    NEXT,3
-        registers a_site,count,a_light,background
+        registers a_sites,count,a_light,background
+        registers least                                 # later in all lanes
+        registers a_shadow,a_listed
         # constants
-        registers k_half
-        .set    NEXT,10
-        registers k_one,k_farthest,k_minus_one
+        registers k_half,k_one,k_minus_one
         registers k_near                                # 0 for a directional light, else 1
-        registers c_directional,light_x,light_y,light_z
+        registers k_beyond                              # FARTHEST for a directional light, else 0
+        registers light_x,light_y,light_z
+        registers a_steps
+        registers m_seen                                # takes the second operand if every ray counts
         # state
+        registers at                                    # 16 for each site that is done
+        registers ends                                  # of packets, sites; bytes of sites that shine
+        registers there_before                          # of recent rows, whether any lane has a ray
         registers rays
-        # the site
-        registers a_surfaces,a_shadow
+        # the pass
+        registers site,row,here,a_rays,to_list,to_packet,step,any
         # a row
         registers point_x,point_y,point_z,to_x,to_y,to_z,normal_x,normal_y,normal_z,plane_x
-        registers plane_y,plane_z,leave,share,diffuse,squared,inverse,t,facing,facing_plane
+        registers plane_y,plane_z,leave,diffuse,squared,inverse,t,facing,facing_plane,there
+        registers most,other,weight,share,there_next
         # temporaries
         registers light,m_lane,t_y,t_e
 
@@ -46,62 +78,108 @@
         splat   \out,$light,$m_lane
 .endm
 
-function shadow_rays_r16
-        ilhu    $k_half,0x3f00
-        ilhu    $k_one,0x3f80
-        ilhu    $k_farthest,FARTHEST>>16
-        ilhu    $k_minus_one,0xbf80
-        lqd     $light,LIGHT_position($a_light)
-        splat_word $light_x,0x00010203
-        splat_word $light_y,0x04050607
-        splat_word $light_z,0x08090a0b
-        splat_word $c_directional,0x0c0d0e0f
-        andc    $k_near,$k_one,$c_directional
-        splat_mask $m_lane
-        splat   $background,$background,$m_lane
-        il      $rays,0
-next_site:
-        lqd     $a_surfaces,SITE_surfaces($a_site)
-        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
-    .irp row, 0,1,2,3
+# The rays of a row, and the mask of the lanes that have one.
+.macro  shadow_ray at:req, there:req
     .irp axis, x,y,z
-        lqd     $point_\axis,SURFACES_point_\axis+16*\row($a_surfaces)
-        lqd     $normal_\axis,SURFACES_normal_\axis+16*\row($a_surfaces)
-        lqd     $plane_\axis,SURFACES_plane_\axis+16*\row($a_surfaces)
+        lqd     $point_\axis,SURFACES_point_\axis+\at($here)
         fnms    $to_\axis,$point_\axis,$k_near,$light_\axis
     .endr
         dot_f4  $squared,to,to
         rsqrt_f4 $inverse,$squared,$t_y,$t_e,$k_half,$k_one
-        fm      $t,$squared,$inverse
-        selb    $t,$t,$k_farthest,$c_directional
-        selb    $inverse,$inverse,$k_one,$c_directional
+        fma     $t,$squared,$inverse,$k_beyond
     .irp axis, x,y,z
+        lqd     $normal_\axis,SURFACES_normal_\axis+\at($here)
+        lqd     $plane_\axis,SURFACES_plane_\axis+\at($here)
         fm      $to_\axis,$to_\axis,$inverse
-        stqd    $to_\axis,RAYS16_direction_\axis+16*\row($a_shadow)
+        stqd    $to_\axis,RAYS16_direction_\axis+\at($to_packet)
     .endr
         dot_f4  $facing,normal,to
         dot_f4  $facing_plane,plane,to
-        lqd     $share,SURFACES_highlight+16*\row($a_surfaces)
-        lqd     $diffuse,SURFACES_diffuse+16*\row($a_surfaces)
-        or      $share,$share,$diffuse
-        cgti    $facing,$facing,0
-        cgti    $facing_plane,$facing_plane,0
-        cgti    $share,$share,0
-        and     $facing,$facing,$facing_plane
-        and     $facing,$facing,$share
-        sf      $rays,$facing,$rays                     # true is -1
-        selb    $t,$k_minus_one,$t,$facing
-        stqd    $t,RAYS16_t+16*\row($a_shadow)
-        stqd    $background,RAYS16_object+16*\row($a_shadow)
-        lqd     $leave,SURFACES_leave+16*\row($a_surfaces)
+        lqd     $diffuse,SURFACES_diffuse+\at($here)
+        fm      $diffuse,$diffuse,$facing
+        lqd     $leave,SURFACES_leave+\at($here)
     .irp axis, x,y,z
         fma     $point_\axis,$leave,$plane_\axis,$point_\axis
-        stqd    $point_\axis,RAYS16_origin_\axis+16*\row($a_shadow)
+        stqd    $point_\axis,RAYS16_origin_\axis+\at($to_packet)
     .endr
-    .endr
-        ai      $a_site,$a_site,SITE_SIZE
+        stqd    $background,RAYS16_object+\at($to_packet)
+        # The OR of the channels is at least the greatest of them.
+        lqd     $most,SURFACES_red+\at($here)
+        lqd     $other,SURFACES_green+\at($here)
+        or      $most,$most,$other
+        lqd     $other,SURFACES_blue+\at($here)
+        or      $most,$most,$other
+        lqd     $weight,RAYS16_weight+\at($a_rays)
+        shufb   $most,$most,$k_one,$m_seen
+        shufb   $weight,$weight,$k_one,$m_seen
+        lqd     $share,SURFACES_highlight+\at($here)
+        fma     $share,$most,$diffuse,$share
+        fm      $share,$weight,$share
+        or      $facing,$facing,$facing_plane
+        fcmgt   $\there,$share,$least
+        cgti    $facing,$facing,0
+        and     $\there,$\there,$facing
+        sf      $rays,$\there,$rays                    # true is -1
+        selb    $t,$k_minus_one,$t,$\there
+        stqd    $t,RAYS16_t+\at($to_packet)
+.endm
+
+function shadow_rays_r16
+        shli    $count,$count,1                         # passes
+        ilhu    $k_half,0x3f00
+        ilhu    $k_one,0x3f80
+        ilhu    $k_beyond,FARTHEST>>16
+        ilhu    $k_minus_one,0xbf80
+        lqd     $light,LIGHT_position($a_light)
+        lqa     $t_y,two
+        splat_word $light_x,0x00010203
+        splat_word $light_y,0x04050607
+        splat_word $light_z,0x08090a0b
+        splat_word $there,0x0c0d0e0f
+        andc    $k_near,$k_one,$there
+        and     $k_beyond,$k_beyond,$there
+        splat_mask $m_lane
+        splat   $background,$background,$m_lane
+        splat   $least,$least,$m_lane
+        lqa     $m_seen,as_is
+        ceqi    $t_e,$least,0
+        ilh     $m_lane,0x1010
+        and     $t_e,$t_e,$m_lane
+        or      $m_seen,$m_seen,$t_e
+        shufb   $ends,$a_shadow,$a_listed,$t_y
+        ila     $a_steps,steps
+        il      $at,0
+        il      $there_before,0
+        il      $rays,0
+next_pass:
+        lqx     $site,$a_sites,$at
+        shlqbii $row,$at,2
+        ai      $at,$at,8
+        andi    $row,$row,48
+        a       $here,$site,$row                        # all of its words
+        a       $to_packet,$ends,$row
+        rotqbyi $step,$here,SITE_shadow
+        lqx     $step,$a_steps,$step
+        rotqbyi $a_rays,$here,SITE_rays
+        rotqbyi $to_list,$ends,4
+        shadow_ray 0,there
+        shadow_ray 16,there_next
+        or      $any,$there,$there_next
+        stqd    $site,0($to_list)
+        lqa     $m_lane,recent
+        orx     $any,$any
+        shufb   $there_before,$there_before,$any,$m_lane
+        ceqi    $any,$there_before,0
+        andc    $step,$step,$any
+        a       $ends,$ends,$step
         ai      $count,$count,-1
-        brnz    $count,next_site
-        ori     $3,$rays,0
+        brnz    $count,next_pass
+        rotqbyi $step,$rays,8
+        lqa     $m_lane,ended
+        a       $rays,$rays,$step
+        rotqbyi $ends,$ends,4
+        rotqbyi $step,$rays,4
+        a       $rays,$rays,$step
+        shufb   $3,$ends,$rays,$m_lane
         bi      $lr
 endfunction shadow_rays_r16

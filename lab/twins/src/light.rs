@@ -2,14 +2,12 @@
 //! a surface.
 
 use spu_emulator::float::convert::{cfltu, csflt};
-use spu_emulator::float::single::{fm, fma, fms, fs};
+use spu_emulator::float::single::{fm, fma, fnms, fs};
 
 use super::math::reciprocal;
 use super::surfaces::{Surface, dot};
-use super::{ONE, Single, below_zero, select};
+use super::{ONE, Single, select};
 
-/// A single's sign.
-const SIGN: u32 = 0x8000_0000;
 /// A single's fraction.
 const FRACTION: u32 = 0x007f_ffff;
 /// Bits of the fraction.
@@ -36,13 +34,12 @@ fn polynomial(coefficients: &[Single], x: Single) -> Single {
     })
 }
 
-/// log2(x) / 2.
-fn half_log2(x: Single) -> Single {
-    let power = ROOT2.wrapping_sub(x).cast_signed() >> FRACTION_BITS;
-    let power = power.cast_unsigned();
-    let mantissa = (power << FRACTION_BITS).wrapping_add(x);
+/// -log2(x) / 2.
+fn minus_half_log2(x: Single) -> Single {
+    let power = ROOT2.wrapping_sub(x) & !FRACTION;
+    let mantissa = power.wrapping_add(x);
     let u = fs(mantissa, ONE);
-    fms(u, polynomial(&LOG, u), csflt(power, 1))
+    fnms(u, polynomial(&LOG, u), csflt(power, FRACTION_BITS as i32 + 1))
 }
 
 /// 2^-n, by n in fixed point.
@@ -52,7 +49,7 @@ fn exp2_of_minus(n: u32) -> Single {
     select(0, result, n < NONE)
 }
 
-/// (N.H)^exponent for H of any length, 0 where N.H is below 0.
+/// (N.H)^exponent for H of any length, and N.H not below 0.
 #[must_use]
 pub fn highlight(
     normal: [Single; 3],
@@ -62,9 +59,8 @@ pub fn highlight(
 ) -> Single {
     let half = std::array::from_fn(|k| fs(to_light[k], direction[k]));
     let cosine = dot(normal, half);
-    let cosine = select(cosine, 0, below_zero(cosine));
     let quotient = fm(fm(cosine, cosine), reciprocal(dot(half, half)));
-    let n = fm(half_log2(quotient), exponent ^ SIGN);
+    let n = fm(minus_half_log2(quotient), exponent);
     exp2_of_minus(cfltu(n, FRACTION_BITS as i32))
 }
 

@@ -1,6 +1,6 @@
 //! Twin of `spu/shade/shadow_rays_r16.s`: the ray from a hit to a light.
 
-use spu_emulator::float::single::{fm, fma, fnms};
+use spu_emulator::float::single::{fcmgt, fm, fma, fnms};
 
 use super::math::rsqrt;
 use super::surfaces::{Ray, Surface, dot};
@@ -24,20 +24,33 @@ const fn above_zero(value: Single) -> bool {
 }
 
 /// The ray from a surface, with the normal that shades, to a light; t is -1 if there is none.
+/// There is one if more than the share `least` of the light may get to the pixel, or any if that
+/// is 0, whatever the weight of the ray that sees the surface.
 #[must_use]
-pub fn shadow_ray(surface: &Surface, normal: [Single; 3], light: &Place) -> Ray {
+pub fn shadow_ray(
+    surface: &Surface,
+    normal: [Single; 3],
+    weight: Single,
+    light: &Place,
+    least: Single,
+) -> Ray {
     let near = select(ONE, ZERO, light.directional);
+    let beyond = select(ZERO, FARTHEST, light.directional);
     let to: [Single; 3] = std::array::from_fn(|k| fnms(surface.point[k], near, light.position[k]));
     let squared = dot(to, to);
     let inverse = rsqrt(squared);
-    let t = select(fm(squared, inverse), FARTHEST, light.directional);
-    let inverse = select(inverse, ONE, light.directional);
+    let t = fma(squared, inverse, beyond);
     let direction = to.map(|component| fm(component, inverse));
-    let lit = above_zero(surface.highlight | surface.diffuse);
-    let facing = above_zero(dot(normal, direction)) && above_zero(dot(surface.plane, direction));
+    let facing = dot(normal, direction);
+    let [red, green, blue] = surface.colour;
+    let most = select(red | green | blue, ONE, least == ZERO);
+    let weight = select(weight, ONE, least == ZERO);
+    let share = fma(most, fm(surface.diffuse, facing), surface.highlight);
+    let counts = fcmgt(fm(weight, share), least) != 0;
+    let faces = above_zero(facing | dot(surface.plane, direction));
     Ray {
         origin: std::array::from_fn(|k| fma(surface.leave, surface.plane[k], surface.point[k])),
         direction,
-        t: select(NOT_THERE, t, facing && lit),
+        t: select(NOT_THERE, t, faces && counts),
     }
 }

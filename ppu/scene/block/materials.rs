@@ -25,9 +25,9 @@ const BLINN: f64 = 4.0;
 /// coordinates.
 const SLACK: f64 = 2.0 / (1 << 18) as f64;
 
-/// The share of a ray that is sent only to be counted. It is above 0 for the SPUs, and has no
-/// effect on the picture.
-const COUNTED: f64 = f32::MIN_POSITIVE as f64;
+/// The share of a ray that is sent only to be counted: 2^-64. For the SPUs it is above 0, even times
+/// a cosine, and it has no effect on the picture.
+const COUNTED: f64 = 1.0 / (1_u128 << 64) as f64;
 
 /// Names of the built-in shaders.
 const CHECKER: &str = "checker";
@@ -199,11 +199,7 @@ pub(super) fn record(
     } else {
         mirror
     };
-    let diffuse = if highlight > 0.0 {
-        diffuse
-    } else {
-        counted(diffuse)
-    };
+    let diffuse = counted(diffuse);
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
         // Transparent materials reflect at least by total reflection.

@@ -23,7 +23,6 @@
         ila     $3,arena+BATCH_SITES
         il      $4,\flag
         il      $5,\flag
-        ila     $6,arena+SHADOW_RAYS
         brsl    $lr,sites_list
         ila     $5,arena+BATCH_SITES
         sf      $4,$5,$3

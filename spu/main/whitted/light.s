@@ -6,22 +6,35 @@
         .include "whitted.inc"
 
         .set    NEXT,3
-        registers a_site,mask,value,a_shadow
+        registers a_site,mask,value
         .set    NEXT,10
         registers amount
         registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
-        registers m_pair,m_third,next_flags,listed,further
+        registers m_pair,next_flags,listed
+
+        .set    SITE_SHINES,0x80
+
+        .section .bss
+        .align  4
+light_sites:                            # the sites with rays to the light
+        .skip   MAX_BATCH*SITE_SIZE
+shining_size:                           # how many bytes of these have highlights; they come first
+        .skip   16
 
         .section .rodata
         .align  4
 pair:   .int    0x00010203,0x10111213,0x80808080,0x80808080
-third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
+        # The same with SITE_SHINES.
+shining_pair:
+        .int    0x00010203,0x10111213,0x808080e0,0x80808080
+    .if SITE_SHINES!=0x80
+        .error  "a shuffle makes no SITE_SHINES"
+    .endif
 
 # sites_list   lists the surfaces of the batch whose flags, masked, have a given value
-#   In      $3 where the sites go, $4 mask, $5 the masked flags' value, $6 packet of
-#           shadow rays of the first site
+#   In      $3 where the sites go, $4 mask, $5 the masked flags' value, both in all lanes
 #   Out     $3 behind the last site
-#   Uses    $3, $6, $14-$27
+#   Uses    $3, $14-$23
         .global sites_list
 function sites_list
         ila     $a_surfaces,arena+BATCH_SURFACES
@@ -29,10 +42,13 @@ function sites_list
         il      $step_surfaces,SURFACES_SIZE
         il      $step_rays,RAYS16_SIZE
         lqa     $m_pair,pair
-        lqa     $m_third,third
+        lqa     $site,shining_pair
+        andi    $listed,$value,MATERIAL_SHINES
         ori     $left,$w_count,0
+        cgti    $listed,$listed,0
         hbrr    last_surfaces,next_surfaces
         lqd     $flags,SURFACES_flags($a_surfaces)
+        selb    $m_pair,$m_pair,$site,$listed
 next_surfaces:
         # The next surfaces' flags are loaded early; after the last ones, they are anything.
         and     $flags,$flags,$mask
@@ -40,14 +56,11 @@ next_surfaces:
         a       $a_surfaces,$a_surfaces,$step_surfaces
         lqd     $next_flags,SURFACES_flags($a_surfaces)
         ceq     $flags,$flags,$value
-        shufb   $site,$site,$a_shadow,$m_third
-        andi    $listed,$flags,SITE_SIZE
-        and     $further,$flags,$step_rays
         a       $a_rays,$a_rays,$step_rays
+        andi    $listed,$flags,SITE_SIZE
         ai      $left,$left,-1
         stqd    $site,0($a_site)
         a       $a_site,$a_site,$listed
-        a       $a_shadow,$a_shadow,$further
         ori     $flags,$next_flags,0
 last_surfaces:
         brnz    $left,next_surfaces
@@ -55,9 +68,15 @@ last_surfaces:
 endfunction sites_list
 
 # batch_light   adds the light of every light
-#   Uses    $3-$79, w_sites, w_shining, w_light
+#   Uses    $3-$79, w_sites, w_shining, w_light, w_here, w_traced
         .set    lights,10
         .set    end,11
+        .set    bright,12
+        .set    green,13
+        .set    blue,14
+        .set    weight,15
+        .set    inverse,16
+        .set    k_least,17
 
 function batch_light
         enter
@@ -68,7 +87,6 @@ function batch_light
         il      $w_shining,0
         ila     $a_site,arena+BATCH_SITES
         il      $mask,MATERIAL_LIT|MATERIAL_SHINES
-        ila     $a_shadow,arena+SHADOW_RAYS
         lqa     $value,batch_flags
         andi    $value,$value,MATERIAL_SHINES
         brz     $value,none_shines
@@ -92,53 +110,85 @@ sites_listed:
 next_light:
         hbrr    rays_call,shadow_rays_r16
         ila     $lights,frame
+        lqd     $bright,LIGHT_brightness($w_light)
+        load_word $weight,FRAME_least_weight,$lights
         load_word $end,FRAME_lights,$lights
         load_word $lights,FRAME_light_count,$lights
+        # The least share that counts is 1/4096, which is below 1/16 of a step of a byte, of the
+        # greatest channel's brightness, or less; 0 if every ray does.
+        rotqbyi $green,$bright,4
+        rotqbyi $blue,$bright,8
         shli    $lights,$lights,LIGHT_SIZE_LOG2
         a       $end,$end,$lights
+        or      $bright,$bright,$green
         ceq     $end,$end,$w_light
-        brnz    $end,lit
-        ila     $3,arena+BATCH_SITES
+        or      $bright,$bright,$blue
+        ceqi    $weight,$weight,0
+        frest   $inverse,$bright
+        ilhu    $k_least,0x3980
         ori     $4,$w_sites,0
+        fi      $inverse,$bright,$inverse
+        brnz    $end,lit
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
+        ila     $8,arena+SHADOW_RAYS
+        fm      $7,$inverse,$k_least
+        ila     $9,light_sites
+        ila     $3,arena+BATCH_SITES
+        andc    $7,$7,$weight
 rays_call:
         brsl    $lr,shadow_rays_r16
         hbrr    trace_call,packets_trace
-        sum_lanes $3,$amount
-        brz     $3,dark
+        ila     $amount,light_sites
+        rotqbyi $w_here,$3,4
+        sf      $w_traced,$amount,$3
+        rotqbyi $value,$3,8
+        rotmi   $w_traced,$w_traced,-SITE_SIZE_LOG2
+        stqa    $value,shining_size
         lqa     $amount,frame
+        brz     $w_traced,dark
         rotqbyi $amount,$amount,FRAME_features
         andi    $amount,$amount,FEATURE_NO_SHADOWS
         brnz    $amount,unshadowed
-        count   shadow,$3,$t_sum,$t_add,$t_carry
+        count   shadow,$w_here,$t_sum,$t_add,$t_carry
         phase_ends $g_ticks_shade,$amount
-        ori     $6,$3,0
+        ori     $6,$w_here,0
         ila     $3,arena+SHADOW_RAYS
-        ori     $4,$w_sites,0
+        ori     $4,$w_traced,0
         load_word $5,LIGHT_directional,$w_light
         andc    $lights,$w_light,$5
         or      $5,$lights,$5                           # -1 if the light is infinitely far away
 trace_call:
         brsl    $lr,packets_trace
 unshadowed:
-        hbrr    matt_call,lambert_r16
-        brz     $w_shining,matt
         hbrr    light_call,light_r16
-        ila     $3,arena+BATCH_SITES
-        ori     $4,$w_shining,0
+        lqa     $4,shining_size
+        ila     $3,light_sites
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
+        ila     $7,arena+SHADOW_RAYS
+        ila     $lr,none_shone
+        ila     $amount,dark
+        rotmi   $4,$4,-SITE_SIZE_LOG2
+        ceq     $value,$4,$w_traced
+        selb    $lr,$lr,$amount,$value                  # straight to the next light if all shine
+        brz     $4,none_shone
 light_call:
-        brsl    $lr,light_r16
-matt:   sf      $4,$w_shining,$w_sites
-        brz     $4,dark
-        ila     $3,arena+BATCH_SITES
-        shli    $5,$w_shining,SITE_SIZE_LOG2
-        a       $3,$3,$5
+        br      light_r16
+none_shone:
+        hbrr    lambert_call,lambert_r16
+        lqa     $7,shining_size
+        ila     $3,light_sites
+        ila     $amount,arena+SHADOW_RAYS
         ori     $5,$w_light,0
+        rotmi   $4,$7,-SITE_SIZE_LOG2
+        a       $3,$3,$7
+        mpyi    $7,$7,RAYS16_SIZE/SITE_SIZE
+        sf      $4,$4,$w_traced
+        brz     $4,dark
         ila     $6,SCENE_ADDRESS
-matt_call:
+        a       $7,$7,$amount
+lambert_call:
         brsl    $lr,lambert_r16
 dark:   ai      $w_light,$w_light,LIGHT_SIZE
         br      next_light

@@ -44,7 +44,7 @@ pub struct Leaving {
 }
 
 /// An absent ray.
-const NO_RAY: Ray = Ray {
+pub const NO_RAY: Ray = Ray {
     origin: [0; 3],
     direction: [0; 3],
     t: NOT_THERE,
@@ -140,14 +140,31 @@ pub fn leave(
     let site = |number: usize| Site {
         surfaces: address::<Surfaces>(surfaces, number).into(),
         rays: address::<RayPacket>(rays, number).into(),
-        shadow: address::<RayPacket>(shadow, number).into(),
+        shadow: U32::ZERO,
         unused: U32::ZERO,
     };
     let list: Vec<Site> = (0..packets.len()).map(site).collect();
     let sites = put(bench, &list);
-    let arguments = [sites.address, count, light.address, background.address];
-    bench.call("shadow_rays_r16", &arguments);
-    let shadows: Vec<RayPacket> = bench.read_all(shadow);
+    let listed = put(bench, &list);
+    let arguments = [
+        sites.address,
+        count,
+        light.address,
+        background.address,
+        0,
+        shadow.address,
+        listed.address,
+    ];
+    let end = bench.call("shadow_rays_r16", &arguments).value;
+    let listed_sites = (end - listed.address) as usize / size_of::<Site>();
+    // Only sites with rays have a packet of them.
+    let mut shadows = vec![[NO_RAY; 16]; packets.len()];
+    let with_rays = bench.read_all::<Site>(listed);
+    let packets_of_rays = bench.read_all::<RayPacket>(shadow);
+    for (site, packet) in with_rays.iter().zip(&packets_of_rays).take(listed_sites) {
+        let number = list.iter().position(|listed| listed.rays == site.rays);
+        shadows[number.expect("a site of the list")] = call::rays(packet);
+    }
     let found: Vec<Surfaces> = bench.read_all(surfaces);
     let mut leaving = Vec::new();
     // One site at a time, because a queued ray only identifies its pixel.
@@ -169,7 +186,7 @@ pub fn leave(
         };
         let refracted = queued("refract_r16");
         let reflected = queued("reflect_r16");
-        let shadow = call::rays(shadow).map(|ray| Ray { object: 0, ..ray });
+        let shadow = shadow.map(|ray| Ray { object: 0, ..ray });
         leaving.push(Leaving {
             surfaces: *surfaces,
             reflected,

@@ -23,7 +23,7 @@ use crate::space::{along, direction, dot, in_cube, length, less, two_sided, unit
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::random::{across, magnitude, nearby};
 use crate::stability::statement::{Bound, stated};
-use crate::stability::steps::NOT_THERE;
+use crate::stability::steps::{NO_RAY, NOT_THERE};
 use crate::stability::stress::spheres::TANGENT;
 use crate::stability::stress::triangles::{EDGE, off_edges};
 use crate::truth::{self, Line, Vector, spacing};
@@ -171,6 +171,8 @@ fn site(points: &[Point; 16], axis: Vector) -> Site {
         surfaces: points.map(surface),
         normals: [plane; 16],
         directions: [plane.map(|x| x ^ 0x8000_0000); 16],
+        weights: [ONE; 16],
+        shines: false,
         shadow: [(unasked, false); 16],
     }
 }
@@ -192,14 +194,16 @@ fn blocked<B: Blocker>(
                 position: *light,
                 directional: false,
             };
-            let (rays, _) = shadow_rays(bench, std::slice::from_ref(&site), &place);
-            let rays = rays[0].map(|ray| Ray {
-                origin: ray.origin,
-                direction: ray.direction,
-                t: ray.t,
-                object: 0,
+            let rays = shadow_rays(bench, std::slice::from_ref(&site), &place, 0);
+            let rays = rays.packets.first().map(|packet| {
+                packet.map(|ray| Ray {
+                    origin: ray.origin,
+                    direction: ray.direction,
+                    t: ray.t,
+                    object: 0,
+                })
             });
-            call::packet(&rays, 0)
+            call::packet(&rays.unwrap_or([NO_RAY; 16]), 0)
         })
         .collect();
     let list: Vec<[usize; 2]> = (0..16).map(|packet| [0, packet]).collect();

@@ -6,7 +6,7 @@ pub mod records;
 pub mod shapes;
 
 use spu_emulator::float::single::from_f64;
-use twins::ONE;
+use twins::{ONE, Single};
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
 
@@ -24,6 +24,9 @@ use shapes::Shape;
 const PACKETS: Objects = Objects::List(4, 8);
 /// The quadwords of a packet's row, and of a tile's.
 const QUADS: Objects = Objects::List(4, 64);
+
+/// The least share of a light of brightness 1 that is worth a shadow ray: 2^-12.
+pub const LEAST: Single = 0x3980_0000;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
@@ -73,7 +76,7 @@ pub const KERNELS: &[Kernel] = &[
         cases: &[Case {
             name: "all face the light",
             objects: PACKETS,
-            place: sites,
+            place: shadow_rays,
         }],
         error: Some(error::shadow_rays),
     },
@@ -83,7 +86,7 @@ pub const KERNELS: &[Kernel] = &[
         cases: &[Case {
             name: "all lit",
             objects: PACKETS,
-            place: sites,
+            place: light,
         }],
         error: Some(error::lambert),
     },
@@ -93,7 +96,7 @@ pub const KERNELS: &[Kernel] = &[
         cases: &[Case {
             name: "all lit",
             objects: PACKETS,
-            place: sites,
+            place: light,
         }],
         error: Some(error::light),
     },
@@ -203,8 +206,16 @@ fn ambient(bench: &mut Bench, count: u32) -> Vec<u32> {
     vec![surfaces.address, count, brightness.address]
 }
 
-/// Hits on a sphere that a light next to the eye reaches.
-fn sites(bench: &mut Bench, count: u32) -> Vec<u32> {
+/// A light next to the eye.
+fn near_light() -> Place {
+    Place {
+        position: [1.0, 1.0, 0.0].map(from_f64),
+        directional: false,
+    }
+}
+
+/// Hits on a sphere that this light reaches.
+fn sites(count: u32) -> Vec<Site> {
     let half = from_f64(0.5);
     let surface = Surface {
         point: [0.0, 0.0, -4.0].map(from_f64),
@@ -222,19 +233,24 @@ fn sites(bench: &mut Bench, count: u32) -> Vec<u32> {
         lit: [0; 3],
         flags: 0,
     };
-    let light = Place {
-        position: [1.0, 1.0, 0.0].map(from_f64),
-        directional: false,
-    };
-    let shadow = shadow_ray(&surface, surface.plane, &light);
+    let shadow = shadow_ray(&surface, surface.plane, ONE, &near_light(), LEAST);
     let site = Site {
         surfaces: [surface; 16],
         normals: [surface.plane; 16],
         directions: [[0.0, 0.0, -1.0].map(from_f64); 16],
+        weights: [ONE; 16],
+        shines: true,
         shadow: [(shadow, false); 16],
     };
-    let placed = call::put_sites(bench, &vec![site; count as usize]);
-    call::site_arguments(bench, &placed, &light, [half; 3])
+    vec![site; count as usize]
+}
+
+fn shadow_rays(bench: &mut Bench, count: u32) -> Vec<u32> {
+    call::shadow_arguments(bench, &sites(count), &near_light(), LEAST).0
+}
+
+fn light(bench: &mut Bench, count: u32) -> Vec<u32> {
+    call::light_arguments(bench, &sites(count), [from_f64(0.5); 3]).0
 }
 
 fn accumulate(bench: &mut Bench, count: u32) -> Vec<u32> {

@@ -11,30 +11,52 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::light::{ambient, highlight, light};
 use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
 use twins::surfaces::{Ray, Surface};
-use twins::{FARTHEST, Single};
+use twins::{FARTHEST, ONE, Single};
 
 use super::{COUNTS, any_bits_of_a_surface, assert_same};
 
 /// The material addresses that the calls pass.
 const MATERIALS: [u32; 16] = [0x5555_5555; 16];
 
-fn check_shadow_rays(bench: &mut Bench, sites: &[Site], place: &Place) -> u32 {
-    let (found, counts) = call::shadow_rays(bench, sites, place);
-    let mut expected_counts = [0; 4];
-    for (site, found) in sites.iter().zip(&found) {
-        for (lane, found) in found.iter().enumerate() {
-            let expected = shadow_ray(&site.surfaces[lane], site.normals[lane], place);
+/// Compares the packets of sites in which some lane has a ray; the others have none. Returns the
+/// number of rays, and of packets.
+fn check_shadow_rays(
+    bench: &mut Bench,
+    sites: &[Site],
+    place: &Place,
+    least: Single,
+) -> [usize; 2] {
+    let found = call::shadow_rays(bench, sites, place, least);
+    let expected: Vec<[Ray; 16]> = sites
+        .iter()
+        .map(|site| {
+            std::array::from_fn(|lane| {
+                let (surface, normal) = (&site.surfaces[lane], site.normals[lane]);
+                shadow_ray(surface, normal, site.weights[lane], place, least)
+            })
+        })
+        .collect();
+    let with_rays: Vec<usize> = (0..sites.len())
+        .filter(|site| expected[*site].iter().any(|ray| ray.t != NOT_THERE))
+        .collect();
+    assert_eq!(found.sites, with_rays, "sites with rays");
+    for (number, packet) in with_rays.iter().zip(&found.packets) {
+        for (lane, found) in packet.iter().enumerate() {
+            let expected = &expected[*number][lane];
             assert_eq!(
                 (found.origin, found.direction, found.t),
                 (expected.origin, expected.direction, expected.t),
                 "{:x?}, {place:x?}",
-                site.surfaces[lane]
+                sites[*number].surfaces[lane]
             );
-            expected_counts[lane % 4] += u32::from(expected.t != NOT_THERE);
         }
     }
-    assert_eq!(counts, expected_counts, "shadow rays");
-    counts.iter().sum()
+    let lanes = expected.iter().flatten();
+    let count = lanes.filter(|ray| ray.t != NOT_THERE).count();
+    assert_eq!(found.count as usize, count, "shadow rays");
+    let shining = with_rays.iter().filter(|site| sites[**site].shines).count();
+    assert_eq!(found.shining as usize, shining, "sites that shine");
+    [count, with_rays.len()]
 }
 
 /// Compares whole records: only the light that is sent back may change.
@@ -75,22 +97,27 @@ fn check_light(bench: &mut Bench, sites: &[Site], brightness: [Single; 3]) {
 fn sites_equal_the_twins_in_lists_of_any_length() {
     let mut random = random();
     let mut bench = Bench::new();
-    let (mut rays, mut lanes) = (0, 0);
+    let (mut rays, mut packets, mut all) = (0, 0, 0);
     for _ in 0..20 {
         for count in COUNTS {
             let place = any_light(&mut random);
             let mut site = || {
                 let mut site = any_site(&mut random, &place, 4096.0);
+                // In some sites no lane is lit.
+                let dark = random.random_ratio(1, 3);
                 for surface in &mut site.surfaces {
-                    if random.random_ratio(1, 4) {
+                    if dark || random.random_ratio(1, 4) {
                         (surface.diffuse, surface.highlight) = (0, 0);
                     }
                 }
                 site
             };
             let sites: Vec<Site> = (0..count).map(|_| site()).collect();
-            rays += check_shadow_rays(&mut bench, &sites, &place);
-            lanes += 16 * count as u32;
+            let least = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
+            let made = check_shadow_rays(&mut bench, &sites, &place, least);
+            rays += made[0];
+            packets += made[1];
+            all += count;
             let shining: Vec<Site> = (0..count)
                 .map(|_| any_shining_site(&mut random, 4096.0))
                 .collect();
@@ -98,7 +125,8 @@ fn sites_equal_the_twins_in_lists_of_any_length() {
             check_light(&mut bench, &shining, brightness);
         }
     }
-    assert!(rays > lanes / 10 && rays < lanes / 2, "{rays} of {lanes}");
+    assert!(packets > all / 4 && packets < all, "{packets} of {all}");
+    assert!(rays > all && rays < 8 * all, "{rays} of {}", 16 * all);
 }
 
 fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
@@ -106,6 +134,8 @@ fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
         surfaces: std::array::from_fn(|_| any_bits_of_a_surface(random)),
         normals: random.random(),
         directions: random.random(),
+        weights: random.random(),
+        shines: random.random(),
         shadow: std::array::from_fn(|_| {
             let ray = Ray {
                 origin: random.random(),
@@ -127,7 +157,8 @@ fn any_bits_at_all_equal_the_twins() {
             position: random.random(),
             directional: random.random(),
         };
-        check_shadow_rays(&mut bench, &sites, &place);
+        let least = if random.random() { random.random() } else { 0 };
+        check_shadow_rays(&mut bench, &sites, &place, least);
         check_light(&mut bench, &sites, random.random());
     }
 }
@@ -161,7 +192,7 @@ fn there_is_a_shadow_ray_only_to_a_light_ahead() {
         directional: false,
     };
     let there = |surface: &Surface, normal, place: &Place| {
-        shadow_ray(surface, normal, place).t != NOT_THERE
+        shadow_ray(surface, normal, ONE, place, 0).t != NOT_THERE
     };
     assert!(there(&surface, normal, &at([0.0; 3])));
     assert!(!there(&surface, normal, &at([1.0, 2.0, -4.0])), "beside");
@@ -200,9 +231,61 @@ fn there_is_a_shadow_ray_only_to_a_light_ahead() {
         position: [0.0, 0.6, 0.8].map(from_f64),
         directional: true,
     };
-    let ray = shadow_ray(&surface, normal, &sun);
-    assert_eq!((ray.t, ray.direction), (FARTHEST, sun.position));
+    let ray = shadow_ray(&surface, normal, ONE, &sun, 0);
+    assert_eq!(ray.t, FARTHEST);
+    for (found, exact) in ray.direction.into_iter().zip(sun.position) {
+        assert!((to_f64(found) - to_f64(exact)).abs() <= 2.0 / f64::from(1 << 23));
+    }
     assert_eq!(to_f64(ray.origin[2]), to_f64(from_f64(-4.0 + 0.001)));
+}
+
+/// A light in front of [`facing`] such that N.L is this cosine.
+fn light_at(cosine: f64) -> Place {
+    Place {
+        position: [(1.0 - cosine * cosine).sqrt(), 0.0, cosine].map(from_f64),
+        directional: true,
+    }
+}
+
+#[test]
+fn a_ray_is_left_out_if_its_light_is_too_little() {
+    let surface = Surface {
+        colour: [0.25, 0.5, 0.125].map(from_f64),
+        ..facing()
+    };
+    let matt = Surface {
+        highlight: 0,
+        ..surface
+    };
+    // The OR of the channels' bits.
+    let most = to_f64(surface.colour.into_iter().fold(0, |all, channel| all | channel));
+    assert!((0.5..1.0).contains(&most), "{most}");
+    let least = 1.0 / 4096.0;
+    let there = |surface: &Surface, weight: f64, cosine: f64, least: f64| {
+        let (weight, least) = (from_f64(weight), from_f64(least));
+        let ray = shadow_ray(surface, surface.plane, weight, &light_at(cosine), least);
+        ray.t != NOT_THERE
+    };
+    for cosine in [0.01, 0.1, 0.5, 0.9] {
+        let lambert = 0.5 * cosine * most;
+        for (surface, share) in [(&matt, lambert), (&surface, lambert + 0.25)] {
+            let weight = least / share;
+            assert!(there(surface, 1.01 * weight, cosine, least), "{cosine}");
+            assert!(!there(surface, 0.99 * weight, cosine, least), "{cosine}");
+            assert!(there(surface, 0.99 * weight, cosine, 0.9 * least));
+        }
+    }
+    // Without a bound only what is not lit at all is left out, whatever the weight and the colour.
+    let black = Surface {
+        colour: [0; 3],
+        ..matt
+    };
+    for surface in [&surface, &matt, &black] {
+        assert!(there(surface, 0.0, 0.5, 0.0));
+    }
+    assert!(!there(&black, 1.0, 0.5, least));
+    let dark = Surface { diffuse: 0, ..matt };
+    assert!(!there(&dark, 1.0, 0.5, 0.0));
 }
 
 #[test]
@@ -239,10 +322,10 @@ fn highlights_are_powers_of_the_cosine() {
             assert!(error <= bound, "{cosine}^{exponent}: {error}");
         }
     }
-    // 0^0 = 1. A direction behind the normal has a cosine of 0.
-    let behind = [0.0, 0.0, -1.0].map(from_f64);
+    // 0^0 = 1.
+    let across = [1.0, 0.0, 0.0].map(from_f64);
     let of = |exponent: f64| {
-        let power = highlight(behind, eye.map(from_f64), normal, from_f64(exponent));
+        let power = highlight(across, eye.map(from_f64), normal, from_f64(exponent));
         to_f64(power)
     };
     assert!((of(0.0) - 1.0).abs() <= 0.001);

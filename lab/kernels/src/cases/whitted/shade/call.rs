@@ -4,7 +4,7 @@ use twins::accumulate::Share;
 use twins::bounce::CHAIN_STEP;
 use twins::surfaces::{Material, Object, Ray, Surface};
 use twins::{Single, shadow_rays};
-use zerocopy::FromZeros as _;
+use zerocopy::{FromZeros as _, IntoBytes as _};
 use zerocopy::big_endian::{F32, U32};
 
 use super::records::{self, PacketRay};
@@ -73,6 +73,10 @@ pub struct Site {
     pub normals: [[Single; 3]; 16],
     /// The directions of the rays that see them.
     pub directions: [[Single; 3]; 16],
+    /// The weights of these rays.
+    pub weights: [Single; 16],
+    /// Whether some surface may have a highlight.
+    pub shines: bool,
     /// The shadow rays, and whether each is blocked.
     pub shadow: [(Ray, bool); 16],
 }
@@ -81,7 +85,6 @@ pub struct Site {
 pub struct PlacedSites {
     list: bench::Place,
     surfaces: Vec<bench::Place>,
-    shadow: Vec<bench::Place>,
     background: bench::Place,
 }
 
@@ -97,45 +100,39 @@ fn packet_ray(ray: Ray, object: u32) -> PacketRay {
     }
 }
 
+/// The bit of a site that shines.
+pub const SHINES: u32 = 0x80;
+
 /// Puts sites into local store, each record between guards.
 pub fn put_sites(bench: &mut Bench, sites: &[Site]) -> PlacedSites {
     let background = put(bench, &[layout::Object::new_zeroed()]);
-    let blocked = background.address + 1;
     let mut placed = PlacedSites {
         list: background,
         surfaces: Vec::new(),
-        shadow: Vec::new(),
         background,
     };
     let mut list = Vec::new();
     for site in sites {
         let surfaces = records::surfaces(&site.surfaces, &site.normals, [ANYTHING; 16]);
         let surfaces = put(bench, &[surfaces]);
-        let seen = site.directions.map(|direction| Ray {
-            origin: [ANYTHING; 3],
-            direction,
-            t: ANYTHING,
+        let seen: [PacketRay; 16] = std::array::from_fn(|lane| PacketRay {
+            ray: Ray {
+                origin: [ANYTHING; 3],
+                direction: site.directions[lane],
+                t: ANYTHING,
+            },
+            object: ANYTHING,
+            weight: site.weights[lane],
+            pixel: ANYTHING,
         });
-        let rays = put(bench, &[records::rays(&seen.map(|ray| packet_ray(ray, 0)))]);
-        let shadow = site.shadow.map(|(ray, is_blocked)| {
-            packet_ray(
-                ray,
-                if is_blocked {
-                    blocked
-                } else {
-                    background.address
-                },
-            )
-        });
-        let shadow = put(bench, &[records::rays(&shadow)]);
+        let rays = put(bench, &[records::rays(&seen)]);
         list.push(layout::Site {
             surfaces: surfaces.address.into(),
             rays: rays.address.into(),
-            shadow: shadow.address.into(),
+            shadow: if site.shines { SHINES } else { 0 }.into(),
             unused: ANYTHING.into(),
         });
         placed.surfaces.push(surfaces);
-        placed.shadow.push(shadow);
     }
     placed.list = put(bench, &list);
     placed
@@ -152,43 +149,117 @@ pub fn light_record(place: &shadow_rays::Place, brightness: [Single; 3]) -> layo
     }
 }
 
-/// The arguments of the kernels that process sites with a light.
-pub fn site_arguments(
+/// The arguments of `shadow_rays_r16`, and the places of the sites, of the packets and of the
+/// listed sites.
+pub fn shadow_arguments(
     bench: &mut Bench,
-    placed: &PlacedSites,
+    sites: &[Site],
     place: &shadow_rays::Place,
-    brightness: [Single; 3],
-) -> Vec<u32> {
-    let light = put(bench, &[light_record(place, brightness)]);
-    let count = placed.surfaces.len() as u32;
-    let background = placed.background.address;
-    vec![placed.list.address, count, light.address, background]
+    least: Single,
+) -> (Vec<u32>, [bench::Place; 3]) {
+    let placed = put_sites(bench, sites);
+    let light = put(bench, &[light_record(place, [ANYTHING; 3])]);
+    let packets = bench.place(&vec![0x55; size_of::<RayPacket>() * sites.len()]);
+    let listed = bench.place(&vec![0x55; size_of::<layout::Site>() * sites.len()]);
+    let arguments = vec![
+        placed.list.address,
+        sites.len() as u32,
+        light.address,
+        placed.background.address,
+        least,
+        packets.address,
+        listed.address,
+    ];
+    (arguments, [placed.list, packets, listed])
 }
 
-/// `shadow_rays_r16`: returns the rays to a light, and their number in each lane.
+/// Packets of shadow rays.
+#[derive(Debug)]
+pub struct ShadowRays {
+    /// The numbers of their sites.
+    pub sites: Vec<usize>,
+    /// The rays.
+    pub packets: Vec<[Ray; 16]>,
+    /// The number of rays.
+    pub count: u32,
+    /// The number of sites that shine.
+    pub shining: u32,
+}
+
+/// `shadow_rays_r16`: returns the rays to a light.
 ///
 /// # Panics
 ///
-/// Panics if a ray's object is not the background, or if its weight or pixel has changed.
+/// Panics if a ray's object is not the background, if its weight or pixel has changed, or if a
+/// listed site is none of the given ones.
 pub fn shadow_rays(
     bench: &mut Bench,
     sites: &[Site],
     place: &shadow_rays::Place,
-) -> (Vec<[Ray; 16]>, [u32; 4]) {
+    least: Single,
+) -> ShadowRays {
     bench.reset();
-    let placed = put_sites(bench, sites);
-    let arguments = site_arguments(bench, &placed, place, [ANYTHING; 3]);
+    let (arguments, [given, packets, listed]) = shadow_arguments(bench, sites, place, least);
     bench.call("shadow_rays_r16", &arguments);
-    let background = placed.background.address;
-    let rays = placed.shadow.iter().map(|shadow| {
-        let packet: RayPacket = bench.read(*shadow);
-        records::packet_rays(&packet).map(|lane| {
+    let [end, count, shining, _] = bench.returned_vector();
+    let listed_sites = (end - listed.address) as usize / size_of::<layout::Site>();
+    let given = bench.read_all::<layout::Site>(given);
+    let numbers = bench.read_all::<layout::Site>(listed)[..listed_sites]
+        .iter()
+        .map(|site| {
+            let number = given.iter().position(|given| given.rays == site.rays);
+            let number = number.expect("a site of the list");
+            assert_eq!(site.as_bytes(), given[number].as_bytes());
+            number
+        })
+        .collect();
+    let background = arguments[3];
+    let found = bench.read_all::<RayPacket>(packets);
+    let rays = found[..listed_sites].iter().map(|packet| {
+        records::packet_rays(packet).map(|lane| {
             let others = (lane.object, lane.weight, lane.pixel);
             assert_eq!(others, (background, ANYTHING, ANYTHING));
             lane.ray
         })
     });
-    (rays.collect(), bench.returned_vector())
+    ShadowRays {
+        sites: numbers,
+        packets: rays.collect(),
+        count,
+        shining: shining / size_of::<layout::Site>() as u32,
+    }
+}
+
+/// The arguments of `light_r16` and `lambert_r16`, and the places of the surfaces.
+pub fn light_arguments(
+    bench: &mut Bench,
+    sites: &[Site],
+    brightness: [Single; 3],
+) -> (Vec<u32>, Vec<bench::Place>) {
+    let placed = put_sites(bench, sites);
+    let nowhere = shadow_rays::Place {
+        position: [ANYTHING; 3],
+        directional: false,
+    };
+    let light = put(bench, &[light_record(&nowhere, brightness)]);
+    let background = placed.background.address;
+    let packets: Vec<RayPacket> = sites
+        .iter()
+        .map(|site| {
+            records::rays(&site.shadow.map(|(ray, is_blocked)| {
+                packet_ray(ray, background + u32::from(is_blocked))
+            }))
+        })
+        .collect();
+    let packets = put(bench, &packets);
+    let arguments = vec![
+        placed.list.address,
+        sites.len() as u32,
+        light.address,
+        background,
+        packets.address,
+    ];
+    (arguments, placed.surfaces)
 }
 
 /// `kernel`, which is `light_r16` or `lambert_r16`: returns the surfaces after a light of this
@@ -200,15 +271,9 @@ pub fn light(
     brightness: [Single; 3],
 ) -> Vec<Surfaces> {
     bench.reset();
-    let placed = put_sites(bench, sites);
-    let nowhere = shadow_rays::Place {
-        position: [ANYTHING; 3],
-        directional: false,
-    };
-    let arguments = site_arguments(bench, &placed, &nowhere, brightness);
+    let (arguments, surfaces) = light_arguments(bench, sites, brightness);
     bench.call(kernel, &arguments);
-    let surfaces = placed.surfaces.iter().map(|place| bench.read(*place));
-    surfaces.collect()
+    surfaces.iter().map(|place| bench.read(*place)).collect()
 }
 
 /// `ambient_r16`: returns the surfaces after ambient light of this brightness.

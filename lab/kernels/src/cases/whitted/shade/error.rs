@@ -9,7 +9,7 @@ use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Object, Surface, surface};
 
 use super::call::{self, Hit, Site};
-use super::records;
+use super::{LEAST, records};
 use super::shapes::Shape;
 use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
@@ -109,14 +109,17 @@ pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
             surfaces[lane].plane
         }
     });
+    let weights = [(); 16].map(|()| from_f64(magnitude(1e-4..1.0, random)));
     let shadow = std::array::from_fn(|lane| {
-        let ray = shadow_ray(&surfaces[lane], normals[lane], light);
+        let ray = shadow_ray(&surfaces[lane], normals[lane], weights[lane], light, LEAST);
         (ray, random.random())
     });
     Site {
         surfaces,
         normals,
         directions,
+        weights,
+        shines: random.random(),
         shadow,
     }
 }
@@ -152,8 +155,8 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..PACKETS {
         let light = any_light(random);
         let site = any_site(random, &light, 100.0);
-        let (found, _) = call::shadow_rays(bench, std::slice::from_ref(&site), &light);
-        for (ray, surface) in found[0].iter().zip(&site.surfaces) {
+        let found = call::shadow_rays(bench, std::slice::from_ref(&site), &light, 0);
+        for (ray, surface) in found.packets.iter().flatten().zip(&site.surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
             let to = if light.directional {
