@@ -68,6 +68,8 @@ pub struct Report {
     pub tests: Tests,
     /// Blocks of meshes in main memory.
     pub blocks: BlockReport,
+    /// Tiles of textures.
+    pub texture_tiles: TextureReport,
     /// Rays by generation, with their tests and blocks.
     pub generations: [GenerationReport; GENERATIONS],
     /// Tiles by how they were handled.
@@ -129,6 +131,17 @@ pub struct BlockReport {
     pub wait_percent: f64,
 }
 
+/// Tiles of a mesh's textures, and how the SPUs' caches served them.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct TextureReport {
+    /// How often a packet of rays needed a tile.
+    pub used: u64,
+    /// Tiles that were fetched, because they were not in the cache.
+    pub fetched: u64,
+    /// The part of the uses, in per cent, for which the tile was in the cache.
+    pub cached_percent: f64,
+}
+
 /// Numbers of tiles by how they were handled.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Tiles {
@@ -176,6 +189,7 @@ impl Report {
             rays: Rays::default(),
             tests: Tests::default(),
             blocks: BlockReport::default(),
+            texture_tiles: TextureReport::default(),
             generations: GenerationReport::all(),
             tiles: Tiles::default(),
             packets: Packets::default(),
@@ -236,6 +250,8 @@ impl Report {
             self.phases = self.phases.plus(phases);
             self.rays += spu.rays;
             self.blocks.add(spu.blocks, self.timebase);
+            self.texture_tiles.used += spu.texture_tiles.used;
+            self.texture_tiles.fetched += spu.texture_tiles.fetched;
             for (sum, generation) in self.generations.iter_mut().zip(&spu.generations) {
                 sum.add(generation, self.timebase);
             }
@@ -267,6 +283,8 @@ impl Report {
         let of_all = f64::from(self.spus) * seconds;
         self.blocks
             .share(eye + reflected + refracted + shadow, of_all);
+        let TextureReport { used, fetched, .. } = self.texture_tiles;
+        self.texture_tiles.cached_percent = 100.0 * part((used - fetched) as f64, used as f64);
         for generation in &mut self.generations {
             generation.share(of_all);
         }
@@ -362,6 +380,17 @@ impl fmt::Display for Report {
         )?;
         if self.blocks.used > 0 {
             writeln!(f, "mesh: {}", self.blocks)?;
+        }
+        let TextureReport {
+            used,
+            fetched,
+            cached_percent,
+        } = self.texture_tiles;
+        if used > 0 {
+            writeln!(
+                f,
+                "textures: {used} tiles used, {fetched} fetched, {cached_percent:.1} % cached"
+            )?;
         }
         for generation in self.generations.iter().filter(|of| of.rays > 0) {
             writeln!(f, "{generation}")?;

@@ -30,6 +30,8 @@ pub struct SpuStatistics {
     pub tests: Tests,
     /// Blocks of meshes in main memory.
     pub blocks: Blocks,
+    /// Tiles of textures.
+    pub texture_tiles: TextureTiles,
     /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
     /// surfaces send on, their shadow rays, and the same for all later rays.
     pub generations: [Generation; GENERATIONS],
@@ -91,6 +93,15 @@ pub struct Blocks {
     pub fetched: u64,
     /// The part of the time waiting for the MFC that was spent waiting for blocks, in ticks.
     pub wait: u64,
+}
+
+/// Tiles of a mesh's textures, and how an SPU's cache in local store served them.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct TextureTiles {
+    /// How often a packet of rays needed a tile.
+    pub used: u64,
+    /// Tiles that were fetched, because they were not in the cache.
+    pub fetched: u64,
 }
 
 /// What an SPU did for the rays of one generation, or for their shadow rays.
@@ -210,6 +221,10 @@ impl SpuStatistics {
                 cull: line.cull_tests.get() + all.nodes,
             },
             blocks: all.blocks,
+            texture_tiles: TextureTiles {
+                used: line.texture_tiles_used.get(),
+                fetched: line.texture_tiles_fetched.get(),
+            },
             generations,
             busy: line.busy.get(),
             dma_wait: line.dma_wait.get(),

@@ -250,12 +250,16 @@ record! {
         hits: U64,
         /// Primary rays beyond the first one of each pixel.
         samples: U64,
+        /// Tiles of textures that were looked up, each for a whole packet.
+        texture_tiles_used: U64,
+        /// Tiles of textures that were fetched.
+        texture_tiles_fetched: U64,
         /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
         /// surfaces send on, their shadow rays, and the same for all later rays. A batch counts as
         /// its first ray's generation.
         generations: [Generation; 6],
         /// Not written; fills the last line.
-        reserved: [U64; 6],
+        reserved: [U64; 4],
     }
 }
 

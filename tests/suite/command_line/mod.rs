@@ -151,8 +151,13 @@ fn skipping_changes_no_byte_of_a_picture() {
 #[test]
 fn late_transfers_change_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    // Spheres in local store, and triangles in blocks that are fetched when they are needed.
-    for scene in ["sphereflake:3", "terrain:5"] {
+    // Spheres in local store; triangles, spheres and tiles of textures that are fetched when needed.
+    for scene in [
+        "sphereflake:3",
+        "terrain:5",
+        "sphereflake:4",
+        "scenes/chess.glb",
+    ] {
         let [at_once, at_last] = ["at-once", "at-last"].map(|policy| {
             let path = folder.path().join(policy);
             let arguments = [

@@ -91,8 +91,14 @@ fn a_texture_is_drawn_as_the_reference_draws_it() {
             "{width}x{height} {wrap:?}: {off:?}"
         );
 
-        // A texture of one texel is white here.
+        let spus = &found.statistics.spus;
+        let used: u64 = spus.iter().map(|spu| spu.texture_tiles.used).sum();
+        let fetched = spus.iter().map(|spu| spu.texture_tiles.fetched);
+        let all: u64 = fetched.clone().sum();
+        assert!(0 < all && all < used, "{all} of {used}");
+        // A texture of one texel is white here, and has one tile.
         if width == 1 {
+            assert!(fetched.clone().all(|count| count <= 1));
             continue;
         }
         let mut plain = scene.clone();

@@ -216,6 +216,7 @@ next_tile:
         brz     $found,missing
 in_cache:
         il      $bit,1
+        count   texture_tiles_used,$bit,$high,$low,$t_carry
         shl     $bit,$bit,$slot
         or      $used,$used,$bit
         mpyi    $address,$slot,TEXTURE_TILE
@@ -297,6 +298,7 @@ free:   stqa    $found,next_slot
         il      $command,MFC_GET
         mfc_command $address,$high,$low,$size,$tag,$command
         il      $fetched,1
+        count   texture_tiles_fetched,$fetched,$high,$low,$t_carry
         br      in_cache
 
 no_tile:
