@@ -267,6 +267,12 @@ impl Bench {
         self.plain.spu.registers[3].0
     }
 
+    /// The preferred slot of `$4` after the last call, for kernels that return two words.
+    #[must_use]
+    pub fn returned_second(&self) -> u32 {
+        self.plain.spu.registers[4].0[0]
+    }
+
     /// Calls a kernel with words in the preferred slots of `$3` and the following registers.
     ///
     /// # Panics

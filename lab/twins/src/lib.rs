@@ -23,6 +23,8 @@ pub mod mesh;
 pub mod mesh_pairs;
 pub mod mesh_patches;
 pub mod mesh_rows;
+pub mod mesh_prepare;
+pub mod mesh_rays;
 pub mod pack;
 pub mod pairs;
 pub mod primary_rays;

@@ -14,9 +14,9 @@ const BELOW_ONE: Single = 0x3f7f_fff8;
 /// 1 + 2^-21.
 const ABOVE_ONE: Single = 0x3f80_0004;
 /// 2^-19.
-const SLACK: Single = 0x3600_0000;
+pub(super) const SLACK: Single = 0x3600_0000;
 /// 2^-60.
-const TINY: Single = 0x2180_0000;
+pub(super) const TINY: Single = 0x2180_0000;
 /// The largest single.
 const MOST: Single = 0x7fff_ffff;
 
@@ -49,11 +49,11 @@ pub struct MeshBound {
     pub farthest: Single,
 }
 
-fn maximum(a: Single, b: Single) -> Single {
+pub(super) fn maximum(a: Single, b: Single) -> Single {
     select(a, b, fcgt(b, a) != 0)
 }
 
-fn minimum(a: Single, b: Single) -> Single {
+pub(super) fn minimum(a: Single, b: Single) -> Single {
     select(a, b, fcgt(a, b) != 0)
 }
 

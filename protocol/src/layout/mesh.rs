@@ -255,8 +255,48 @@ record! {
     }
 }
 
+record! {
+    /// Local store: a ray of a batch, for tests with the boxes of meshes one by one. It meets a
+    /// plane of an axis that it meets first no earlier than inverse plane + near_shift, and the
+    /// opposite one no later than inverse plane + far_shift.
+    MeshRay as "MESH_RAY" {
+        /// Offset in `BOXES` of the planes that are met first, of `lo_x` or of `hi_x`; in the first
+        /// byte the same of `lo_z` or `hi_z`.
+        planes: U32,
+        /// 1 / direction: x, y, z.
+        inverse: [F32; 3],
+        /// Offset of the planes of `lo_y` or `hi_y`; in the first byte 127 minus the ray's number in
+        /// the batch.
+        number: U32,
+        /// Shifts of the planes that are met first: x, y, z.
+        near_shift: [F32; 3],
+        /// The farthest distance that counts.
+        t: F32,
+        /// Shifts of the opposite planes: x, y, z.
+        far_shift: [F32; 3],
+    }
+}
+
+record! {
+    /// Local store: a child of a mesh's node, and the rays of a batch that meet its box.
+    MeshVisit as "MESH_VISIT" {
+        /// The child's word.
+        child: U32,
+        /// 0.
+        reserved: U32,
+        /// No ray meets the box nearer than this.
+        near: F32,
+        /// 0.
+        reserved_2: U32,
+        /// A bit for each ray; the first ray's is the sign of the first word.
+        rays: [U32; 4],
+    }
+}
+
 const _: () = {
     assert!(size_of::<MeshHeader>() == 32);
+    assert!(size_of::<MeshRay>() == 48);
+    assert!(size_of::<MeshVisit>() == 32);
     assert!(size_of::<Boxes>() == 112);
     assert!(size_of::<MeshVertex>() == 16);
     assert!(size_of::<MeshFace>() == 4);

@@ -199,7 +199,7 @@ constants! {
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
-    MESH_CODE_ROOM = 28416;
+    MESH_CODE_ROOM = 38656;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
     /// Fewest blocks that the cache of an SPU must have room for.
@@ -317,6 +317,8 @@ pub const RECORDS: &[Record] = &[
     MeshRows::RECORD,
     MeshLeaf::RECORD,
     MeshHit::RECORD,
+    MeshRay::RECORD,
+    MeshVisit::RECORD,
     MeshCoordinates::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
@@ -399,7 +401,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 17920.
+    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 38656.
     MeshCode = 29, "mesh_code, mesh_code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

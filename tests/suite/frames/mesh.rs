@@ -178,7 +178,7 @@ fn fields_of_the_mesh_that_are_wrong() {
         ("mesh_code", "a multiple of 128", |frame| {
             frame.mesh_code = (frame.mesh_code.get() + 64).into()
         }),
-        ("mesh_code_bytes", "at most 17920", |frame| {
+        ("mesh_code_bytes", "at most 28160", |frame| {
             frame.mesh_code_bytes = 17936.into()
         }),
         ("mesh_code_bytes", "a multiple of 16", |frame| {

@@ -103,6 +103,12 @@ function mesh_trace
         ori     $4,$w_traced,0
         brnz    $w_packets,shadow_rays
 unblocked:
+        cgti    $mask,$w_depth,1
+        brnz    $mask,one_by_one
+in_packets:
+        ori     $4,$w_traced,0
+        lqa     $candidate,first_candidate
+        rotqbyi $3,$candidate,MESH_CANDIDATE_packet
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
         lqa     $mask,of_eye
@@ -436,6 +442,12 @@ next_numbers:
 last_numbers:
         brnz    $left,next_numbers
         br      numbered
+
+        # What curved surfaces send on goes every way.
+one_by_one:
+        brsl    $lr,mesh_stream
+        brz     $3,traced
+        br      in_packets
 
         # A shadow ray that is blocked needs no more tests, so it stops to be one.
 shadow_rays:

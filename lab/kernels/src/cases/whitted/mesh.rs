@@ -1,12 +1,16 @@
 //! The kernels that trace packets through blocks of meshes.
 
+pub mod block;
 pub mod call;
 
+use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, fs, to_f64};
 use twins::mesh::{Corners, MeshBound, mesh_bound};
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_rows::mesh_window;
+use twins::mesh_prepare::{INNER, LEAF, SPHERES};
+use twins::mesh_rays::Visit;
 use twins::primary_rays::Ray;
 use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
 use zerocopy::FromZeros as _;
@@ -51,6 +55,87 @@ pub const KERNELS: &[Kernel] = &[
             objects: PACKETS,
             place: |bench, count| bounds(bench, count)[..3].to_vec(),
         }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| call::put_for_rays(bench, &vec![rays(); count as usize]).1,
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_alive_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                call::put_for_alive(bench, &vec![rays(); count as usize], ZERO, u128::MAX).1
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_filter_rays",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all miss",
+                objects: PACKETS,
+                place: |bench, count| filter(bench, 50.0, count),
+            },
+            Case {
+                name: "all meet",
+                objects: PACKETS,
+                place: |bench, count| filter(bench, 0.0, count),
+            },
+        ],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_few_rays",
+        rays: 1,
+        cases: &[Case {
+            name: "all meet",
+            objects: Objects::List(4, 16),
+            place: |bench, count| few(bench, count),
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_candidates",
+        rays: 16,
+        cases: &[Case {
+            name: "visits of two packets",
+            objects: Objects::List(4, 16),
+            place: |bench, count| visits(bench, count),
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "mesh_prepare",
+        rays: 1,
+        cases: &[
+            Case {
+                name: "inner block",
+                objects: Objects::Fixed(1),
+                place: |bench, _| arrived(bench, INNER),
+            },
+            Case {
+                name: "triangles",
+                objects: Objects::Fixed(1),
+                place: |bench, _| arrived(bench, LEAF),
+            },
+            Case {
+                name: "spheres",
+                objects: Objects::Fixed(1),
+                place: |bench, _| arrived(bench, SPHERES),
+            },
+        ],
         error: None,
     },
     nodes("cull_boxes"),
@@ -183,6 +268,45 @@ fn rays() -> [Ray; 16] {
 fn bounds(bench: &mut Bench, count: u32) -> Vec<u32> {
     let before = vec![layout::MeshBound::new_zeroed(); count as usize];
     call::put_for_bounds(bench, &vec![rays(); count as usize], &before, 0).1
+}
+
+/// A node with four equal boxes, in front of the rays or above them.
+fn node(y: f64) -> Node {
+    let corners: Corners =
+        [[-5.0, y - 5.0, -60.0], [5.0, y + 5.0, -50.0]].map(|corner| corner.map(from_f64));
+    Node {
+        boxes: [corners; 4],
+        words: [4; 4],
+    }
+}
+
+/// All rays of so many packets, and one node.
+fn filter(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
+    let bits = u128::MAX << (128 - 16 * count);
+    call::put_for_filter(bench, &vec![rays(); count as usize], &[node(y)], bits).1
+}
+
+/// One ray, and so many nodes.
+fn few(bench: &mut Bench, count: u32) -> Vec<u32> {
+    let nodes = vec![node(0.0); count as usize];
+    call::put_for_few(bench, &[rays()], &nodes, 1 << 120, 0).2
+}
+
+/// Visits by rays of two packets.
+fn visits(bench: &mut Bench, count: u32) -> Vec<u32> {
+    let visit = Visit {
+        child: 4,
+        near: ONE,
+        rays: 1 << 120 | 1 << 30,
+    };
+    call::put_for_candidates(bench, &vec![visit; count as usize], 0).1
+}
+
+/// A block with eight lowest nodes.
+fn arrived(bench: &mut Bench, kind: u32) -> Vec<u32> {
+    let mut random = ChaCha8Rng::seed_from_u64(0);
+    let (block, known) = block::block(kind, 8, [0.0; 3], 10.0, &mut random);
+    call::put_block(bench, &block, &known).1
 }
 
 /// Candidates of one packet and a node with four equal boxes, in front of the rays or above them.

@@ -15,7 +15,7 @@ use twins::triangle_pairs::{TriangleObject, isect_triangle};
 use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
 
 /// By how much a box must exceed what it holds, as a share of its largest coordinate.
-const SLACK: f64 = 1.0 / (1 << 19) as f64;
+pub(super) const SLACK: f64 = 1.0 / (1 << 19) as f64;
 /// Scales of scenes.
 const SCALES: std::ops::Range<f64> = 1e-6..1e9;
 const NODES: usize = 16;
@@ -35,7 +35,7 @@ struct Outcome {
 
 /// Which components of a packet's directions are special.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Axes {
+pub(super) enum Axes {
     /// None.
     Any,
     /// One is 0 in all rays.
@@ -48,7 +48,7 @@ enum Axes {
     Tiny,
 }
 
-const AXES: [Axes; 5] = [
+pub(super) const AXES: [Axes; 5] = [
     Axes::Any,
     Axes::Flat,
     Axes::Parallel,
@@ -56,7 +56,7 @@ const AXES: [Axes; 5] = [
     Axes::Tiny,
 ];
 
-fn packet(fan: Fan, axes: Axes, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
+pub(super) fn packet(fan: Fan, axes: Axes, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     let mut rays = fans::packet(fan, scale, random);
     let axis = random.random_range(0..3);
     let sign = |lane: usize| (lane as u32 & 4) << 29;
@@ -104,7 +104,7 @@ fn beside(ray: &Ray, scale: f64, random: &mut ChaCha8Rng) -> Corners {
 
 /// A box that touches a ray with a corner, an edge or a face, or almost does, or holds a point of
 /// it. It may be flat.
-fn touching(ray: &Ray, scale: f64, random: &mut ChaCha8Rng) -> Corners {
+pub(super) fn touching(ray: &Ray, scale: f64, random: &mut ChaCha8Rng) -> Corners {
     let point = at(ray, along(ray, scale, random));
     let size = scale * magnitude(1e-6..10.0, random);
     let sides: [[f64; 2]; 3] = std::array::from_fn(|axis| {
@@ -124,7 +124,7 @@ fn touching(ray: &Ray, scale: f64, random: &mut ChaCha8Rng) -> Corners {
 }
 
 /// Whether a ray is in a box between its origin and its t.
-fn meets(ray: &Ray, [lower, upper]: &Corners) -> bool {
+pub(super) fn meets(ray: &Ray, [lower, upper]: &Corners) -> bool {
     let [mut from, mut to] = [0.0, to_f64(ray.t)];
     for axis in 0..3 {
         let planes = [lower, upper].map(|corner| to_f64(corner[axis]) - to_f64(ray.origin[axis]));
@@ -143,7 +143,7 @@ fn meets(ray: &Ray, [lower, upper]: &Corners) -> bool {
 }
 
 /// The corners with a slack.
-fn widened(corners: &Corners, slack: f64) -> Corners {
+pub(super) fn widened(corners: &Corners, slack: f64) -> Corners {
     let values = corners.map(|corner| corner.map(to_f64));
     let largest = values
         .iter()

@@ -7,6 +7,8 @@ mod boxes;
 mod conservative;
 mod patches;
 mod rows;
+mod prepare;
+mod rays;
 mod triangles;
 
 /// Lengths of lists. A scheduled loop takes other paths for the short ones.

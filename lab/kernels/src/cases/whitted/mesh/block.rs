@@ -1,0 +1,136 @@
+//! Blocks of meshes as `mesh_prepare` gets them.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::from_f64;
+use twins::mesh_prepare::{
+    HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, OBJECT, SPHERES, WORDS,
+};
+
+use crate::vector::in_cube;
+
+/// The number of the blocks.
+const NUMBER: u32 = 5;
+/// How many blocks the mesh has.
+const BLOCKS: u32 = 1000;
+/// How many materials.
+const MATERIALS: u32 = 9;
+
+/// A block of this kind, with so many lowest nodes, 1 to 11, of which each has a child at least.
+/// All boxes are within a cube of half this size around a point, which is the root's.
+#[must_use]
+pub fn block(
+    kind: u32,
+    lowest: usize,
+    point: [f64; 3],
+    half: f64,
+    random: &mut ChaCha8Rng,
+) -> ([u32; WORDS], Known) {
+    let middle = match lowest {
+        0..=4 => 0,
+        _ => lowest.div_ceil(4),
+    };
+    let levels = 1 + usize::from(lowest > 1) + usize::from(middle > 0);
+    let upper = usize::from(lowest > 1) + middle;
+    let nodes = upper + lowest;
+    let first = HEADER + NODE * nodes;
+    let room = WORDS - first;
+    let lanes: Vec<usize> = (0..lowest).map(|_| random.random_range(1..=4)).collect();
+    let children: usize = lanes.iter().sum();
+    let [records, vertices] = match kind {
+        INNER => [0, 0],
+        SPHERES => [children.min(room / OBJECT), 0],
+        _ => {
+            let vertices = random.random_range(1..=room / 8);
+            [
+                (room - 4 * vertices).min(random.random_range(1..=100)),
+                vertices,
+            ]
+        }
+    };
+    let mut words = [0; WORDS];
+    let header = [
+        MAGIC,
+        NUMBER,
+        kind,
+        levels as u32,
+        nodes as u32,
+        records as u32,
+        vertices as u32,
+        0,
+    ];
+    words[..HEADER].copy_from_slice(&header);
+    let corner = |corner: [f64; 3], way: f64| corner.map(|c| from_f64(c + way));
+    let mut below = 1;
+    let mut sphere = 0;
+    for node in 0..nodes {
+        let at = HEADER + NODE * node;
+        let lanes = match node.checked_sub(upper) {
+            Some(low) => lanes[low],
+            None if node == 0 && middle > 0 => middle,
+            None => (nodes - below).min(4),
+        };
+        for lane in 0..4 {
+            let [low, high] = if lane >= lanes {
+                [[NO_BOX; 3], [NO_BOX | 1 << 31; 3]]
+            } else if node == 0 {
+                [corner(point, -half), corner(point, half)]
+            } else {
+                let size = random.random_range(0.0..0.2) * half;
+                let away = in_cube(half - size, random);
+                let middle: [f64; 3] = std::array::from_fn(|axis| point[axis] + away[axis]);
+                [corner(middle, -size), corner(middle, size)]
+            };
+            for axis in 0..3 {
+                words[at + 4 * axis + lane] = low[axis];
+                words[at + 12 + 4 * axis + lane] = high[axis];
+            }
+            if lane < lanes {
+                words[at + 24 + lane] = if node < upper {
+                    below += 1;
+                    4 * (HEADER + NODE * (below - 1)) as u32
+                } else {
+                    match kind {
+                        INNER => random.random_range(NUMBER + 1..BLOCKS),
+                        SPHERES => {
+                            sphere = (sphere + 1) % records;
+                            4 * (first + OBJECT * sphere) as u32
+                        }
+                        _ => {
+                            let length = random.random_range(1..=8.min(records));
+                            let start = random.random_range(0..=records - length);
+                            4 * start as u32 + ((length as u32) << 16)
+                        }
+                    }
+                };
+            }
+        }
+    }
+    match kind {
+        SPHERES => {
+            for record in words[first..first + OBJECT * records].chunks_mut(OBJECT) {
+                record.fill_with(|| random.random::<u32>() & 0x3fff_ffff);
+                record[10] = random.random_range(0..MATERIALS);
+            }
+        }
+        LEAF => {
+            for vertex in &mut words[first..first + 4 * vertices] {
+                *vertex = random.random::<u32>() & 0xbfff_ffff;
+            }
+            let faces = first + 4 * vertices;
+            for face in &mut words[faces..faces + records] {
+                let [a, b, c] = [(); 3].map(|()| random.random_range(0..vertices) as u8);
+                *face = u32::from_be_bytes([a, b, c, random.random_range(0..MATERIALS) as u8]);
+            }
+        }
+        _ => {}
+    }
+    let known = Known {
+        number: NUMBER,
+        eye: in_cube(10.0, random).map(from_f64),
+        blocks: BLOCKS,
+        materials: MATERIALS,
+        sides: 0x6000_0000,
+    };
+    (words, known)
+}
