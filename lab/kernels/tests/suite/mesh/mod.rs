@@ -6,9 +6,9 @@ mod bounds;
 mod boxes;
 mod conservative;
 mod patches;
-mod rows;
 mod prepare;
 mod rays;
+mod rows;
 mod triangles;
 
 /// Lengths of lists. A scheduled loop takes other paths for the short ones.

@@ -2,20 +2,15 @@
 
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_HIT, MESH_LEAF, MESH_LEAF_PLACES, MESH_MAGIC, Material, MeshBound,
-    MeshCandidate, MeshFace, MeshHeader, MeshHit, MeshLeaf, MeshRows, MeshVertex, MeshWindow,
-    Object, Patch, RayPacket, SIDES_BOTH, Shear,
+    MeshCandidate, MeshFace, MeshHeader, MeshHit, MeshLeaf, MeshRay, MeshRows, MeshVertex,
+    MeshVisit, MeshWindow, Object, Patch, RayPacket, SIDES_BOTH, Shear,
 };
 use twins::mesh::{self, Corners, Slab};
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_patches::{FlatPatch, flat_patch, list_hits};
-use twins::mesh_rows;
-    Boxes, MESH_BLOCK, MESH_LEAF, MESH_MAGIC, MeshBound, MeshCandidate, MeshFace, MeshHeader,
-    MeshRay, MeshVertex, MeshVisit, RayPacket, SIDES_BOTH, Shear,
-};
-use twins::mesh::{self, Corners, Slab};
-use twins::mesh_pairs::MeshBlock;
 use twins::mesh_prepare::{Known, WORDS};
 use twins::mesh_rays::{self, Visit};
+use twins::mesh_rows;
 use twins::primary_rays::Ray;
 use twins::{ONE, Single, sphere_ray};
 use zerocopy::big_endian::{F32, U16, U32};
