@@ -68,8 +68,8 @@ impl Emitter<'_> {
         let from = self.splat(253 << 23);
         let exponent = self.b.ins().isub(from, field);
         if !self.in_doubles {
-            // The operand's exponent is 0 where the difference is 253, and 253 or more where it is
-            // 0 or below.
+            // The difference is 253 where the operand's exponent is 0, and less than 1 where the
+            // estimate's would be.
             let one = self.splat(1 << 23);
             let lower = self.b.ins().isub(exponent, one);
             let limit = self.splat(252 << 23);

@@ -384,9 +384,9 @@ impl Runner {
         exit
     }
 
-    /// A unit has failed. If it fails often, it is replaced: by one iteration of an unrolled loop, by
-    /// a unit with a slower [`FloatMode`], or by one that ends before its double precision. If there
-    /// can't be one, the address is never compiled again.
+    /// A unit has failed. If it fails often, it is replaced: by one iteration of an unrolled loop,
+    /// by a unit with a slower [`FloatMode`], or by one that ends before its double precision. If
+    /// there can't be one, the address is never compiled again.
     fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
