@@ -4,8 +4,8 @@ use twins::accumulate::Share;
 use twins::bounce::CHAIN_STEP;
 use twins::surfaces::{Material, Object, Ray, Surface};
 use twins::{Single, shadow_rays};
-use zerocopy::{FromZeros as _, IntoBytes as _};
 use zerocopy::big_endian::{F32, U32};
+use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::records::{self, PacketRay};
 use crate::bench::{self, Bench};
@@ -246,9 +246,11 @@ pub fn light_arguments(
     let packets: Vec<RayPacket> = sites
         .iter()
         .map(|site| {
-            records::rays(&site.shadow.map(|(ray, is_blocked)| {
-                packet_ray(ray, background + u32::from(is_blocked))
-            }))
+            records::rays(
+                &site
+                    .shadow
+                    .map(|(ray, is_blocked)| packet_ray(ray, background + u32::from(is_blocked))),
+            )
         })
         .collect();
     let packets = put(bench, &packets);
