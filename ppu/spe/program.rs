@@ -11,7 +11,7 @@ use super::elf;
 use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
-use protocol::layout::{MESH_CODE, MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM};
+use protocol::layout::{EYE_CODE, EYE_CODE_ROOM, MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM};
 
 /// Bytes with the alignment for the fastest transfers.
 #[repr(C, align(128))]
@@ -133,10 +133,10 @@ impl Program {
     }
 
     /// The code that traces meshes in main memory, with its constants and variables: what is
-    /// loaded from `MESH_CODE` on, in whole quadwords. It is empty if the program has none.
+    /// loaded from `EYE_CODE` on, in whole quadwords. It is empty if the program has none.
     #[must_use]
     pub fn mesh_code(&self) -> Vec<u8> {
-        let room = MESH_CODE..MESH_CODE + MESH_CODE_ROOM;
+        let room = EYE_CODE..EYE_CODE + EYE_CODE_ROOM + MESH_CODE_ROOM;
         elf::loaded(self.image, room).unwrap_or_default()
     }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use nff::{Mesh, Scene, Shape, Texture};
 use protocol::layout::{
-    MESH_BLOCK, MESH_CODE, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM, TEXTURE_CACHE,
+    EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM, TEXTURE_CODE,
 };
 use zerocopy::big_endian::F32;
 
@@ -132,8 +132,8 @@ impl Streamed {
     /// Where the mesh's cache ends: before the code that it needs.
     fn end(&self) -> u32 {
         match self.textures {
-            Some(_) => TEXTURE_CACHE,
-            None => MESH_CODE,
+            Some(_) => TEXTURE_CODE,
+            None => EYE_CODE,
         }
     }
 

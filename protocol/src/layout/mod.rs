@@ -199,9 +199,13 @@ constants! {
     /// Most materials of a mesh.
     MESH_MATERIALS = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
-    MESH_CODE_ROOM = 38656;
+    MESH_CODE_ROOM = 31232;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
+    /// Bytes in front of it for the code that traces eye rays through meshes without textures.
+    EYE_CODE_ROOM = 7424;
+    /// Address in local store of that code.
+    EYE_CODE = MESH_CODE - EYE_CODE_ROOM;
     /// Fewest blocks that the cache of an SPU must have room for.
     MESH_LEAST_SLOTS = 4;
     /// Most blocks that the cache of an SPU can have.
@@ -224,12 +228,12 @@ constants! {
     TEXTURE_LEVELS = 1024;
     /// Tiles in an SPU's cache.
     TEXTURE_SLOTS = 16;
-    /// Bytes in front of the code that traces meshes for the code that looks up textures.
+    /// Bytes in front of `EYE_CODE` for the code that looks up textures.
     TEXTURE_CODE_ROOM = 4096;
     /// Address in local store of that code.
-    TEXTURE_CODE = MESH_CODE - TEXTURE_CODE_ROOM;
-    /// Address in local store of the tiles.
-    TEXTURE_CACHE = TEXTURE_CODE - TEXTURE_SLOTS * TEXTURE_TILE;
+    TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_ROOM;
+    /// Address in local store of the tiles, which are in the place of the code for eye rays.
+    TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
     WRAP_ACROSS = 8;
     /// In `wraps`: with `WRAP_ACROSS`, it is mirrored each second time.
@@ -401,7 +405,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 38656.
+    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 38656, or 31232 with textures.
     MeshCode = 29, "mesh_code, mesh_code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

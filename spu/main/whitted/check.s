@@ -36,7 +36,13 @@ function whitted_check
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned mesh_code,LINE,MeshCode
-        require_at_most mesh_code_bytes,MESH_CODE_ROOM,MeshCode
+        require_at_most mesh_code_bytes,EYE_CODE_ROOM+MESH_CODE_ROOM,MeshCode
+        load_constant $limit,MESH_CODE_ROOM
+        clgt    $bad,$value,$limit
+        andi    $batch,$batch,FEATURE_TEXTURES
+        ceqi    $batch,$batch,0
+        andc    $bad,$bad,$batch
+        refuse_if $bad,MeshCode
         andi    $bad,$value,15
         refuse_if $bad,MeshCode
 no_mesh:
@@ -66,10 +72,10 @@ no_mesh:
         load_constant $limit,SCENE_ROOM
         lqa     $batch,streamed
         brz     $batch,resident
-        ila     $limit,MESH_CODE-SCENE_ADDRESS
+        ila     $limit,EYE_CODE-SCENE_ADDRESS
         andi    $batch,$batch,FEATURE_TEXTURES
         brz     $batch,resident
-        ila     $limit,TEXTURE_CACHE-SCENE_ADDRESS
+        ila     $limit,TEXTURE_CODE-SCENE_ADDRESS
 resident:
         clgt    $bad,$value,$limit
         refuse_if $bad,SceneBytes

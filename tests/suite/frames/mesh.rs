@@ -7,7 +7,7 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
-    Frame, MESH_BLOCK, MESH_CODE, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES, NO_BOX,
+    EYE_CODE, Frame, MESH_BLOCK, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES, NO_BOX,
     SCENE_ADDRESS,
 };
 use rand::{Rng as _, SeedableRng as _};
@@ -221,7 +221,7 @@ fn fields_of_the_mesh_that_are_wrong() {
             frame.mesh_cache = SCENE_ADDRESS.into()
         }),
         ("mesh_cache", "a multiple of 128", |frame| {
-            frame.mesh_cache = (MESH_CODE - 4 * MESH_BLOCK - 16).into();
+            frame.mesh_cache = (EYE_CODE - 4 * MESH_BLOCK - 16).into();
             frame.mesh_slots = 4.into();
         }),
     ];
@@ -233,7 +233,7 @@ fn a_scene_that_leaves_no_room_for_the_code_is_refused() {
     let mut fixture = Fixture::of(&scene(), 1);
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the code, with no room for the rays that wait.
-        frame.scene_bytes = (MESH_CODE - SCENE_ADDRESS).into();
+        frame.scene_bytes = (EYE_CODE - SCENE_ADDRESS).into();
     };
     fixture.refuses(&[("scene_bytes", "leave room", leaves)]);
 }

@@ -7,7 +7,7 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use nff::{Texture, Wrap};
-use protocol::layout::{Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CACHE};
+use protocol::layout::{Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
@@ -127,7 +127,7 @@ fn fields_of_the_textures_that_are_wrong() {
             frame.texture_records = (frame.texture_records.get() + 16).into()
         }),
         ("mesh_cache", "before the code", |frame| {
-            frame.mesh_cache = (TEXTURE_CACHE - 3 * MESH_BLOCK).into();
+            frame.mesh_cache = (TEXTURE_CODE - 3 * MESH_BLOCK).into();
             frame.mesh_slots = 4.into();
         }),
     ];
@@ -138,7 +138,7 @@ fn fields_of_the_textures_that_are_wrong() {
 fn a_scene_that_leaves_no_room_for_the_tiles_is_refused() {
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the tiles, with no room for the rays that wait.
-        frame.scene_bytes = (TEXTURE_CACHE - SCENE_ADDRESS).into();
+        frame.scene_bytes = (TEXTURE_CODE - SCENE_ADDRESS).into();
     };
     Fixture::of(&scene(), 1).refuses(&[("scene_bytes", "leave room", leaves)]);
 }

@@ -1,7 +1,7 @@
 //! Scenes with a mesh: what is in local store, and what in main memory.
 
 use nff::Mesh;
-use protocol::layout::{MESH_BLOCK, MESH_CODE, SIDES_BOTH};
+use protocol::layout::{EYE_CODE, MESH_BLOCK, SIDES_BOTH};
 
 use super::*;
 
@@ -59,7 +59,7 @@ fn a_large_mesh_is_in_main_memory() {
         let waiting = queue_bytes(block.batch(), block.ray_depth()) as u32;
         let used = SCENE_ADDRESS + block.bytes().len() as u32 + waiting;
         assert!(mesh.cache >= used && mesh.cache.is_multiple_of(128));
-        assert_eq!(mesh.cache + mesh.slots * MESH_BLOCK, MESH_CODE);
+        assert_eq!(mesh.cache + mesh.slots * MESH_BLOCK, EYE_CODE);
         assert!(mesh.slots >= 8, "{}", mesh.slots);
         assert!(mesh.cache - used < MESH_BLOCK);
     }

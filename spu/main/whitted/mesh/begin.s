@@ -49,7 +49,7 @@ function mesh_begin
         refuse_if $bad,MeshCache
         andi    $bad,$value,LINE-1
         refuse_if $bad,MeshCache
-        ila     $limit,MESH_CODE
+        ila     $limit,EYE_CODE
         clgt    $bad,$value,$limit
         refuse_if $bad,MeshCache
         load_word $end,FRAME_mesh_slots,$a_frame

@@ -33,6 +33,8 @@ runs:                                   # of a leaf, from the eye: those that ar
         .skip   16
 run_count:
         .skip   16
+eye_way:                                # whether the rays have the way of those from the eye
+        .skip   16
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -112,6 +114,11 @@ in_packets:
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
         lqa     $mask,of_eye
+        lqa     $c_end,streamed
+        andi    $c_end,$c_end,FEATURE_TEXTURES
+        ceqi    $c_end,$c_end,0
+        and     $mask,$mask,$c_end
+        stqa    $mask,eye_way
         brnz    $mask,eye_bounds
 bounds_call:
         brsl    $lr,mesh_bounds_r16
@@ -267,7 +274,7 @@ met:    ila     $a_list,arena+MESH_LIST
         hbrr    isect_call,isect_mesh_pairs_r16
         phase_ends $g_ticks_cull,$t_sum
         ceqi    $c_end,$header,MESH_SPHERES
-        lqa     $mask,of_eye
+        lqa     $mask,eye_way
         brnz    $c_end,sphere_leaf
         brz     $w_packets,known_leaf
 not_kept:
