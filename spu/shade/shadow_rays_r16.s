@@ -31,8 +31,6 @@
         .include "math.inc"
         .include "vectors.inc"
 
-        .set    SITE_SHINES,0x80
-
         .section .rodata
         .align  4
 two:    .int    0x00010203,0x10111213,0x80808080,0x80808080
@@ -158,7 +156,7 @@ next_pass:
         andi    $row,$row,48
         a       $here,$site,$row                        # all of its words
         a       $to_packet,$ends,$row
-        rotqbyi $step,$here,SITE_shadow
+        rotqbyi $step,$here,SITE_shines
         lqx     $step,$a_steps,$step
         rotqbyi $a_rays,$here,SITE_rays
         rotqbyi $to_list,$ends,4

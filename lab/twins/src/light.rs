@@ -39,7 +39,11 @@ fn minus_half_log2(x: Single) -> Single {
     let power = ROOT2.wrapping_sub(x) & !FRACTION;
     let mantissa = power.wrapping_add(x);
     let u = fs(mantissa, ONE);
-    fnms(u, polynomial(&LOG, u), csflt(power, FRACTION_BITS as i32 + 1))
+    fnms(
+        u,
+        polynomial(&LOG, u),
+        csflt(power, FRACTION_BITS as i32 + 1),
+    )
 }
 
 /// 2^-n, by n in fixed point.

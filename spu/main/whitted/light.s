@@ -12,8 +12,6 @@
         registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
         registers m_pair,next_flags,listed
 
-        .set    SITE_SHINES,0x80
-
         .section .bss
         .align  4
 light_sites:                            # the sites with rays to the light

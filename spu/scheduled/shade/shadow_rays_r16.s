@@ -32,8 +32,6 @@
         .include "math.inc"
         .include "vectors.inc"
 
-        .set    SITE_SHINES,0x80
-
         .section .rodata
         .align  4
 two:    .int    0x00010203,0x10111213,0x80808080,0x80808080

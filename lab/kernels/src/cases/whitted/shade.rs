@@ -6,9 +6,9 @@ pub mod records;
 pub mod shapes;
 
 use spu_emulator::float::single::from_f64;
-use twins::{ONE, Single};
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
+use twins::{ONE, Single};
 
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};

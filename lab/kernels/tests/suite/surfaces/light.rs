@@ -258,7 +258,12 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
         ..surface
     };
     // The OR of the channels' bits.
-    let most = to_f64(surface.colour.into_iter().fold(0, |all, channel| all | channel));
+    let most = to_f64(
+        surface
+            .colour
+            .into_iter()
+            .fold(0, |all, channel| all | channel),
+    );
     assert!((0.5..1.0).contains(&most), "{most}");
     let least = 1.0 / 4096.0;
     let there = |surface: &Surface, weight: f64, cosine: f64, least: f64| {

@@ -9,8 +9,8 @@ use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Object, Surface, surface};
 
 use super::call::{self, Hit, Site};
-use super::{LEAST, records};
 use super::shapes::Shape;
+use super::{LEAST, records};
 use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
 use crate::single::bits;
