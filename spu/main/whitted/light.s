@@ -168,8 +168,8 @@ unshadowed:
         ila     $lr,none_shone
         ila     $amount,dark
         rotmi   $4,$4,-SITE_SIZE_LOG2
-        ceq     $value,$4,$w_traced
-        selb    $lr,$lr,$amount,$value                  # straight to the next light if all shine
+        ceq     $t_sum,$4,$w_traced
+        selb    $lr,$lr,$amount,$t_sum                  # straight to the next light if all shine
         brz     $4,none_shone
 light_call:
         br      light_r16
