@@ -12,8 +12,8 @@ use super::Options;
 /// Part of a step between bytes that a ray has to be able to add.
 const STEP: f64 = 1.0 / 255.0 / 16.0;
 
-/// What a shadow ray has to be able to add: about half of [`STEP`], because there are more of them.
-pub(super) const LEAST_LIGHT: f64 = 1.0 / 8192.0;
+/// What a shadow ray has to be able to add: a little less than [`STEP`].
+pub(super) const LEAST_LIGHT: f64 = 1.0 / 4096.0;
 
 /// A bound of a colour's channels, as quick to compute as it gets: the single whose bits are those
 /// of any channel. It is less than twice the greatest one.

@@ -112,8 +112,8 @@ next_light:
         load_word $weight,FRAME_least_weight,$lights
         load_word $end,FRAME_lights,$lights
         load_word $lights,FRAME_light_count,$lights
-        # The least share that counts is 1/8192, about 1/32 of a step of a byte, over the greatest
-        # channel's brightness or more; 0 if every ray does.
+        # The least share that counts is 1/4096, which is below 1/16 of a step of a byte, of the
+        # greatest channel's brightness, or less; 0 if every ray does.
         rotqbyi $green,$bright,4
         rotqbyi $blue,$bright,8
         shli    $lights,$lights,LIGHT_SIZE_LOG2
@@ -123,7 +123,7 @@ next_light:
         or      $bright,$bright,$blue
         ceqi    $weight,$weight,0
         frest   $inverse,$bright
-        ilhu    $k_least,0x3900
+        ilhu    $k_least,0x3980
         ori     $4,$w_sites,0
         fi      $inverse,$bright,$inverse
         brnz    $end,lit
