@@ -16,7 +16,7 @@ const STEP: f64 = 1.0 / 255.0 / 16.0;
 pub(super) const LEAST_LIGHT: f64 = 1.0 / 4096.0;
 
 /// A bound of a colour's channels, as quick to compute as it gets: the single whose bits are those
-/// of any channel. It is less than twice the greatest one.
+/// of any channel.
 pub(super) fn most(colour: DVec3) -> f64 {
     let bits = colour.to_array().map(|channel| (channel as f32).to_bits());
     f64::from(f32::from_bits(bits[0] | bits[1] | bits[2]))

@@ -19,8 +19,8 @@
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
 #   |weight (most diffuse (N.L) + highlight)| > least; otherwise t = -1
 #   origin = point + leave plane
-# most is the OR of the bits of red, green and blue: at least the greatest of them, and less than
-# twice as much. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
+# most is the OR of the bits of red, green and blue: at least the greatest of them, and below 2 if
+# they are. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
 # exists where any share is. A light exactly at the point has L = 0, and there is no ray.
 #
 # Each packet is stored behind the last one that has a ray in some lane, so a packet without any is
