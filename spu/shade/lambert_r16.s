@@ -5,7 +5,7 @@
 #           sites' packets of shadow rays, one behind the other; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
-#   Uses    $3-$4, $6-$25   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $6-$26   Saves  -   Stack  0   Calls  -
 #   Domain  N.L >= 0 where there is a shadow ray; shares from 0 to 1
 #   Error   4 ulp of the brightness
 #   Twin    lab/twins/src/light.rs

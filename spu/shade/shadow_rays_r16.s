@@ -2,13 +2,13 @@
 #   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
 #                                     const struct object *background, float least,
 #                                     struct ray_packet *, struct site *listed);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the least share
-#           of the light that counts, or 0 if every ray does; $8 where the rays go, $9 where their
-#           sites go, with room for as many as there are sites; pointers 16-aligned
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the least
+#           share of the light that counts, or 0 if every ray does; $8 where the rays go, $9 where
+#           their sites go, with room for as many as there are sites; pointers 16-aligned
 #   Out     a packet for each site in which some lane has a ray, in order: origin, direction, t,
 #           object; and these sites, as they are; what is behind these may be anything. $3 the end
 #           of the listed sites, number of rays, how many bytes of the listed sites shine
-#   Uses    $3-$79   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $6-$7, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
 #           the direction then of length 1
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
@@ -19,8 +19,8 @@
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
 #   |weight (most diffuse (N.L) + highlight)| > least; otherwise t = -1
 #   origin = point + leave plane
-# most is the OR of the bits of red, green and blue: at least the greatest of them, and less than
-# twice as much. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
+# most is the OR of the bits of red, green and blue: at least the greatest of them, and below 2 if
+# they are. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
 # exists where any share is. A light exactly at the point has L = 0, and there is no ray.
 #
 # Each packet is stored behind the last one that has a ray in some lane, so a packet without any is
@@ -31,15 +31,13 @@
         .include "math.inc"
         .include "vectors.inc"
 
-        .set    SITE_SHINES,0x80
-
         .section .rodata
         .align  4
 two:    .int    0x00010203,0x10111213,0x80808080,0x80808080
 as_is:  .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
 # The lanes' OR enters from the right, as two bytes: the first four are of the last two passes.
 recent: .int    0x02031010,0x02031010,0x02031010,0x80808080
-# What is returned: the end of the listed sites, rays, how many bytes of these sites have highlights.
+# What is returned: the end of the listed sites, rays, how many bytes of these sites shine.
 ended:  .int    0x00010203,0x10111213,0x04050607,0x80808080
 # How far these move behind the rows 0 and 2: only behind a packet's last ones. The second part is
 # for sites with highlights.
@@ -57,10 +55,10 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         registers k_beyond                              # FARTHEST for a directional light, else 0
         registers light_x,light_y,light_z
         registers a_steps
-        registers m_seen                                # takes the second operand if every ray counts
+        registers m_seen                                # takes 1 instead if every ray counts
         # state
         registers at                                    # 16 for each site that is done
-        registers ends                                  # of packets, sites; bytes of sites that shine
+        registers ends                                  # of packets, sites; bytes that shine
         registers there_before                          # of recent rows, whether any lane has a ray
         registers rays
         # the pass
@@ -158,7 +156,7 @@ next_pass:
         andi    $row,$row,48
         a       $here,$site,$row                        # all of its words
         a       $to_packet,$ends,$row
-        rotqbyi $step,$here,SITE_shadow
+        rotqbyi $step,$here,SITE_shines
         lqx     $step,$a_steps,$step
         rotqbyi $a_rays,$here,SITE_rays
         rotqbyi $to_list,$ends,4

@@ -5,6 +5,7 @@
 use glam::DVec3;
 
 use super::finish::Finish;
+use super::weight;
 
 /// Blinn's exponent for a highlight of about the same size, as a multiple of Phong's. Near the
 /// mirror direction the angle from the normal to the halfway vector is half of Phong's angle, and
@@ -36,6 +37,11 @@ pub(super) fn schlick(ratio: f64, near: f64, beyond: f64) -> f64 {
     let head_on = ((1.0 - ratio) / (1.0 + ratio)).powi(2);
     let cosine = if ratio > 1.0 { beyond } else { near };
     head_on + (1.0 - head_on) * (1.0 - cosine).clamp(0.0, 1.0).powi(5)
+}
+
+/// A bound of [`shine`]'s channels, by the cosine of the light's angle to the normal.
+pub(super) fn bound(finish: &Finish, facing: f64) -> f64 {
+    finish.diffuse * facing * weight::most(finish.colour) + finish.highlight
 }
 
 /// The light of a source in front of the surface, with brightness 1 and the direction `to_light`,

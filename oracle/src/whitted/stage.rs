@@ -155,7 +155,7 @@ impl<'a> Stage<'a> {
         };
         path.counts.hit += 1;
         path.counts.eye_hit += u64::from(depth == 1);
-        let lit = self.lit(&hit, ray.direction, path);
+        let lit = self.lit(&hit, ray.direction, weight, path);
         if depth < self.options.depth {
             lit + self.bounced(&hit, ray.direction, depth + 1, weight, path)
         } else {
@@ -212,23 +212,31 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The light that a hit sends back: the lights' and its own.
-    fn lit(&self, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
+    /// The light that a hit sends back along a ray of this weight: the lights' and its own.
+    fn lit(&self, hit: &Hit, direction: DVec3, weight: f64, path: &mut Path) -> DVec3 {
         let finish = &hit.finish;
         let sum = finish.emission + finish.diffuse * self.ambient * finish.colour;
         if finish.diffuse == 0.0 && finish.highlight == 0.0 {
             if self.options.spd_rays && finish.is_lit {
                 path.counts += Counts::unseen(|path| {
-                    self.shone_on(sum, hit, direction, path);
+                    self.shone_on(sum, hit, direction, weight, path);
                 });
             }
             return sum;
         }
-        self.shone_on(sum, hit, direction, path)
+        self.shone_on(sum, hit, direction, weight, path)
     }
 
-    /// Adds the lights' light that a hit sends back to a sum.
-    fn shone_on(&self, mut sum: DVec3, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
+    /// Adds the lights' light that a hit sends back to a sum. Shadow rays that `cellray` would not
+    /// send add their light, too, but do not count.
+    fn shone_on(
+        &self,
+        mut sum: DVec3,
+        hit: &Hit,
+        direction: DVec3,
+        weight: f64,
+        path: &mut Path,
+    ) -> DVec3 {
         let finish = &hit.finish;
         for &(kind, brightness) in &self.lights {
             let (way, distance) = match kind {
@@ -244,7 +252,10 @@ impl<'a> Stage<'a> {
                 path.note(0);
                 continue;
             }
-            path.counts.shadow += 1;
+            let share = light::bound(finish, hit.smooth.dot(to_light));
+            let shown = weight * share * weight::most(brightness);
+            let counts = self.least_weight == 0.0 || shown > weight::LEAST_LIGHT;
+            path.counts.shadow += u64::from(counts);
             let hidden = self.tree.any(&Ray::new(hit.point, to_light), distance);
             path.note(1 + u64::from(hidden));
             if !hidden {

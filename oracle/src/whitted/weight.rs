@@ -12,6 +12,16 @@ use super::Options;
 /// Part of a step between bytes that a ray has to be able to add.
 const STEP: f64 = 1.0 / 255.0 / 16.0;
 
+/// What a shadow ray has to be able to add: a little less than [`STEP`].
+pub(super) const LEAST_LIGHT: f64 = 1.0 / 4096.0;
+
+/// A bound of a colour's channels, as quick to compute as it gets: the single whose bits are those
+/// of any channel.
+pub(super) fn most(colour: DVec3) -> f64 {
+    let bits = colour.to_array().map(|channel| (channel as f32).to_bits());
+    f64::from(f32::from_bits(bits[0] | bits[1] | bits[2]))
+}
+
 /// The least weight of a ray that is started, in a scene of these materials and lights.
 pub(super) fn least(
     scene: &Scene,

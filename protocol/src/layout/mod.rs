@@ -156,6 +156,8 @@ constants! {
     WAITING_SIZE = 0x1_0000;
     /// In a ray's `pixel`: what one ray that came before it in its chain adds.
     CHAIN_STEP = 0x0100_0000;
+    /// What a packet of hits with highlights is marked by.
+    SITE_SHINES = 0x80;
     /// Most packets that are traced together.
     MAX_BATCH = 8;
     /// Index of the tree of spheres in the frame's `trees`.

@@ -360,8 +360,8 @@ record! {
         surfaces: U32,
         /// Address of the rays that hit there.
         rays: U32,
-        /// Address of the packet of shadow rays.
-        shadow: U32,
+        /// `SITE_SHINES` if a surface of the packet may have a highlight, else 0.
+        shines: U32,
         /// Anything.
         unused: U32,
     }

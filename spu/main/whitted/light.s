@@ -12,8 +12,6 @@
         registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
         registers m_pair,next_flags,listed
 
-        .set    SITE_SHINES,0x80
-
         .section .bss
         .align  4
 light_sites:                            # the sites with rays to the light
@@ -170,8 +168,8 @@ unshadowed:
         ila     $lr,none_shone
         ila     $amount,dark
         rotmi   $4,$4,-SITE_SIZE_LOG2
-        ceq     $value,$4,$w_traced
-        selb    $lr,$lr,$amount,$value                  # straight to the next light if all shine
+        ceq     $t_sum,$4,$w_traced
+        selb    $lr,$lr,$amount,$t_sum                  # straight to the next light if all shine
         brz     $4,none_shone
 light_call:
         br      light_r16

@@ -140,6 +140,18 @@ fn gears() -> nff::Scene {
     nff::parse(text.as_bytes(), "gears", &nff::Limits::default()).unwrap()
 }
 
+/// Light that is left out makes a pixel darker by at most a step, and few pixels.
+fn assert_the_same_but_for_steps(seen: &Frame, all: &Frame) {
+    let pairs = seen.picture.pixels().zip(all.picture.pixels());
+    let (mut darker, mut channels) = (0, 0);
+    for (seen, all) in pairs.flat_map(|(a, b)| a.0.into_iter().zip(b.0)) {
+        assert!(seen <= all && all - seen <= 1, "{seen} and {all}");
+        darker += usize::from(seen != all);
+        channels += 1;
+    }
+    assert!(1000 * darker <= channels, "{darker} of {channels}");
+}
+
 #[test]
 fn gears_by_both_rules() {
     let scene = gears();
@@ -150,7 +162,7 @@ fn gears_by_both_rules() {
         };
         corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
     });
-    assert!(seen.picture == all.picture);
+    assert_the_same_but_for_steps(&seen, &all);
     assert_eq!(by_weight.eye_hit, by_spd.eye_hit);
     assert!(by_spd.reflected > 2 * by_weight.reflected);
     assert!(by_spd.refracted > by_weight.refracted && by_spd.shadow > by_weight.shadow);
@@ -168,6 +180,6 @@ fn gears_by_both_rules_with_fresnel() {
         };
         corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
     });
-    assert!(seen.0.picture == all.0.picture);
+    assert_the_same_but_for_steps(&seen.0, &all.0);
     assert!(all.1.shadow > seen.1.shadow);
 }

@@ -140,7 +140,7 @@ pub fn leave(
     let site = |number: usize| Site {
         surfaces: address::<Surfaces>(surfaces, number).into(),
         rays: address::<RayPacket>(rays, number).into(),
-        shadow: U32::ZERO,
+        shines: U32::ZERO,
         unused: U32::ZERO,
     };
     let list: Vec<Site> = (0..packets.len()).map(site).collect();

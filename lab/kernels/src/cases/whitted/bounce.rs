@@ -96,7 +96,7 @@ impl Sites {
                 Site {
                     surfaces: surface.address.into(),
                     rays: rays.address.into(),
-                    shadow: random.random::<u32>().into(),
+                    shines: random.random::<u32>().into(),
                     unused: random.random::<u32>().into(),
                 }
             })

@@ -12,7 +12,7 @@ use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
 use crate::eye_records::pixel_shuffle;
 use crate::single::{bits, single};
-use protocol::layout::{self, RayPacket, Surfaces, TILE_WIDTH};
+use protocol::layout::{self, RayPacket, SITE_SHINES, Surfaces, TILE_WIDTH};
 
 /// The hit of a lane's ray. The object is a number, of which the first is the background.
 #[derive(Clone, Copy, Debug)]
@@ -100,9 +100,6 @@ fn packet_ray(ray: Ray, object: u32) -> PacketRay {
     }
 }
 
-/// The bit of a site that shines.
-pub const SHINES: u32 = 0x80;
-
 /// Puts sites into local store, each record between guards.
 pub fn put_sites(bench: &mut Bench, sites: &[Site]) -> PlacedSites {
     let background = put(bench, &[layout::Object::new_zeroed()]);
@@ -129,7 +126,7 @@ pub fn put_sites(bench: &mut Bench, sites: &[Site]) -> PlacedSites {
         list.push(layout::Site {
             surfaces: surfaces.address.into(),
             rays: rays.address.into(),
-            shadow: if site.shines { SHINES } else { 0 }.into(),
+            shines: if site.shines { SITE_SHINES } else { 0 }.into(),
             unused: ANYTHING.into(),
         });
         placed.surfaces.push(surfaces);
