@@ -60,7 +60,8 @@ impl Fixture {
         frame.textures = textures.address().into();
         frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
-        frame.mesh_code = mesh_code.address().into();
+        // The descriptor has what is in front of the code that this scene needs.
+        frame.mesh_code = (mesh_code.address() + frame.mesh_code.get()).into();
         frame.unit_counter = unit_counter.address().into();
         frame.statistics = statistics.address().into();
         frame.units = units.address().into();
