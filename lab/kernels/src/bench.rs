@@ -35,7 +35,7 @@ const ARENA_END: u32 = TEXTURE_CODE;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, behind the other kernels.
-const ARENA: u32 = 0x2a000;
+const ARENA: u32 = 0x29400;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
@@ -188,7 +188,7 @@ impl Bench {
                 let is_free = end <= ARENA || segment.address >= ARENA_END;
                 assert!(
                     is_free,
-                    "the kernels reach into the arena: {:#x}",
+                    "the kernels reach into the arena: {:#x} to {end:#x}",
                     segment.address
                 );
             }

@@ -19,8 +19,8 @@ use crate::single::single;
 use call::{address, list_room, put, put_packets, put_places};
 use protocol::layout::{Colours, Frustum, Packet, Pair, Place, Sphere};
 
-/// The sixteen packets of one group, and of four groups.
-const PACKETS: Objects = Objects::List(16, 64);
+/// The sixteen packets of one group, and of three groups.
+const PACKETS: Objects = Objects::List(16, 48);
 /// A short list of spheres, and a long one.
 const SPHERES: Objects = Objects::List(16, 64);
 /// The packets that a mask can select.

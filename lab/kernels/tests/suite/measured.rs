@@ -52,16 +52,25 @@ const NOT_PIPELINED: [&str; 9] = [
     "mesh_flat_patches",
 ];
 
+/// Kernels some of whose loops have branches or other loops in them, and so no interval.
+const HAVE_BRANCHES: [&str; 3] = ["mesh_filter_rays", "mesh_few_rays", "mesh_prepare"];
+
 #[test]
 fn loops_reach_nine_tenths_of_their_bounds() {
     let mut loops = 0;
     let pipelined = |kernel: &&Measured| !NOT_PIPELINED.contains(&kernel.kernel);
     for kernel in measured().iter().filter(pipelined) {
         for found in &kernel.loops {
-            loops += 1;
             let at = format!("{}: {}", kernel.kernel, found.name);
-            let cycles = found.form.cycles();
-            let cycles = cycles.unwrap_or_else(|| panic!("{at}: {:?}", found.form));
+            let Some(cycles) = found.form.cycles() else {
+                assert!(
+                    HAVE_BRANCHES.contains(&kernel.kernel),
+                    "{at}: {:?}",
+                    found.form
+                );
+                continue;
+            };
+            loops += 1;
             assert!(cycles.reached() >= 0.9, "{at}: {cycles:?}");
             assert!(
                 cycles.bound >= cycles.even.max(cycles.odd),

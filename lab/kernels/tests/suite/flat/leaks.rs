@@ -14,9 +14,9 @@ use twins::sphere_ray;
 use super::watertight::Mesh;
 
 /// The number of meshes of each kind.
-const MESHES: u32 = 80;
+const MESHES: u32 = 160;
 /// The number of packets from inside each mesh.
-const PACKETS: usize = 40;
+const PACKETS: usize = 20;
 /// The object of a ray that has hit nothing.
 const NOTHING: u32 = 0;
 
