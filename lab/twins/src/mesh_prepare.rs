@@ -134,7 +134,7 @@ fn is_right(child: u32, header: &Header, known: &Known) -> bool {
             let first = 4 * (HEADER + NODE * header.nodes) as u32;
             let size = 4 * OBJECT as u32;
             let offset = child.wrapping_sub(first);
-            offset < size * header.triangles && offset % size == 0
+            offset < size * header.triangles && offset.is_multiple_of(size)
         }
         _ => {
             let [first, length] = [(child & 0xffff) >> 2, child >> 16];

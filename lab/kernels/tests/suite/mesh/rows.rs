@@ -51,8 +51,8 @@ fn junk_block(random: &mut ChaCha8Rng) -> MeshBlock {
 /// from the eye that go to points on them and on their edges, to their vertices, and beside them.
 /// The rays of a packet are as far apart as the triangles are wide.
 fn aimed(random: &mut ChaCha8Rng) -> (MeshBlock, Vec<Packet>) {
-    let distance = 10_f64.powf(random.random_range(-3.0..4.0));
-    let width = distance * 10_f64.powf(random.random_range(-4.5..0.2));
+    let distance = libm::pow(10.0, random.random_range(-3.0..4.0));
+    let width = distance * libm::pow(10.0, random.random_range(-4.5..0.2));
     let towards = unit([(); 3].map(|()| random.random_range(-1.0..1.0)));
     let near = |random: &mut ChaCha8Rng, width: f64| {
         towards.map(|axis| axis * distance + random.random_range(-width..width))
