@@ -5,8 +5,9 @@ use spu_isa::{Class, Instruction, LIMIT_MASK, Op, feature};
 /// The most instructions that a trace may have.
 pub const MAX_STEPS: usize = 160;
 
-/// A loop is unrolled up to this number of instructions. Each iteration of a unit's loop costs some
-/// tens of the host's instructions, which a short loop would pay for each iteration of its own.
+/// A loop is unrolled up to this number of instructions. Each iteration of a unit's loop costs
+/// some tens of the host's instructions, which a short loop would pay for each iteration of its
+/// own.
 const MAX_UNROLLED: usize = 40;
 
 /// The scales at which every nonzero 32-bit integer converts to a number that IEEE singles have

@@ -1,9 +1,9 @@
 # mesh_candidates   of visits of a mesh's leaf, the candidates of packets
 #   C       struct mesh_candidate *mesh_candidates(const struct mesh_visit *, int count,
 #                       struct mesh_candidate *, int base, const struct mesh_candidate packets[2]);
-#   In      $3 visits, $4 count (0 is none), $5 where the list goes, $6 what is added to each child's
-#           word, $7 two quadwords: a candidate of the first packet, and what is added for each
-#           further one; pointers 16-aligned
+#   In      $3 visits, $4 count (0 is none), $5 where the list goes, $6 what is added to each
+#           child's word, $7 two quadwords: a candidate of the first packet, and what is added for
+#           each further one; pointers 16-aligned
 #   Out     for each visit, a candidate of each packet that has one of its rays: object is the
 #           child's word plus $6, near is the visit's; seven more quadwords may be written
 #           $3 behind the list

@@ -8,18 +8,18 @@
 #   Out     the bounds and the windows
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  origins 0; unit directions, also of absent rays, whose t have their signs set
-#   Error   0: no ray meets a plane earlier or later than the bound says; each slope is 2^-18 within
-#           its row's window, which is more than all roundings of the slope, of the ray's SHEARS,
-#           and of a vertex's slopes in filter_triangles_r16
+#   Error   0: no ray meets a plane earlier or later than the bound says; each slope is 2^-18
+#           within its row's window, which is more than all roundings of the slope, of the ray's
+#           SHEARS, and of a vertex's slopes in filter_triangles_r16
 #   Twin    lab/twins/src/mesh_rows.rs
 #
 # The bounds are those of mesh_bounds_r16 for rays that start at 0, with its steps. The slopes are
-# those against the axis along which the first ray is longest. If a ray's component along it is less
-# than 1/2, or has the other sign, the windows have everything: packets across so wide an angle are
-# seldom. Absent rays count, since they go through pixels beside the others'.
+# those against the axis along which the first ray is longest. If a ray's component along it is
+# less than 1/2, or has the other sign, the windows have everything: packets across so wide an
+# angle are seldom. Absent rays count, since they go through pixels beside the others'.
 #
-# The loop counts up, so that it isn't pipelined. Pipelined it would take 186 cycles a packet instead
-# of 221, but 4.2 KB of local store instead of 1.6.
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 186 cycles a packet
+# instead of 221, but 4.2 KB of local store instead of 1.6.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -6,8 +6,8 @@
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
 #   Uses    $3-$4, $6-$70   Saves  -   Stack  0   Calls  -
-#   Domain  N.L >= 0 and N.d <= 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length
-#           1 within 8 ulp; exponent 0, or from 0.25 to 4096
+#   Domain  N.L >= 0 and N.d <= 0 where there is a shadow ray; shares from 0 to 1; N, L, d of
+#           length 1 within 8 ulp; exponent 0, or from 0.25 to 4096
 #   Error   0.6 thousandths of the brightness, exponents to 1000; 1.5 to 4096
 #   Twin    lab/twins/src/light.rs
 #

@@ -25,8 +25,8 @@ impl Emitter<'_> {
         let distances = self.and(distances, (table.len() as u32 - 1) << ENTRY_LOG2);
         let distances = self.cast(types::I64X2, distances);
         let table = self.b.ins().iconst(types::I64, table.as_ptr() as i64);
-        // Two lanes at a time leave the vector, and each entry is loaded where it is inserted: that
-        // takes the fewest of the host's instructions.
+        // Two lanes at a time leave the vector, and each entry is loaded where it is inserted:
+        // that takes the fewest of the host's instructions.
         let [low, high] = [0, 1].map(|half| {
             let pair = self.b.ins().extractlane(distances, half);
             let first = self.b.ins().ireduce(types::I8, pair);

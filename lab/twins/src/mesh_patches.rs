@@ -1,5 +1,5 @@
-//! Twin of `spu/isect/mesh_list_hits_r16.s` and `mesh_flat_patches.s`: the triangles of a mesh that
-//! packets have hit, and their surfaces.
+//! Twin of `spu/isect/mesh_list_hits_r16.s` and `mesh_flat_patches.s`: the triangles of a mesh
+//! that packets have hit, and their surfaces.
 
 use spu_emulator::float::single::{fa, fm, fms, fs};
 

@@ -1,5 +1,6 @@
 //! Twin of `spu/isect/mesh_rays_r16.s`, `mesh_alive_r16.s`, `mesh_filter_rays.s`,
-//! `mesh_candidates.s` and `mesh_few_rays.s`: rays that go through the blocks of a mesh one by one.
+//! `mesh_candidates.s` and `mesh_few_rays.s`: rays that go through the blocks of a mesh one by
+//! one.
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fnms, fs};
 

@@ -84,8 +84,8 @@ impl Hull {
     }
 }
 
-/// A nearly smallest sphere around all of `spheres`; `None` if there are none. Around a triangle or a
-/// parallelogram it is the smallest one.
+/// A nearly smallest sphere around all of `spheres`; `None` if there are none. Around a triangle
+/// or a parallelogram it is the smallest one.
 ///
 /// Otherwise uses the algorithm of Bădoiu and Clarkson: from the middle of the bounding box, steps
 /// of decreasing length towards the farthest point. The best centre on the way is used.

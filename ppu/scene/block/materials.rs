@@ -25,8 +25,8 @@ const BLINN: f64 = 4.0;
 /// coordinates.
 const SLACK: f64 = 2.0 / (1 << 18) as f64;
 
-/// The share of a ray that is sent only to be counted: 2^-64. For the SPUs it is above 0, even times
-/// a cosine, and it has no effect on the picture.
+/// The share of a ray that is sent only to be counted: 2^-64. For the SPUs it is above 0, even
+/// times a cosine, and it has no effect on the picture.
 const COUNTED: f64 = 1.0 / (1_u128 << 64) as f64;
 
 /// Names of the built-in shaders.

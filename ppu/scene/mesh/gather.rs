@@ -73,8 +73,8 @@ fn is_quad(shape: &Shape) -> bool {
     matches!(shape, Shape::Polygon { vertices } if vertices.len() == 4)
 }
 
-/// A vertex as bits: its position, and its normal or zeros. Hashing a few words takes half the time
-/// of hashing each number.
+/// A vertex as bits: its position, and its normal or zeros. Hashing a few words takes half the
+/// time of hashing each number.
 type Bits = [u64; 3];
 
 struct Gatherer {

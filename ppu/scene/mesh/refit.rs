@@ -17,7 +17,8 @@ use super::{Block, MeshBlocks};
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
-    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres, too.
+    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres,
+    /// too.
     #[must_use]
     pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
         let mut refitted = self.clone();

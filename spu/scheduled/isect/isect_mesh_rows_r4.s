@@ -6,7 +6,8 @@
 #   Out     the rows: t, object, where a hit has 0 < t < what was there; object is MESH_HIT, plus
 #           128 times the block's number, plus the triangle's index
 #   Uses    $2-$72, $79   Saves  -   Stack  0   Calls  -
-#   Domain  as isect_mesh_pairs_r16; rays from the eye, whose origins are 0; each triangle has a row
+#   Domain  as isect_mesh_pairs_r16; rays from the eye, whose origins are 0; each triangle has a
+#           row
 #   Error   6 ulp of t, 8e-5 in barycentric coordinates; edges from 1/100 of the distance to all of
 #           it, area across the ray above 1/20 of their square
 #   Twin    lab/twins/src/mesh_rows.rs

@@ -3,17 +3,17 @@
 #   C       struct mesh_candidate *mesh_few_rays(const struct boxes *, int count,
 #                       const vec_uint4 *rays, struct mesh_candidate *, const struct mesh_ray *,
 #                       const struct mesh_candidate packets[2], int base, vec_uint4 *);
-#   In      $3 the lowest nodes, $4 count, at least 1, $5 the rays' bits, at least one, $6 where the
-#           list goes, $7 MESH_RAYs, $8 two quadwords: a candidate of the first packet, and what is
-#           added for each further one, $9 what is added to each child's word, $10 room for as many
-#           quadwords as there are rays and three more; pointers 16-aligned
+#   In      $3 the lowest nodes, $4 count, at least 1, $5 the rays' bits, at least one, $6 where
+#           the list goes, $7 MESH_RAYs, $8 two quadwords: a candidate of the first packet, and
+#           what is added for each further one, $9 what is added to each child's word, $10 room for
+#           as many quadwords as there are rays and three more; pointers 16-aligned
 #   Out     ray by ray and child by child, a candidate for each box that a ray meets: object is the
 #           child's word plus $9, packet and bound are those of the ray's packet, near is anything;
 #           three more quadwords may be written
 #           $3 behind the list
 #   Uses    $2-$5, $7-$34, $37-$79   Saves  -   Stack  0   Calls  -
-#   Domain  records as mesh_rays_r16 makes them; boxes with a slack of 2^-19 of the largest magnitude
-#           of their coordinates; distances from 2^-60 to 2^60
+#   Domain  records as mesh_rays_r16 makes them; boxes with a slack of 2^-19 of the largest
+#           magnitude of their coordinates; distances from 2^-60 to 2^60
 #   Error   0: no child is left out that a ray enters before it ends
 #   Twin    lab/twins/src/mesh_rays.rs
 #

@@ -1,7 +1,8 @@
 # mesh_filter_rays   of a block of a mesh, the children whose boxes some rays of a batch meet, and
 #                    which rays these are
 #   C       struct mesh_visit *mesh_filter_rays(const struct boxes *, int count, vec_uint4 *rays,
-#                       struct mesh_visit *, struct mesh_ray *, const struct rays16 *, vec_uint4 *);
+#                       struct mesh_visit *, struct mesh_ray *, const struct rays16 *,
+#                       vec_uint4 *);
 #   In      $3 the block's BOXES, $4 count, at least 1, $5 bits of the rays that are tested, with
 #           room for a quadword of each further node and three more, $6 where the visits go, $7
 #           MESH_RAYs, $8 their packets, $9 room for 131 quadwords; pointers 16-aligned
@@ -14,8 +15,8 @@
 #   Error   0: no ray is left out that enters a child's box before it ends
 #   Twin    lab/twins/src/mesh_rays.rs
 #
-# For rays that go every way. Nodes are taken one after the other, with the rays that meet their own
-# boxes, and the four boxes in the four lanes. A ray misses a box if one of these is below 0:
+# For rays that go every way. Nodes are taken one after the other, with the rays that meet their
+# own boxes, and the four boxes in the four lanes. A ray misses a box if one of these is below 0:
 #   the first end - the last start
 #   t - the last start
 #   the first end

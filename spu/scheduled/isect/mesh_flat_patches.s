@@ -9,16 +9,16 @@
 #           $3 behind the list
 #   Uses    $2-$4, $7-$73   Saves  -   Stack  0   Calls  -
 #   Domain  coordinates below 2^60, edges from 2^-60 on
-#   Error   16 ulp of 1 in the normal of a triangle whose area is above 1/40 of its longest edge's square;
-#           3e-4 of leave
+#   Error   16 ulp of 1 in the normal of a triangle whose area is above 1/40 of its longest edge's
+#           square; 3e-4 of leave
 #   Twin    lab/twins/src/mesh_patches.rs
 #
 # The loop counts up, so that it isn't pipelined. Pipelined it would take 129 cycles for four
 # triangles instead of 254, but 4.9 KB of local store instead of 1.1, where the cache loses two
 # blocks.
 #
-# Four triangles are in the four lanes. The normal is (b - a) x (c - a), with the edges made about 1
-# long before. A patch that the list has gets anything.
+# Four triangles are in the four lanes. The normal is (b - a) x (c - a), with the edges made about
+# 1 long before. A patch that the list has gets anything.
 # Scheduled by spu schedule from mesh_flat_patches.s
 
         .include "work_unit.inc"

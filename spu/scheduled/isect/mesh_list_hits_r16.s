@@ -1,8 +1,8 @@
 # mesh_list_hits_r16   gives each triangle of a mesh that packets have hit a patch
 #   C       struct patch *mesh_list_hits_r16(struct rays16 *, int count, struct patch *,
 #                                            vec_uint4 *none);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 the first patch, $6 a quadword
-#           that gets anything; pointers 16-aligned
+#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 the first patch, $6 a
+#           quadword that gets anything; pointers 16-aligned
 #   Out     the packets' objects: for triangles of a mesh, their patches; others stay as they are
 #           the patches' first quadwords: in all words, the object that was there
 #           $3 behind the last patch
@@ -11,11 +11,11 @@
 #   Error   0
 #   Twin    lab/twins/src/mesh_patches.rs
 #
-# The loop counts up, so that it isn't pipelined. Pipelined it would take 86 cycles a packet instead
-# of 134, but 2.8 KB of local store instead of 0.8.
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 86 cycles a packet
+# instead of 134, but 2.8 KB of local store instead of 0.8.
 #
-# A ray gets the patch of its neighbour to the left or above, if they have hit the same triangle. So
-# a packet may have several patches of a triangle, but only one if all rays have hit it.
+# A ray gets the patch of its neighbour to the left or above, if they have hit the same triangle.
+# So a packet may have several patches of a triangle, but only one if all rays have hit it.
 # Scheduled by spu schedule from mesh_list_hits_r16.s
 
         .include "work_unit.inc"

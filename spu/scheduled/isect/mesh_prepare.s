@@ -2,9 +2,9 @@
 #                numbers of boxes to the children of an inner block
 #   C       int mesh_prepare(struct mesh_block *, int number, const vec_float4 *eye, int blocks,
 #                            int materials, int sides);
-#   In      $3 the block, as it is in main memory, $4 its number, $5 the eye: x, y, z, anything, $6 how
-#           many blocks there are, $7 how many materials, $8 the bits that `sides` may have; pointers
-#           16-aligned
+#   In      $3 the block, as it is in main memory, $4 its number, $5 the eye: x, y, z, anything, $6
+#           how many blocks there are, $7 how many materials, $8 the bits that `sides` may have;
+#           pointers 16-aligned
 #   Out     $3 0, or something else if the block is damaged. Then its positions may be anything.
 #   Uses    $2-$71, $79   Saves  -   Stack  0   Calls  -
 #   Domain  any
@@ -12,10 +12,10 @@
 #           coordinates or more
 #   Twin    lab/twins/src/mesh_prepare.rs
 #
-# What is checked is what makes the traversal end and stay within the lists: the levels of nodes are
-# complete, runs have triangles of the block, triangles have vertices of the block, they and spheres
-# have materials of the scene, and children come after their parents. A lane of a node without a
-# child must have the box that no ray meets.
+# What is checked is what makes the traversal end and stay within the lists: the levels of nodes
+# are complete, runs have triangles of the block, triangles have vertices of the block, they and
+# spheres have materials of the scene, and children come after their parents. A lane of a node
+# without a child must have the box that no ray meets.
 #
 # All boxes of a block get the slack of its root, which holds the others.
 # Scheduled by spu schedule from mesh_prepare.s

@@ -151,7 +151,8 @@ fn skipping_changes_no_byte_of_a_picture() {
 #[test]
 fn late_transfers_change_nothing() {
     let folder = tempfile::tempdir().unwrap();
-    // Spheres in local store; triangles, spheres and tiles of textures that are fetched when needed.
+    // Spheres in local store; triangles, spheres and tiles of textures that are fetched when
+    // needed.
     for scene in [
         "sphereflake:3",
         "terrain:5",

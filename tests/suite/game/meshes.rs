@@ -210,8 +210,8 @@ fn meshes_move_in_local_store() {
     play(pear(8, 8));
 }
 
-/// The tree is refitted until rays have wasted as many tests as they make in two pictures, and so is
-/// one that has stopped moving while the eye moves.
+/// The tree is refitted until rays have wasted as many tests as they make in two pictures, and so
+/// is one that has stopped moving while the eye moves.
 #[test]
 fn a_tree_that_has_become_bad_is_replaced() {
     for refit_pictures in [0, 2, u32::MAX] {

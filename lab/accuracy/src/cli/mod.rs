@@ -34,7 +34,8 @@ enum Command {
 
 pub fn main() -> ExitCode {
     let command = Arguments::parse().command;
-    // The clock's programs are built in, and plots need none. The others need the kernels' sources.
+    // The clock's programs are built in, and plots need none. The others need the kernels'
+    // sources.
     if !matches!(command, Command::Clock(_) | Command::MeshCache(_))
         && let Err(error) = kernels::set::Kernels::here()
     {

@@ -95,8 +95,8 @@ pub fn antialiasing(rows: &[Row]) -> Vec<Plot> {
     scenes.into_iter().map(plot).collect()
 }
 
-/// The plots of the cache of a mesh's blocks: one of speed and one of bytes, with a course for each
-/// scene.
+/// The plots of the cache of a mesh's blocks: one of speed and one of bytes, with a course for
+/// each scene.
 pub fn mesh_cache(rows: &[mesh_cache::Row]) -> Vec<Plot> {
     let plot = |name: &str, title: &str, label: &str, value: fn(&mesh_cache::Row) -> f64| {
         let courses = rows.chunk_by(|one, next| one.scene == next.scene);

@@ -75,8 +75,8 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
     {
         let mut pty = in_terminal(&folder.path().join(number.to_string()));
         pty.wait_for(&HALF.to_string());
-        // All are there when it goes on. Yet one thread may be late with the second signal, so that
-        // the frame loop comes round and ends the program after the first.
+        // All are there when it goes on. Yet one thread may be late with the second signal, so
+        // that the frame loop comes round and ends the program after the first.
         for &signal in [&[libc::SIGSTOP], signals, &[libc::SIGCONT]]
             .concat()
             .iter()

@@ -1,7 +1,7 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
-# takes: patches and objects. Neighbours in a packet share them. Most are made by mesh_flat_patches,
-# four at a time. Those whose blocks have left the cache are made here, and so are spheres, and
-# triangles with normals or textures. Both ways make the same bits.
+# takes: patches and objects. Neighbours in a packet share them. Most are made by
+# mesh_flat_patches, four at a time. Those whose blocks have left the cache are made here, and so
+# are spheres, and triangles with normals or textures. Both ways make the same bits.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -1,5 +1,5 @@
-//! `mesh_prepare` compared with its twin, on whole blocks and on damaged ones; and what it guarantees
-//! of boxes.
+//! `mesh_prepare` compared with its twin, on whole blocks and on damaged ones; and what it
+//! guarantees of boxes.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::block::block;

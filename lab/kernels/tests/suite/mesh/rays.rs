@@ -1,5 +1,5 @@
-//! The kernels that take rays through blocks one by one, compared with their twins; and that no ray
-//! is left out that enters a box.
+//! The kernels that take rays through blocks one by one, compared with their twins; and that no
+//! ray is left out that enters a box.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call::{self, Node};

@@ -1,5 +1,5 @@
-//! `mesh_eye_bounds_r16`, `filter_triangles_r16` and `isect_mesh_rows_r4` compared with their twins,
-//! and together with the test of every triangle with every ray.
+//! `mesh_eye_bounds_r16`, `filter_triangles_r16` and `isect_mesh_rows_r4` compared with their
+//! twins, and together with the test of every triangle with every ray.
 
 use std::ops::Range;
 
