@@ -23,11 +23,11 @@
         .set    CALL_kept,224
         .set    CALL_SIZE,CALL_kept+16*KEPT_REGISTERS
 
-# The surfaces before a shader, then the registers after it. Shadow rays are made when all surfaces
-# are shaded.
-        .set    KEPT,SHADOW_RAYS
-    .if SURFACES_SIZE > MAX_BATCH*RAYS16_SIZE || 16*KEPT_REGISTERS > MAX_BATCH*RAYS16_SIZE
-        .error  "the shadow rays have no room for what a shader must preserve"
+# The surfaces before a shader, then the registers after it, at the end of the lists of nodes. The
+# patches that rays have hit are in front of it.
+        .set    KEPT,ROOT_LISTS-(SURFACES_SIZE+127)/128*128
+    .if 16*KEPT_REGISTERS > ROOT_LISTS-KEPT || (16*SMALL_BATCH+3)*PATCH_SIZE > KEPT-OBJECT_LIST
+        .error  "the lists of nodes have no room for what a shader must preserve"
     .endif
 
         .section .bss

@@ -45,6 +45,7 @@ function units_trace
         br      prepared
 whitted:
         brsl    $lr,queue_prepare
+        brsl    $lr,batch_place
         brsl    $lr,bvhs_plan
         brsl    $lr,shading_prepare
 prepared:

@@ -18,7 +18,7 @@ use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
 use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
-use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
+use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SMALL_BATCH};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
@@ -29,8 +29,8 @@ const FEW: usize = 4;
 const MOST_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 
 impl SceneBlock {
-    /// [`SceneBlock::new`] with spare room for objects and materials, as long as this makes the
-    /// batches no smaller.
+    /// [`SceneBlock::new`] with spare room for objects and materials: as much as makes the batches
+    /// no smaller or, if any would, as little as there is, if they stay small batches.
     pub(crate) fn with_room(
         scene: &Scene,
         options: BlockOptions,
@@ -44,6 +44,8 @@ impl SceneBlock {
         }
         // Added objects may reflect, even if nothing does so far.
         let deepest = options.ray_depth;
+        let small = |block: &Self| block.batch_at(deepest).map(|batch| batch.min(SMALL_BATCH));
+        let mut least = None;
         for part in PARTS {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
             let spare = Spare {
@@ -57,11 +59,12 @@ impl SceneBlock {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
                     return Ok(roomy);
                 }
+                Ok(roomy) if small(&roomy) == small(&tight) => least = Some(roomy),
                 Ok(_) | Err(BlockError::TooLarge { .. }) => {}
                 Err(error) => return Err(error),
             }
         }
-        Ok(tight)
+        Ok(least.unwrap_or(tight))
     }
 
     /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and

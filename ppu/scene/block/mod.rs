@@ -48,7 +48,8 @@ use self::streamed::{Streamed, may_stay};
 use crate::scene::Colour;
 use crate::scene::single::singles;
 use protocol::layout::{
-    self, Bvh, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM,
+    self, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS,
+    QueuedRay, RayPacket, SCENE_ADDRESS, SCENE_ROOM, SMALL_BATCH, Shear, TREES,
 };
 
 pub(crate) use bounding_sphere::BoundingSphere;
@@ -332,13 +333,20 @@ impl SceneBlock {
     /// The number of packets in a batch that there is room for with chains of `ray_depth` rays.
     fn batch_at(&self, ray_depth: u32) -> Option<u32> {
         let fits = |batch: &u32| self.bytes().len() <= self.room(*batch, ray_depth);
-        (1..=MAX_BATCH).rev().find(fits)
+        let counts = self.primitives.iter().map(Primitives::count);
+        let may_be_large = self.streamed.is_none() && counts.max() <= Some(LARGE_OBJECTS as usize);
+        // Batches between these gained nothing in the scenes that have no room for the largest.
+        let large = may_be_large.then_some(MAX_BATCH);
+        large.into_iter().chain((1..=SMALL_BATCH).rev()).find(fits)
     }
 
-    /// The bytes that the queue of rays, and a mesh's cache and code, leave for the scene.
+    /// The bytes that the queue of rays, the buffers of a large batch, and a mesh's cache and code
+    /// leave for the scene.
     fn room(&self, batch: u32, ray_depth: u32) -> usize {
         let mesh = self.streamed.as_ref().map_or(0, Streamed::least_room);
-        room(batch, ray_depth).saturating_sub(mesh)
+        let has_triangles = self.primitives[BVH_TRIANGLES as usize].count() > 0;
+        let large = large_batch_bytes(batch, has_triangles);
+        room(batch, ray_depth).saturating_sub(mesh + large)
     }
 
     /// The mesh that SPUs stream from main memory; `None` if the scene has none, or if it is small
@@ -398,6 +406,16 @@ fn room(batch: u32, ray_depth: u32) -> usize {
 fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
     let batches = if ray_depth > 1 { 3 } else { 0 };
     PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
+}
+
+/// The bytes of a batch's buffers that are not in the arena: the rays and, if there are triangles,
+/// the shears of its packets.
+fn large_batch_bytes(batch: u32, has_triangles: bool) -> usize {
+    if batch <= SMALL_BATCH {
+        return 0;
+    }
+    let shears = if has_triangles { size_of::<Shear>() } else { 0 };
+    (2 * size_of::<RayPacket>() + shears) * batch as usize
 }
 
 /// The greatest channel of light that a ray which hits nothing can see.

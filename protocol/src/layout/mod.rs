@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 11;
+    VERSION = 12;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -153,13 +153,18 @@ constants! {
     /// Most rays in a chain, including the primary ray.
     MAX_DEPTH = 16;
     /// Bytes of main memory for the rays of an SPU that wait and have no room in local store.
-    WAITING_SIZE = 0x1_0000;
+    WAITING_SIZE = 0x2_0000;
     /// In a ray's `pixel`: what one ray that came before it in its chain adds.
     CHAIN_STEP = 0x0100_0000;
     /// What a packet of hits with highlights is marked by.
     SITE_SHINES = 0x80;
     /// Most packets that are traced together.
-    MAX_BATCH = 8;
+    MAX_BATCH = 16;
+    /// Most packets that the buffers of the arena have room for. With a mesh there are no more. The
+    /// rays of more packets are at the end of the scene's room.
+    SMALL_BATCH = 8;
+    /// Most objects of one shape in a scene with larger batches.
+    LARGE_OBJECTS = 512;
     /// Index of the tree of spheres in the frame's `trees`.
     BVH_SPHERES = 0;
     /// Index of the tree of parallelograms.
@@ -395,11 +400,11 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: 48 `batch`, if chains have more than one.
+    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";
-    /// Must be 1 to 8.
+    /// Must be 1 to 16, and at most 8 with a mesh or more than 512 objects of a shape.
     Batch = 25, "batch";
     /// Must be at most 64 lights on quadwords of the scene.
     LightCount = 26, "lights, light_count";

@@ -33,15 +33,15 @@ function batch_trace
         hbrr    trace_call,packets_trace
         enter
         # How many rays came before the batch's first: 0, 1, or 2 for more.
-        lqa     $later,arena+BATCH_RAYS+RAYS16_pixel
+        lqa     $3,rays_at
         ila     $amount,generations
         lqa     $6,batch_rays
         ori     $4,$w_count,0
-        rotmi   $later,$later,-CHAIN_STEP_LOG2
+        lqd     $later,RAYS16_pixel($3)
         ceqi    $5,$w_depth,1
         il      $wanted,2
         sfi     $5,$5,-1                                # rays of depth 1 start at the eye
-        ila     $3,arena+BATCH_RAYS
+        rotmi   $later,$later,-CHAIN_STEP_LOG2
         minimum $later,$later,$wanted,$c_any
         shli    $later,$later,GENERATION_SIZE_LOG2+1    # each with its shadow rays
         a       $amount,$amount,$later
@@ -65,7 +65,7 @@ shaded:
         lqa     $3,frame+FRAME_ambient
         orx     $3,$3
         brz     $3,dark
-        ila     $3,arena+BATCH_SURFACES
+        lqa     $3,surfaces_at
         ori     $4,$w_count,0
         ila     $5,frame+FRAME_ambient
         brsl    $lr,ambient_r16
@@ -78,8 +78,8 @@ dark:
 unlit:
         brsl    $lr,batch_bounce
         hbrr    sum_call,accumulate_r16
-        ila     $3,arena+BATCH_RAYS
-        ila     $4,arena+BATCH_SURFACES
+        lqa     $3,rays_at
+        lqa     $4,surfaces_at
         ori     $5,$w_count,0
 sum_call:
         brsl    $lr,accumulate_r16
@@ -87,16 +87,17 @@ sum_call:
         leave
 endfunction batch_trace
 
-# flags_gather   combines the flags of all surfaces of the batch
+# flags_gather   combines the flags of all surfaces of the batch, of so many packets at once
+        .set    AT_ONCE,8
 #   Out     $14
 #   Uses    $14-$25
 function flags_gather
-        ila     $a_surfaces,arena+BATCH_SURFACES
+        lqa     $a_surfaces,surfaces_at
         ori     $left,$w_count,0
         il      $flags,0
         il      $wanted,SURFACES_SIZE
-        ceqi    $t_flags,$left,MAX_BATCH
-        brnz    $t_flags,whole_batch
+        cgti    $t_flags,$left,AT_ONCE-1
+        brnz    $t_flags,at_once
 next_flags:
         lqd     $t_flags,SURFACES_flags($a_surfaces)
         or      $flags,$flags,$t_flags
@@ -104,17 +105,27 @@ next_flags:
         ai      $left,$left,-1
         brnz    $left,next_flags
         bi      $lr
-whole_batch:
+at_once:
+        # From the middle, so that all displacements fit.
+        il      $t_flags,AT_ONCE/2*SURFACES_SIZE
+        a       $a_surfaces,$a_surfaces,$t_flags
     .set    surfaces,0
-    .rept   MAX_BATCH
-        lqa     $t_flags+surfaces,arena+BATCH_SURFACES+surfaces*SURFACES_SIZE+SURFACES_flags
+    .rept   AT_ONCE
+        lqd     $t_flags+surfaces,(surfaces-AT_ONCE/2)*SURFACES_SIZE+SURFACES_flags($a_surfaces)
     .set    surfaces,surfaces+1
     .endr
+        ai      $left,$left,-AT_ONCE
+        il      $t_flags+AT_ONCE,AT_ONCE/2*SURFACES_SIZE
+        a       $a_surfaces,$a_surfaces,$t_flags+AT_ONCE
     .set    surfaces,0
-    .rept   MAX_BATCH
+    .rept   AT_ONCE
         or      $flags,$flags,$t_flags+surfaces
     .set    surfaces,surfaces+1
     .endr
+        il      $wanted,SURFACES_SIZE
+        cgti    $t_flags,$left,AT_ONCE-1
+        brnz    $t_flags,at_once
+        brnz    $left,next_flags
         bi      $lr
 endfunction flags_gather
 
@@ -130,7 +141,7 @@ endfunction flags_gather
 function surfaces_make
         hbrr    same_call,same_objects_r16
         enter
-        ila     $3,arena+BATCH_RAYS
+        lqa     $3,rays_at
         ori     $4,$w_count,0
 same_call:
         brsl    $lr,same_objects_r16
@@ -147,12 +158,12 @@ next_run:
         minimum $w_here,$run,$w_left,$c_same
         il      $3,RAYS16_SIZE
         mpyu    $3,$3,$w_first
-        ila     $offset,arena+BATCH_RAYS
+        lqa     $offset,rays_at
         a       $3,$3,$offset
         ori     $4,$w_here,0
         il      $5,SURFACES_SIZE
         mpyu    $5,$5,$w_first
-        ila     $offset,arena+BATCH_SURFACES
+        lqa     $offset,surfaces_at
         a       $5,$5,$offset
         ila     $6,SCENE_ADDRESS
         rotmi   $c_same,$w_sites,-31
@@ -178,11 +189,11 @@ endfunction surfaces_make
 .macro  packet_and_surfaces
         il      $offset,RAYS16_SIZE
         mpyu    $3,$w_left,$offset
-        ila     $offset,arena+BATCH_RAYS
+        lqa     $offset,rays_at
         a       $3,$3,$offset
         il      $offset,SURFACES_SIZE
         mpyu    $4,$w_left,$offset
-        ila     $offset,arena+BATCH_SURFACES
+        lqa     $offset,surfaces_at
         a       $4,$4,$offset
         lqd     $flags,SURFACES_flags($4)
 .endm

@@ -20,11 +20,11 @@
         lqa     $amount,batch_flags
         andi    $amount,$amount,\flag
         brz     $amount,none_\@
-        ila     $3,arena+BATCH_SITES
+        lqa     $3,sites_at
         il      $4,\flag
         il      $5,\flag
         brsl    $lr,sites_list
-        ila     $5,arena+BATCH_SITES
+        lqa     $5,sites_at
         sf      $4,$5,$3
         rotmi   $4,$4,-SITE_SIZE_LOG2
         ori     $3,$5,0
@@ -56,8 +56,8 @@ function batch_bounce
         ceqi    $c_sent,$w_depth,1
         brnz    $c_sent,may_send
         lqa     $deepest_pixel,deepest
-        ila     $a_rays,arena+BATCH_RAYS
-        ila     $a_surfaces,arena+BATCH_SURFACES
+        lqa     $a_rays,rays_at
+        lqa     $a_surfaces,surfaces_at
         il      $rays_step,RAYS16_SIZE
         il      $surfaces_step,SURFACES_SIZE
         il      $both,MATERIAL_TRANSMITS|MATERIAL_MIRRORS

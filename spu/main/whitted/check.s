@@ -3,6 +3,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "whitted.inc"
         .include "checks.inc"
 
         .section .bss
@@ -69,7 +70,21 @@ no_mesh:
         refuse_if $bad,LightCount
         queue_size $value,$batch
         a       $value,$value,$scene_bytes
-        load_constant $limit,SCENE_ROOM
+        cgti    $bad,$batch,SMALL_BATCH
+        brz     $bad,small
+        lqa     $bad,streamed
+        refuse_if $bad,Batch
+        # What batch_place puts behind the queue.
+        lqd     $quad,FRAME_trees+BVH_SIZE*BVH_TRIANGLES($a_frame)
+        rotqbyi $quad,$quad,BVH_objects
+        ceqi    $quad,$quad,0
+        il      $left,SHEARS_SIZE
+        andc    $left,$left,$quad
+        il      $quad,2*RAYS16_SIZE
+        a       $left,$left,$quad
+        mpyu    $left,$left,$batch
+        a       $value,$value,$left
+small:  load_constant $limit,SCENE_ROOM
         lqa     $batch,streamed
         brz     $batch,resident
         ila     $limit,EYE_CODE-SCENE_ADDRESS
@@ -87,6 +102,11 @@ next_tree:
         rotqbyi $value,$quad,BVH_objects
         brz     $value,none
         require_of_tree BVH_objects,1,MAX_OBJECTS
+        load_word $limit,FRAME_batch,$a_frame
+        cgti    $limit,$limit,SMALL_BATCH
+        cgti    $bad,$value,LARGE_OBJECTS-1
+        and     $bad,$bad,$limit
+        refuse_if $bad,Batch
         require_of_tree BVH_root_count,1,MAX_ROOTS
         require_of_tree BVH_levels,0,MAX_LEVELS+1
         ila     $value,SCENE_ADDRESS

@@ -35,8 +35,8 @@ shining_pair:
 #   Uses    $3, $14-$23
         .global sites_list
 function sites_list
-        ila     $a_surfaces,arena+BATCH_SURFACES
-        ila     $a_rays,arena+BATCH_RAYS
+        lqa     $a_surfaces,surfaces_at
+        lqa     $a_rays,rays_at
         il      $step_surfaces,SURFACES_SIZE
         il      $step_rays,RAYS16_SIZE
         lqa     $m_pair,pair
@@ -83,14 +83,14 @@ function batch_light
         stqa    $value,generation
         # Surfaces with highlights come first; the others have a shorter kernel.
         il      $w_shining,0
-        ila     $a_site,arena+BATCH_SITES
+        lqa     $a_site,sites_at
         il      $mask,MATERIAL_LIT|MATERIAL_SHINES
         lqa     $value,batch_flags
         andi    $value,$value,MATERIAL_SHINES
         brz     $value,none_shines
         ori     $value,$mask,0
         brsl    $lr,sites_list
-        ila     $value,arena+BATCH_SITES
+        lqa     $value,sites_at
         sf      $w_shining,$value,$a_site
         rotmi   $w_shining,$w_shining,-SITE_SIZE_LOG2
         ceq     $value,$w_shining,$w_count
@@ -99,7 +99,7 @@ function batch_light
 none_shines:
         il      $value,MATERIAL_LIT
         brsl    $lr,sites_list
-        ila     $value,arena+BATCH_SITES
+        lqa     $value,sites_at
         sf      $w_sites,$value,$a_site
         rotmi   $w_sites,$w_sites,-SITE_SIZE_LOG2
 sites_listed:
@@ -129,10 +129,10 @@ next_light:
         brnz    $end,lit
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
-        ila     $8,arena+SHADOW_RAYS
+        lqa     $8,shadow_rays_at
         fm      $7,$inverse,$k_least
         ila     $9,light_sites
-        ila     $3,arena+BATCH_SITES
+        lqa     $3,sites_at
         andc    $7,$7,$weight
 rays_call:
         brsl    $lr,shadow_rays_r16
@@ -151,7 +151,7 @@ rays_call:
         count   shadow,$w_here,$t_sum,$t_add,$t_carry
         phase_ends $g_ticks_shade,$amount
         ori     $6,$w_here,0
-        ila     $3,arena+SHADOW_RAYS
+        lqa     $3,shadow_rays_at
         ori     $4,$w_traced,0
         load_word $5,LIGHT_directional,$w_light
         andc    $lights,$w_light,$5
@@ -164,7 +164,7 @@ unshadowed:
         ila     $3,light_sites
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
-        ila     $7,arena+SHADOW_RAYS
+        lqa     $7,shadow_rays_at
         ila     $lr,none_shone
         ila     $amount,dark
         rotmi   $4,$4,-SITE_SIZE_LOG2
@@ -177,7 +177,7 @@ none_shone:
         hbrr    lambert_call,lambert_r16
         lqa     $7,shining_size
         ila     $3,light_sites
-        ila     $amount,arena+SHADOW_RAYS
+        lqa     $amount,shadow_rays_at
         ori     $5,$w_light,0
         rotmi   $4,$7,-SITE_SIZE_LOG2
         a       $3,$3,$7

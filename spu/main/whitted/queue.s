@@ -26,6 +26,7 @@ queue:                                  # the address of the first ray
         .global queued
 queued:                                 # the address after the last ray
         .skip   16
+        .global queue_end
 queue_end:                              # the address after the room for it
         .skip   16
         .global spilled
@@ -62,7 +63,7 @@ deepest:                                # in all words: a ray that sends others 
         brsl    $lr,dma_wait
 .endm
 
-# queue_prepare   sets up an empty queue after the scene, up to a mesh's cache
+# queue_prepare   sets up an empty queue after the scene, up to a mesh's cache or the room's end
 #   Out     w_most
 #   Uses    $10-$13
 function queue_prepare
@@ -109,7 +110,7 @@ function queue_take
         stqa    $4,batch_rays
         ai      $w_count,$4,15
         rotmi   $w_count,$w_count,-4
-        ila     $5,arena+BATCH_RAYS
+        lqa     $5,rays_at
         ila     $6,SCENE_ADDRESS
         ila     $7,arena+NO_PIXEL
 load_call:

@@ -136,8 +136,8 @@ endfunction tile_pack
 
         .section .rodata
         .align  4
-first_place:
-        .int    arena+BATCH_RAYS,arena+PIXEL_SUMS,0,0
+first_place:                            # without the packet
+        .int    0,arena+PIXEL_SUMS,0,0
 next_row_step:
         .int    RAYS16_SIZE,4*SUMS_PITCH,0,4
 next_column_step:
@@ -152,6 +152,9 @@ function eye_places
         rotmi   $rows,$rows,-2
         mpyu    $w_eye_left,$columns,$rows
         lqa     $place,first_place
+        lqa     $batch_end,rays_at
+        cwd     $m_word,0($sp)
+        shufb   $place,$batch_end,$place,$m_word
         cwd     $m_word,8($sp)
         shufb   $place,$g_tile_x,$place,$m_word
         cwd     $m_word,12($sp)
@@ -164,7 +167,6 @@ function eye_places
         mpyi    $batch_back,$batch_back,RAYS16_SIZE/16
         shli    $batch_back,$batch_back,4
         and     $batch_back,$batch_back,$m_word
-        ila     $batch_end,arena+BATCH_RAYS
         a       $batch_end,$batch_end,$batch_back
         ori     $column,$place,0
 next_column:
@@ -218,7 +220,7 @@ samples:
         a       $w_eye_next,$w_eye_next,$t_packets
         ila     $7,frame
         load_word $7,FRAME_samples,$7
-        ila     $8,arena+BATCH_RAYS
+        lqa     $8,rays_at
         brsl    $lr,sample_rays_r16
         leave
 endfunction eye_take

@@ -8,8 +8,7 @@
         .include "whitted.inc"
 
         # The lists of a tree's levels: the lowest level's is in OBJECT_LIST, the next one's in
-        # NODE_LISTS, and so on in turn. This many nodes have room for all their children.
-        .set    OBJECT_LIST_NODES,MAX_CANDIDATES/4
+        # NODE_LISTS, and so on in turn. This many nodes have room for all their children there.
         .set    NODE_LIST_NODES,(2*MAX_NODES+LIST_MARGIN)/4
 
 # The plan for traversing a tree, made once a frame for every tree that isn't empty.
@@ -25,9 +24,6 @@
         .set    PLAN_bounced,32
         .set    PLAN_shadow,36
         .set    PLAN_SIZE,48
-# After these come the candidates with the packets of SHADOW_RAYS.
-        .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
-
         .section .bss
         .align  4
 plans:  .skip   TREES*PLAN_SIZE
@@ -68,10 +64,10 @@ rays_traced:
         .align  4
 packet_step:
         .int    0,RAYS16_SIZE,BOUND_SIZE,SHEARS_SIZE
-first_candidate:
-        .int    0,arena+BATCH_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
-first_shadow:
-        .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
+candidate_words:                        # of a packet's rays in the first, bounds and shears
+        .int    0x80808080,0x00010203,0x10111213,0x80808080
+shears_word:
+        .int    0x00010203,0x04050607,0x08090a0b,0x10111213
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
 # For each tree: the test, the size of an object, -1 if it is flat, the test for primary rays.
 kernels:
@@ -106,12 +102,14 @@ kernels:
         .set    roots_left,31
         .set    step,32
         .set    m_first,33
+        .set    first_packet,34
+        .set    first_shadow,35
+        .set    lists_size,36
 
-# Lists the top of the current tree with MAX_BATCH packets, from one of the templates on.
-.macro  list_candidates template:req
-        lqa     $packet,\template
-        shufb   $packet,$tree,$packet,$m_first
-        il      $packets_left,MAX_BATCH
+# Lists the top of the current tree with as many packets as a batch has, from this one on.
+.macro  list_candidates first:req
+        shufb   $packet,$tree,\first,$m_first
+        ori     $packets_left,$most,0
 packet_\@:
         ori     $root,$packet,0
         ori     $roots_left,$roots,0
@@ -136,26 +134,39 @@ function bvhs_plan
         stqa    $tree,sheared
         ila     $a_plan,plans
         ila     $a_kernel,kernels
-        ila     $a_list,arena+ROOT_LISTS
+        lqa     $a_list,roots_at
         il      $bvhs_left,TREES
         il      $room,0
         stqa    $room,any_deep
         rotmi   $most,$w_most,-4
         cwd     $m_first,0($sp)
         lqa     $step,packet_step
+        lqa     $first_packet,rays_at
+        lqa     $first_shadow,shadow_rays_at
+        lqa     $t_quad,bounds_at
+        lqa     $t_mask,shears_at
+        lqa     $packet,candidate_words
+        lqa     $root,shears_word
+        shufb   $first_packet,$first_packet,$t_quad,$packet
+        shufb   $first_shadow,$first_shadow,$t_quad,$packet
+        shufb   $first_packet,$first_packet,$t_mask,$root
+        shufb   $first_shadow,$first_shadow,$t_mask,$root
+        lqa     $lists_size,shadow_candidates
 next_plan:
         lqd     $tree,0($a_tree)
         rotqbyi $objects,$tree,BVH_objects
         brz     $objects,not_there
         # As many packets at once as always have room for their candidates; one packet always has.
+        # MAX_NODES is for a small batch.
         il      $at_once,1
         ori     $room,$objects,0
 another:
         a       $room,$room,$objects
-        il      $c_room,MAX_CANDIDATES
+        lqa     $c_room,object_list_nodes
+        shli    $c_room,$c_room,2
         cgt     $c_room,$room,$c_room
         brnz    $c_room,as_many
-        ceq     $c_room,$at_once,$most
+        cgti    $c_room,$at_once,SMALL_BATCH-1
         brnz    $c_room,as_many
         ai      $at_once,$at_once,1
         br      another
@@ -200,12 +211,11 @@ as_many:
         rotqbyi $test,$test,4
         store_word $test,PLAN_eye_test,$a_plan,$t_quad,$t_mask
         ori     $a_out,$a_list,0
-        list_candidates first_candidate
-        il      $room,SHADOW_CANDIDATES
-        a       $a_out,$a_list,$room
-        list_candidates first_shadow
-        shli    $room,$room,1
-        a       $a_list,$a_list,$room
+        list_candidates $first_packet
+        a       $a_out,$a_list,$lists_size
+        list_candidates $first_shadow
+        a       $a_list,$a_list,$lists_size
+        a       $a_list,$a_list,$lists_size
         ai      $a_plan,$a_plan,PLAN_SIZE
 not_there:
         ai      $a_tree,$a_tree,BVH_SIZE
@@ -228,8 +238,8 @@ endfunction bvhs_plan
 
 # The packets that are being traced.
 .macro  packets_address out:req, t_other:req, t_first:req
-        ila     \out,arena+BATCH_RAYS
-        ila     \t_other,arena+SHADOW_RAYS
+        lqa     \out,rays_at
+        lqa     \t_other,shadow_rays_at
         ceqi    \t_first,$w_packets,0
         selb    \out,\t_other,\out,\t_first
 .endm
@@ -259,7 +269,7 @@ function packets_trace
         ori     $w_traced,$4,0
         stqa    $6,rays_traced
         lqa     $t_sum,any_deep
-        ila     $counts,arena+BATCH_RAYS
+        lqa     $counts,rays_at
         cgti    $amount,$w_depth,SCATTERED_DEPTH-1
         ceq     $counts,$counts,$3
         or      $t_sum,$t_sum,$counts
@@ -286,11 +296,11 @@ function packets_trace
         selb    $w_after,$w_after,$amount,$counts
         ceqi    $counts,$5,0
         stqa    $counts,of_eye
-        ila     $5,arena+BATCH_BOUNDS
+        lqa     $5,bounds_at
         # The distance of these packets' lists from those for BATCH_RAYS.
-        ila     $w_packets,arena+BATCH_RAYS
+        lqa     $w_packets,rays_at
         ceq     $w_packets,$w_packets,$3
-        il      $w_left,SHADOW_CANDIDATES
+        lqa     $w_left,shadow_candidates
         andc    $w_packets,$w_left,$w_packets
         ila     $w_plan,plans
         # Without trees nobody needs their bounds.
@@ -306,7 +316,7 @@ no_trees:
         lqa     $c_more,sheared
         packets_address $3,$4,$5
         ori     $4,$w_traced,0
-        ila     $5,arena+BATCH_BOUNDS
+        lqa     $5,bounds_at
         ila     $lr,bounded
         il      $t_sum,0
     .irp name, cull_tests,tests_made,tests_possible,blocks_used,blocks_fetched,ticks_block_wait
@@ -353,7 +363,7 @@ next_level:
         ila     $w_after,next_level
         selb    $w_after,$w_after,$t_list,$amount
         ila     $t_list,arena+NODE_LISTS
-        il      $c_over,OBJECT_LIST_NODES
+        lqa     $c_over,object_list_nodes
         il      $amount,NODE_LIST_NODES
         selb    $5,$5,$t_list,$even
         selb    $c_over,$c_over,$amount,$even
@@ -573,7 +583,7 @@ function shears_make
         stqa    $3,to_shear
         packets_address $3,$4,$5
         ori     $4,$w_traced,0
-        ila     $5,arena+BATCH_SHEARS
+        lqa     $5,shears_at
         brsl    $lr,shear_packets_r16
         leave
 endfunction shears_make
@@ -586,7 +596,7 @@ endfunction shears_make
         .set    bounds_left,13
 
 function bounds_open
-        ila     $a_bound,arena+BATCH_BOUNDS
+        lqa     $a_bound,bounds_at
         il      $zero,0
         ilhu    $largest,0x5e00                         # 2^61: above every distance
         ori     $bounds_left,$w_traced,0

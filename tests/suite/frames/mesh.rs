@@ -165,7 +165,7 @@ fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
 
 #[test]
 fn fields_of_the_mesh_that_are_wrong() {
-    let cases: [(&str, &str, Spoil); 19] = [
+    let cases: [(&str, &str, Spoil); 20] = [
         ("mesh", "a multiple of 128", |frame| {
             frame.mesh = (frame.mesh.get() + 16).into()
         }),
@@ -213,6 +213,10 @@ fn fields_of_the_mesh_that_are_wrong() {
         }),
         ("mesh_slots", "4294967295", |frame| {
             frame.mesh_slots = u32::MAX.into()
+        }),
+        ("batch", "at most 8 with a mesh", |frame| {
+            frame.batch = 9.into();
+            frame.scene_bytes = 128.into();
         }),
         ("mesh_cache", "before the code", |frame| {
             frame.mesh_cache = (frame.mesh_cache.get() + 128).into()

@@ -121,7 +121,7 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 
 #[test]
 fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
-    let cases: [(&str, &str, Spoil); 27] = [
+    let cases: [(&str, &str, Spoil); 29] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
         }),
@@ -161,11 +161,28 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("ray_depth", "4294967295", |frame| {
             frame.ray_depth = u32::MAX.into()
         }),
-        ("batch", "0 (0x0): must be 1 to 8", |frame| {
-            frame.batch = 0.into()
+        // Sixteen packets need 24576 bytes, and 29696 for their buffers.
+        (
+            "scene_bytes",
+            "1 (0x1), 16 (0x10): must be a multiple",
+            |frame| {
+                frame.ray_depth = 1.into();
+                frame.batch = 16.into();
+                frame.scene_bytes = (SCENE_ROOM - 29696 + 128).into();
+            },
+        ),
+        (
+            "batch",
+            "0 (0x0): must be 1 to 16, and at most 8 with a mesh",
+            |frame| frame.batch = 0.into(),
+        ),
+        ("batch", "17 (0x11): must be 1 to 16", |frame| {
+            frame.batch = 17.into()
         }),
-        ("batch", "9 (0x9): must be 1 to 8", |frame| {
-            frame.batch = 9.into()
+        ("batch", "more than 512 objects", |frame| {
+            frame.ray_depth = 1.into();
+            frame.batch = 9.into();
+            frame.trees[0].objects = 513.into();
         }),
         ("light_count", "65 (0x41): must be at most 64", |frame| {
             frame.light_count = 65.into()
@@ -223,7 +240,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
 fn what_whitteds_model_may_say_at_most_is_traced() {
     let mut fixture = whitted_fixture(1);
     let good = fixture.frame;
-    let most: [Spoil; 4] = [
+    let most: [Spoil; 5] = [
         |frame| {
             frame.ray_depth = 16.into();
             frame.batch = 1.into();
@@ -231,6 +248,11 @@ fn what_whitteds_model_may_say_at_most_is_traced() {
         |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 8.into();
+        },
+        |frame| {
+            frame.ray_depth = 1.into();
+            frame.batch = 16.into();
+            frame.scene_bytes = (SCENE_ROOM - 29696).into();
         },
         |frame| frame.light_count = 0.into(),
         // A tree without objects is not checked.

@@ -2,13 +2,23 @@
 
 use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
-use protocol::layout::{QueuedRay, SCENE_ROOM, WAITING_SIZE};
+use protocol::layout::{MAX_BATCH, QueuedRay, RayPacket, SCENE_ROOM, SMALL_BATCH, WAITING_SIZE};
 
 use crate::frames::fixture::Fixture;
 use crate::recorder::nff_scene;
 
 /// Rays of a packet.
 const PACKET: u32 = 16;
+
+/// The most bytes of a scene without triangles that leave room for the rays of such batches.
+fn most_scene_bytes(batch: u32) -> u32 {
+    let rays = 3 * PACKET * size_of::<QueuedRay>() as u32;
+    let buffers = 2 * size_of::<RayPacket>() as u32;
+    match batch {
+        ..=SMALL_BATCH => SCENE_ROOM - batch * rays,
+        _ => SCENE_ROOM - batch * (rays + buffers),
+    }
+}
 
 fn picture(fixture: &Fixture) -> Vec<u8> {
     fixture.framebuffer.picture().unwrap().into_raw()
@@ -25,18 +35,19 @@ fn used(fixture: &Fixture, spus: u32) -> Vec<usize> {
 
 #[test]
 fn rays_without_room_in_local_store_wait_in_main_memory() {
-    for spus in [1, 2] {
+    for (spus, batch) in [(1, 8), (2, 8), (1, 16), (2, 11)] {
         let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), spus);
         let mut frame = fixture.frame;
-        assert_eq!(frame.batch.get(), 8);
+        assert_eq!(frame.batch.get(), MAX_BATCH);
+        frame.batch = 8.into();
         frame.ray_depth = 11.into();
         fixture.submit(&frame).unwrap();
         let expected = picture(&fixture);
         assert!(used(&fixture, spus).iter().all(|used| *used == 0));
 
         // Zeros after the scene take the room of all but three batches.
-        let batch = frame.batch.get() * PACKET * size_of::<QueuedRay>() as u32;
-        frame.scene_bytes = (SCENE_ROOM - 3 * batch).into();
+        frame.batch = batch.into();
+        frame.scene_bytes = most_scene_bytes(batch).into();
         fixture.submit(&frame).unwrap();
         assert!(picture(&fixture) == expected);
         let bytes = used(&fixture, spus);
@@ -58,8 +69,7 @@ fn main_memory_that_is_not_there_is_a_dma_error() {
     frame.ray_depth = 11.into();
     frame.waiting = 0x1000.into();
     fixture.submit(&frame).unwrap();
-    let batch = frame.batch.get() * PACKET * size_of::<QueuedRay>() as u32;
-    frame.scene_bytes = (SCENE_ROOM - 3 * batch).into();
+    frame.scene_bytes = most_scene_bytes(frame.batch.get()).into();
     let error = fixture.submit(&frame).unwrap_err();
     assert!(matches!(error, EngineError::Ended { .. }), "{error}");
     let text = error.to_string();

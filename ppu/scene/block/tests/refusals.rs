@@ -234,11 +234,19 @@ fn the_batch_is_as_large_as_fits() {
             let deepest = if spheres == 0 { 1 } else { ray_depth };
             assert_eq!(block.ray_depth(), deepest);
             let batches = if deepest > 1 { 3 } else { 0 };
-            let taken = |batch: u32| block.bytes().len() + waiting * (batch * batches) as usize;
+            // Two packets of rays each.
+            let buffers = |batch: u32| match batch {
+                ..=8 => 0,
+                _ => batch as usize * 2 * 640,
+            };
+            let taken = |batch: u32| {
+                block.bytes().len() + waiting * (batch * batches) as usize + buffers(batch)
+            };
             let batch = block.batch();
             assert!((1..=MAX_BATCH).contains(&batch));
             assert!(taken(batch) <= SCENE_ROOM as usize);
-            assert!(batch == MAX_BATCH || taken(batch + 1) > SCENE_ROOM as usize);
+            let larger = if batch < 8 { batch + 1 } else { MAX_BATCH };
+            assert!(batch == MAX_BATCH || spheres > 512 || taken(larger) > SCENE_ROOM as usize);
         }
     }
 }

@@ -318,11 +318,11 @@ of_packets:
         gbh     $bits,$bits
         xori    $bits,$bits,255
         clz     $first,$bits
-        ai      $first,$first,-(32-MAX_BATCH)
+        ai      $first,$first,-(32-SMALL_BATCH)
         sfi     $last,$bits,0
         and     $last,$last,$bits
         clz     $last,$last
-        ai      $last,$last,-(32-MAX_BATCH)
+        ai      $last,$last,-(32-SMALL_BATCH)
         sf      $4,$first,$last
         ai      $4,$4,1
         il      $offset,RAYS16_SIZE

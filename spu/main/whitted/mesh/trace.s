@@ -142,10 +142,10 @@ clear:  hbrr    cleared,clear
 cleared:
         brnz    $left,clear
         # The first entry: block 0 and all packets.
-        sfi     $left,$w_traced,MAX_BATCH
-        il      $mask,(1<<MAX_BATCH)-1
+        sfi     $left,$w_traced,SMALL_BATCH
+        il      $mask,(1<<SMALL_BATCH)-1
         shl     $mask,$mask,$left
-        andi    $mask,$mask,(1<<MAX_BATCH)-1
+        andi    $mask,$mask,(1<<SMALL_BATCH)-1
         rotqmbyi $mask,$mask,-ENTRY_packets
         fsmbi   $m_word,0x0f00
         and     $entry,$mask,$m_word
@@ -195,22 +195,22 @@ block_call:
         ila     $3,arena+MESH_FIRST
         ori     $a_out,$3,0
     .set    nth,0
-    .rept   MAX_BATCH
-        andi    $last+nth,$mask,1<<(MAX_BATCH-1-nth)
+    .rept   SMALL_BATCH
+        andi    $last+nth,$mask,1<<(SMALL_BATCH-1-nth)
     .set    nth,nth+1
     .endr
     .set    nth,0
-    .rept   MAX_BATCH
+    .rept   SMALL_BATCH
         # From its bit to the size of a candidate.
-    .if nth < MAX_BATCH-1-CANDIDATE_SIZE_LOG2
-        rotmi   $last+nth,$last+nth,-(MAX_BATCH-1-CANDIDATE_SIZE_LOG2-nth)
+    .if nth < SMALL_BATCH-1-CANDIDATE_SIZE_LOG2
+        rotmi   $last+nth,$last+nth,-(SMALL_BATCH-1-CANDIDATE_SIZE_LOG2-nth)
     .else
-        shli    $last+nth,$last+nth,nth-(MAX_BATCH-1-CANDIDATE_SIZE_LOG2)
+        shli    $last+nth,$last+nth,nth-(SMALL_BATCH-1-CANDIDATE_SIZE_LOG2)
     .endif
     .set    nth,nth+1
     .endr
     .set    nth,0
-    .rept   MAX_BATCH
+    .rept   SMALL_BATCH
         stqd    $candidate,0($a_out)
         a       $candidate,$candidate,$step
         a       $a_out,$a_out,$last+nth
@@ -290,11 +290,11 @@ tested: stqa    $c_end,of_spheres
         phase_ends $g_ticks_isect,$t_sum
         lqa     $mask,packets
         clz     $near,$mask
-        ai      $near,$near,-(32-MAX_BATCH)             # the first packet
+        ai      $near,$near,-(32-SMALL_BATCH)             # the first packet
         sfi     $bit,$mask,0
         and     $bit,$bit,$mask
         clz     $bit,$bit
-        ai      $bit,$bit,-(32-MAX_BATCH)               # the last
+        ai      $bit,$bit,-(32-SMALL_BATCH)               # the last
         sf      $4,$near,$bit
         ai      $4,$4,1
         lqa     $candidate,first_candidate
@@ -468,7 +468,7 @@ inner:
         # Each child once, with all packets that may meet it, and the nearest of their distances.
         ila     $a_table,arena+MESH_CHILDREN
         ila     $a_met,arena+MESH_MET
-        il      $k_first_packet,1<<(MAX_BATCH-1)
+        il      $k_first_packet,1<<(SMALL_BATCH-1)
         lqa     $m_entry,candidate_to_entry
         fsmbi   $m_near,0x00f0
         il      $k_step,CANDIDATE_SIZE
@@ -482,7 +482,7 @@ next_child:
         lqd     $beyond,0($3)
         ai      $4,$4,-1
         andi    $box,$box,-CANDIDATE_SIZE
-        andi    $packet,$packet,MAX_BATCH-1
+        andi    $packet,$packet,SMALL_BATCH-1
         lqx     $old,$a_table,$box
         sfi     $packet,$packet,0
         rotm    $packet,$k_first_packet,$packet
