@@ -24,7 +24,9 @@
         # cull_nodes' argument `lanes`: of scattered rays from surfaces, then of those to a light
         .set    PLAN_bounced,32
         .set    PLAN_shadow,36
-        .set    PLAN_SIZE,48
+        .set    PLAN_cull,48                            # the kernel for nodes and packets' bounds
+        .set    PLAN_filter,52                          # the one for their children and the rays
+        .set    PLAN_SIZE,64
 # After these come the candidates with the packets of SHADOW_RAYS.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
 
@@ -73,6 +75,10 @@ first_candidate:
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
+# For each sort of nodes, spheres and boxes: the kernels as in the plan, and the size of a node.
+node_kernels:
+        .int    cull_nodes,filter_children_r16,NODE_SIZE,0
+        .int    cull_box_nodes,filter_box_children_r16,BOX_NODE_SIZE,0
 # For each tree: the test, the size of an object, -1 if it is flat, the test for primary rays.
 kernels:
         .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
@@ -106,6 +112,8 @@ kernels:
         .set    roots_left,31
         .set    step,32
         .set    m_first,33
+        .set    boxes,34                                # from this tree on: the last bit is its own
+        .set    node,35                                 # what it has in node_kernels
 
 # Lists the top of the current tree with MAX_BATCH packets, from one of the templates on.
 .macro  list_candidates template:req
@@ -134,6 +142,8 @@ function bvhs_plan
         lqa     $objects,streamed
         or      $tree,$tree,$objects
         stqa    $tree,sheared
+        lqa     $boxes,frame+(FRAME_box_trees&~15)
+        rotqbyi $boxes,$boxes,FRAME_box_trees&15
         ila     $a_plan,plans
         ila     $a_kernel,kernels
         ila     $a_list,arena+ROOT_LISTS
@@ -182,10 +192,15 @@ as_many:
         store_word $c_room,PLAN_bounced,$a_plan,$t_quad,$t_mask
         il      $room,0
         store_word $room,PLAN_bounced+8,$a_plan,$t_quad,$t_mask
+        andi    $room,$boxes,1
+        shli    $room,$room,4
+        ila     $node,node_kernels
+        lqx     $node,$node,$room
+        stqd    $node,PLAN_cull($a_plan)
+        rotqbyi $node,$node,8
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
-        il      $room,NODE_SIZE
-        selb    $root_step,$room,$root_step,$c_room
+        selb    $root_step,$node,$root_step,$c_room
         fsmbi   $room,0xf000
         and     $root_step,$root_step,$room
         rotqbyi $roots,$tree,BVH_root_count
@@ -208,6 +223,7 @@ as_many:
         a       $a_list,$a_list,$room
         ai      $a_plan,$a_plan,PLAN_SIZE
 not_there:
+        rotmi   $boxes,$boxes,-1
         ai      $a_tree,$a_tree,BVH_SIZE
         ai      $a_kernel,$a_kernel,16
         ai      $bvhs_left,$bvhs_left,-1
@@ -218,7 +234,7 @@ endfunction bvhs_plan
 
         .set    NEXT,10
         registers amount,t_sum,t_add
-        registers c_more,plan,sizes,kinds,counts,even,t_list,c_over
+        registers c_more,plan,sizes,kinds,counts,even,t_list,c_over,cull
         # at the end
         registers low_word,a_generation,possible
         # two counts each: those of this call, their sums and the carries
@@ -337,7 +353,7 @@ next_tree:
         stqa    $t_sum,tests_possible
         brz     $w_left,at_objects
 next_level:
-        hbrr    cull_call,cull_nodes
+        lqd     $cull,PLAN_cull($w_plan)
         lqd     $kinds,PLAN_bounced($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
         lqa     $counts,lanes
@@ -348,6 +364,7 @@ next_level:
         rotqbyi $sizes,$sizes,PLAN_flat-PLAN_roots
         ceqi    $amount,$w_left,1
         ila     $5,arena+OBJECT_LIST
+        hbr     cull_call,$cull
         ceqi    $even,$even,0
         selb    $t_list,$w_after,$t_list,$sizes
         ila     $w_after,next_level
@@ -357,17 +374,18 @@ next_level:
         il      $amount,NODE_LIST_NODES
         selb    $5,$5,$t_list,$even
         selb    $c_over,$c_over,$amount,$even
+        lnop
         rotqby  $6,$kinds,$counts
         stqa    $5,level_list
         a       $t_sum,$t_sum,$4
         cgt     $c_over,$4,$c_over
         stqa    $t_sum,cull_tests
-        ila     $t_list,filter_children_r16
+        rotqbyi $t_list,$cull,PLAN_filter-PLAN_cull
         ceqi    $amount,$6,0
         brnz    $c_over,crowded
 roomy:  selb    $w_after,$t_list,$w_after,$amount
 cull_call:
-        brsl    $lr,cull_nodes
+        bisl    $lr,$cull
         hbr     level_end,$w_after
         lqa     $5,level_list
         ai      $w_left,$w_left,-1
