@@ -18,7 +18,9 @@ use nff::depth::{self, DepthShading, NotDrawn};
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
-pub use self::render_options::{CONTRAST, Colour, Look, Model, RenderOptions, Samples};
+pub use self::render_options::{
+    CONTRAST, Colour, Look, Model, NodeVolumes, RenderOptions, Samples,
+};
 use self::single::{LARGEST, SMALLEST};
 pub use self::texture::Textures;
 use crate::spe::Program;
@@ -384,5 +386,6 @@ fn options(render_options: RenderOptions) -> BlockOptions {
         colour: render_options.colour,
         mesh_cache: render_options.mesh_cache,
         refit_pictures: render_options.refit_pictures,
+        volumes: render_options.volumes,
     }
 }

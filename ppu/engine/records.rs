@@ -12,8 +12,8 @@ use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter,
-    WAITING_SIZE, WorkUnit,
+    BOX_CODE, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere, Statistics,
+    UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -21,6 +21,8 @@ pub(super) struct Records {
     frame: SharedMemory,
     spheres: SharedMemory,
     scene: SharedMemory,
+    /// The program's code that tests boxes.
+    box_code: Vec<u8>,
     mesh_code: SharedMemory,
     /// The number of its bytes.
     mesh_code_bytes: u32,
@@ -56,6 +58,7 @@ impl Records {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
             scene: SharedMemory::new(SCENE_ROOM as usize),
+            box_code: program.box_code(),
             mesh_code,
             mesh_code_bytes,
             texture_code,
@@ -101,6 +104,10 @@ impl Records {
         self.spheres.write(0, plan.spheres().bytes());
         if let Some(block) = scene.block() {
             self.scene.write(0, block.bytes());
+            if block.box_trees() != 0 {
+                let offset = (BOX_CODE - SCENE_ADDRESS) as usize;
+                self.scene.write(offset, &self.box_code);
+            }
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());

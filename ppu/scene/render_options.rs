@@ -15,6 +15,19 @@ pub enum Model {
     Whitted,
 }
 
+/// The volumes of the nodes of a scene's trees, in Whitted's model. All give the same picture, except
+/// where a ray meets several surfaces at equal distance.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NodeVolumes {
+    /// For each tree those with which it is expected to be faster, spheres or boxes.
+    #[default]
+    Best,
+    /// Spheres.
+    Spheres,
+    /// Boxes along the axes, above all shapes except spheres.
+    Boxes,
+}
+
 /// What the channels of colours say about light: those of a scene's materials and background, and
 /// those of pixels. The shares of what mirrors and glass show follow the colours, so that a share
 /// of a colour looks like that. Lights, ambient light, Kd and highlights are linear in any case.
@@ -109,6 +122,8 @@ pub struct RenderOptions {
     /// one is built when rays have made as many more tests for it as they make in this many
     /// pictures with a new tree. With 0, one is built whenever a mesh has moved.
     pub refit_pictures: u32,
+    /// The volumes of the trees' nodes.
+    pub volumes: NodeVolumes,
 }
 
 impl Default for RenderOptions {
@@ -126,6 +141,7 @@ impl Default for RenderOptions {
             corners: false,
             mesh_cache: MESH_MOST_SLOTS,
             refit_pictures: REFIT_PICTURES,
+            volumes: NodeVolumes::Best,
         }
     }
 }

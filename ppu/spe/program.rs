@@ -11,7 +11,10 @@ use super::elf;
 use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
-use protocol::layout::{EYE_CODE, EYE_CODE_ROOM, MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM};
+use protocol::layout::{
+    BOX_CODE, BOX_CODE_ROOM, EYE_CODE, EYE_CODE_ROOM, MESH_CODE_ROOM, TEXTURE_CODE,
+    TEXTURE_CODE_ROOM,
+};
 
 /// Bytes with the alignment for the fastest transfers.
 #[repr(C, align(128))]
@@ -144,6 +147,13 @@ impl Program {
     #[must_use]
     pub fn texture_code(&self) -> Vec<u8> {
         let room = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
+        elf::loaded(self.image, room).unwrap_or_default()
+    }
+
+    /// The code that tests boxes, in the same way: what is loaded from `BOX_CODE` on.
+    #[must_use]
+    pub fn box_code(&self) -> Vec<u8> {
+        let room = BOX_CODE..BOX_CODE + BOX_CODE_ROOM;
         elf::loaded(self.image, room).unwrap_or_default()
     }
 

@@ -139,6 +139,7 @@ pub fn describe(order: &Order) -> Frame {
         frame.lights = block.light_address().into();
         frame.light_count = block.light_count().into();
         frame.trees = block.bvhs();
+        frame.box_trees = block.box_trees().into();
         frame.ambient = block.ambient();
         frame.eye = quadword(singles(camera.eye));
     }

@@ -34,8 +34,10 @@ named:                                  # masks for a list
         .skip   16
 named_again:
         .skip   16
-masks:                                  # the packets that may hit each sphere, a word a group
-        .skip   MAX_SPHERES*16
+masks:                                  # the packets that may hit each sphere, a word a group;
+                                        # linker/spu.ld leaves the room for them
+        .global masks_size
+        .set    masks_size,MAX_SPHERES*16
     .if TILE_PACKETS*COLOURS_SIZE > MAX_PAIRS*PAIR_SIZE
         .error  "the colours have no room"
     .endif

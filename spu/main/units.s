@@ -56,6 +56,7 @@ prepared:
         rotqbyi $bad,$bad,FRAME_features
         andi    $bad,$bad,FEATURE_WHITTED
         brz     $bad,next_unit
+        sync                                            # the scene may have code
         lqa     $bad,streamed
         brz     $bad,next_unit
         brsl    $lr,mesh_begin

@@ -12,7 +12,6 @@ const OTHERS: &[(&str, &str, &str)] = &[
     ("docs/frame.md", "52", "the paper's, on a console"),
     ("docs/frame.md", "1615", "a step of this project's history"),
     ("docs/meshes.md", "28", "a step of this project's history"),
-    ("docs/whitted.md", "24.4", "tried and left out"),
 ];
 
 fn documents() -> Vec<PathBuf> {

@@ -10,7 +10,6 @@
 
 use std::time::{Duration, Instant};
 
-use protocol::layout::TEXTURE_CODE;
 use rand::{RngCore as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::channel::NoChannels;
@@ -30,8 +29,9 @@ const RETURN: u16 = 0x1fff;
 const LOST: u16 = 0x1ffe;
 /// The top of the stack. Nothing is above it.
 const STACK: u32 = 0x3f000;
-/// The end of the arena: where the linker script places the kernels for textures and meshes.
-const ARENA_END: u32 = TEXTURE_CODE;
+/// The end of the arena: `boxes_place` in `image/start.s`. Behind it are the kernels for boxes,
+/// textures and meshes.
+const ARENA_END: u32 = 0x33600;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, behind the other kernels.

@@ -29,12 +29,17 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
     !below_zero(outside | behind | too_far)
 }
 
+/// A volume's size, larger by the slack for the rays' origins.
+pub(super) fn with_slack(bound: &Bound, size: Single) -> Single {
+    let [x, y, z] = bound.apex.map(|component| component & !SIGN);
+    let extent = fa(fa(x, z), fa(y, bound.radius & !SIGN));
+    fma(extent, SLACK, size)
+}
+
 /// Whether one of a packet's rays may meet the sphere around `centre`, by the rays themselves.
 #[must_use]
 pub fn any_may_meet(bound: &Bound, rays: &[Ray; 16], centre: [Single; 3], radius: Single) -> bool {
-    let [x, y, z] = bound.apex.map(|component| component & !SIGN);
-    let extent = fa(fa(x, z), fa(y, bound.radius & !SIGN));
-    let reach = fma(extent, SLACK, radius);
+    let reach = with_slack(bound, radius);
     let squared = fm(reach, reach);
     rays.iter().any(|ray| {
         let f: [Single; 3] = std::array::from_fn(|k| fs(centre[k], ray.origin[k]));

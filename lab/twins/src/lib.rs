@@ -10,6 +10,7 @@ pub mod bounce;
 pub mod bound;
 pub mod cone;
 pub mod cull;
+pub mod cull_box_nodes;
 pub mod cull_faces;
 pub mod cull_nodes;
 pub mod display;

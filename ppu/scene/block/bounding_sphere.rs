@@ -5,6 +5,8 @@
 
 use glam::DVec3;
 
+use super::bounds::Bounds;
+
 /// Number of steps towards the farthest sphere. A test checks that the radius is at most 2 % above
 /// the smallest possible one.
 const STEPS: u32 = 100;
@@ -67,16 +69,29 @@ impl BoundingSphere {
 pub(crate) struct Hull {
     spheres: [BoundingSphere; 4],
     count: usize,
+    bounds: Bounds,
 }
 
 impl Hull {
     pub fn of<const COUNT: usize>(found: [BoundingSphere; COUNT]) -> Self {
         let mut spheres = [BoundingSphere::point(DVec3::ZERO); 4];
         spheres[..COUNT].copy_from_slice(&found);
+        let bounds = found.iter().map(Bounds::of_sphere);
         Self {
             spheres,
             count: COUNT,
+            bounds: bounds.fold(Bounds::NOTHING, Bounds::with),
         }
+    }
+
+    /// The same hull of a primitive that is known to be within these bounds.
+    pub fn within(self, bounds: Bounds) -> Self {
+        Self { bounds, ..self }
+    }
+
+    /// A box around the primitive.
+    pub fn bounds(&self) -> Bounds {
+        self.bounds
     }
 
     pub fn spheres(&self) -> &[BoundingSphere] {

@@ -2,7 +2,7 @@
 
 use nff::{Scene, Shape};
 
-use super::bvh;
+use super::bvh::{self, Volumes};
 use super::primitive::{PATCH_SIZE, PrimitiveKind};
 use protocol::layout;
 
@@ -56,7 +56,10 @@ impl MemoryUse {
         }
         let objects = PrimitiveKind::ALL.map(|kind| {
             let count = counts[kind as usize];
-            (count, count * sizes[kind as usize] + bvh::size(count))
+            (
+                count,
+                count * sizes[kind as usize] + bvh::size(count, Volumes::Spheres),
+            )
         });
         let materials = is_used.iter().filter(|&&is_used| is_used).count();
         Self::new(objects, materials, scene.lights.len())

@@ -13,9 +13,11 @@
 //! distance may take any of them.
 
 mod bounding_sphere;
+mod bounds;
 mod bvh;
 mod bytes;
 mod chains;
+mod cost;
 mod edit;
 mod error;
 mod materials;
@@ -37,6 +39,8 @@ use nff::{Scene, Sky, Texture};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
+use self::bounds::Bounds;
+use self::bvh::Volumes;
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
 use self::memory_use::MemoryUse;
@@ -46,10 +50,11 @@ use self::primitives::Primitives;
 use self::source_location::SourceLocation;
 use self::streamed::{Streamed, may_stay};
 use crate::scene::Colour;
+use crate::scene::render_options::NodeVolumes;
 use crate::scene::single::singles;
 use protocol::layout::{
-    self, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS,
-    QueuedRay, RayPacket, SCENE_ADDRESS, SCENE_ROOM, SMALL_BATCH, Shear, TREES,
+    self, BOX_CODE_ROOM, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS,
+    MAX_OBJECTS, QueuedRay, RayPacket, SCENE_ADDRESS, SCENE_ROOM, SMALL_BATCH, Shear,
 };
 
 pub(crate) use bounding_sphere::BoundingSphere;
@@ -163,12 +168,49 @@ impl SceneBlock {
         }
     }
 
-    /// Without `streamed`, a mesh is in local store.
+    /// Without `streamed`, a mesh is in local store. The nodes of a tree become boxes if that is
+    /// worth it, and their code and larger nodes take no room that batches need.
     fn with_spare(
         scene: &Scene,
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
         spare: Spare,
+        streamed: Option<Streamed>,
+    ) -> Result<Self, BlockError> {
+        let is_streamed = streamed.is_some();
+        let spheres = [Volumes::Spheres; 4];
+        let plain = Self::with_volumes(scene, options, shader, spare, spheres, streamed)?;
+        if is_streamed {
+            return Ok(plain);
+        }
+        let bounds = plain.primitives.iter().map(Primitives::bounds);
+        let bounds = bounds.fold(Bounds::NOTHING, Bounds::with);
+        let primitives = plain.primitives.each_ref();
+        let volumes = match options.volumes {
+            NodeVolumes::Best => primitives.map(|it| it.better_volumes(&bounds)),
+            NodeVolumes::Spheres => spheres,
+            NodeVolumes::Boxes => primitives.map(Primitives::boxed_volumes),
+        };
+        if volumes == spheres {
+            return Ok(plain);
+        }
+        // Boxes gain more than a large batch does, but less than a small one loses.
+        let deepest = options.ray_depth;
+        let small = |block: &Self| block.batch_at(deepest).map(|batch| batch.min(SMALL_BATCH));
+        match Self::with_volumes(scene, options, shader, spare, volumes, None) {
+            Ok(block) if small(&block) == small(&plain) => Ok(block),
+            Ok(_) | Err(BlockError::TooLarge { .. }) => Ok(plain),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// [`SceneBlock::with_spare`] with these volumes in the trees' nodes.
+    fn with_volumes(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+        spare: Spare,
+        volumes: [Volumes; 4],
         mut streamed: Option<Streamed>,
     ) -> Result<Self, BlockError> {
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
@@ -176,6 +218,10 @@ impl SceneBlock {
         }
         let mut block = Block::default();
         add_background(scene, options.colour, shader, &mut block)?;
+        if volumes.contains(&Volumes::Boxes) {
+            // The code is the program's, which is not known here.
+            block.reserve(BOX_CODE_ROOM as usize);
+        }
         let ambient = ambient(&scene.name, scene.ambient)?;
         let lights = lights(scene)?;
         let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
@@ -221,7 +267,8 @@ impl SceneBlock {
             let (found, slots) = (&found[kind as usize], &mut slots[kind as usize]);
             let number = |index: usize, slot: usize| slots[index] = slot;
             let spare = spare.objects[kind as usize];
-            Primitives::new(kind, found, spare, material, number, &mut block)
+            let volumes = volumes[kind as usize];
+            Primitives::new(kind, found, spare, volumes, material, number, &mut block)
         });
         for part in &mut parts {
             part.slot = slots[part.kind as usize][part.slot];
@@ -291,6 +338,18 @@ impl SceneBlock {
     #[must_use]
     pub fn bvhs(&self) -> [Bvh; 4] {
         self.primitives.each_ref().map(Primitives::record)
+    }
+
+    /// The trees whose nodes are boxes, as the frame has them. With any, the block has room for the
+    /// code that tests boxes, at `BOX_CODE`.
+    #[must_use]
+    pub fn box_trees(&self) -> u32 {
+        let trees = (0..).zip(&self.primitives);
+        let bits = trees.map(|(tree, primitives)| match primitives.volumes() {
+            Volumes::Spheres => 0,
+            Volumes::Boxes => 1 << tree,
+        });
+        bits.sum()
     }
 
     /// The ambient light's brightness: red, green, blue, and 0.

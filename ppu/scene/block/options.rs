@@ -1,7 +1,7 @@
 //! The settings of a block, and the SPU program's shaders.
 
 use crate::scene::Colour;
-use crate::scene::render_options::REFIT_PICTURES;
+use crate::scene::render_options::{NodeVolumes, REFIT_PICTURES};
 use protocol::layout::MESH_MOST_SLOTS;
 
 /// Settings of Whitted's model.
@@ -22,6 +22,8 @@ pub struct BlockOptions {
     /// How many pictures' tests of rays a refitted tree may waste, as in
     /// [`RenderOptions`](crate::scene::RenderOptions).
     pub refit_pictures: u32,
+    /// The volumes of the trees' nodes. Where boxes and their code have no room, they are spheres.
+    pub volumes: NodeVolumes,
 }
 
 impl Default for BlockOptions {
@@ -33,6 +35,7 @@ impl Default for BlockOptions {
             colour: Colour::Linear,
             mesh_cache: MESH_MOST_SLOTS,
             refit_pictures: REFIT_PICTURES,
+            volumes: NodeVolumes::Best,
         }
     }
 }

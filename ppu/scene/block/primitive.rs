@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::bounding_sphere::{BoundingSphere, Hull};
+use super::bounds::Bounds;
 use protocol::layout;
 
 /// How far vertices may be off their polygon's plane, relative to its size, without being moved
@@ -131,10 +132,17 @@ impl Primitive {
                 // the cone.
                 let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
                 let middle = equal.clamp(0.0, height);
+                // How far a disc of radius 1 across the axis reaches.
+                let across = (DVec3::ONE - axis * axis).max(DVec3::ZERO).map(f64::sqrt);
+                let disc = |centre: DVec3, radius: f64| Bounds {
+                    low: centre - radius * across,
+                    high: centre + radius * across,
+                };
                 Hull::of([BoundingSphere {
                     centre: base + middle * axis,
                     radius: libm::hypot(middle, low).max(libm::hypot(height - middle, high)),
                 }])
+                .within(disc(base, low).with(disc(base + height * axis, high)))
             }
         }
     }

@@ -7,8 +7,10 @@ use glam::DVec3;
 use zerocopy::big_endian::U32;
 
 use super::bounding_sphere::{BoundingSphere, Hull};
-use super::bvh::{self, Bvh};
+use super::bounds::Bounds;
+use super::bvh::{self, Bvh, Volumes};
 use super::bytes::Block;
+use super::cost::{boxes_gain, has_surface};
 use super::objects::Object;
 use super::primitive::PrimitiveKind;
 use protocol::layout;
@@ -60,6 +62,7 @@ impl Primitives {
         kind: PrimitiveKind,
         found: &[Object],
         spare: usize,
+        volumes: Volumes,
         material: impl Fn(&Object) -> U32,
         mut number: impl FnMut(usize, usize),
         block: &mut Block,
@@ -68,7 +71,7 @@ impl Primitives {
             .iter()
             .map(|object| Some(object.primitive.hull()))
             .collect();
-        let mut bvh = Bvh::default();
+        let mut bvh = Bvh::new(volumes);
         bvh.build(&hulls);
         let mut slots = Vec::with_capacity(found.len() + spare);
         let mut in_order = Vec::with_capacity(found.len() + spare);
@@ -90,7 +93,7 @@ impl Primitives {
             slots.push(Slot::reserve(kind.least_size(), block));
             in_order.push(None);
         }
-        let nodes_room = bvh::size(slots.len());
+        let nodes_room = bvh::size(slots.len(), volumes);
         Self {
             kind,
             slots,
@@ -195,6 +198,46 @@ impl Primitives {
             },
             _ => record,
         }
+    }
+
+    /// The volumes of the BVH's nodes.
+    pub fn volumes(&self) -> Volumes {
+        self.bvh.volumes()
+    }
+
+    /// The volumes with which packets are expected to be traced faster within `scene`: spheres,
+    /// unless a tree with boxes gains more than what the estimate may be off by.
+    pub fn better_volumes(&self, scene: &Bounds) -> Volumes {
+        if self.boxed_volumes() == Volumes::Spheres || !has_surface(scene) {
+            return Volumes::Spheres;
+        }
+        let [spheres, boxes] = [Volumes::Spheres, Volumes::Boxes].map(|volumes| {
+            let mut bvh = Bvh::new(volumes);
+            bvh.build(&self.hulls);
+            bvh.expected_cycles(self.kind, scene)
+        });
+        match boxes_gain(spheres, boxes) {
+            true => Volumes::Boxes,
+            false => Volumes::Spheres,
+        }
+    }
+
+    /// Boxes if they are possible: spheres are always in spheres, and a single object has no node.
+    pub fn boxed_volumes(&self) -> Volumes {
+        match self.kind {
+            PrimitiveKind::Rectangle | PrimitiveKind::Triangle | PrimitiveKind::Cone
+                if self.count() > 1 =>
+            {
+                Volumes::Boxes
+            }
+            _ => Volumes::Spheres,
+        }
+    }
+
+    /// A box around all objects.
+    pub fn bounds(&self) -> Bounds {
+        let hulls = self.hulls.iter().flatten();
+        hulls.map(Hull::bounds).fold(Bounds::NOTHING, Bounds::with)
     }
 
     pub fn count(&self) -> usize {

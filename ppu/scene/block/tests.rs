@@ -10,7 +10,7 @@ mod traced;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 use super::*;
-use protocol::layout::{FARTHEST, Node};
+use protocol::layout::{BoxNode, FARTHEST, Node};
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";
@@ -27,6 +27,39 @@ fn block(rest: &str) -> SceneBlock {
 
 fn of(scene: &Scene, options: BlockOptions) -> SceneBlock {
     SceneBlock::new(scene, options, &entry).expect("a block")
+}
+
+/// A volume above an object, from the eye.
+#[derive(Clone, Copy, Debug)]
+enum Above {
+    Sphere(DVec3, f64),
+    /// The middle and half of the sizes.
+    Box(DVec3, DVec3),
+}
+
+impl Above {
+    fn holds(self, point: DVec3) -> bool {
+        match self {
+            Self::Sphere(centre, radius) => point.distance(centre) <= radius,
+            Self::Box(centre, half) => (point - centre).abs().cmple(half).all(),
+        }
+    }
+
+    /// Whether a ray from the eye misses it.
+    fn is_missed(self, direction: DVec3) -> bool {
+        match self {
+            Self::Sphere(centre, radius) => {
+                let along = centre.dot(direction).max(0.0);
+                (centre - along * direction).length() > radius
+            }
+            Self::Box(centre, half) => {
+                // An axis across the ray gives infinities, and no number if it is in the face.
+                let [one, other] = [centre - half, centre + half].map(|corner| corner / direction);
+                let enters = one.min(other).max_element().max(0.0);
+                enters > one.max(other).min_element()
+            }
+        }
+    }
 }
 
 /// The table of a program with four shaders.
@@ -52,37 +85,56 @@ impl SceneBlock {
         found
     }
 
-    /// Calls `found` with every object's address and the bounding spheres above it, from the top.
-    fn walk(&self, kind: PrimitiveKind, found: &mut impl FnMut(U32, &[(DVec3, f64)])) {
+    /// Calls `found` with every object's address and the volumes above it, from the top.
+    fn walk(&self, kind: PrimitiveKind, found: &mut impl FnMut(U32, &[Above])) {
         let tree = self.bvhs()[kind as usize];
-        let size = size_of::<Node>() as u32;
+        let volumes = self.primitives[kind as usize].volumes();
+        let size = match volumes {
+            Volumes::Spheres => size_of::<Node>(),
+            Volumes::Boxes => size_of::<BoxNode>(),
+        } as u32;
         for root in 0..tree.root_count.get() {
             let address = U32::new(tree.roots.get() + root * size);
-            self.descend(address, tree.levels.get(), &mut Vec::new(), found);
+            self.descend(address, volumes, tree.levels.get(), &mut Vec::new(), found);
         }
     }
 
     fn descend(
         &self,
         address: U32,
+        volumes: Volumes,
         levels: u32,
-        above: &mut Vec<(DVec3, f64)>,
-        found: &mut impl FnMut(U32, &[(DVec3, f64)]),
+        above: &mut Vec<Above>,
+        found: &mut impl FnMut(U32, &[Above]),
     ) {
         if levels == 0 {
             return found(address, above);
         }
-        let node: &Node = self.at(address);
+        let none = -f32::from_bits(FARTHEST);
         for lane in 0..4 {
-            let radius = f64::from(node.radius[lane].get());
-            if radius < 0.0 {
-                assert_eq!(node.radius[lane].get(), -f32::from_bits(FARTHEST));
-                assert_eq!(node.child[lane].get(), SCENE_ADDRESS);
+            let (volume, child) = match volumes {
+                Volumes::Spheres => {
+                    let node: &Node = self.at(address);
+                    let centre = wide([node.x[lane], node.y[lane], node.z[lane]]);
+                    let radius = node.radius[lane].get();
+                    let sphere = Above::Sphere(centre, f64::from(radius));
+                    ((radius != none).then_some(sphere), node.child[lane])
+                }
+                Volumes::Boxes => {
+                    let node: &BoxNode = self.at(address);
+                    let centre = wide([node.x[lane], node.y[lane], node.z[lane]]);
+                    let half = [node.half_x[lane], node.half_y[lane], node.half_z[lane]];
+                    let is_none = half.map(F32::get) == [none; 3];
+                    let volume = Above::Box(centre, wide(half));
+                    ((!is_none).then_some(volume), node.child[lane])
+                }
+            };
+            let Some(volume) = volume else {
+                assert_eq!(child.get(), SCENE_ADDRESS);
                 continue;
-            }
-            let centre = wide([node.x[lane], node.y[lane], node.z[lane]]);
-            above.push((centre, radius));
-            self.descend(node.child[lane], levels - 1, above, found);
+            };
+            above.push(volume);
+            self.descend(child, volumes, levels - 1, above, found);
             above.pop();
         }
     }

@@ -81,8 +81,9 @@ record! {
         light_count: U32,
         /// A ray whose weight in its pixel is below this is not sent on.
         least_weight: F32,
-        /// Zero; aligns the trees to quadwords.
-        reserved: U32,
+        /// Trees whose nodes are boxes: the bit 1 << index for each. With any, the scene has the
+        /// code for them at `BOX_CODE`.
+        box_trees: U32,
         /// The objects: spheres, parallelograms, triangles, cones.
         trees: [Bvh; 4],
         /// Brightness of the ambient light: red, green, blue, 0.

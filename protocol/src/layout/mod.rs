@@ -140,6 +140,11 @@ constants! {
     SCENE_ADDRESS = 0x2ec00;
     /// Bytes for the scene and the waiting rays.
     SCENE_ROOM = 0x10380;
+    /// Address in local store of the code that tests boxes, behind the background's `OBJECT` and
+    /// `MATERIAL`; only the scenes with trees of boxes have it.
+    BOX_CODE = SCENE_ADDRESS + 144;
+    /// Bytes for that code.
+    BOX_CODE_ROOM = 4736;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -309,6 +314,7 @@ pub const RECORDS: &[Record] = &[
     Material::RECORD,
     Light::RECORD,
     Node::RECORD,
+    BoxNode::RECORD,
     Bvh::RECORD,
     RayPacket::RECORD,
     QueuedRay::RECORD,
@@ -434,10 +440,16 @@ statuses! {
     Texture = 38, "texture_records";
     /// Must be a multiple of 128.
     Waiting = 39, "waiting";
+    /// Must be bits of the 4 trees, and with any, the scene must have the 4736 bytes of the code for boxes.
+    BoxTrees = 40, "box_trees, scene_bytes";
 }
 
 const _: () = {
     assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
+    assert!(
+        BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
+            && BOX_CODE_ROOM.is_multiple_of(16)
+    );
     assert!(size_of::<Frame>() == 496);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);

@@ -162,6 +162,27 @@ record! {
 }
 
 record! {
+    /// Four boxes along the axes, each around everything below it in the tree. An empty lane has
+    /// -`FARTHEST` as its half sizes.
+    BoxNode as "BOX_NODE" {
+        /// Centres, x.
+        x: [F32; 4],
+        /// Centres, y.
+        y: [F32; 4],
+        /// Centres, z.
+        z: [F32; 4],
+        /// Half of the sizes along x, with the rounding of the test.
+        half_x: [F32; 4],
+        /// The same along y.
+        half_y: [F32; 4],
+        /// The same along z.
+        half_z: [F32; 4],
+        /// Addresses of nodes or, at the lowest level, of objects.
+        child: [U32; 4],
+    }
+}
+
+record! {
     /// Objects of one shape, under nodes.
     Bvh as "BVH" {
         /// Address of the first node at the top of the tree, which the others follow; without

@@ -56,6 +56,12 @@ no_mesh:
         ori     $scene_bytes,$value,0
         andi    $bad,$value,LINE-1
         refuse_if $bad,SceneBytes
+        require_at_most box_trees,(1<<TREES)-1,BoxTrees
+        ceqi    $value,$value,0
+        load_constant $limit,BOX_CODE+BOX_CODE_ROOM-SCENE_ADDRESS
+        clgt    $bad,$limit,$scene_bytes
+        andc    $bad,$bad,$value
+        refuse_if $bad,BoxTrees
         load_word $value,FRAME_lights,$a_frame
         ila     $limit,SCENE_ADDRESS
         sf      $value,$limit,$value

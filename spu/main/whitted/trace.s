@@ -23,7 +23,10 @@
         # cull_nodes' argument `lanes`: of scattered rays from surfaces, then of those to a light
         .set    PLAN_bounced,32
         .set    PLAN_shadow,36
-        .set    PLAN_SIZE,48
+        .set    PLAN_cull,48                            # the kernel for nodes and packets' bounds
+        .set    PLAN_filter,52                          # the one for their children and the rays
+        .set    PLAN_SIZE,64
+
         .section .bss
         .align  4
 plans:  .skip   TREES*PLAN_SIZE
@@ -69,6 +72,10 @@ candidate_words:                        # of a packet's rays in the first, bound
 shears_word:
         .int    0x00010203,0x04050607,0x08090a0b,0x10111213
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
+# For each sort of nodes, spheres and boxes: the kernels as in the plan, and the size of a node.
+node_kernels:
+        .int    cull_nodes,filter_children_r16,NODE_SIZE,0
+        .int    cull_box_nodes,filter_box_children_r16,BOX_NODE_SIZE,0
 # For each tree: the test, the size of an object, -1 if it is flat, the test for primary rays.
 kernels:
         .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
@@ -102,9 +109,11 @@ kernels:
         .set    roots_left,31
         .set    step,32
         .set    m_first,33
-        .set    first_packet,34
-        .set    first_shadow,35
-        .set    lists_size,36
+        .set    boxes,34                                # from this tree on: the last bit is its own
+        .set    node,35                                 # what it has in node_kernels
+        .set    first_packet,36
+        .set    first_shadow,37
+        .set    lists_size,38
 
 # Lists the top of the current tree with as many packets as a batch has, from this one on.
 .macro  list_candidates first:req
@@ -132,6 +141,8 @@ function bvhs_plan
         lqa     $objects,streamed
         or      $tree,$tree,$objects
         stqa    $tree,sheared
+        lqa     $boxes,frame+(FRAME_box_trees&~15)
+        rotqbyi $boxes,$boxes,FRAME_box_trees&15
         ila     $a_plan,plans
         ila     $a_kernel,kernels
         lqa     $a_list,roots_at
@@ -193,10 +204,15 @@ as_many:
         store_word $c_room,PLAN_bounced,$a_plan,$t_quad,$t_mask
         il      $room,0
         store_word $room,PLAN_bounced+8,$a_plan,$t_quad,$t_mask
+        andi    $room,$boxes,1
+        shli    $room,$room,4
+        ila     $node,node_kernels
+        lqx     $node,$node,$room
+        stqd    $node,PLAN_cull($a_plan)
+        rotqbyi $node,$node,8
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
-        il      $room,NODE_SIZE
-        selb    $root_step,$room,$root_step,$c_room
+        selb    $root_step,$node,$root_step,$c_room
         fsmbi   $room,0xf000
         and     $root_step,$root_step,$room
         rotqbyi $roots,$tree,BVH_root_count
@@ -218,6 +234,7 @@ as_many:
         a       $a_list,$a_list,$lists_size
         ai      $a_plan,$a_plan,PLAN_SIZE
 not_there:
+        rotmi   $boxes,$boxes,-1
         ai      $a_tree,$a_tree,BVH_SIZE
         ai      $a_kernel,$a_kernel,16
         ai      $bvhs_left,$bvhs_left,-1
@@ -228,7 +245,7 @@ endfunction bvhs_plan
 
         .set    NEXT,10
         registers amount,t_sum,t_add
-        registers c_more,plan,sizes,kinds,counts,even,t_list,c_over
+        registers c_more,plan,sizes,kinds,counts,even,t_list,c_over,cull
         # at the end
         registers low_word,a_generation,possible
         # two counts each: those of this call, their sums and the carries
@@ -347,7 +364,7 @@ next_tree:
         stqa    $t_sum,tests_possible
         brz     $w_left,at_objects
 next_level:
-        hbrr    cull_call,cull_nodes
+        lqd     $cull,PLAN_cull($w_plan)
         lqd     $kinds,PLAN_bounced($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
         lqa     $counts,lanes
@@ -358,6 +375,7 @@ next_level:
         rotqbyi $sizes,$sizes,PLAN_flat-PLAN_roots
         ceqi    $amount,$w_left,1
         ila     $5,arena+OBJECT_LIST
+        hbr     cull_call,$cull
         ceqi    $even,$even,0
         selb    $t_list,$w_after,$t_list,$sizes
         ila     $w_after,next_level
@@ -367,17 +385,18 @@ next_level:
         il      $amount,NODE_LIST_NODES
         selb    $5,$5,$t_list,$even
         selb    $c_over,$c_over,$amount,$even
+        lnop
         rotqby  $6,$kinds,$counts
         stqa    $5,level_list
         a       $t_sum,$t_sum,$4
         cgt     $c_over,$4,$c_over
         stqa    $t_sum,cull_tests
-        ila     $t_list,filter_children_r16
+        rotqbyi $t_list,$cull,PLAN_filter-PLAN_cull
         ceqi    $amount,$6,0
         brnz    $c_over,crowded
 roomy:  selb    $w_after,$t_list,$w_after,$amount
 cull_call:
-        brsl    $lr,cull_nodes
+        bisl    $lr,$cull
         hbr     level_end,$w_after
         lqa     $5,level_list
         ai      $w_left,$w_left,-1

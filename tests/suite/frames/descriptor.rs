@@ -4,7 +4,7 @@ use cellray::Scene;
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
 use cellray::work::{self, Addresses, EyeSpheres, Order, Projection, Skip, Split, Units};
-use protocol::layout::Frame;
+use protocol::layout::{BOX_CODE, Frame, SCENE_ADDRESS};
 
 /// Width and height in pixels: two tiles.
 pub const SIZE: (u32, u32) = (64, 32);
@@ -40,6 +40,7 @@ impl Descriptor {
         let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program;
         let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
+        let box_code = program.box_code();
         let program = program.formulations().unwrap();
         records.cull(
             scene.spheres(),
@@ -79,7 +80,11 @@ impl Descriptor {
         let textures = mesh.and_then(|mesh| mesh.textures);
         let textures = textures.map_or(Vec::new(), |textures| textures.bytes().to_vec());
         let mesh = mesh.map_or(Vec::new(), |mesh| mesh.blocks.bytes().to_vec());
-        let block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
+        let mut block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
+        if frame.box_trees.get() != 0 {
+            let start = (BOX_CODE - SCENE_ADDRESS) as usize;
+            block[start..start + box_code.len()].copy_from_slice(&box_code);
+        }
         Self {
             frame,
             spheres: records.bytes().to_vec(),

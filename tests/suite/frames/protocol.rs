@@ -3,7 +3,7 @@
 use crate::frames::fixture::{Fixture, Spoil};
 use crate::recorder::nff_scene;
 use cellray::EngineError;
-use protocol::layout::{SCENE_ADDRESS, SCENE_ROOM, WorkUnit};
+use protocol::layout::{BOX_CODE, BOX_CODE_ROOM, SCENE_ADDRESS, SCENE_ROOM, WorkUnit};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -121,7 +121,7 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 
 #[test]
 fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
-    let cases: [(&str, &str, Spoil); 29] = [
+    let cases: [(&str, &str, Spoil); 32] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
         }),
@@ -207,6 +207,19 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
             frame.scene_bytes = 0.into();
             frame.lights = SCENE_ADDRESS.into();
             frame.light_count = 0.into();
+        }),
+        (
+            "box_trees",
+            "16 (0x10), 896 (0x380): must be bits of the 4 trees",
+            |frame| frame.box_trees = 16.into(),
+        ),
+        ("box_trees", "4294967295", |frame| {
+            frame.box_trees = u32::MAX.into()
+        }),
+        // The scene ends 16 bytes before the end of the code for boxes.
+        ("scene_bytes", "the code for boxes", |frame| {
+            frame.box_trees = 2.into();
+            frame.scene_bytes = (BOX_CODE + BOX_CODE_ROOM - SCENE_ADDRESS - 16).into();
         }),
         ("trees", "1024 objects", |frame| {
             frame.trees[0].objects = 1025.into()

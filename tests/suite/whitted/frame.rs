@@ -1,6 +1,6 @@
 //! Frames of Whitted's model, and their difference from the reference.
 
-use cellray::scene::{Colour, Model, RenderOptions, Samples};
+use cellray::scene::{Colour, Model, NodeVolumes, RenderOptions, Samples};
 use cellray::spe::Program;
 use cellray::statistics::{FrameStatistics, GENERATIONS, Generation, Rays};
 use cellray::{Engine, Scene, Settings};
@@ -25,6 +25,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     corners: false,
     mesh_cache: MESH_MOST_SLOTS,
     refit_pictures: 50,
+    volumes: NodeVolumes::Best,
 };
 
 /// A finished frame.

@@ -1,6 +1,7 @@
 //! Whitted's model on emulated SPUs, compared with the f64 reference.
 
 mod antialias;
+mod boxes;
 mod chains;
 mod colour;
 mod counts;

@@ -1,5 +1,5 @@
 //! Traces primary rays in `f64` with nothing but the records, and compares them with the
-//! reference: a block describes its scene, and no bounding sphere hides an object that is hit.
+//! reference: a block describes its scene, and no bounding volume hides an object that is hit.
 
 use std::path::Path;
 
@@ -25,11 +25,7 @@ impl SceneBlock {
         let mut nearest = (f64::INFINITY, U32::new(SCENE_ADDRESS));
         for kind in PrimitiveKind::ALL {
             self.walk(kind, &mut |address, above| {
-                let missed = |&(centre, radius): &(DVec3, f64)| {
-                    let along = centre.dot(direction).max(0.0);
-                    (centre - along * direction).length() > radius
-                };
-                if above.iter().any(missed) {
+                if above.iter().any(|volume| volume.is_missed(direction)) {
                     return;
                 }
                 for (t, enters) in self.crossings(kind, address, direction) {
@@ -137,7 +133,13 @@ fn coloured(mut scene: Scene) -> Scene {
 /// The number of pixels that show an object. All pixels off the silhouettes are compared.
 fn compare(scene: &Scene, side: u32) -> usize {
     let (reference, _) = trace(scene, side, side, &Options::default()).expect("a picture");
-    let block = of(scene, BlockOptions::default());
+    let blocks = [NodeVolumes::Spheres, NodeVolumes::Boxes].map(|volumes| {
+        let options = BlockOptions {
+            volumes,
+            ..Default::default()
+        };
+        of(scene, options)
+    });
     let camera = scene.view.camera(side, side).expect("a camera");
     let places = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
     let pixels = reference.picture.pixels().iter();
@@ -146,9 +148,11 @@ fn compare(scene: &Scene, side: u32) -> usize {
         if *edge {
             continue;
         }
-        let found = block.seen(camera.direction(x, y).normalize());
         let name = &scene.name;
-        assert_eq!(nff::depth::bytes(found), *expected, "{name} at ({x}, {y})");
+        for block in &blocks {
+            let found = block.seen(camera.direction(x, y).normalize());
+            assert_eq!(nff::depth::bytes(found), *expected, "{name} at ({x}, {y})");
+        }
         covered += usize::from(*expected != [0; 3]);
     }
     covered

@@ -20,7 +20,7 @@ use crate::bench::Bench;
 use crate::cases::eye::error::{camera, error_of_directions, error_of_directions_through};
 use crate::cases::sphere_ray::unit;
 use crate::catalogue::{Case, Kernel, Objects};
-use call::{BareSphere, Child, Point};
+use call::{BareBox, BareSphere, Child, Point, Volume};
 
 /// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -115,12 +115,12 @@ pub const KERNELS: &[Kernel] = &[
             Case {
                 name: "all left out",
                 objects: NODES,
-                place: |bench, count| cull_nodes(bench, [0.0, 50.0, -50.0], count),
+                place: |bench, count| cull_nodes(bench, sphere([0.0, 50.0, -50.0]), count),
             },
             Case {
                 name: "all kept",
                 objects: NODES,
-                place: |bench, count| cull_nodes(bench, [0.0, 0.0, -50.0], count),
+                place: |bench, count| cull_nodes(bench, sphere([0.0, 0.0, -50.0]), count),
             },
         ],
         error: None,
@@ -132,12 +132,46 @@ pub const KERNELS: &[Kernel] = &[
             Case {
                 name: "all left out",
                 objects: NODES,
-                place: |bench, count| filter_children(bench, [0.0, 50.0, -50.0], count),
+                place: |bench, count| filter_children(bench, sphere([0.0, 50.0, -50.0]), count),
             },
             Case {
                 name: "all kept",
                 objects: NODES,
-                place: |bench, count| filter_children(bench, [0.0, 0.0, -50.0], count),
+                place: |bench, count| filter_children(bench, sphere([0.0, 0.0, -50.0]), count),
+            },
+        ],
+        error: None,
+    },
+    Kernel {
+        name: "cull_box_nodes",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, cube([0.0, 50.0, -50.0]), count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, cube([0.0, 0.0, -50.0]), count),
+            },
+        ],
+        error: None,
+    },
+    Kernel {
+        name: "filter_box_children_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| filter_children(bench, cube([0.0, 50.0, -50.0]), count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| filter_children(bench, cube([0.0, 0.0, -50.0]), count),
             },
         ],
         error: None,
@@ -189,29 +223,39 @@ fn rays() -> [Ray; 16] {
 }
 
 /// Candidates of one packet and nodes with four equal children.
-fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
+fn cull_nodes(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
     let pairs = vec![[0, 0]; count as usize];
     let bounds: [Bound; 1] = [bound(&rays())];
-    call::put_candidates(bench, &[[child(centre); 4]], &bounds, None, &pairs).arguments
+    call::put_candidates(bench, &[[child(volume); 4]], &bounds, None, &pairs).arguments
 }
 
 /// Candidates of one packet and the four equal children of nodes.
-fn filter_children(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
+fn filter_children(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
     let pairs = vec![[0, 0]; count as usize / 4];
     let packets = [rays()];
     let bounds: [Bound; 1] = [bound(&rays())];
-    let nodes = [[child(centre); 4]];
+    let nodes = [[child(volume); 4]];
     call::put_candidates(bench, &nodes, &bounds, Some(&packets), &pairs).arguments
 }
 
-/// A child of radius 1.
-fn child(centre: [f64; 3]) -> Child {
-    Child {
-        sphere: BareSphere {
-            centre: centre.map(from_f64),
-            radius: ONE,
-        },
-        address: 0,
+/// A child whose address doesn't matter.
+fn child<V>(volume: V) -> Child<V> {
+    Child { volume, address: 0 }
+}
+
+/// A sphere of radius 1.
+fn sphere(centre: [f64; 3]) -> BareSphere {
+    BareSphere {
+        centre: centre.map(from_f64),
+        radius: ONE,
+    }
+}
+
+/// A cube around it.
+fn cube(centre: [f64; 3]) -> BareBox {
+    BareBox {
+        centre: centre.map(from_f64),
+        half: [ONE; 3],
     }
 }
 

@@ -3,7 +3,9 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;
-use kernels::cases::whitted::rays::call::{self, BareSphere, Child, Listed, Point};
+use kernels::cases::whitted::rays::call::{
+    self, BareBox, BareSphere, Child, Listed, Point, Volume,
+};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 use rand::Rng as _;
@@ -34,41 +36,126 @@ fn at(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// A sphere near a ray of the packet: its edge is a tiny distance away from the ray, its origin or
-/// its end, or it is at a random place.
-fn sphere(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
-    let ray = rays[random.random_range(0..rays.len())];
-    let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
-    let radius = scale * magnitude(1e-4..30.0, random);
-    let hair = magnitude(1e-9..1e-1, random);
-    let edge = radius
-        * if random.random() {
-            1.0 - hair
-        } else {
-            1.0 + hair
-        };
-    let end = to_f64(ray.t).min(scale * 1000.0);
-    let along = end
-        * random
-            .random_range(0.0..1.0_f64)
-            .powi(random.random_range(1..8));
-    let across = unit(cross(direction, any_direction(random)));
-    let centre = match random.random_range(0..5) {
-        0 => at(origin, direction, -edge),
-        1 => at(origin, direction, end + edge),
-        2 => at(origin, in_cube(1.0, random), 100.0 * scale),
-        _ => at(at(origin, direction, along), across, edge),
-    };
-    (centre, radius)
+/// Volumes near rays.
+trait Near: Volume {
+    /// By what part of |c| + R a volume of this sort, tested by the packets' bounds, must be too
+    /// small for some to be left out.
+    const TOO_SMALL: f64;
+
+    /// A volume near a ray of the packet: its edge is a tiny distance away from the ray, its origin
+    /// or its end, or it is at a random place. Larger by `slack`, a part of |c| + R. Also whether a
+    /// part of a ray up to its t is in it.
+    fn near(rays: &[&Ray], scale: f64, slack: f64, random: &mut ChaCha8Rng) -> (Self, bool);
 }
 
-/// Whether a part of a ray up to its t is in a sphere.
-fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
-    let to_centre = less(centre, ray.origin.map(to_f64));
-    let direction = unit(ray.direction.map(to_f64));
-    let nearest = dot(to_centre, direction).clamp(0.0, to_f64(ray.t));
-    let apart = at(to_centre, direction, -nearest);
-    dot(apart, apart) <= radius * radius
+/// A point on a ray of the packet, most of them near its origin or its end, and the ray's direction.
+fn place(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, Vector, f64) {
+    let ray = rays[random.random_range(0..rays.len())];
+    let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
+    let end = to_f64(ray.t).min(scale * 1000.0);
+    (origin, direction, end)
+}
+
+/// 1, and a tiny bit more or less.
+fn nearly_one(random: &mut ChaCha8Rng) -> f64 {
+    let hair = magnitude(1e-9..1e-1, random);
+    if random.random() {
+        1.0 - hair
+    } else {
+        1.0 + hair
+    }
+}
+
+/// A distance up to the end of a ray, often a small one.
+fn along(end: f64, random: &mut ChaCha8Rng) -> f64 {
+    let share: f64 = random.random_range(0.0..1.0);
+    end * share.powi(random.random_range(1..8))
+}
+
+impl Near for BareSphere {
+    const TOO_SMALL: f64 = SLACK / 4.0;
+
+    fn near(rays: &[&Ray], scale: f64, slack: f64, random: &mut ChaCha8Rng) -> (Self, bool) {
+        let (origin, direction, end) = place(rays, scale, random);
+        let radius = scale * magnitude(1e-4..30.0, random);
+        let edge = radius * nearly_one(random);
+        let along = along(end, random);
+        let across = unit(cross(direction, any_direction(random)));
+        let centre = match random.random_range(0..5) {
+            0 => at(origin, direction, -edge),
+            1 => at(origin, direction, end + edge),
+            2 => at(origin, in_cube(1.0, random), 100.0 * scale),
+            _ => at(at(origin, direction, along), across, edge),
+        };
+        let centre = centre.map(from_f64);
+        let stored = centre.map(to_f64);
+        let is_met = rays.iter().any(|ray| {
+            let to_centre = less(stored, ray.origin.map(to_f64));
+            let direction = unit(ray.direction.map(to_f64));
+            let nearest = dot(to_centre, direction).clamp(0.0, to_f64(ray.t));
+            let apart = at(to_centre, direction, -nearest);
+            dot(apart, apart) <= radius * radius
+        });
+        let slack = slack * (dot(stored, stored).sqrt() + radius);
+        let radius = from_f64((radius + slack) * ROUNDING);
+        (Self { centre, radius }, is_met)
+    }
+}
+
+impl Near for BareBox {
+    const TOO_SMALL: f64 = SLACK;
+
+    fn near(rays: &[&Ray], scale: f64, slack: f64, random: &mut ChaCha8Rng) -> (Self, bool) {
+        let (origin, direction, end) = place(rays, scale, random);
+        let half: Vector = std::array::from_fn(|_| match random.random_range(0..8) {
+            0 => 0.0,
+            _ => scale * magnitude(1e-4..30.0, random),
+        });
+        let edge = nearly_one(random);
+        // Towards the middle of the box from the place that its corner, edge or face touches.
+        let inwards: Vector = any_direction(random);
+        let mut to_centre: Vector =
+            std::array::from_fn(|axis| half[axis] * edge.copysign(inwards[axis]));
+        for axis in 0..random.random_range(0..3) {
+            to_centre[axis] = half[axis] * random.random_range(-1.0..1.0);
+        }
+        to_centre.rotate_left(random.random_range(0..3));
+        let mut half = half;
+        if random.random() {
+            half.rotate_left(1);
+            to_centre.rotate_left(1);
+        }
+        let touched = match random.random_range(0..5) {
+            0 => origin,
+            1 => at(origin, direction, end),
+            2 => at(origin, in_cube(1.0, random), 100.0 * scale),
+            _ => at(origin, direction, along(end, random)),
+        };
+        let centre = at(touched, to_centre, 1.0).map(from_f64);
+        let stored = centre.map(to_f64);
+        let is_met = rays.iter().any(|ray| {
+            let origin = ray.origin.map(to_f64);
+            let direction = unit(ray.direction.map(to_f64));
+            let (mut enters, mut leaves) = (0.0_f64, to_f64(ray.t));
+            for axis in 0..3 {
+                let to = stored[axis] - origin[axis];
+                if direction[axis] == 0.0 {
+                    if to.abs() > half[axis] {
+                        return false;
+                    }
+                    continue;
+                }
+                let [one, other] =
+                    [to - half[axis], to + half[axis]].map(|to| to / direction[axis]);
+                enters = enters.max(one.min(other));
+                leaves = leaves.min(one.max(other));
+            }
+            enters <= leaves
+        });
+        let slack = slack * (dot(stored, stored).sqrt() + dot(half, half).sqrt());
+        let half = half.map(|half| from_f64((half + slack) * ROUNDING));
+        (Self { centre, half }, is_met)
+    }
 }
 
 /// Rays and their bounds.
@@ -111,7 +198,7 @@ fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     (packet, call::fans(bench, &[packet], &light))
 }
 
-fn outcome(
+fn outcome<V: Near>(
     bench: &mut Bench,
     test: Test,
     source: Source<'_>,
@@ -126,18 +213,12 @@ fn outcome(
         return outcome;
     }
     let mut met = Vec::new();
-    let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
+    let nodes: [[Child<V>; 4]; NODES] = std::array::from_fn(|_| {
         std::array::from_fn(|_| {
-            let (centre, radius) = sphere(&rays, scale, random);
-            let centre = centre.map(from_f64);
-            let stored = centre.map(to_f64);
-            met.push(rays.iter().any(|ray| meets(ray, stored, radius)));
-            let slack = slack * (dot(stored, stored).sqrt() + radius);
+            let (volume, is_met) = V::near(&rays, scale, slack, random);
+            met.push(is_met);
             Child {
-                sphere: BareSphere {
-                    centre,
-                    radius: from_f64((radius + slack) * ROUNDING),
-                },
+                volume,
                 address: met.len() as u32 - 1,
             }
         })
@@ -160,25 +241,30 @@ fn outcome(
     outcome
 }
 
-fn sum(name: &str, test: Test, source: Source<'_>, slack: f64) -> Outcome {
+fn sum<V: Near>(name: &str, test: Test, source: Source<'_>, slack: f64) -> Outcome {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sum = Outcome::default();
     for _ in 0..PACKETS {
-        let one = outcome(&mut bench, test, source, slack, &mut random);
+        let one = outcome::<V>(&mut bench, test, source, slack, &mut random);
         sum.tested += one.tested;
         sum.kept += one.kept;
         sum.met += one.met;
         sum.lost += one.lost;
     }
-    println!("{name}, {test:?}, slack {slack:.1e}: {sum:?}");
+    println!("{name}, {}, {test:?}, slack {slack:.1e}: {sum:?}", V::CULL);
     sum
 }
 
 #[test]
 fn no_child_that_a_ray_meets_is_left_out() {
+    none_is_left_out::<BareSphere>();
+    none_is_left_out::<BareBox>();
+}
+
+fn none_is_left_out<V: Near>() {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, Test::Bounds, source, SLACK);
+        let sum = sum::<V>(name, Test::Bounds, source, SLACK);
         assert_eq!(sum.lost, 0, "{name}");
         assert!(sum.met > sum.tested / 10, "{name}: {sum:?}");
     };
@@ -189,12 +275,17 @@ fn no_child_that_a_ray_meets_is_left_out() {
     check("to a light", &to_light);
 }
 
-/// The spheres are so near to the rays, and the bounds so tight, that slightly smaller radii are
-/// not enough.
+/// The volumes are so near to the rays, and the bounds so tight, that slightly smaller ones are not
+/// enough.
 #[test]
-fn with_radii_a_hair_too_small_some_are_left_out() {
+fn with_volumes_a_hair_too_small_some_are_left_out() {
+    some_are_left_out::<BareSphere>();
+    some_are_left_out::<BareBox>();
+}
+
+fn some_are_left_out<V: Near>() {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, Test::Bounds, source, -SLACK / 4.0);
+        let sum = sum::<V>(name, Test::Bounds, source, -V::TOO_SMALL);
         assert!(sum.lost > sum.met / 1000, "{name}: {sum:?}");
     };
     for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
@@ -204,13 +295,19 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
 }
 
 /// For rays in similar directions, many children that they miss are culled, although most of these
-/// spheres almost touch a ray.
+/// volumes almost touch a ray.
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
+    much_is_left_out::<BareSphere>(3);
+    much_is_left_out::<BareBox>(6);
+}
+
+/// At least one in `part` of the missed ones.
+fn much_is_left_out<V: Near>(part: usize) {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, Test::Bounds, source, SLACK);
+        let sum = sum::<V>(name, Test::Bounds, source, SLACK);
         let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
-        assert!(3 * left_out > missed, "{name}: {sum:?}");
+        assert!(part * left_out > missed, "{name}: {sum:?}");
     };
     for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One, Fan::Half] {
         check(&format!("{fan:?}"), &anywhere(fan));
@@ -223,8 +320,13 @@ fn much_of_what_coherent_rays_miss_is_left_out() {
 /// whatever directions they go.
 #[test]
 fn by_the_rays_themselves_hardly_anything_else_is_kept() {
+    hardly_anything_else_is_kept::<BareSphere>();
+    hardly_anything_else_is_kept::<BareBox>();
+}
+
+fn hardly_anything_else_is_kept<V: Near>() {
     for fan in FANS {
-        let sum = sum(&format!("{fan:?}"), Test::Rays, &anywhere(fan), SLACK);
+        let sum = sum::<V>(&format!("{fan:?}"), Test::Rays, &anywhere(fan), SLACK);
         assert_eq!(sum.lost, 0, "{fan:?}");
         assert!(sum.met > sum.tested / 10, "{fan:?}: {sum:?}");
         let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
@@ -232,11 +334,14 @@ fn by_the_rays_themselves_hardly_anything_else_is_kept() {
     }
 }
 
-/// The same as for the packets' bounds: radii a hair too small are not enough.
+/// The same as for the packets' bounds: volumes a hair too small are not enough.
 #[test]
 fn by_the_rays_themselves_a_hair_too_small_is_left_out() {
     for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
-        let sum = sum(&format!("{fan:?}"), Test::Rays, &anywhere(fan), -SLACK);
-        assert!(sum.lost > 0, "{fan:?}: {sum:?}");
+        let name = format!("{fan:?}");
+        let spheres = sum::<BareSphere>(&name, Test::Rays, &anywhere(fan), -SLACK);
+        let boxes = sum::<BareBox>(&name, Test::Rays, &anywhere(fan), -SLACK);
+        assert!(spheres.lost > 0, "{fan:?}: {spheres:?}");
+        assert!(boxes.lost > 0, "{fan:?}: {boxes:?}");
     }
 }

@@ -5,15 +5,15 @@ use twins::load_rays::Queued;
 use twins::primary_rays::{Ray, View};
 use twins::ray_setup::Basis;
 use twins::sample_rays::Pixel;
-use twins::{ONE, Single};
-use zerocopy::FromZeros as _;
+use twins::{ONE, Single, cull_box_nodes, cull_nodes};
 use zerocopy::big_endian::F32;
+use zerocopy::{FromZeros as _, Immutable, IntoBytes};
 
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put, put_places};
 use crate::eye_records;
 use crate::single::{bits, single};
-use protocol::layout::{self, Candidate, Node, QueuedRay, RayPacket};
+use protocol::layout::{self, BoxNode, Candidate, Node, QueuedRay, RayPacket};
 
 /// Fills the fields without meaning.
 const ANYTHING: u32 = 0x7fff_ffff;
@@ -27,13 +27,97 @@ pub struct BareSphere {
     pub radius: Single,
 }
 
+/// A box along the axes.
+#[derive(Clone, Copy, Debug)]
+pub struct BareBox {
+    /// The centre.
+    pub centre: [Single; 3],
+    /// Half of the sizes, including the margin for the test's rounding.
+    pub half: [Single; 3],
+}
+
 /// A child of a node.
 #[derive(Clone, Copy, Debug)]
-pub struct Child {
-    /// Its bounding sphere.
-    pub sphere: BareSphere,
+pub struct Child<V> {
+    /// Its bounding volume.
+    pub volume: V,
     /// The address of its record.
     pub address: u32,
+}
+
+/// The volumes of nodes, and the kernels and twins that test them.
+pub trait Volume: Copy + std::fmt::Debug {
+    /// The record of a node.
+    type Node: IntoBytes + Immutable;
+    /// The kernel that tests nodes with packets' bounds.
+    const CULL: &'static str;
+    /// The kernel that tests children with packets' rays.
+    const FILTER: &'static str;
+    /// The record of a node with these children.
+    fn node(children: &[Child<Self>; 4]) -> Self::Node;
+    /// The twin of the first kernel.
+    fn may_meet(&self, bound: &Bound) -> bool;
+    /// The twin of the second kernel.
+    fn any_may_meet(&self, bound: &Bound, rays: &[Ray; 16]) -> bool;
+}
+
+impl Volume for BareSphere {
+    type Node = Node;
+    const CULL: &'static str = "cull_nodes";
+    const FILTER: &'static str = "filter_children_r16";
+
+    fn node(children: &[Child<Self>; 4]) -> Node {
+        let [x, y, z] = centres(children, |sphere| sphere.centre);
+        Node {
+            x,
+            y,
+            z,
+            radius: children.map(|child| single(child.volume.radius)),
+            child: children.map(|child| child.address.into()),
+        }
+    }
+
+    fn may_meet(&self, bound: &Bound) -> bool {
+        cull_nodes::may_meet(bound, self.centre, self.radius)
+    }
+
+    fn any_may_meet(&self, bound: &Bound, rays: &[Ray; 16]) -> bool {
+        cull_nodes::any_may_meet(bound, rays, self.centre, self.radius)
+    }
+}
+
+impl Volume for BareBox {
+    type Node = BoxNode;
+    const CULL: &'static str = "cull_box_nodes";
+    const FILTER: &'static str = "filter_box_children_r16";
+
+    fn node(children: &[Child<Self>; 4]) -> BoxNode {
+        let [x, y, z] = centres(children, |bounds| bounds.centre);
+        let [half_x, half_y, half_z] = centres(children, |bounds| bounds.half);
+        BoxNode {
+            x,
+            y,
+            z,
+            half_x,
+            half_y,
+            half_z,
+            child: children.map(|child| child.address.into()),
+        }
+    }
+
+    fn may_meet(&self, bound: &Bound) -> bool {
+        cull_box_nodes::may_meet(bound, self.centre, self.half)
+    }
+
+    fn any_may_meet(&self, bound: &Bound, rays: &[Ray; 16]) -> bool {
+        cull_box_nodes::any_may_meet(bound, rays, self.centre, self.half)
+    }
+}
+
+/// A vector of each of a node's children, by axes.
+fn centres<V>(children: &[Child<V>; 4], of: impl Fn(&V) -> [Single; 3]) -> [[F32; 4]; 3] {
+    let vectors = children.each_ref().map(|child| of(&child.volume));
+    std::array::from_fn(|axis| vectors.map(|vector| single(vector[axis])))
 }
 
 /// The record of a packet.
@@ -132,19 +216,6 @@ pub fn bound(record: &layout::Bound) -> Bound {
     let limits = [bound.sine, bound.radius];
     assert_eq!(record.limits.map(bits)[..2], limits, "limits");
     bound
-}
-
-/// The record of a node.
-#[must_use]
-pub fn node(children: &[Child; 4]) -> Node {
-    let [x, y, z] = [0, 1, 2].map(|axis| children.map(|child| single(child.sphere.centre[axis])));
-    Node {
-        x,
-        y,
-        z,
-        radius: children.map(|child| single(child.sphere.radius)),
-        child: children.map(|child| child.address.into()),
-    }
 }
 
 /// Puts the inputs of `primary_rays_r16` into local store: packets whose top left pixels are at
@@ -351,7 +422,7 @@ pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
     bench.read_all(bounds).iter().map(bound).collect()
 }
 
-/// The inputs of `cull_nodes`, `cull_faces` and `filter_children_r16`.
+/// The inputs of `cull_nodes`, `cull_faces`, `filter_children_r16` and those for boxes.
 pub struct Candidates {
     /// The arguments.
     pub arguments: Vec<u32>,
@@ -366,14 +437,14 @@ pub struct Candidates {
 /// Puts the inputs of `cull_nodes` into local store, with children by their addresses, or with
 /// packets those of `filter_children_r16`: all four children of each node. Each pair is a node and
 /// a bound, which is that of the packet with the same number.
-pub fn put_candidates(
+pub fn put_candidates<V: Volume>(
     bench: &mut Bench,
-    nodes: &[[Child; 4]],
+    nodes: &[[Child<V>; 4]],
     bounds: &[Bound],
     packets: Option<&[[Ray; 16]]>,
     pairs: &[[usize; 2]],
 ) -> Candidates {
-    let nodes: Vec<Node> = nodes.iter().map(node).collect();
+    let nodes: Vec<V::Node> = nodes.iter().map(V::node).collect();
     let nodes = put(bench, &nodes);
     let bounds: Vec<layout::Bound> = bounds
         .iter()
@@ -385,7 +456,7 @@ pub fn put_candidates(
         put(bench, &packets)
     });
     let candidate = |(number, &[node, bound]): (usize, &[usize; 2])| Candidate {
-        object: address::<Node>(nodes, node).into(),
+        object: address::<V::Node>(nodes, node).into(),
         packet: packets
             .map_or(0x5000_0000 + number as u32, |packets| {
                 address::<RayPacket>(packets, bound)
@@ -436,10 +507,10 @@ pub enum Listed {
     Lane = 4,
 }
 
-/// Calls `cull_nodes`. Returns its inputs, and the words of its list.
-pub fn cull_nodes(
+/// Calls `cull_nodes`, or `cull_box_nodes`. Returns its inputs, and the words of its list.
+pub fn cull_nodes<V: Volume>(
     bench: &mut Bench,
-    nodes: &[[Child; 4]],
+    nodes: &[[Child<V>; 4]],
     bounds: &[Bound],
     pairs: &[[usize; 2]],
     what: Listed,
@@ -447,24 +518,24 @@ pub fn cull_nodes(
     bench.reset();
     let mut candidates = put_candidates(bench, nodes, bounds, None, pairs);
     candidates.arguments[3] = what as u32;
-    let list = listed(bench, "cull_nodes", &candidates.arguments, candidates.room);
+    let list = listed(bench, V::CULL, &candidates.arguments, candidates.room);
     (candidates.given, list)
 }
 
-/// Calls `filter_children_r16` with packets, their bounds and all children of nodes. Returns its
+/// Calls `filter_children_r16` or `filter_box_children_r16` with packets, their bounds and all children of nodes. Returns its
 /// inputs, and the words of its list.
 ///
 /// # Panics
 ///
 /// Panics if the list is another one when it goes to the candidates' own place.
-pub fn filter_children_r16(
+pub fn filter_children_r16<V: Volume>(
     bench: &mut Bench,
-    nodes: &[[Child; 4]],
+    nodes: &[[Child<V>; 4]],
     bounds: &[Bound],
     packets: &[[Ray; 16]],
     pairs: &[[usize; 2]],
 ) -> (Vec<Candidate>, Vec<[u32; 4]>) {
-    let kernel = "filter_children_r16";
+    let kernel = V::FILTER;
     bench.reset();
     let apart = put_candidates(bench, nodes, bounds, Some(packets), pairs);
     let list = listed(bench, kernel, &apart.arguments, apart.room);
