@@ -137,7 +137,7 @@ next_run:
 next_chunk:
         lqd     $candidate,0($a_candidate)
         rotqbyi $a_window,$candidate,MESH_CANDIDATE_packet
-        andi    $a_window,$a_window,MAX_BATCH-1
+        andi    $a_window,$a_window,SMALL_BATCH-1
         mpyi    $a_window,$a_window,MESH_WINDOW_SIZE
         a       $a_window,$a_window,$a_windows
         lqd     $m_order,MESH_WINDOW_order($a_window)

@@ -216,7 +216,6 @@ fn fields_of_the_mesh_that_are_wrong() {
         }),
         ("batch", "at most 8 with a mesh", |frame| {
             frame.batch = 9.into();
-            frame.scene_bytes = 128.into();
         }),
         ("mesh_cache", "before the code", |frame| {
             frame.mesh_cache = (frame.mesh_cache.get() + 128).into()

@@ -66,6 +66,7 @@ fn rays_without_room_in_local_store_wait_in_main_memory() {
 fn main_memory_that_is_not_there_is_a_dma_error() {
     let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), 1);
     let mut frame = fixture.frame;
+    frame.batch = 8.into();
     frame.ray_depth = 11.into();
     frame.waiting = 0x1000.into();
     fixture.submit(&frame).unwrap();
