@@ -15,8 +15,8 @@ pub enum Model {
     Whitted,
 }
 
-/// The volumes of the nodes of a scene's trees, in Whitted's model. All give the same picture, except
-/// where a ray meets several surfaces at equal distance.
+/// The volumes of the nodes of a scene's trees, in Whitted's model. All give the same picture,
+/// except where a ray meets several surfaces at equal distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum NodeVolumes {
     /// For each tree those with which it is expected to be faster, spheres or boxes.

@@ -1,8 +1,8 @@
 # cull_box_nodes   of nodes under packets' bounds, the children whose boxes a ray may meet
 #   C       struct candidate *cull_box_nodes(const struct candidate *, int count,
 #                                            struct candidate *, int lanes);
-#   In      $3 candidates whose objects are BOX_NODEs, $4 count (0 is none), $5 where the list goes,
-#           $6 0, or 4 if filter_box_children_r16 gets the list; pointers 16-aligned
+#   In      $3 candidates whose objects are BOX_NODEs, $4 count (0 is none), $5 where the list
+#           goes, $6 0, or 4 if filter_box_children_r16 gets the list; pointers 16-aligned
 #   Out     candidates of such children, node by node, children in order: object is the child, or
 #           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
 #           may be written
@@ -25,8 +25,7 @@
 #   R + half.|axis| + farthest - a   it is too far away
 # A bound that is open has axis, cosine and sine 0, and so w = 0, and nothing is culled.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "cull_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -56,37 +55,11 @@
         # what the list gets of a child: its address, or its lane's
         registers m_of_child,m_of_node,k_lanes,c_address,m_sign
 
-        .section .rodata.boxes,"a",@progbits
-        .align  4
-box_lane_numbers:
-        .int    0,1,2,3
-all_child_words:
-        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
-child_of_another:
-        .int    0x10111213,0x10111213,0x10111213,0x10111213
-box_children:
-    .irp child, 0,1,2,3
-        .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
-    .endr
+        cull_tables .rodata.boxes
 
 function cull_box_nodes
-        ori     $a_candidate,$a_first,0
-        ori     $a_again,$a_first,0
-        ori     $3,$a_list,0
-        biz     $count,$lr
-        il      $found,0
+        cull_begin
         ilhu    $m_sign,0x8000
-        ila     $m_of_child,0x10203
-        shufb   $lanes,$lanes,$lanes,$m_of_child
-        lqa     $k_lanes,box_lane_numbers
-        mpyu    $k_lanes,$k_lanes,$lanes
-        ceqi    $c_address,$lanes,0
-        lqa     $m_of_child,all_child_words
-        lqa     $m_of_node,child_of_another
-        selb    $m_of_child,$m_of_node,$m_of_child,$c_address
-    .irp child, 0,1,2,3
-        lqa     $m_child+\child,box_children+16*\child
-    .endr
 next_node:
         lqd     $candidate,0($a_candidate)
         rotqbyi $a_bound,$candidate,CANDIDATE_bound
@@ -133,25 +106,7 @@ next_node:
         fs      $near,$near,$along
         or      $ahead,$ahead,$near
         or      $ahead,$ahead,$half_x                   # below 0 without a child
-        nor     $step,$beside,$ahead                    # sign set: the child stays
-        rotmi   $step,$step,4-31
-        andi    $step,$step,CANDIDATE_SIZE
-    .irp child, 1,2,3
-        rotqbyi $step+\child,$step,4*\child
-    .endr
-        lqd     $again,0($a_again)
-        lqd     $child,BOX_NODE_child($again)
-        shufb   $child,$child,$again,$m_of_child
-        a       $child,$child,$k_lanes
-    .irp child, 0,1,2,3
-        shufb   $entry,$child,$again,$m_child+\child
-        stqx    $entry,$3,$found
-        a       $found,$found,$step+\child
-    .endr
-        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
-        ai      $a_again,$a_again,CANDIDATE_SIZE
-        ai      $count,$count,-1
-        brnz    $count,next_node
+        cull_list BOX_NODE
         a       $3,$3,$found
         bi      $lr
 endfunction cull_box_nodes

@@ -29,8 +29,7 @@
 # a slack of only 2 ulp of R, none of the spheres in kernels/tests/rays/conservative.rs was lost.
 # The first ones were lost with a slack of minus 2 ulp of |c| + R.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "cull_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -59,36 +58,10 @@
         # what the list gets of a child: its address, or its lane's
         registers m_of_child,m_of_node,k_lanes,c_address
 
-        .section .rodata
-        .align  4
-lane_numbers:
-        .int    0,1,2,3
-all_words:
-        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
-first_of_another:
-        .int    0x10111213,0x10111213,0x10111213,0x10111213
-children:
-    .irp child, 0,1,2,3
-        .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
-    .endr
+        cull_tables .rodata
 
 function cull_nodes
-        ori     $a_candidate,$a_first,0
-        ori     $a_again,$a_first,0
-        ori     $3,$a_list,0
-        biz     $count,$lr
-        il      $found,0
-        ila     $m_of_child,0x10203
-        shufb   $lanes,$lanes,$lanes,$m_of_child
-        lqa     $k_lanes,lane_numbers
-        mpyu    $k_lanes,$k_lanes,$lanes
-        ceqi    $c_address,$lanes,0
-        lqa     $m_of_child,all_words
-        lqa     $m_of_node,first_of_another
-        selb    $m_of_child,$m_of_node,$m_of_child,$c_address
-    .irp child, 0,1,2,3
-        lqa     $m_child+\child,children+16*\child
-    .endr
+        cull_begin
 next_node:
         lqd     $candidate,0($a_candidate)
         rotqbyi $a_bound,$candidate,CANDIDATE_bound
@@ -122,25 +95,7 @@ next_node:
         fi      $t_y,$perp,$t_y
         fm      $perp,$perp,$t_y
         fnms    $beside,$perp,$cosine,$beside
-        nor     $step,$beside,$ahead                    # sign set: the child stays
-        rotmi   $step,$step,4-31
-        andi    $step,$step,CANDIDATE_SIZE
-    .irp child, 1,2,3
-        rotqbyi $step+\child,$step,4*\child
-    .endr
-        lqd     $again,0($a_again)
-        lqd     $child,NODE_child($again)
-        shufb   $child,$child,$again,$m_of_child
-        a       $child,$child,$k_lanes
-    .irp child, 0,1,2,3
-        shufb   $entry,$child,$again,$m_child+\child
-        stqx    $entry,$3,$found
-        a       $found,$found,$step+\child
-    .endr
-        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
-        ai      $a_again,$a_again,CANDIDATE_SIZE
-        ai      $count,$count,-1
-        brnz    $count,next_node
+        cull_list NODE
         a       $3,$3,$found
         bi      $lr
 endfunction cull_nodes

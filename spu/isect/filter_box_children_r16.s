@@ -20,15 +20,14 @@
 # (|apex| + r), as in filter_children_r16. Both slacks together are 32 ulp of |f| along each axis,
 # and the roundings of each comparison add up to less than 8 ulp of |f| (|d.y| + |d.z|).
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "filter_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
         registers count,a_list
         # constants
         .set    NEXT,10
-        registers m_x,m_low,m_extent,m_entry,m_sign,k_slack
+        registers m_x,m_low,m_extent,m_entry,k_sign,k_slack
         # state
         registers a_candidate
         registers found                                 # children so far
@@ -46,39 +45,21 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers again
 
-        .section .rodata.boxes,"a",@progbits
-        .align  4
-box_extent_words:                       # x, y, z, and the second word of another
-        .int    0x00010203,0x04050607,0x08090a0b,0x14151617
-box_entry_words:
-        .int    0x00010203,0x14151617,0x18191a1b,0x1c1d1e1f
+        filter_tables .rodata.boxes
 
 function filter_box_children_r16
         ori     $a_candidate,$a_first,0
         ori     $3,$a_list,0
         biz     $count,$lr
         il      $found,0
-        lqa     $m_extent,box_extent_words
-        lqa     $m_entry,box_entry_words
-        ilhu    $m_sign,0x8000
+        lqa     $m_extent,extent_words
+        lqa     $m_entry,entry_words
+        ilhu    $k_sign,0x8000
         ilhu    $k_slack,0x3680                         # 2^-18
         load_constant $m_x,0x00010203
         load_constant $m_low,0x03030303
 next_child:
-        lqd     $candidate,0($a_candidate)
-        rotqbyi $a_bound,$candidate,CANDIDATE_bound
-        rotqbyi $a_packet,$candidate,CANDIDATE_packet
-        lqd     $extent,BOUND_apex($a_bound)
-        lqd     $turned,BOUND_limits($a_bound)
-        shufb   $extent,$extent,$turned,$m_extent
-        andc    $extent,$extent,$m_sign
-        rotqbyi $turned,$extent,8
-        fa      $extent,$extent,$turned
-        rotqbyi $turned,$extent,4
-        fa      $extent,$extent,$turned
-        shufb   $m_lane,$candidate,$candidate,$m_low
-        andbi   $m_lane,$m_lane,15
-        a       $m_lane,$m_lane,$m_x
+        filter_child
     .irp axis, x,y,z
         lqd     $c\axis,BOX_NODE_\axis($candidate)
         shufb   $c\axis,$c\axis,$c\axis,$m_lane
@@ -91,7 +72,7 @@ next_child:
         lqd     $o\axis,RAYS16_origin_\axis+16*\row($a_packet)
         lqd     $d\axis,RAYS16_direction_\axis+16*\row($a_packet)
         fs      $f\axis,$c\axis,$o\axis
-        andc    $a\axis,$d\axis,$m_sign
+        andc    $a\axis,$d\axis,$k_sign
     .endr
         lqd     $t,RAYS16_t+16*\row($a_packet)
         fm      $cross_x,$fz,$dy
@@ -128,17 +109,6 @@ next_child:
         nor     $any,$all_miss,$all_miss
         rotmai  $any,$any,-31
         orx     $any,$any                               # all ones if a ray may meet the box
-        lqd     $again,0($a_candidate)
-        lqd     $child,BOX_NODE_child($again)
-        shufb   $child,$child,$child,$m_lane
-        shufb   $entry,$child,$again,$m_entry
-        shlqbii $offset,$found,4
-        stqx    $entry,$3,$offset
-        sf      $found,$any,$found
-        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
-        ai      $count,$count,-1
-        brnz    $count,next_child
-        shli    $found,$found,4
-        a       $3,$3,$found
+        filter_list BOX_NODE
         bi      $lr
 endfunction filter_box_children_r16

@@ -24,8 +24,7 @@
 # components' magnitudes and r the radius of the packet's bound. Both slacks together are 32 ulp
 # of |f|. The roundings add up to 16, half of them because of the length of d.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "filter_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -53,12 +52,7 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers again
 
-        .section .rodata
-        .align  4
-extent_words:                                           # x, y, z, and the second word of another
-        .int    0x00010203,0x04050607,0x08090a0b,0x14151617
-entry_words:
-        .int    0x00010203,0x14151617,0x18191a1b,0x1c1d1e1f
+        filter_tables .rodata
 signs_of_two:
         .int    0x0004080c,0x1014181c,0x0004080c,0x1014181c
 halves: .int    0x00010203,0x04050607,0x18191a1b,0x1c1d1e1f
@@ -85,20 +79,7 @@ function filter_children_r16
         load_constant $m_x,0x00010203
         load_constant $m_low,0x03030303
 next_child:
-        lqd     $candidate,0($a_candidate)
-        rotqbyi $a_bound,$candidate,CANDIDATE_bound
-        rotqbyi $a_packet,$candidate,CANDIDATE_packet
-        lqd     $extent,BOUND_apex($a_bound)
-        lqd     $turned,BOUND_limits($a_bound)
-        shufb   $extent,$extent,$turned,$m_extent
-        andc    $extent,$extent,$k_sign
-        rotqbyi $turned,$extent,8
-        fa      $extent,$extent,$turned
-        rotqbyi $turned,$extent,4
-        fa      $extent,$extent,$turned
-        shufb   $m_lane,$candidate,$candidate,$m_low
-        andbi   $m_lane,$m_lane,15
-        a       $m_lane,$m_lane,$m_x
+        filter_child
         lqd     $reach,NODE_radius($candidate)
         shufb   $reach,$reach,$reach,$m_lane
         fma     $reach,$extent,$k_slack,$reach
@@ -133,17 +114,6 @@ next_child:
         rotqbii $signs,$signs,1                         # signs to the bytes' last bits
         gbb     $signs,$signs
         clgt    $any,$k_all,$signs
-        lqd     $again,0($a_candidate)
-        lqd     $child,NODE_child($again)
-        shufb   $child,$child,$child,$m_lane
-        shufb   $entry,$child,$again,$m_entry
-        shlqbii $offset,$found,4
-        stqx    $entry,$3,$offset
-        sf      $found,$any,$found
-        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
-        ai      $count,$count,-1
-        brnz    $count,next_child
-        shli    $found,$found,4
-        a       $3,$3,$found
+        filter_list NODE
         bi      $lr
 endfunction filter_children_r16

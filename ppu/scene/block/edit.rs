@@ -18,7 +18,7 @@ use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
 use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
-use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SMALL_BATCH};
+use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
@@ -44,7 +44,6 @@ impl SceneBlock {
         }
         // Added objects may reflect, even if nothing does so far.
         let deepest = options.ray_depth;
-        let small = |block: &Self| block.batch_at(deepest).map(|batch| batch.min(SMALL_BATCH));
         let mut least = None;
         for part in PARTS {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
@@ -59,7 +58,9 @@ impl SceneBlock {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
                     return Ok(roomy);
                 }
-                Ok(roomy) if small(&roomy) == small(&tight) => least = Some(roomy),
+                Ok(roomy) if roomy.small_batch_at(deepest) == tight.small_batch_at(deepest) => {
+                    least = Some(roomy)
+                }
                 Ok(_) | Err(BlockError::TooLarge { .. }) => {}
                 Err(error) => return Err(error),
             }

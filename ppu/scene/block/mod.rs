@@ -196,9 +196,10 @@ impl SceneBlock {
         }
         // Boxes gain more than a large batch does, but less than a small one loses.
         let deepest = options.ray_depth;
-        let small = |block: &Self| block.batch_at(deepest).map(|batch| batch.min(SMALL_BATCH));
         match Self::with_volumes(scene, options, shader, spare, volumes, None) {
-            Ok(block) if small(&block) == small(&plain) => Ok(block),
+            Ok(block) if block.small_batch_at(deepest) == plain.small_batch_at(deepest) => {
+                Ok(block)
+            }
             Ok(_) | Err(BlockError::TooLarge { .. }) => Ok(plain),
             Err(error) => Err(error),
         }
@@ -397,6 +398,12 @@ impl SceneBlock {
         // Batches between these gained nothing in the scenes that have no room for the largest.
         let large = may_be_large.then_some(MAX_BATCH);
         large.into_iter().chain((1..=SMALL_BATCH).rev()).find(fits)
+    }
+
+    /// The same, of which only the size of a small batch counts.
+    fn small_batch_at(&self, ray_depth: u32) -> Option<u32> {
+        let batch = self.batch_at(ray_depth)?;
+        Some(batch.min(SMALL_BATCH))
     }
 
     /// The bytes that the queue of rays, the buffers of a large batch, and a mesh's cache and code

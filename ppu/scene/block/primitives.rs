@@ -205,17 +205,16 @@ impl Primitives {
         self.bvh.volumes()
     }
 
-    /// The volumes with which packets are expected to be traced faster within `scene`: spheres,
-    /// unless a tree with boxes gains more than what the estimate may be off by.
+    /// The volumes with which packets are expected to be traced faster within `scene`: the spheres
+    /// that these primitives' tree has, unless one with boxes gains more than what the estimate may
+    /// be off by.
     pub fn better_volumes(&self, scene: &Bounds) -> Volumes {
         if self.boxed_volumes() == Volumes::Spheres || !has_surface(scene) {
             return Volumes::Spheres;
         }
-        let [spheres, boxes] = [Volumes::Spheres, Volumes::Boxes].map(|volumes| {
-            let mut bvh = Bvh::new(volumes);
-            bvh.build(&self.hulls);
-            bvh.expected_cycles(self.kind, scene)
-        });
+        let mut boxes = Bvh::new(Volumes::Boxes);
+        boxes.build(&self.hulls);
+        let [spheres, boxes] = [&self.bvh, &boxes].map(|bvh| bvh.expected_cycles(self.kind, scene));
         match boxes_gain(spheres, boxes) {
             true => Volumes::Boxes,
             false => Volumes::Spheres,

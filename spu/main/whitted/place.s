@@ -1,6 +1,6 @@
-# Where the buffers of a batch are. Those of a small batch are in the arena. A batch is larger where
-# the scene leaves room: then its rays and shears are at the end of the scene's room, which the queue
-# of rays ends before.
+# Where the buffers of a batch are. Those of a small batch are in the arena. A batch is larger
+# where the scene leaves room: then its rays and shears are at the end of the scene's room, and the
+# queue of rays ends in front of them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -15,10 +15,10 @@
 \name: .skip   16
     .endr
         .global shadow_candidates
-shadow_candidates:                      # from a tree's top with BATCH_RAYS to that with SHADOW_RAYS
+shadow_candidates:                      # bytes from a tree's top with rays to that with shadow rays
         .skip   16
         .global object_list_nodes
-object_list_nodes:                      # this many nodes have room for all their children in OBJECT_LIST
+object_list_nodes:                      # so many nodes' children always fit OBJECT_LIST
         .skip   16
 
         .set    NEXT,10

@@ -1,8 +1,8 @@
 # cull_box_nodes   of nodes under packets' bounds, the children whose boxes a ray may meet
 #   C       struct candidate *cull_box_nodes(const struct candidate *, int count,
 #                                            struct candidate *, int lanes);
-#   In      $3 candidates whose objects are BOX_NODEs, $4 count (0 is none), $5 where the list goes,
-#           $6 0, or 4 if filter_box_children_r16 gets the list; pointers 16-aligned
+#   In      $3 candidates whose objects are BOX_NODEs, $4 count (0 is none), $5 where the list
+#           goes, $6 0, or 4 if filter_box_children_r16 gets the list; pointers 16-aligned
 #   Out     candidates of such children, node by node, children in order: object is the child, or
 #           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
 #           may be written
@@ -26,8 +26,7 @@
 # A bound that is open has axis, cosine and sine 0, and so w = 0, and nothing is culled.
 # Scheduled by spu schedule from cull_box_nodes.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "cull_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -57,18 +56,7 @@
         # what the list gets of a child: its address, or its lane's
         registers m_of_child,m_of_node,k_lanes,c_address,m_sign
 
-        .section .rodata.boxes,"a",@progbits
-        .align  4
-box_lane_numbers:
-        .int    0,1,2,3
-all_child_words:
-        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
-child_of_another:
-        .int    0x10111213,0x10111213,0x10111213,0x10111213
-box_children:
-    .irp child, 0,1,2,3
-        .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
-    .endr
+        cull_tables .rodata.boxes
 
 function cull_box_nodes
         .set count_2,79; .set m_of_child_2,2; .set a_candidate_2,2; .set candidate_2,5
@@ -102,19 +90,19 @@ function cull_box_nodes
         ori     $a_first,$a_list,0                      # 2e
         biz     $count,$lr                              # 2o
         ila     $m_of_child,0x10203                     # 3e
-        lqa     $k_lanes,box_lane_numbers               # 3o
+        lqa     $k_lanes,lane_numbers                   # 3o
         clgti   $count_2,$count,3                       # 4e at least as many passes as overlap
-        lqa     $m_of_child_2,all_child_words           # 4o
+        lqa     $m_of_child_2,all_words                 # 4o
         il      $found,0                                # 5e
         shufb   $lanes,$lanes,$lanes,$m_of_child        # 5o
         ilhu    $m_sign,0x8000                          # 6e
-        lqa     $m_of_node,child_of_another             # 6o
-        lqa     $m_child,box_children                   # 7o
-        lqa     $m_child+1,box_children+16              # 8o
+        lqa     $m_of_node,first_of_another             # 6o
+        lqa     $m_child,children                       # 7o
+        lqa     $m_child+1,children+16                  # 8o
         mpyu    $k_lanes,$k_lanes,$lanes                # 9e
-        lqa     $m_child+2,box_children+32              # 9o
+        lqa     $m_child+2,children+32                  # 9o
         ceqi    $c_address,$lanes,0                     # 10e
-        lqa     $m_child+3,box_children+48              # 10o
+        lqa     $m_child+3,children+48                  # 10o
         selb    $m_of_child,$m_of_node,$m_of_child_2,$c_address # 12e
         brz     $count_2,next_node_short                # 12o too few passes
         ai      $a_candidate_2,$a_candidate,16          # 13e
@@ -274,7 +262,7 @@ function cull_box_nodes
         fma     $beside,$half_z_3,$side_z_4,$beside_3   # 114e
         fma     $beside,$along_3,$sine_4,$beside        # 120e
         fs      $beside,$beside,$perp_6                 # 126e
-        nor     $step,$beside,$ahead_7                  # 132e sign set: the child stays
+        nor     $step,$beside,$ahead_7                  # 132e
         rotmi   $step,$step,-27                         # 134e
         lnop                                            # 134o pairing
 next_node:
@@ -364,7 +352,7 @@ next_node:
             stqx    $entry_2,$a_first,$found_2          # 44o
             a       $found_2,$found_2,$step2_2          # 45e
             shufb   $entry_2,$child,$again_3,$m_child+2 # 45o
-            nor     $step,$beside,$ahead                # 46e sign set: the child stays
+            nor     $step,$beside,$ahead                # 46e
         lqd     $sine_2,112($a_bound)                   # 46o
             a       $found,$found_2,$step3_2            # 47e
             stqx    $entry_4,$a_first,$found_2          # 47o
@@ -446,7 +434,7 @@ next_node_drain:
         lqd     $child,96($again_4)                     # 36o
         fs      $near_2,$near_2,$along                  # 37e
         fm      $t_y_4,$t_y_4,$cosine                   # 41e
-        nor     $step,$beside,$ahead                    # 42e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 42e
         shufb   $child,$child,$again_4,$m_of_child      # 42o
         or      $ahead,$ahead_10,$near_2                # 43e
         rotmi   $step,$step,-27                         # 44e
@@ -482,7 +470,7 @@ next_node_drain:
         fma     $beside,$half_z_6,$side_z_6,$beside     # 67e
         fma     $beside,$along_6,$sine_6,$beside        # 73e
         fs      $beside,$beside,$perp_9                 # 79e
-        nor     $step,$beside,$ahead                    # 85e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 85e
         rotmi   $step,$step,-27                         # 87e
         andi    $step,$step,16                          # 91e
         lnop                                            # 91o pairing
@@ -572,7 +560,7 @@ next_node_short:
         fma     $beside,$half_z,$side_z,$beside         # 101e
         fma     $beside,$along,$sine,$beside            # 107e
         fs      $beside,$beside,$perp                   # 113e
-        nor     $step,$beside,$ahead                    # 119e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 119e
         rotmi   $step,$step,-27                         # 121e
         andi    $step,$step,16                          # 125e
         lnop                                            # 125o pairing

@@ -30,8 +30,7 @@
 # The first ones were lost with a slack of minus 2 ulp of |c| + R.
 # Scheduled by spu schedule from cull_nodes.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "cull_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -60,18 +59,7 @@
         # what the list gets of a child: its address, or its lane's
         registers m_of_child,m_of_node,k_lanes,c_address
 
-        .section .rodata
-        .align  4
-lane_numbers:
-        .int    0,1,2,3
-all_words:
-        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
-first_of_another:
-        .int    0x10111213,0x10111213,0x10111213,0x10111213
-children:
-    .irp child, 0,1,2,3
-        .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
-    .endr
+        cull_tables .rodata
 
 function cull_nodes
         .set count_2,79; .set m_of_child_2,2; .set a_candidate_2,2; .set again_2,5
@@ -275,7 +263,7 @@ function cull_nodes
         fi      $t_y,$perp_6,$t_y                       # 97e
         a       $child_7,$child_6,$k_lanes              # 98e
         fs      $vx_2,$vx_5,$apex_x_5                   # 99e
-        nor     $step,$beside,$ahead_4                  # 100e sign set: the child stays
+        nor     $step,$beside,$ahead_4                  # 100e
         rotmi   $step,$step,-27                         # 102e
         andi    $step,$step,16                          # 106e
         a       $found_2,$found,$step                   # 108e
@@ -315,7 +303,7 @@ next_node:
             lqd     $cosine,96($a_bound_2)              # 14o
             ai      $a_again,$a_again,16                # 15e
             lqd     $sine,112($a_bound_2)               # 15o
-            nor     $step,$beside,$ahead                # 16e sign set: the child stays
+            nor     $step,$beside,$ahead                # 16e
         rotqbyi $a_bound_2,$candidate,8                 # 16o
             or      $ahead,$ahead_5,$near               # 17e
         lqd     $reach_5,48($candidate)                 # 17o
@@ -377,7 +365,7 @@ next_node_drain:
         shufb   $entry_4,$child_7,$again,$m_child+1     # 11o
         fma     $along_5,$vz_3,$axis_z_2,$along         # 12e
         lqd     $cosine,96($a_bound_2)                  # 12o
-        nor     $step,$beside,$ahead                    # 13e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 13e
         hbr     cull_nodes_return,$lr                   # 13o hint
         or      $ahead,$ahead_5,$near                   # 14e
         frsqest $t_y,$perp_9                            # 14o
@@ -423,7 +411,7 @@ next_node_drain:
         shufb   $entry,$child_7,$again_3,$m_child       # 36o
         shufb   $entry_8,$child_7,$again_3,$m_child+2   # 37o
         shufb   $entry_9,$child_7,$again_3,$m_child+1   # 38o
-        nor     $step,$beside,$ahead                    # 40e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 40e
         lqd     $child_4,64($again)                     # 40o
         nop     $127                                    # 41e pairing
         stqx    $entry,$a_first,$found                  # 41o
@@ -453,7 +441,7 @@ next_node_drain:
         stqx    $entry_4,$a_first,$found_4              # 58o
         fnms    $beside,$perp_6,$cosine_5,$beside_5     # 59e
         stqx    $entry,$a_first,$found                  # 60o
-        nor     $step,$beside,$ahead_6                  # 65e sign set: the child stays
+        nor     $step,$beside,$ahead_6                  # 65e
         rotmi   $step,$step,-27                         # 67e
         andi    $step,$step,16                          # 71e
         lnop                                            # 71o pairing
@@ -524,7 +512,7 @@ next_node_short:
         fi      $t_y,$perp,$t_y                         # 68e
         fm      $perp,$perp,$t_y                        # 75e
         fnms    $beside,$perp,$cosine,$beside           # 81e
-        nor     $step,$beside,$ahead                    # 87e sign set: the child stays
+        nor     $step,$beside,$ahead                    # 87e
         rotmi   $step,$step,-27                         # 89e
         andi    $step,$step,16                          # 93e
         a       $found,$found,$step                     # 95e

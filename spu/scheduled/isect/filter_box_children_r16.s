@@ -21,15 +21,14 @@
 # and the roundings of each comparison add up to less than 8 ulp of |f| (|d.y| + |d.z|).
 # Scheduled by spu schedule from filter_box_children_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "filter_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
         registers count,a_list
         # constants
         .set    NEXT,10
-        registers m_x,m_low,m_extent,m_entry,m_sign,k_slack
+        registers m_x,m_low,m_extent,m_entry,k_sign,k_slack
         # state
         registers a_candidate
         registers found                                 # children so far
@@ -47,12 +46,7 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers again
 
-        .section .rodata.boxes,"a",@progbits
-        .align  4
-box_extent_words:                       # x, y, z, and the second word of another
-        .int    0x00010203,0x04050607,0x08090a0b,0x14151617
-box_entry_words:
-        .int    0x00010203,0x14151617,0x18191a1b,0x1c1d1e1f
+        filter_tables .rodata.boxes
 
 function filter_box_children_r16
         .set count_2,79; .set offset_2,60; .set a_packet_2,2; .set ox_2,5; .set ox_3,6; .set fx_2,7
@@ -105,12 +99,12 @@ function filter_box_children_r16
         ori     $a_first,$a_list,0                      # 1e
         biz     $count,$lr                              # 1o
         ilhu    $m_x,1                                  # 2e
-        lqa     $m_extent,box_extent_words              # 2o
+        lqa     $m_extent,extent_words                  # 2o
         ilhu    $m_low,771                              # 3e
-        lqa     $m_entry,box_entry_words                # 3o
+        lqa     $m_entry,entry_words                    # 3o
         clgti   $count_2,$count,1                       # 4e at least as many passes as overlap
         il      $found,0                                # 5e
-        ilhu    $m_sign,0x8000                          # 6e
+        ilhu    $k_sign,0x8000                          # 6e
         ilhu    $k_slack,0x3680                         # 7e 2^-18
         iohl    $m_x,515                                # 8e
         lnop                                            # 8o pairing
@@ -144,13 +138,13 @@ function filter_box_children_r16
         lqd     $dx_2,208($a_packet_2)                  # 29o
         fs      $fx_3,$cx,$ox_3                         # 30e
         lqd     $dx_3,224($a_packet_2)                  # 30o
-        andc    $extent,$extent,$m_sign                 # 31e
+        andc    $extent,$extent,$k_sign                 # 31e
         lqd     $oy_2,80($a_packet_2)                   # 31o
         fs      $fx_4,$cx,$ox_2                         # 32e
         lqd     $oy,96($a_packet_2)                     # 32o
         nop     $127                                    # 33e pairing
         rotqbyi $turned_2,$extent,8                     # 33o
-        andc    $ax,$dx,$m_sign                         # 34e
+        andc    $ax,$dx,$k_sign                         # 34e
         lqd     $oy_3,64($a_packet_2)                   # 34o
         fm      $ahead_2,$fx_2,$dx_2                    # 35e
         lqd     $ox,48($a_packet_2)                     # 35o
@@ -160,9 +154,9 @@ function filter_box_children_r16
         lqd     $dy_2,256($a_packet_2)                  # 37o
         fm      $ahead,$fx_4,$dx                        # 38e
         shufb   $cy,$cy,$cy,$m_lane                     # 38o
-        andc    $ax_2,$dx_2,$m_sign                     # 39e
+        andc    $ax_2,$dx_2,$k_sign                     # 39e
         lqd     $oz,144($a_packet_2)                    # 39o
-        andc    $ax_3,$dx_3,$m_sign                     # 40e
+        andc    $ax_3,$dx_3,$k_sign                     # 40e
         lqd     $oz_2,128($a_packet_2)                  # 40o
         fs      $fx_5,$cx,$ox                           # 41e
         lqd     $dy,272($a_packet_2)                    # 41o
@@ -172,7 +166,7 @@ function filter_box_children_r16
         lqd     $half_z_2,80($candidate)                # 43o
         fs      $fy_3,$cy,$oy_3                         # 44e
         lqd     $oz_3,160($a_packet_2)                  # 44o
-        andc    $ay_2,$dy_2,$m_sign                     # 45e
+        andc    $ay_2,$dy_2,$k_sign                     # 45e
         rotqbyi $turned_3,$extent,4                     # 45o
         fs      $fz_2,$cz,$oz_2                         # 46e
         lqd     $dz_2,336($a_packet_2)                  # 46o
@@ -186,7 +180,7 @@ function filter_box_children_r16
         lqd     $dy_3,288($a_packet_2)                  # 50o
         fs      $fz_4,$cz,$oz_3                         # 51e
         lqd     $half_x_2,48($candidate)                # 51o
-        andc    $ay,$dy,$m_sign                         # 52e
+        andc    $ay,$dy,$k_sign                         # 52e
         lqd     $dz_3,320($a_packet_2)                  # 52o
         fm      $cross_z,$fy_2,$dx_2                    # 53e
         lqd     $oz_4,176($a_packet_2)                  # 53o
@@ -204,9 +198,9 @@ function filter_box_children_r16
         lqd     $dz_5,368($a_packet_2)                  # 59o
         fma     $half_y_3,$extent,$k_slack,$half_y_2    # 60e
         lqd     $child_2,96($again)                     # 60o
-        andc    $az_2,$dz_4,$m_sign                     # 61e
+        andc    $az_2,$dz_4,$k_sign                     # 61e
         fma     $ahead_3,$fz_4,$dz_4,$ahead_3           # 62e
-        andc    $ay_3,$dy_3,$m_sign                     # 63e
+        andc    $ay_3,$dy_3,$k_sign                     # 63e
         fma     $half_z_2,$extent,$k_slack,$half_z_2    # 64e
         fma     $half_x_3,$extent,$k_slack,$half_x_2    # 65e
         lnop                                            # 65o pairing
@@ -214,7 +208,7 @@ function filter_box_children_r16
         shufb   $child_3,$child_2,$child_2,$m_lane      # 66o
         fm      $cross_x_2,$fz_2,$dy_2                  # 67e
         fm      $cross_y_2,$fx_4,$dz_3                  # 68e
-        andc    $az_3,$dz_3,$m_sign                     # 69e
+        andc    $az_3,$dz_3,$k_sign                     # 69e
         lnop                                            # 69o pairing
         fm      $reach_x_2,$half_z_2,$ay                # 70e
         shufb   $entry_2,$child_3,$again,$m_entry       # 70o
@@ -222,7 +216,7 @@ function filter_box_children_r16
         fm      $reach_y_2,$half_x_3,$az_2              # 72e
         fm      $reach_y_3,$half_x_3,$az_3              # 73e
         lnop                                            # 73o pairing
-        andc    $az_4,$dz_2,$m_sign                     # 74e
+        andc    $az_4,$dz_2,$k_sign                     # 74e
         stqx    $entry_2,$a_first,$offset_2             # 74o
         fm      $cross_x_3,$fz_5,$dy_4                  # 75e
         lqd     $t_2,416($a_packet_2)                   # 75o
@@ -234,7 +228,7 @@ function filter_box_children_r16
         lqd     $t_5,384($a_packet_2)                   # 78o
         fm      $cross_y_3,$fx_3,$dz_4                  # 79e
         fm      $cross_x_4,$fz_3,$dy                    # 80e
-        andc    $ay_4,$dy_4,$m_sign                     # 81e
+        andc    $ay_4,$dy_4,$k_sign                     # 81e
         fma     $ahead_5,$fz_5,$dz_5,$ahead_5           # 82e
         fma     $ahead_2,$half_y_3,$ay,$ahead_2         # 83e
         fm      $cross_x_5,$fz_4,$dy_3                  # 84e
@@ -243,12 +237,12 @@ function filter_box_children_r16
         fm      $cross_y_4,$fx_2,$dz_2                  # 87e
         fma     $ahead_3,$half_y_3,$ay_3,$ahead_3       # 88e
         fm      $reach_x_4,$half_z_2,$ay_2              # 89e
-        andc    $ax_4,$dx_4,$m_sign                     # 90e
+        andc    $ax_4,$dx_4,$k_sign                     # 90e
         fma     $reach_x_3,$half_y_3,$az_2,$reach_x_3   # 91e
         fm      $reach_z_3,$half_y_3,$ax_2              # 92e
         fms     $cross_x_6,$fy_3,$dz_3,$cross_x_2       # 93e
         fms     $cross_y_5,$fz_2,$dx,$cross_y_2         # 94e
-        andc    $az_5,$dz_5,$m_sign                     # 95e
+        andc    $az_5,$dz_5,$k_sign                     # 95e
         fm      $cross_z_2,$fy,$dx_3                    # 96e
         fm      $reach_y_5,$half_x_3,$az_5              # 97e
         fm      $cross_z_3,$fy_3,$dx                    # 98e
@@ -341,7 +335,7 @@ next_child:
         lqd     $ox_3,32($a_packet)                     # 21o
             nor     $any,$all_miss,$all_miss            # 22e
         shufb   $cy,$cy,$cy,$m_lane                     # 22o
-        andc    $extent,$extent,$m_sign                 # 23e
+        andc    $extent,$extent,$k_sign                 # 23e
         lqd     $dx,192($a_packet)                      # 23o
         fs      $fx,$cx,$ox                             # 24e
         lqd     $ox,48($a_packet)                       # 24o
@@ -353,13 +347,13 @@ next_child:
         lqd     $dx_2,208($a_packet)                    # 27o
         fs      $fy_5,$cy,$oy_4                         # 28e
         lqd     $half_y,64($candidate)                  # 28o
-        andc    $ax,$dx,$m_sign                         # 29e
+        andc    $ax,$dx,$k_sign                         # 29e
         lqd     $oy,64($a_packet)                       # 29o
         fs      $fx_5,$cx,$ox                           # 30e
         lqd     $dx_6,240($a_packet)                    # 30o
         fm      $ahead,$fx_4,$dx                        # 31e
         lqd     $oy_5,112($a_packet)                    # 31o
-        andc    $ax_5,$dx_5,$m_sign                     # 32e
+        andc    $ax_5,$dx_5,$k_sign                     # 32e
         lqd     $cz,32($candidate)                      # 32o
         fm      $ahead_2,$fx,$dx_2                      # 33e
         lqd     $dy,272($a_packet)                      # 33o
@@ -375,13 +369,13 @@ next_child:
         shufb   $cz,$cz,$cz,$m_lane                     # 38o
         fma     $ahead_2,$fy_5,$dy,$ahead_2             # 39e
         lqd     $oz_2,128($a_packet)                    # 39o
-        andc    $ay,$dy,$m_sign                         # 40e
+        andc    $ay,$dy,$k_sign                         # 40e
         lqd     $half_z_2,80($candidate)                # 40o
         fma     $ahead,$fy_3,$dy_2,$ahead               # 41e
         lqd     $oz_5,176($a_packet)                    # 41o
-        andc    $ay_2,$dy_2,$m_sign                     # 42e
+        andc    $ay_2,$dy_2,$k_sign                     # 42e
         lqd     $oz_3,160($a_packet)                    # 42o
-        andc    $ay_4,$dy_4,$m_sign                     # 43e
+        andc    $ay_4,$dy_4,$k_sign                     # 43e
         lqd     $dy_3,288($a_packet)                    # 43o
         fs      $fz_3,$cz,$oz                           # 44e
         rotqbyi $turned_3,$extent,4                     # 44o
@@ -389,25 +383,25 @@ next_child:
         shufb   $half_y,$half_y,$half_y,$m_lane         # 45o
         fma     $ahead_8,$fy_6,$dy_4,$ahead_8           # 46e
         lqd     $dz_6,368($a_packet)                    # 46o
-        andc    $ax_2,$dx_2,$m_sign                     # 47e
+        andc    $ax_2,$dx_2,$k_sign                     # 47e
         lqd     $half_x_2,48($candidate)                # 47o
         fs      $fz_6,$cz,$oz_5                         # 48e
         shufb   $half_z_2,$half_z_2,$half_z_2,$m_lane   # 48o
-        andc    $ay_3,$dy_3,$m_sign                     # 49e
+        andc    $ay_3,$dy_3,$k_sign                     # 49e
         fs      $fz_5,$cz,$oz_3                         # 50e
         fa      $extent,$extent,$turned_3               # 51e
         lnop                                            # 51o pairing
         fma     $ahead_3,$fy,$dy_3,$ahead_3             # 52e
         lqd     $dz_3,336($a_packet)                    # 52o
-        andc    $ax_6,$dx_6,$m_sign                     # 53e
+        andc    $ax_6,$dx_6,$k_sign                     # 53e
         shufb   $half_x_2,$half_x_2,$half_x_2,$m_lane   # 53o
         fma     $ahead_8,$fz_6,$dz_6,$ahead_8           # 54e
         lqd     $child_4,96($again)                     # 54o
-        andc    $az_5,$dz_6,$m_sign                     # 55e
+        andc    $az_5,$dz_6,$k_sign                     # 55e
         lqd     $dz_4,352($a_packet)                    # 55o
         fm      $cross_x_17,$fz_5,$dy_3                 # 56e
             rotmai  $any,$any,-31                       # 57e
-        andc    $az_2,$dz_3,$m_sign                     # 58e
+        andc    $az_2,$dz_3,$k_sign                     # 58e
         fma     $half_z_2,$extent,$k_slack,$half_z_2    # 59e
         fma     $half_y,$extent,$k_slack,$half_y        # 60e
         shufb   $child_3,$child_4,$child_4,$m_lane      # 60o
@@ -415,7 +409,7 @@ next_child:
             orx     $any,$any                           # 61o all ones if a ray may meet the box
         fma     $half_x_3,$extent,$k_slack,$half_x_2    # 62e
         fm      $cross_x_9,$fz_2,$dy_2                  # 63e
-        andc    $az_6,$dz_4,$m_sign                     # 64e
+        andc    $az_6,$dz_4,$k_sign                     # 64e
         lnop                                            # 64o pairing
             sf      $found,$any,$found                  # 65e
         shufb   $entry_2,$child_3,$again,$m_entry       # 65o
@@ -450,7 +444,7 @@ next_child:
         fma     $reach_y,$half_z_2,$ax_2,$reach_y_4     # 90e
         fma     $ahead_2,$half_y,$ay,$ahead_2           # 91e
         fma     $reach_x_7,$half_y,$az_6,$reach_x_7     # 92e
-        andc    $az_7,$dz_7,$m_sign                     # 93e
+        andc    $az_7,$dz_7,$k_sign                     # 93e
         fma     $ahead,$half_y,$ay_2,$ahead             # 94e
         fms     $cross_y_6,$fz_3,$dx_2,$cross_y_10      # 95e
         fm      $cross_z_5,$fy_5,$dx_2                  # 96e
@@ -561,7 +555,7 @@ next_child_short:
         lqd     $oy,64($a_packet)                       # 19o
         fs      $fx,$cx,$ox_4                           # 20e
         lqd     $dx,192($a_packet)                      # 20o
-        andc    $extent,$extent,$m_sign                 # 21e
+        andc    $extent,$extent,$k_sign                 # 21e
         lqd     $dx_7,208($a_packet)                    # 21o
         fs      $fx_2,$cx,$ox                           # 22e
         shufb   $cy,$cy,$cy,$m_lane                     # 22o
@@ -581,15 +575,15 @@ next_child_short:
         lqd     $oz_6,144($a_packet)                    # 29o
         fs      $fy_7,$cy,$oy_6                         # 30e
         lqd     $dx_9,240($a_packet)                    # 30o
-        andc    $ax,$dx,$m_sign                         # 31e
+        andc    $ax,$dx,$k_sign                         # 31e
         lqd     $oy_7,112($a_packet)                    # 31o
         fs      $fy_8,$cy,$oy                           # 32e
         lqd     $dy,256($a_packet)                      # 32o
         fm      $ahead_3,$fx_4,$dx_8                    # 33e
         rotqbyi $turned_2,$extent,4                     # 33o
-        andc    $ax_7,$dx_7,$m_sign                     # 34e
+        andc    $ax_7,$dx_7,$k_sign                     # 34e
         lqd     $dy_5,272($a_packet)                    # 34o
-        andc    $ax_8,$dx_8,$m_sign                     # 35e
+        andc    $ax_8,$dx_8,$k_sign                     # 35e
         lqd     $half_x_4,48($candidate)                # 35o
         fm      $ahead_10,$fx_6,$dx_9                   # 36e
         shufb   $cz,$cz,$cz,$m_lane                     # 36o
@@ -605,7 +599,7 @@ next_child_short:
         lqd     $dy_7,304($a_packet)                    # 41o
         fs      $fz_7,$cz,$oz_6                         # 42e
         lqd     $half_y_4,64($candidate)                # 42o
-        andc    $ay_5,$dy_5,$m_sign                     # 43e
+        andc    $ay_5,$dy_5,$k_sign                     # 43e
         lqd     $dz_8,336($a_packet)                    # 43o
         fma     $ahead_3,$fy_8,$dy_6,$ahead_3           # 44e
         lqd     $dz_6,320($a_packet)                    # 44o
@@ -615,7 +609,7 @@ next_child_short:
         lqd     $dz_3,352($a_packet)                    # 46o
         fma     $ahead_10,$fy_9,$dy_7,$ahead_10         # 47e
         shufb   $half_z_3,$half_z_3,$half_z_3,$m_lane   # 47o
-        andc    $ay_6,$dy,$m_sign                       # 48e
+        andc    $ay_6,$dy,$k_sign                       # 48e
         lqd     $dz_9,368($a_packet)                    # 48o
         fma     $half_x_4,$extent,$k_slack,$half_x_4    # 49e
         shufb   $half_y_4,$half_y_4,$half_y_4,$m_lane   # 49o
@@ -630,15 +624,15 @@ next_child_short:
         fma     $ahead_11,$fz_2,$dz_3,$ahead_3          # 54e
         lqd     $child_5,96($again)                     # 54o
         fma     $ahead_10,$fz_5,$dz_9,$ahead_10         # 55e
-        andc    $az_8,$dz_8,$m_sign                     # 56e
+        andc    $az_8,$dz_8,$k_sign                     # 56e
         fma     $ahead_9,$half_x_4,$ax_7,$ahead_9       # 57e
-        andc    $az_9,$dz_6,$m_sign                     # 58e
+        andc    $az_9,$dz_6,$k_sign                     # 58e
         fma     $ahead,$half_x_4,$ax,$ahead             # 59e
         lnop                                            # 59o pairing
         fm      $reach_y_11,$half_x_4,$az_9             # 60e
         shufb   $child_3,$child_5,$child_5,$m_lane      # 60o
         fm      $cross_x_20,$fz_7,$dy_5                 # 61e
-        andc    $az_3,$dz_3,$m_sign                     # 62e
+        andc    $az_3,$dz_3,$k_sign                     # 62e
         fma     $ahead_11,$half_x_4,$ax_8,$ahead_11     # 63e
         lnop                                            # 63o pairing
         fm      $reach_x_11,$half_z_3,$ay_6             # 64e
@@ -649,20 +643,20 @@ next_child_short:
         lnop                                            # 67o pairing
         fm      $reach_y_12,$half_x_4,$az_8             # 68e
         stqx    $entry_2,$a_first,$offset               # 68o
-        andc    $ay_7,$dy_6,$m_sign                     # 69e
+        andc    $ay_7,$dy_6,$k_sign                     # 69e
         fm      $cross_x_21,$fz_3,$dy                   # 70e
         fm      $cross_z_13,$fy,$dx                     # 71e
         fm      $cross_z_14,$fy_7,$dx_7                 # 72e
         fm      $reach_z_12,$half_y_4,$ax_7             # 73e
         fm      $reach_x_13,$half_z_3,$ay_7             # 74e
-        andc    $ax_9,$dx_9,$m_sign                     # 75e
+        andc    $ax_9,$dx_9,$k_sign                     # 75e
         fm      $reach_z_2,$half_y_4,$ax                # 76e
         fm      $cross_x_22,$fz_2,$dy_6                 # 77e
-        andc    $ay_8,$dy_7,$m_sign                     # 78e
+        andc    $ay_8,$dy_7,$k_sign                     # 78e
         fma     $ahead_10,$half_x_4,$ax_9,$ahead_10     # 79e
         fm      $cross_y_18,$fx_4,$dz_3                 # 80e
         fm      $reach_y_13,$half_x_4,$az_3             # 81e
-        andc    $az_10,$dz_9,$m_sign                    # 82e
+        andc    $az_10,$dz_9,$k_sign                    # 82e
         fm      $cross_y_19,$fx_6,$dz_9                 # 83e
         fma     $ahead,$half_y_4,$ay_6,$ahead           # 84e
         fma     $ahead_9,$half_y_4,$ay_5,$ahead_9       # 85e

@@ -25,8 +25,7 @@
 # of |f|. The roundings add up to 16, half of them because of the length of d.
 # Scheduled by spu schedule from filter_children_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
+        .include "filter_tmpl.inc"
 
         .set    NEXT,3
         registers a_first                               # candidate
@@ -54,12 +53,7 @@
         # the candidate, loaded again instead of being kept in a register for so long
         registers again
 
-        .section .rodata
-        .align  4
-extent_words:                                           # x, y, z, and the second word of another
-        .int    0x00010203,0x04050607,0x08090a0b,0x14151617
-entry_words:
-        .int    0x00010203,0x14151617,0x18191a1b,0x1c1d1e1f
+        filter_tables .rodata
 signs_of_two:
         .int    0x0004080c,0x1014181c,0x0004080c,0x1014181c
 halves: .int    0x00010203,0x04050607,0x18191a1b,0x1c1d1e1f

@@ -48,7 +48,8 @@ trait Near: Volume {
     fn near(rays: &[&Ray], scale: f64, slack: f64, random: &mut ChaCha8Rng) -> (Self, bool);
 }
 
-/// A point on a ray of the packet, most of them near its origin or its end, and the ray's direction.
+/// A point on a ray of the packet, most of them near its origin or its end, and the ray's
+/// direction.
 fn place(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, Vector, f64) {
     let ray = rays[random.random_range(0..rays.len())];
     let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));

@@ -522,8 +522,8 @@ pub fn cull_nodes<V: Volume>(
     (candidates.given, list)
 }
 
-/// Calls `filter_children_r16` or `filter_box_children_r16` with packets, their bounds and all children of nodes. Returns its
-/// inputs, and the words of its list.
+/// Calls `filter_children_r16` or `filter_box_children_r16` with packets, their bounds and all
+/// children of nodes. Returns its inputs, and the words of its list.
 ///
 /// # Panics
 ///

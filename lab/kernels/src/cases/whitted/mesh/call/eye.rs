@@ -44,8 +44,8 @@ pub fn window_record(window: &mesh_rows::MeshWindow) -> MeshWindow {
     }
 }
 
-/// Puts the inputs of `mesh_eye_bounds_r16` into local store, with shears at `shears`, where nothing
-/// needs to be. Returns the bounds' buffer, the windows' and the arguments.
+/// Puts the inputs of `mesh_eye_bounds_r16` into local store, with shears at `shears`, where
+/// nothing needs to be. Returns the bounds' buffer, the windows' and the arguments.
 pub fn put_for_eye_bounds(
     bench: &mut Bench,
     packets: &[[sphere_ray::Ray; 16]],
