@@ -47,7 +47,7 @@ impl Finish {
             mirror: meaning.share(material.specular),
             transmittance: meaning.share(material.transmittance),
             refraction_index: material.refraction_index,
-            emission: DVec3::ZERO,
+            emission: meaning.light(material.emission),
             is_lit: true,
             other: false,
         };
@@ -57,7 +57,7 @@ impl Finish {
                 highlight: 0.0,
                 ..plain
             },
-            Shader::Flat => plain.sends(own),
+            Shader::Flat => plain.sends(own + plain.emission),
             Shader::Depth { far, near } => {
                 let brightness = ((far - distance) / (far - near)).clamp(0.0, 1.0);
                 plain.sends(brightness * own)

@@ -61,7 +61,7 @@ impl Textures {
             levels
         });
         let facet = Facet {
-            corners: mesh.corners(triangle).map(|corner| corner.as_dvec3()),
+            corners: mesh.places(triangle),
             coordinates: coordinates.map(|[u, v]| DVec2::new(u.into(), v.into())),
             levels,
         };

@@ -137,6 +137,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
             }
         }
     }
+    vector("origin of the mesh", mesh.origin)?;
     for (what, vectors) in [("vertex", &mesh.positions), ("normal", &mesh.normals)] {
         for &value in vectors.iter().flatten() {
             number(what, f64::from(value))?;
@@ -184,6 +185,7 @@ fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {
 
 pub(super) fn material(material: &Material) -> Result<(), WorldError> {
     vector("colour", material.colour)?;
+    vector("emission", material.emission)?;
     number("diffuse share", material.diffuse)?;
     number("specular share", material.specular)?;
     number("shine", material.shine)?;

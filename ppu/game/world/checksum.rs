@@ -69,6 +69,9 @@ impl Checksum {
 
     /// A mesh without its place and its materials.
     pub fn mesh(&mut self, mesh: &Mesh) {
+        if mesh.origin != DVec3::ZERO {
+            self.vector(mesh.origin);
+        }
         for vectors in [&mesh.positions, &mesh.normals] {
             self.word(vectors.len() as u64);
             for number in vectors.iter().flatten() {
@@ -109,6 +112,10 @@ impl Checksum {
             material.refraction_index,
         ] {
             self.float(share);
+        }
+        // What most materials lack is left out, so that sums of older recordings stay valid.
+        if material.emission != DVec3::ZERO {
+            self.vector(material.emission);
         }
         if let Some(texture) = &material.texture {
             self.word(texture.checksum());

@@ -48,7 +48,9 @@ struct Shading<'a> {
 
 impl<'a> Shading<'a> {
     fn of(material: &'a Material, colour: Colour) -> Self {
+        let emission = colour.light(material.emission);
         let phong = Self {
+            emission,
             shares: true,
             shines: true,
             ..Self::default()
@@ -60,7 +62,7 @@ impl<'a> Shading<'a> {
                 ..phong
             },
             Shader::Flat => Self {
-                emission: colour.light(material.colour),
+                emission: emission + colour.light(material.colour),
                 ..Self::default()
             },
             Shader::Checker { other, size } => {
@@ -133,6 +135,7 @@ pub(super) fn record(
         shine,
         transmittance,
         refraction_index,
+        emission,
         shader: _,
         texture: _,
     } = material;
@@ -141,6 +144,7 @@ pub(super) fn record(
         line: Some(line),
     };
     place.vector("colour", colour)?;
+    place.vector("emission", emission)?;
     for (what, value) in [
         ("Kd", diffuse),
         ("Ks", specular),

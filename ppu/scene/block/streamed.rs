@@ -29,6 +29,8 @@ pub(super) struct Streamed {
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
+    /// The point of the scene that positions in blocks are relative to.
+    origin: DVec3,
     /// The corners of the box around it.
     bounds: [DVec3; 2],
     /// Whether the scene's spheres are there, too.
@@ -58,7 +60,7 @@ pub struct MeshPlace<'a> {
     pub textures: Option<&'a Arc<Textures>>,
     /// The local-store address of their records.
     pub texture_records: u32,
-    /// The eye in the mesh's coordinates, and 0.
+    /// The eye relative to the blocks' origin, and 0.
     pub eye: [F32; 4],
 }
 
@@ -70,8 +72,12 @@ impl Streamed {
         with_spheres: bool,
         colour: Colour,
     ) -> Result<Option<Self>, BlockError> {
+        let origin = match &scene.mesh {
+            Some(mesh) => mesh.origin,
+            None => origin_of_spheres(scene),
+        };
         let spheres = match with_spheres {
-            true => spheres(scene)?,
+            true => spheres(scene, origin)?,
             false => Vec::new(),
         };
         if scene.mesh.is_none() && spheres.is_empty() {
@@ -85,7 +91,8 @@ impl Streamed {
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
         let blocks = MeshBlocks::new(mesh, &spheres, &scene.materials).map_err(wrong)?;
         let corners = spheres.iter().flat_map(|sphere| {
-            let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
+            let centre = origin + sphere.centre.as_dvec3();
+            let radius = f64::from(sphere.radius.abs());
             [centre - radius, centre + radius]
         });
         let bounds = mesh.bounds().map(|(low, high)| [low, high]);
@@ -95,6 +102,7 @@ impl Streamed {
         });
         Ok(Some(Self {
             wasted_pictures: 0.0,
+            origin,
             bounds: bounds.unwrap_or_default(),
             with_spheres,
             textures: textures(scene, &blocks, colour),
@@ -155,7 +163,7 @@ impl Streamed {
     pub fn place(&self, used: usize, eye: DVec3, most: u32) -> MeshPlace<'_> {
         let room = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
         let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
-        let [x, y, z] = singles(eye);
+        let [x, y, z] = singles(eye - self.origin);
         MeshPlace {
             blocks: &self.blocks,
             materials: self.materials,
@@ -185,8 +193,24 @@ fn textures(scene: &Scene, blocks: &MeshBlocks, colour: Colour) -> Option<Arc<Te
     (!found.is_empty()).then(|| Arc::new(Textures::new(found, colour)))
 }
 
-/// A scene's spheres, with single precision.
-fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
+/// The origin for the spheres of a scene that has no mesh.
+fn origin_of_spheres(scene: &Scene) -> DVec3 {
+    let spheres = scene
+        .objects
+        .iter()
+        .filter_map(|object| match object.shape {
+            Shape::Sphere { centre, radius } => {
+                Some([centre - radius.abs(), centre + radius.abs()])
+            }
+            _ => None,
+        });
+    let around = spheres
+        .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
+    around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
+}
+
+/// A scene's spheres, with single precision, relative to an origin.
+fn spheres(scene: &Scene, origin: DVec3) -> Result<Vec<MeshSphere>, BlockError> {
     let mut found = Vec::new();
     for object in &scene.objects {
         let Some(material) = scene.materials.get(object.material as usize) else {
@@ -202,7 +226,7 @@ fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
         objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
             if let Primitive::Sphere { centre, radius } = primitive {
                 found.push(MeshSphere {
-                    centre: centre.as_vec3(),
+                    centre: (centre - origin).as_vec3(),
                     radius: radius as f32,
                     sides,
                     material: object.material,

@@ -95,7 +95,7 @@ pub struct MeshBlocks {
 
 impl MeshBlocks {
     /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
-    /// blocks.
+    /// blocks. Their positions are relative to the mesh's origin.
     ///
     /// # Errors
     /// - No triangle has an area, and there is no sphere.
