@@ -4,7 +4,8 @@ use std::io;
 
 use thiserror::Error;
 
-use crate::{MAX_FILE, MAX_MATERIALS, MAX_TEXELS, MAX_TRIANGLES};
+use crate::builder::MAX_CORNERS;
+use crate::{MAX_FILE, MAX_MATERIALS, MAX_TRIANGLES};
 
 /// Why a scene can't be loaded.
 #[derive(Debug, Error)]
@@ -20,6 +21,27 @@ pub enum Error {
         /// What is wrong with it.
         fault: Fault,
     },
+    /// A line of a mesh file.
+    #[error("{file}:{line}: {what}")]
+    Line {
+        /// The file.
+        file: String,
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        what: String,
+    },
+}
+
+impl Error {
+    /// A fault of a file, or of a line of it.
+    pub(crate) fn of(file: &str, fault: Fault) -> Self {
+        let file = file.to_owned();
+        match fault {
+            Fault::Line { line, what } => Self::Line { file, line, what },
+            fault => Self::Mesh { file, fault },
+        }
+    }
 }
 
 /// What is wrong with a mesh file.
@@ -34,6 +56,12 @@ pub enum Fault {
         /// Bytes, as far as they were counted.
         size: u64,
     },
+    /// The file is of a format that is not read.
+    #[error("this is {0}; the formats that are read are NFF, OBJ, PLY, STL and glTF (.gltf, .glb)")]
+    Foreign(&'static str),
+    /// The text has an encoding in which words are not those of ASCII.
+    #[error("the file is {0} text; save it as UTF-8")]
+    Encoding(&'static str),
     /// A terrain can't be generated.
     #[error("the level is not a whole number from 0 to {most}")]
     Level {
@@ -43,9 +71,18 @@ pub enum Fault {
     /// The file has no triangles.
     #[error("the file has no triangles")]
     NoTriangles,
+    /// All triangles are lines or points.
+    #[error("no triangle has an area, of {0} in the file")]
+    NoArea(usize),
     /// The file has too many triangles.
     #[error("the file has more than {MAX_TRIANGLES} triangles")]
     TooManyTriangles,
+    /// The file has too many vertices.
+    #[error("the file has more than three vertices for each of {MAX_TRIANGLES} triangles")]
+    TooManyVertices,
+    /// A face has too many corners.
+    #[error("a face has {0} corners; the most is {MAX_CORNERS}")]
+    TooManyCorners(usize),
     /// The file has too many materials.
     #[error("the file's triangles have more than {MAX_MATERIALS} materials")]
     TooManyMaterials,
@@ -54,10 +91,18 @@ pub enum Fault {
     NotFinite {
         /// What has the number.
         what: &'static str,
-        /// Its index in the file, from 0.
+        /// Its index among the vertices of faces, from 0.
         index: usize,
         /// The number.
-        value: f32,
+        value: f64,
+    },
+    /// A coordinate is too large.
+    #[error("vertex {index} is at {position:?}; coordinates must be at most 2^62")]
+    OutOfRange {
+        /// The vertex's index.
+        index: usize,
+        /// Its position.
+        position: [f64; 3],
     },
     /// A triangle has a vertex that doesn't exist.
     #[error("face {face} has the vertex {index}, but there are only {vertices} vertices")]
@@ -65,29 +110,18 @@ pub enum Fault {
         /// The face's index in the file, or in its part of the file, from 0.
         face: usize,
         /// The vertex's index.
-        index: i64,
+        index: f64,
         /// The number of vertices.
         vertices: usize,
     },
-    /// A face with fewer than three vertices.
-    #[error("face {face} has {corners} vertices; it needs at least 3")]
-    Corners {
-        /// The face's index in the file, from 0.
-        face: usize,
-        /// The number of its vertices.
-        corners: usize,
+    /// A line of a text file.
+    #[error("line {line}: {what}")]
+    Line {
+        /// The line, from 1.
+        line: usize,
+        /// What is wrong with it.
+        what: String,
     },
-    /// A corner of a face in an OBJ file has a number that no vertex has.
-    #[error("line {line}: a face has the corner {corner}, but there is no such vertex")]
-    Corner {
-        /// The line.
-        line: u32,
-        /// The corner's numbers.
-        corner: String,
-    },
-    /// The text of an OBJ file.
-    #[error("not a valid OBJ file: {0}")]
-    Obj(#[from] tobj::LoadError),
     /// A material library can't be read.
     #[error("{file}: {fault}")]
     Library {
@@ -96,37 +130,21 @@ pub enum Fault {
         /// What is wrong with it.
         fault: Box<Fault>,
     },
-    /// The text of a material library.
-    #[error("{file}:{line}: {word} needs three numbers")]
-    Mtl {
-        /// The library.
-        file: String,
-        /// The line, from 1.
-        line: usize,
-        /// The word that the numbers belong to.
-        word: String,
-    },
-    /// A texture is missing or broken.
-    #[error("the texture {name}: {what}")]
-    Texture {
-        /// The picture's file, or which of the file's images it is.
-        name: String,
-        /// What is wrong with it.
-        what: String,
-    },
-    /// The textures are too large.
-    #[error("the textures have {0} texels; the most is {MAX_TEXELS}")]
-    TooManyTexels(usize),
-    /// A part with a texture has no texture coordinates.
-    #[error("{part} has a texture, but not all of its vertices have texture coordinates")]
-    NoCoordinates {
-        /// The part of the file.
-        part: String,
-    },
     /// A PLY file's header or data.
     #[error("not a valid PLY file: {0}")]
     Ply(String),
-    /// A binary glTF file.
+    /// An STL file.
+    #[error("not a valid STL file: {0}")]
+    Stl(String),
+    /// A glTF file.
     #[error("not a valid glTF file: {0}")]
-    Glb(String),
+    Gltf(String),
+    /// An extension of glTF that is not read.
+    #[error("the file needs the extension {name}: {what}")]
+    Extension {
+        /// The extension.
+        name: &'static str,
+        /// What it means, and how the file can be converted.
+        what: &'static str,
+    },
 }

@@ -1,17 +1,23 @@
-//! Loads OBJ, PLY and binary glTF files as scenes for Whitted's model.
+//! Loads OBJ, PLY, STL and glTF files as scenes for Whitted's model.
 //!
 //! Owns the formats, how their materials become those of [`nff::Material`], and the view and lights
 //! of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh has at
-//! least one triangle, all of its vertices and materials exist, and all its numbers are finite. If
-//! one of its materials has a texture, it has texture coordinates.
+//! least one triangle with an area, all of its vertices and materials exist, and all its numbers are
+//! finite. If one of its materials has a texture, it has texture coordinates.
 
 mod builder;
+mod colours;
 mod error;
+mod foreign;
 mod framing;
-mod glb;
+mod gltf;
+mod mask;
+mod notes;
 mod obj;
 mod ply;
+mod stl;
 mod terrain;
+mod text;
 mod texture;
 
 use std::fs::File;
@@ -27,6 +33,8 @@ pub use texture::MAX_TEXELS;
 
 /// The size in bytes of the largest file that is read.
 const MAX_FILE: u64 = 1 << 31;
+/// The bytes at a file's beginning that tell its format.
+const BEGINNING: u64 = 4096;
 
 /// A scene, and what a user should know about how it was read.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,24 +45,25 @@ pub struct Loaded {
     pub notes: Vec<String>,
 }
 
-/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply` or `.glb`,
-/// `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that
+/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` or
+/// `.glb`, `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that
 /// [`nff::load`] knows.
 ///
 /// # Errors
 /// The file can't be read, or isn't what its name says; any error of [`nff::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
     let file = name.display().to_string();
-    let wrong = |fault| Error::Mesh {
-        file: file.clone(),
-        fault,
-    };
+    let wrong = |fault| Error::of(&file, fault);
     if let Some(level) = file.strip_prefix(terrain::PREFIX) {
         let mut builder = Builder::default();
         let done = terrain::generate(level, &mut builder);
         return done.and_then(|()| builder.finish(&file)).map_err(wrong);
     }
-    let Some(format) = Format::of(name) else {
+    let beginning = beginning(name);
+    let Some(format) = Format::of(name, &beginning) else {
+        if let Some(foreign) = foreign::of(name, &beginning) {
+            return Err(wrong(Fault::Foreign(foreign)));
+        }
         let scene = nff::load(name)?;
         return Ok(Loaded {
             scene,
@@ -63,11 +72,16 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
     };
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;
+        if let Some(foreign) = foreign::of_bytes(&bytes[..bytes.len().min(BEGINNING as usize)]) {
+            return Err(Fault::Foreign(foreign));
+        }
         let mut builder = Builder::default();
         match format {
             Format::Obj => obj::read(&bytes, name, &mut builder)?,
-            Format::Ply => ply::read(&bytes, &mut builder)?,
-            Format::Glb => glb::read(&bytes, &mut builder)?,
+            Format::Ply => ply::read(&bytes, name, &mut builder)?,
+            Format::Stl => stl::read(&bytes, &mut builder)?,
+            Format::Glb => gltf::read_binary(&bytes, name, &mut builder)?,
+            Format::Gltf => gltf::read_text(&bytes, name, &mut builder)?,
         }
         builder.finish(&file)
     };
@@ -78,19 +92,46 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
 enum Format {
     Obj,
     Ply,
+    Stl,
     Glb,
+    Gltf,
 }
 
 impl Format {
-    fn of(name: &Path) -> Option<Self> {
+    /// The format of a file by its first bytes, if these are of one format only, or by the end of
+    /// its name.
+    fn of(name: &Path, beginning: &[u8]) -> Option<Self> {
+        if beginning.starts_with(b"glTF") {
+            return Some(Self::Glb);
+        }
+        if beginning.starts_with(b"ply\n") || beginning.starts_with(b"ply\r") {
+            return Some(Self::Ply);
+        }
         let extension = name.extension()?.to_str()?.to_ascii_lowercase();
         match extension.as_str() {
             "obj" => Some(Self::Obj),
             "ply" => Some(Self::Ply),
-            "glb" => Some(Self::Glb),
+            "stl" => Some(Self::Stl),
+            "glb" | "gltf" | "vrm" => Some(match beginning.trim_ascii_start().first() {
+                // JSON, whatever the name says.
+                Some(b'{' | 0xef) => Self::Gltf,
+                _ if extension == "gltf" => Self::Gltf,
+                _ => Self::Glb,
+            }),
             _ => None,
         }
     }
+}
+
+/// The first bytes of a file; none if it can't be read, or is no file that can be read twice.
+fn beginning(name: &Path) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    let is_file = name.metadata().is_ok_and(|data| data.is_file());
+    if is_file && let Ok(file) = File::open(name) {
+        // Whoever reads the file later reports that it can't be read.
+        let _ = file.take(BEGINNING).read_to_end(&mut bytes);
+    }
+    bytes
 }
 
 /// Reads a file that is not too large.

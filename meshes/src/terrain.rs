@@ -3,9 +3,9 @@
 //! Invariant: the same level gives the same numbers on every host.
 
 use glam::{DVec2, DVec3, Vec3};
-use nff::{Light, LightKind, Material, View};
+use nff::{Light, LightKind, View};
 
-use crate::builder::{Builder, plain};
+use crate::builder::{Builder, Vertex, plain};
 use crate::{Fault, MAX_TRIANGLES};
 
 /// The prefix of a generated terrain's name: `terrain:LEVEL`.
@@ -38,12 +38,7 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     };
     let side = 1_u32 << level;
     let colours = [[0.30, 0.45, 0.16], [0.44, 0.40, 0.36], [0.93, 0.94, 0.97]];
-    let [grass, rock, snow] = colours.map(|colour| {
-        builder.material(Material {
-            line: 0,
-            ..plain(colour.into())
-        })
-    });
+    let [grass, rock, snow] = colours.map(|colour| builder.material(plain(colour.into()), None));
     let (grass, rock, snow) = (grass?, rock?, snow?);
 
     let coordinate = |step: u32| (2.0 * f64::from(step) / f64::from(side) - 1.0) * HALF;
@@ -58,7 +53,12 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
             );
         }
     }
-    builder.add_vertices(positions.iter().copied(), [], [])?;
+    for &position in &positions {
+        builder.vertex(&Vertex {
+            position: position.map(f64::from).into(),
+            ..Vertex::default()
+        })?;
+    }
     for row in 0..side {
         for column in 0..side {
             let a = row * (side + 1) + column;
@@ -73,8 +73,7 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
                 } else {
                     grass
                 };
-                let face = (row * side + column) as usize;
-                builder.face(face, 0, &triangle.map(i64::from), material)?;
+                builder.triangle(triangle, material)?;
             }
         }
     }

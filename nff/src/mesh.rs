@@ -102,12 +102,12 @@ impl Mesh {
         Some((place(low), place(high)))
     }
 
-    /// The origin for a mesh in a box: its middle if it is farther away than the box is large, so
-    /// that singles would lose digits there; otherwise that of the scene.
+    /// The origin for a mesh in a box: its middle if it is so far away that singles would lose more
+    /// than three binary digits there; otherwise that of the scene.
     #[must_use]
     pub fn origin_for(low: DVec3, high: DVec3) -> DVec3 {
         let middle = low.midpoint(high);
-        let is_far = middle.abs().max_element() > (high - low).max_element();
+        let is_far = middle.abs().max_element() > 8.0 * (high - low).max_element();
         if is_far { middle } else { DVec3::ZERO }
     }
 }

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::files::{MTL, OBJ, PLY, binary_ply, glb};
-use super::textures;
+use super::{scans, textures};
 
 /// A change of a file.
 #[derive(Clone, Debug)]
@@ -65,13 +65,15 @@ proptest! {
     fn damaged_files_make_no_panic(damages in prop::collection::vec(damage(), 1..6)) {
         let folder = tempfile::tempdir().unwrap();
         let picture = textures::png();
-        let files: [(&str, &[u8]); 9] = [
+        let files: [(&str, &[u8]); 11] = [
             ("m.mtl", MTL.as_bytes()),
             ("t.obj", OBJ.as_bytes()),
             ("a.ply", PLY.as_bytes()),
             ("l.ply", &binary_ply(false)),
             ("b.ply", &binary_ply(true)),
             ("t.glb", &glb()),
+            ("t.stl", scans::STL.as_bytes()),
+            ("b.stl", &scans::binary_stl(b"by a printer")),
             ("t.png", &picture),
             ("textured.obj", textures::OBJ.as_bytes()),
             ("textured.glb", &textures::glb(&picture, "{", "{")),

@@ -4,13 +4,6 @@ use super::files::{JSON, MTL, OBJ, PLY, binary_ply, container, glb, refusal, tri
 
 #[test]
 fn numbers_that_are_not_finite() {
-    for number in ["nan", "inf", "1e39"] {
-        let obj = OBJ.replace("v 1 0 0", &format!("v 1 {number} 0"));
-        assert!(
-            refusal("t.obj", obj.as_bytes()).contains("is not finite"),
-            "{number}"
-        );
-    }
     let mut ply = binary_ply(true);
     let second = ply.len() - 30 - 3 * 12;
     ply[second..second + 4].copy_from_slice(&f32::NAN.to_be_bytes());
@@ -30,19 +23,6 @@ fn numbers_that_are_not_finite() {
 
 #[test]
 fn indices_out_of_range() {
-    let found = refusal("t.obj", OBJ.replace("f 1 2 4", "f 1 2 9").as_bytes());
-    assert!(found.contains("face vertex index out of bounds"), "{found}");
-    for corner in ["-9", "0", "/1", "2/0", "1//-7", "99999999999"] {
-        let found = refusal(
-            "t.obj",
-            OBJ.replace("f 1 2 4", &format!("f 1 2 {corner}"))
-                .as_bytes(),
-        );
-        assert!(
-            found.contains(&format!("a face has the corner {corner},")),
-            "{found}"
-        );
-    }
     let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 4").as_bytes());
     assert_eq!(
         found,
@@ -69,8 +49,6 @@ fn files_without_triangles() {
         refusal("t.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n"),
         "the file has no triangles"
     );
-    let found = refusal("t.ply", PLY.replace("3 0 1 2\n", "2 0 1\n").as_bytes());
-    assert_eq!(found, "face 1 has 2 vertices; it needs at least 3");
     let json = JSON.replace(r#""mesh":0,"#, "");
     assert_eq!(
         refusal("t.glb", &container(json.as_bytes(), &triangle())),
@@ -82,9 +60,12 @@ fn files_without_triangles() {
 fn truncated_files() {
     let (before, _) = OBJ.split_once("0\nv 0 1 0").unwrap();
     let found = refusal("t.obj", before.as_bytes());
-    assert!(found.starts_with("not a valid OBJ file"), "{found}");
+    assert!(
+        found.starts_with(":3: a vertex needs three finite numbers"),
+        "{found}"
+    );
     let found = refusal("t.ply", PLY.trim_end_matches("3 0 1 2\n").as_bytes());
-    assert!(found.starts_with("not a valid PLY file"), "{found}");
+    assert_eq!(found, ":15: the file ends inside its data");
     let binary = binary_ply(false);
     let found = refusal("t.ply", &binary[..binary.len() - 1]);
     assert!(found.starts_with("not a valid PLY file"), "{found}");
@@ -106,7 +87,8 @@ fn chunks_of_a_wrong_length() {
     let json = JSON.replace(r#""byteLength":72}"#, r#""byteLength":7200}"#);
     let found = refusal("t.glb", &container(json.as_bytes(), &triangle()));
     assert!(
-        found.contains("accessor 0 has 3 items, which are not all in"),
+        found
+            .contains("accessor 0 has buffer view 0 of 7200 bytes from 0 on, which are not all in"),
         "{found}"
     );
 }
@@ -116,23 +98,6 @@ fn trees_of_nodes_with_a_cycle() {
     let json = JSON.replace(r#"{"camera":0,"#, r#"{"children":[1],"camera":0,"#);
     let found = refusal("t.glb", &container(json.as_bytes(), &triangle()));
     assert!(found.contains("node 1 is in the scene twice"), "{found}");
-}
-
-#[test]
-fn a_library_with_half_a_colour() {
-    let folder = tempfile::tempdir().unwrap();
-    let obj = folder.path().join("t.obj");
-    std::fs::write(&obj, OBJ).unwrap();
-    std::fs::write(
-        folder.path().join("m.mtl"),
-        MTL.replace("Kd 1 0 0", "Kd 1 0"),
-    )
-    .unwrap();
-    let found = meshes::load(&obj).unwrap_err().to_string();
-    assert!(
-        found.ends_with("m.mtl:2: Kd needs three numbers"),
-        "{found}"
-    );
 }
 
 #[test]
@@ -166,7 +131,7 @@ fn files_of_17_gigabytes() {
         path
     };
     let size = "the file has 18253611008 bytes or more; the most is 2147483648";
-    for name in ["t.obj", "t.ply", "t.glb"] {
+    for name in ["t.obj", "t.ply", "t.stl", "t.gltf", "t.glb"] {
         let path = huge(name);
         let found = meshes::load(&path).unwrap_err().to_string();
         assert_eq!(found, format!("{}: {size}", path.display()));
@@ -181,16 +146,12 @@ fn files_of_17_gigabytes() {
         format!("{}: {}: {size}", obj.display(), library.display())
     );
     let picture = huge("t.png");
-    std::fs::write(
-        &library,
-        MTL.replace("newmtl red", "newmtl red\nmap_Kd t.png"),
-    )
-    .unwrap();
-    let found = meshes::load(&obj).unwrap_err().to_string();
+    std::fs::write(&obj, super::textures::OBJ).unwrap();
+    std::fs::write(&library, "newmtl t\nmap_Kd t.png\n").unwrap();
+    let notes = meshes::load(&obj).unwrap().notes;
     let expected = format!(
-        "{}: the texture {}: {size}",
-        obj.display(),
+        "the texture {}: {size}; surfaces are drawn without it",
         picture.display()
     );
-    assert_eq!(found, expected);
+    assert_eq!(notes, [expected]);
 }

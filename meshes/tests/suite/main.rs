@@ -4,4 +4,7 @@ mod damage;
 mod faults;
 mod files;
 mod formats;
+mod gltf;
+mod pairs;
+mod scans;
 mod textures;

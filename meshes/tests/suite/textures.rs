@@ -4,7 +4,7 @@ use std::fs;
 use std::io::Cursor;
 use std::path::Path;
 
-use image::{ImageFormat, Rgb, RgbImage, RgbaImage};
+use image::{ImageFormat, Rgb, RgbImage};
 use nff::{Texture, Wrap};
 
 use super::files::{container, load, refusal, triangle};
@@ -146,8 +146,11 @@ fn textured_obj(obj: &str, line: &str, picture: &[u8]) -> Result<(Texture, Vec<[
         let folder = format!("{}/", folder.path().display());
         error.to_string().replace(&folder, "")
     })?;
-    let scene = scene.scene;
-    let texture = scene.materials[0].texture.as_deref().expect("a texture");
+    let (scene, notes) = (scene.scene, scene.notes);
+    let Some(texture) = scene.materials[0].texture.as_deref() else {
+        let folder = format!("{}/", folder.path().display());
+        return Err(notes.join("\n").replace(&folder, ""));
+    };
     let mesh = scene.mesh.as_ref().expect("a mesh");
     Ok((texture.clone(), mesh.texture_coordinates.clone()))
 }
@@ -184,124 +187,141 @@ fn a_mesh_without_textures_has_no_coordinates() {
     assert!(mesh.texture_coordinates.is_empty());
 }
 
-#[test]
-fn alpha_is_left_out_and_noted() {
-    let mut bytes = Vec::new();
-    RgbaImage::new(2, 2)
-        .write_to(&mut Cursor::new(&mut bytes), ImageFormat::Png)
-        .expect("a picture");
-    let loaded = load("t.glb", &glb(&bytes, "{", "{")).expect("a scene");
-    assert!(
-        loaded.notes.iter().any(|note| note.contains("alpha")),
-        "{:?}",
-        loaded.notes
-    );
+/// The notes on a file whose texture can't be shown; it is drawn without it.
+fn notes(bytes: &[u8]) -> Vec<String> {
+    let loaded = load("t.glb", bytes).expect("a scene");
+    let materials = &loaded.scene.materials;
+    assert!(materials.iter().all(|material| material.texture.is_none()));
+    loaded.notes
 }
 
 #[test]
-fn faults_of_glb_files() {
+fn glb_textures_that_cannot_be_shown_are_notes() {
     let whole = png();
     let broken = &whole[..whole.len() - 20];
-    let wide = encoded(&RgbImage::new(4097, 1), ImageFormat::Png);
     let view = r#"{"bufferView":3,"mimeType":"image/png"}"#;
     let last = format!(r#""byteOffset":124,"byteLength":{}"#, whole.len());
-    let cases: [(&[u8], &str, &str, &str); 16] = [
+    let cases: [(&[u8], &str, &str, &str); 13] = [
         (
             &whole,
             r#""source":0"#,
             r#""source":1"#,
-            "not a valid glTF file: ",
+            "image 1: it doesn't exist",
         ),
         (
             &whole,
             r#"{"index":0}"#,
             r#"{"index":1}"#,
-            "not a valid glTF file: ",
+            "texture 1: it doesn't exist",
         ),
         (
             &whole,
             r#""sampler":0"#,
             r#""sampler":1"#,
-            "not a valid glTF file: ",
+            "texture 0: sampler 1 doesn't exist",
         ),
+        (&whole, r#""source":0,"#, "", "texture 0: it has no image"),
         (
             &whole,
             r#""bufferView":3"#,
             r#""bufferView":9"#,
-            "not a valid glTF file: ",
-        ),
-        (
-            &whole,
-            view,
-            r#"{"uri":"wood.png"}"#,
-            "the texture image 0: it is not in the binary chunk, but at \"wood.png\", which is not supported",
+            "image 0: it has buffer view 9, which doesn't exist",
         ),
         (
             &whole,
             view,
             "{}",
-            "the texture image 0: it is not in the binary chunk, but at \"\", which is not supported",
+            "image 0: it has neither a buffer view nor a URI",
         ),
         (
             &whole,
             &last,
             r#""byteOffset":124,"byteLength":7000"#,
-            "the texture image 0: its 7000 bytes from 124 on are not all in the",
+            "image 0: it has buffer view 3 of 7000 bytes from 124 on, which are not all in",
         ),
         (
             &whole,
             &last,
             r#""byteOffset":18446744073709551615,"byteLength":70"#,
-            "the texture image 0: its 70 bytes from 18446744073709551615 on",
+            "image 0: it has buffer view 3 of 70 bytes from 18446744073709551615 on",
         ),
-        (broken, "{", "{", "the texture image 0: "),
+        (broken, "{", "{", "image 0: "),
+        (
+            b"RIFF\x20\0\0\0WEBPVP8 ",
+            "{",
+            "{",
+            "image 0: it is a WebP picture; convert it to PNG or JPEG",
+        ),
         (
             b"no picture",
             "{",
             "{",
-            "the texture image 0: it is neither a PNG nor a JPEG",
-        ),
-        (
-            b"",
-            "{",
-            "{",
-            "the texture image 0: it is neither a PNG nor a JPEG",
-        ),
-        (
-            &wide,
-            "{",
-            "{",
-            "the texture image 0: it has 4097x1 pixels; the most is 4096x4096",
+            "image 0: it is neither a PNG nor a JPEG",
         ),
         (
             &whole,
             r#","TEXCOORD_0":2"#,
             "",
-            "not a valid glTF file: mesh 0, primitive 0: its material has a texture, but not all of its vertices have texture coordinates",
+            "parts with a texture, but without texture coordinates",
         ),
         (
             &whole,
             r#"5126,"count":3,"type":"VEC2""#,
             r#"5126,"count":2,"type":"VEC2""#,
-            "not a valid glTF file: mesh 0, primitive 0: its material has a texture, but",
-        ),
-        (
-            &whole,
-            r#"{"bufferView":2,"componentType":5126"#,
-            r#"{"bufferView":2,"componentType":5125"#,
-            "not a valid glTF file: mesh 0, primitive 0: not a valid glTF file: accessor 2 is not of two texture coordinates",
-        ),
-        (
-            &whole,
-            r#"{"bufferView":2,"componentType":5126"#,
-            r#"{"bufferView":2,"byteOffset":40,"componentType":5126"#,
-            "not a valid glTF file: mesh 0, primitive 0: not a valid glTF file: accessor 2 has 3 items",
+            "parts with a texture, but without texture coordinates",
         ),
     ];
     for (picture, from, to, expected) in cases {
-        let found = refusal("t.glb", &glb(picture, from, to));
-        assert!(found.starts_with(expected), "{to}: {found}");
+        let file = glb(picture, from, to);
+        if expected.starts_with("parts") {
+            let loaded = load("t.glb", &file).expect("a scene");
+            let mesh = loaded.scene.mesh.expect("a mesh");
+            let number = mesh.materials[0] as usize;
+            assert!(loaded.scene.materials[number].texture.is_none());
+            assert!(loaded.notes[0].starts_with(expected), "{:?}", loaded.notes);
+        } else {
+            let found = notes(&file);
+            assert!(found[0].starts_with(expected), "{to}: {found:?}");
+        }
     }
+}
+
+#[test]
+fn faults_of_texture_coordinates() {
+    let cases = [
+        (
+            r#"{"bufferView":2,"componentType":5126"#,
+            r#"{"bufferView":2,"componentType":5130"#,
+            "accessor 2 has components of the type 5130, which is not one for this use",
+        ),
+        (
+            r#"5126,"count":3,"type":"VEC2""#,
+            r#"5126,"count":3,"type":"VEC3""#,
+            "accessor 2 has items of the type \"VEC3\", not of VEC2",
+        ),
+        (
+            r#"{"bufferView":2,"componentType":5126"#,
+            r#"{"bufferView":2,"byteOffset":40,"componentType":5126"#,
+            "accessor 2 has 3 items, which are not all in the 44 bytes of buffer view 2",
+        ),
+    ];
+    for (from, to, expected) in cases {
+        let found = refusal("t.glb", &glb(&png(), from, to));
+        let expected = format!("not a valid glTF file: mesh 0, primitive 0: {expected}");
+        assert_eq!(found, expected);
+    }
+}
+
+#[test]
+fn a_texture_that_is_too_large_is_made_smaller() {
+    let wide = encoded(&RgbImage::new(8192, 2), ImageFormat::Png);
+    let loaded = load("t.glb", &glb(&wide, "{", "{")).expect("a scene");
+    let texture = loaded.scene.materials[0].texture.as_ref().expect("one");
+    assert_eq!((texture.width(), texture.height()), (4096, 1));
+    assert_eq!(
+        loaded.notes,
+        ["image 0: it has 8192x2 pixels and is drawn with 4096x1"]
+    );
 }
 
 #[test]
@@ -320,48 +340,77 @@ fn coordinates_that_are_not_finite() {
 }
 
 #[test]
-fn faults_of_obj_files() {
+fn obj_textures_that_cannot_be_shown_are_notes() {
     let whole = png();
     let without = OBJ.replace("f 1/1 2/2 3/3", "f 1 2 3");
-    let some = format!("{OBJ}f 1 2 3\n");
-    let cases: [(&str, &str, &[u8], &str); 7] = [
+    let cases: [(&str, &str, &[u8], &str); 6] = [
         (
             OBJ,
             "map_Kd gone.png",
             &whole,
-            "o.obj: the texture gone.png: No such file or directory",
+            "the texture gone.png: No such file or directory",
         ),
-        (OBJ, "map_Kd", &whole, "o.obj: not a valid OBJ file: "),
-        (OBJ, "map_Kd -clamp on", &whole, "o.obj: the texture "),
+        (
+            OBJ,
+            "map_Kd",
+            &whole,
+            "m.mtl:2: map_Kd without the name of a picture",
+        ),
+        (
+            OBJ,
+            "map_Kd -clamp on",
+            &whole,
+            "m.mtl:2: map_Kd without the name of a picture",
+        ),
         (
             OBJ,
             "map_Kd t.png",
             b"P6",
-            "o.obj: the texture t.png: it is neither",
+            "the texture t.png: it is neither a PNG nor a JPEG",
         ),
-        (
-            OBJ,
-            "map_Kd t.png",
-            &whole[..40],
-            "o.obj: the texture t.png: ",
-        ),
+        (OBJ, "map_Kd t.png", &whole[..40], "the texture t.png: "),
         (
             &without,
             "map_Kd t.png",
             &whole,
-            "o.obj: the material t has a texture, but not all of its vertices have texture coordinates",
-        ),
-        (
-            &some,
-            "map_Kd t.png",
-            &whole,
-            "o.obj: the material t has a texture, but",
+            "o.obj:9: the material `t` has a texture, but a face has no texture coordinates",
         ),
     ];
     for (obj, line, picture, expected) in cases {
         let found = textured_obj(obj, line, picture).expect_err(line);
         assert!(found.starts_with(expected), "{line}: {found}");
     }
+    let some = format!("{OBJ}f 1 2 3\n");
+    textured_obj(&some, "map_Kd t.png", &whole).expect("a texture on the first face");
+}
+
+#[test]
+fn a_mask_of_an_obj_material_makes_holes() {
+    let obj = OBJ.replace("vt 1 0.25", "vt 1 0");
+    let masked = |line: &str| {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("o.obj");
+        fs::write(&path, &obj).expect("a file");
+        fs::write(
+            folder.path().join("m.mtl"),
+            format!("newmtl t\nmap_d {line}\n"),
+        )
+        .expect("a file");
+        let mut picture = RgbImage::new(2, 1);
+        picture.put_pixel(0, 0, Rgb([255; 3]));
+        let bytes = encoded(&picture, ImageFormat::Png);
+        fs::write(folder.path().join("t.png"), bytes).expect("a file");
+        let mesh = meshes::load(&path).expect("a scene").scene.mesh;
+        let mesh = mesh.expect("a mesh");
+        let areas = (0..mesh.triangles.len()).map(|triangle| {
+            let [a, b, c] = mesh.places(triangle);
+            (b - a).cross(c - a).length() / 2.0
+        });
+        areas.sum::<f64>()
+    };
+    let found = masked("-clamp on t.png");
+    assert!((found - 0.375).abs() < 1e-3, "{found}");
+    assert_eq!(masked("gone.png"), 0.5);
 }
 
 #[test]
@@ -392,11 +441,13 @@ fn textures_that_are_too_large_together() {
     let mut blob = triangle();
     blob.resize(124, 0);
     blob.extend(&picture);
-    let found = refusal("t.glb", &container(json.as_bytes(), &blob));
-    assert_eq!(
-        found,
-        "the textures have 25165824 texels; the most is 16777216"
-    );
+    let loaded = load("t.glb", &container(json.as_bytes(), &blob)).expect("a scene");
+    let all = loaded.scene.materials.iter();
+    let texels = all.map(|it| it.texture.as_ref().map_or(0, |it| it.texels().len()));
+    assert_eq!(texels.sum::<usize>(), 12_582_912);
+    let expected =
+        "the textures have 25165824 texels, more than 16777216; they are drawn with 12582912";
+    assert_eq!(loaded.notes, [expected]);
 }
 
 #[test]
