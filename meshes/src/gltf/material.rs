@@ -76,9 +76,13 @@ pub(super) fn of(material: &json::Material, notes: &mut Notes) -> Material {
     let transmittance = transmittance.clamp(0.0, 1.0);
     let width = (roughness * roughness).max(0.02);
     let colour = DVec3::new(red, green, blue).clamp(DVec3::ZERO, DVec3::ONE);
-    let shader = match extensions.unlit {
-        Some(_) => Shader::Flat,
-        None => Shader::Phong,
+    let shader = if extensions.unlit.is_some() {
+        notes.add(
+            "unlit materials (KHR_materials_unlit) have their colours without light and shadow",
+        );
+        Shader::Flat
+    } else {
+        Shader::Phong
     };
     Material {
         diffuse: (1.0 - specular) * (1.0 - transmittance),

@@ -94,6 +94,84 @@ fn spheres_that_local_store_has_no_room_for() {
     assert!(compared.wrong_fraction < 0.02, "{compared:?}");
 }
 
+/// A scene whose parts and view are all moved. Only a mesh's origin moves, not its positions.
+fn moved(scene: &nff::Scene, by: DVec3) -> nff::Scene {
+    let mut moved = scene.clone();
+    moved.view.from += by;
+    moved.view.at += by;
+    for light in &mut moved.lights {
+        if let nff::LightKind::Point { position } = &mut light.kind {
+            *position += by;
+        }
+    }
+    for object in &mut moved.objects {
+        match &mut object.shape {
+            nff::Shape::Sphere { centre, .. } => *centre += by,
+            nff::Shape::Cone { base, apex, .. } => {
+                *base += by;
+                *apex += by;
+            }
+            nff::Shape::Polygon { vertices } | nff::Shape::Patch { vertices, .. } => {
+                vertices.iter_mut().for_each(|vertex| *vertex += by);
+            }
+        }
+    }
+    if let Some(mesh) = &mut moved.mesh {
+        Arc::make_mut(mesh).origin += by;
+    }
+    moved
+}
+
+#[test]
+fn far_from_the_origin_pictures_are_the_same() {
+    // As far as the coordinates of a map, and exact in the sums.
+    let by = DVec3::new(458_752.0, 5_428_000.25, 100.5);
+    let mut small = scene(bowl(8, true));
+    small.view.at.y = -0.5;
+    small
+        .objects
+        .retain(|it| matches!(it.shape, nff::Shape::Polygon { .. }));
+    let large = nff::Scene {
+        mesh: Some(Arc::new(bowl(24, true))),
+        ..small.clone()
+    };
+    // More spheres and polygons than local store has room for, at numbers of few digits.
+    let grid = |count: i32, shape: &dyn Fn(DVec3) -> nff::Shape| {
+        let mut many = small.clone();
+        many.mesh = None;
+        for index in 0..count {
+            let place = DVec3::new((index % 32 - 16).into(), 0.0, (index / 32 - 16).into());
+            many.objects.push(nff::Object {
+                line: 0,
+                material: 1,
+                shape: shape(place / 8.0),
+            });
+        }
+        many
+    };
+    let spheres = grid(1024, &|centre| nff::Shape::Sphere {
+        centre,
+        radius: 0.0625,
+    });
+    let polygons = grid(1024, &|place| nff::Shape::Polygon {
+        vertices: [DVec3::X, DVec3::Y, DVec3::Z]
+            .map(|it| place + it / 16.0)
+            .to_vec(),
+    });
+    for (name, near) in [
+        ("in local store", small),
+        ("streamed", large),
+        ("spheres", spheres),
+        ("polygons", polygons),
+    ] {
+        let draw = |scene: &nff::Scene| Frame::of(scene, WHITTED, SIZE, Settings::default());
+        let (here, there) = (draw(&near), draw(&moved(&near, by)));
+        let hits = here.rays().eye_hit;
+        assert!(hits > 1000, "{name}: {hits}");
+        assert_eq!(here.picture, there.picture, "{name}");
+    }
+}
+
 #[test]
 fn a_mesh_is_drawn_as_the_reference_draws_it() {
     for (rows, normals) in [(8, false), (8, true), (24, false), (24, true)] {
