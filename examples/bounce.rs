@@ -76,6 +76,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut session = Session::start(Bounce::default(), Settings::default(), picture)?;
     let mut clock = FixedSteps(Duration::from_secs(1) / 12);
     pictures.write(&mut session, frames, &mut clock, &mut NoInput)?;
-    eprintln!("{}", session.report());
+    talk::say!("{}", session.report());
     Ok(())
 }

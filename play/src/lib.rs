@@ -22,13 +22,12 @@ mod recording;
 mod reload;
 mod screenshot;
 mod spu_clock;
-mod talk;
 mod texts;
 mod viewer;
 mod waiting;
 
-use std::fmt::Write as _;
-use std::io::{self, IsTerminal as _, Write as _};
+use std::fmt::{Display, Write as _};
+use std::io::{self, IsTerminal as _};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -46,7 +45,6 @@ use self::frontend::Ending;
 use self::input::{DeviceSet, InputDevices, SystemDevices};
 use self::interactive::Player;
 use self::reload::Reload;
-use self::talk::say;
 use self::viewer::Viewer;
 
 /// The initial size of a window, and the default size of pictures.
@@ -167,13 +165,9 @@ fn list(games: &[Entry]) -> String {
     text
 }
 
-/// Writes to standard output. A reader that has closed its pipe is no error.
-fn print(text: &[u8]) -> Result<Ending, PlayError> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PlayError::Output(error)),
-        _ => Ok(Ending::Over),
-    }
+fn print(data: &[u8]) -> Result<Ending, PlayError> {
+    talk::print(data).map_err(PlayError::Output)?;
+    Ok(Ending::Over)
 }
 
 /// The requested display, or the first possible one.
@@ -314,6 +308,11 @@ fn pictures(
         made.written, made.kept
     ));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
+}
+
+/// Prints a line on standard error.
+fn say(line: impl Display) {
+    talk::say!("cellray-play: {line}");
 }
 
 fn tell(mut report: Report) {

@@ -94,7 +94,7 @@ pub fn frame(
     })?;
     fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
     tell(options, report)?;
-    eprintln!("cellray: {}: {} bytes", to.display(), text.len());
+    talk::say!("cellray: {}: {} bytes", to.display(), text.len());
     Ok(())
 }
 

@@ -101,9 +101,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let mut watch = Watch::new(arguments.options.files());
     loop {
         if let Err(error) = once(arguments) {
-            eprintln!("cellray: error: {error}");
+            talk::say!("cellray: error: {error}");
         }
-        eprintln!("cellray: waiting for a change");
+        talk::say!("cellray: waiting for a change");
         watch.wait();
     }
 }

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             engine.render(world.scene(&settings.program)?, &mut |_| {})?;
             Ok(())
         })?;
-        eprintln!("{}", path.display());
+        talk::say!("{}", path.display());
     }
     Ok(())
 }
