@@ -60,7 +60,7 @@ enum Verb {
         /// Size of the picture in pixels [default: the scene's own]
         #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
         size: Option<(u32, u32)>,
-        /// File to write the picture to
+        /// File to write the picture to, or - for standard output
         #[arg(long, value_name = "PNG")]
         out: PathBuf,
         /// Prints the numbers of rays as JSON (whitted)
@@ -217,6 +217,9 @@ fn main() -> ExitCode {
 type Done = Result<(), Box<dyn std::error::Error>>;
 
 fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option<&Path>) -> Done {
+    if diff == Some(Path::new("-")) {
+        return Err("--diff -: standard output has the errors; name a file".into());
+    }
     let picture = Picture::read_png(picture)?;
     let scene = load(scene)?;
     let size = (picture.width(), picture.height());
@@ -256,6 +259,9 @@ fn report(result: &Comparison, picture: &Picture) -> String {
 }
 
 fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, stats: bool) -> Done {
+    if stats && out == Path::new("-") {
+        return Err("--out - and --stats can't both have standard output".into());
+    }
     let scene = load(scene)?;
     let (width, height) = size.unwrap_or(scene.view.resolution);
     let Traced { reference, counts } = model.trace(&scene, (width, height))?;

@@ -39,7 +39,7 @@ use cellray::scene::mesh::gathered;
 use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
-use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines};
+use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines, terminal_size};
 use self::error::PlayError;
 use self::frontend::Ending;
 use self::input::{DeviceSet, InputDevices, SystemDevices};
@@ -144,7 +144,7 @@ fn show(path: &Path) -> Result<Ending, PlayError> {
         path: path.to_path_buf(),
         source,
     })?;
-    let columns = crossterm::terminal::size().map_or(80, |(columns, _)| columns);
+    let (columns, _) = terminal_size();
     print(&lines(
         &picture.to_rgb8(),
         columns,

@@ -1,10 +1,16 @@
-//! What happens if nobody takes what is printed.
+//! Where output goes: pictures to files, pipes and devices; and what happens if nobody takes what
+//! is printed.
 
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{self, Read as _};
+use std::os::unix::ffi::OsStrExt as _;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
-use super::support::text;
+use image::ImageFormat;
+
+use super::support::{bad, cellray, good, text};
 
 const SCENE: &str = "scenes/paper16.nff";
 
@@ -57,7 +63,8 @@ fn a_message_that_nobody_reads_costs_no_picture() {
 #[test]
 fn data_whose_reader_has_gone_ends_quietly() {
     let stats = ["render", SCENE, "--size", "64x48", "--stats", "-"];
-    for arguments in [&["sphereflake", "5"][..], &["info"], &stats] {
+    let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
+    for arguments in [&["sphereflake", "5"][..], &["info"], &stats, &picture] {
         let mut command = program();
         command.args(arguments).stdout(closed_pipe());
         let output = command.stderr(Stdio::piped()).output().unwrap();
@@ -70,7 +77,8 @@ fn data_whose_reader_has_gone_ends_quietly() {
 #[test]
 fn data_that_can_not_be_written_is_an_error() {
     let stats = ["render", SCENE, "--size", "64x48", "--stats", "-"];
-    for arguments in [&["sphereflake", "2"][..], &["info"], &stats] {
+    let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
+    for arguments in [&["sphereflake", "2"][..], &["info"], &stats, &picture] {
         let mut command = program();
         command.args(arguments).stdout(full_disk());
         let output = command.stderr(Stdio::piped()).output().unwrap();
@@ -96,4 +104,70 @@ fn a_reader_that_has_enough_gets_the_first_lines() {
     let output = generator.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(text(&output.stderr), "");
+}
+
+#[test]
+fn a_picture_goes_to_standard_output_alone() {
+    let arguments = ["render", SCENE, "--size", "64x48", "--out", "-"];
+    for more in [&[][..], &["--corners"]] {
+        let output = cellray(&[&arguments[..], more].concat());
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let picture = image::load_from_memory_with_format(&output.stdout, ImageFormat::Png);
+        assert_eq!(picture.unwrap().height(), 48);
+    }
+    assert!(!Path::new(env!("CARGO_MANIFEST_DIR")).join("-").exists());
+    for more in [&["--stats", "-"][..], &["--frames", "2"], &["--watch"]] {
+        bad(&[&arguments[..], more].concat(), &["--out -"]);
+    }
+}
+
+#[test]
+fn the_extension_is_the_format() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let render = |out: &str| {
+        ["render", SCENE, "--size", "64x48", "--out"]
+            .map(str::to_owned)
+            .into_iter()
+            .chain([out.to_owned()])
+            .collect::<Vec<_>>()
+    };
+    let arguments = render(&path("p.jpg"));
+    good(&arguments.iter().map(String::as_str).collect::<Vec<_>>());
+    let bytes = fs::read(path("p.jpg")).unwrap();
+    assert_eq!(image::guess_format(&bytes).unwrap(), ImageFormat::Jpeg);
+    for name in ["p.gif", "p-%d.bmp", "p.png~"] {
+        let arguments = render(&path(name));
+        let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
+        bad(&arguments, &[".png, .jpg or .jpeg"]);
+        bad(
+            &[&arguments[..], &["--inspect", &path("page.html")]].concat(),
+            &[],
+        );
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn a_device_is_written_to() {
+    good(&["render", SCENE, "--size", "64x48", "--out", "/dev/null"]);
+    bad(
+        &["render", SCENE, "--size", "64x48", "--out", "/dev/full"],
+        &["/dev/full"],
+    );
+}
+
+#[test]
+fn numbered_pictures_may_have_any_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join(OsStr::from_bytes(b"\xe4-%03d.png"));
+    let mut render = program();
+    render.args(["render", SCENE, "--size", "64x48", "--frames", "1..3"]);
+    let output = render.arg("--out").arg(out).output().unwrap();
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let names = fs::read_dir(folder.path()).unwrap();
+    let mut names: Vec<_> = names.map(|entry| entry.unwrap().file_name()).collect();
+    names.sort();
+    let expected = [&b"\xe4-001.png"[..], b"\xe4-002.png"];
+    assert_eq!(names, expected.map(OsStr::from_bytes));
 }
