@@ -4,6 +4,7 @@
 //! Invariant: every number that depth shading uses is in the domain that the kernels state.
 
 pub(crate) mod block;
+pub(crate) mod eye_side;
 pub mod mesh;
 #[cfg(test)]
 pub(crate) mod random;
