@@ -378,6 +378,15 @@ impl Scene {
     }
 }
 
+/// A note about objects of a scene that rays leave so far off that they can't see others, if there
+/// are any: their numbers, relative to the eye, are too large for singles beside the others' sizes.
+/// Only Whitted's model has such rays.
+#[must_use]
+pub fn offset_note(scene: &nff::Scene, render_options: RenderOptions) -> Option<String> {
+    let is_whitted = render_options.is_whitted(scene.lights.len());
+    is_whitted.then(|| block::offset_note(scene)).flatten()
+}
+
 /// The options of the block for these render options.
 fn options(render_options: RenderOptions) -> BlockOptions {
     BlockOptions {

@@ -36,6 +36,7 @@ use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
 use cellray::scene::mesh::gathered;
+use cellray::scene::offset_note;
 use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
@@ -117,7 +118,11 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
-            let viewer = Viewer::new(scene, view.render_options());
+            let render_options = view.render_options();
+            if let Some(note) = offset_note(&scene, render_options) {
+                say(note);
+            }
+            let viewer = Viewer::new(scene, render_options);
             session(
                 Box::new(viewer),
                 Some(0),

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use cellray::choices::{Antialias, Colour, Model, Quality, Split};
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
+use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples, offset_note};
 use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
@@ -190,11 +190,14 @@ pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
 pub fn scene(
     options: &Options,
-    scene: &nff::Scene,
+    source: &nff::Scene,
     render_options: RenderOptions,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(scene, render_options, program)?;
+    let scene = Scene::new(source, render_options, program)?;
+    if let Some(note) = offset_note(source, render_options) {
+        talk::say!("cellray: note: {note}");
+    }
     for what in scene.not_drawn() {
         talk::say!("cellray: note: {what}");
     }

@@ -171,3 +171,37 @@ fn numbered_pictures_may_have_any_name() {
     let expected = [&b"\xe4-001.png"[..], b"\xe4-002.png"];
     assert_eq!(names, expected.map(OsStr::from_bytes));
 }
+
+#[test]
+fn a_ground_too_large_for_its_shadows_is_noted() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("ground.nff");
+    let scene = |radius: u32| {
+        format!(
+            "v\nfrom 0 3 9\nat 0 1 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\nl 5 9 5\n\
+             f 1 1 1 1 0 0 0 1\ns 0 1 0 1\ns 0 -{radius} 0 {radius}\n"
+        )
+    };
+    let name = file.to_str().unwrap();
+    let frame = folder.path().join("fb");
+    let on_framebuffer = [
+        "fb",
+        name,
+        "--size",
+        "32x24",
+        "--device",
+        frame.to_str().unwrap(),
+    ];
+    for (radius, is_noted) in [(1_000_000, true), (1000, false)] {
+        fs::write(&file, scene(radius)).unwrap();
+        for arguments in [&["render", name][..], &on_framebuffer] {
+            let (_, said) = good(arguments);
+            let note = format!("cellray: note: {name}:11: rays leave this sphere 1.9");
+            assert_eq!(said.contains(&note), is_noted, "{said}");
+            assert_eq!(said.contains("in line 10, 2 across"), is_noted, "{said}");
+        }
+        // Depth shading has no shadows.
+        let (_, said) = good(&["render", name, "--model", "depth"]);
+        assert!(!said.contains("rays leave"), "{said}");
+    }
+}
