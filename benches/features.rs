@@ -3,6 +3,11 @@
 //!
 //!     cargo bench --bench features [-- SCENE.nff [WxH]]
 
+#![expect(
+    clippy::print_stdout,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use std::path::Path;
 use std::process::Command;
 

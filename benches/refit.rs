@@ -4,6 +4,11 @@
 //!
 //!     cargo bench --bench refit [-- meshes|objects]
 
+#![expect(
+    clippy::print_stdout,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::process::Command;

@@ -70,12 +70,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     std::fs::create_dir_all(&folder)?;
     let pattern = folder.join("bounce-%03d.png");
-    let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER is not valid UTF-8")?)?;
+    let paths = NumberedPath::new(pattern)?;
     let pictures = Pictures::new(paths);
     let picture = Box::new(Memory::new(Geometry::new(640, 360)?)?);
     let mut session = Session::start(Bounce::default(), Settings::default(), picture)?;
     let mut clock = FixedSteps(Duration::from_secs(1) / 12);
     pictures.write(&mut session, frames, &mut clock, &mut NoInput)?;
-    eprintln!("{}", session.report());
+    talk::say!("{}", session.report());
     Ok(())
 }

@@ -34,10 +34,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         let loading = least(times, load)?;
         let scene = loaded.ok_or(usage)?;
         let preparing = least(times, || prepare(&scene))?;
-        println!("{loading:.2} {preparing:.2} {:.1}", most_memory()?);
+        let memory = most_memory()?;
+        talk::print(format!("{loading:.2} {preparing:.2} {memory:.1}\n"))?;
     } else {
         let scene = objects(shape, count.parse()?).ok_or(usage)?;
-        println!("{:.2}", least(times, || prepare(&scene))?);
+        talk::print(format!("{:.2}\n", least(times, || prepare(&scene))?))?;
     }
     Ok(())
 }

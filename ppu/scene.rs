@@ -4,6 +4,7 @@
 //! Invariant: every number that depth shading uses is in the domain that the kernels state.
 
 pub(crate) mod block;
+pub(crate) mod eye_side;
 pub mod mesh;
 #[cfg(test)]
 pub(crate) mod random;
@@ -375,6 +376,15 @@ impl Scene {
     pub fn not_drawn(&self) -> &[NotDrawn] {
         &self.not_drawn
     }
+}
+
+/// A note about objects of a scene that rays leave so far off that they can't see others, if there
+/// are any: their numbers, relative to the eye, are too large for singles beside the others' sizes.
+/// Only Whitted's model has such rays.
+#[must_use]
+pub fn offset_note(scene: &nff::Scene, render_options: RenderOptions) -> Option<String> {
+    let is_whitted = render_options.is_whitted(scene.lights.len());
+    is_whitted.then(|| block::offset_note(scene)).flatten()
 }
 
 /// The options of the block for these render options.

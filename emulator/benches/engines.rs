@@ -4,6 +4,11 @@
 //! Each loop is a mix of one kind of instruction, a counter and a branch. A figure is the best of
 //! several runs, because other activity on the host can only slow a run down.
 
+#![expect(
+    clippy::print_stdout,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use spu_emulator::channel::Channels;
 use spu_emulator::compiled::{Runner, Translations};
 use spu_emulator::interp::{Quad, Spu};

@@ -4,6 +4,11 @@
 //! Each stream is a loop, fed as the interpreter feeds it, with a branch every sixteen
 //! instructions.
 
+#![expect(
+    clippy::print_stdout,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use spu_isa::timing::{Pipeline, Rules};
 use spu_isa::{Instruction, Op};
 use std::time::Instant;

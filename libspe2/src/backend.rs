@@ -41,11 +41,13 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
         None => Choice::Emulator,
         Some(name) if name == "emulator" => Choice::Emulator,
         Some(name) if name == "spufs" && timing => {
-            eprintln!("libspe2: {VARIABLE}=spufs does not go with simulated time (LIBSPE2_TIMING)");
+            talk::say!(
+                "libspe2: {VARIABLE}=spufs does not go with simulated time (LIBSPE2_TIMING)"
+            );
             return Err(Errno(libc::EINVAL));
         }
         Some(name) if name == "spufs" && debugged => {
-            eprintln!("libspe2: {VARIABLE}=spufs does not go with a debugger (LIBSPE2_GDB)");
+            talk::say!("libspe2: {VARIABLE}=spufs does not go with a debugger (LIBSPE2_GDB)");
             return Err(Errno(libc::EINVAL));
         }
         Some(name) if name == "spufs" => {
@@ -53,7 +55,7 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
             Choice::Spufs
         }
         Some(name) => {
-            eprintln!("libspe2: {VARIABLE} is spufs or emulator, not {name:?}");
+            talk::say!("libspe2: {VARIABLE} is spufs or emulator, not {name:?}");
             return Err(Errno(libc::EINVAL));
         }
     };

@@ -27,7 +27,7 @@ fn spes() -> Result<c_int, Errno> {
     number
         .filter(|number| (1..=MAX_SPES).contains(number))
         .ok_or_else(|| {
-            eprintln!("libspe2: {VARIABLE} must be a number from 1 to {MAX_SPES}, not {text:?}");
+            talk::say!("libspe2: {VARIABLE} must be a number from 1 to {MAX_SPES}, not {text:?}");
             Errno(libc::EINVAL)
         })
 }

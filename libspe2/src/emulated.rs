@@ -111,7 +111,7 @@ impl Emulated {
     fn after(&self, stopped: &Stopped) -> (u32, Ended) {
         let npc = stopped.npc;
         if let Some((_, difference)) = self.spe.difference() {
-            eprintln!("libspe2: {difference}");
+            talk::say!("libspe2: {difference}");
             return (npc, Ended::Return(Outcome::fatal(-1)));
         }
         let dma = |event, signal| {

@@ -32,7 +32,7 @@ struct OpenImage {
 }
 
 fn refuse(error: &ElfError) -> Errno {
-    eprintln!("libspe2: {error}");
+    talk::say!("libspe2: {error}");
     Errno(libc::EINVAL)
 }
 

@@ -85,12 +85,12 @@ pub(crate) fn write_reports() {
 
 fn tell(name: &str, file: &ReportFile, written: io::Result<()>) {
     if let Err(error) = written {
-        eprintln!("libspe2: {name}: {}: {error}", file.path().display());
+        talk::say!("libspe2: {name}: {}: {error}", file.path().display());
     }
 }
 
 fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
-    eprintln!("libspe2: {name} {expected}, not {value:?}");
+    talk::say!("libspe2: {name} {expected}, not {value:?}");
     Errno(libc::EINVAL)
 }
 
@@ -126,9 +126,9 @@ fn debugger() -> Result<Option<Arc<Debugger>>, Errno> {
     };
     let debugger = Debugger::new(kill_this_process);
     match debugger.listen(port) {
-        Ok(address) => eprintln!("libspe2: waiting for a debugger: target remote {address}"),
+        Ok(address) => talk::say!("libspe2: waiting for a debugger: target remote {address}"),
         Err(error) => {
-            eprintln!("libspe2: {GDB}={port}: {error}");
+            talk::say!("libspe2: {GDB}={port}: {error}");
             return Err(Errno(error.raw_os_error().unwrap_or(libc::EIO)));
         }
     }
@@ -150,7 +150,9 @@ fn engine(timing: bool) -> Result<Engine, Errno> {
     };
     match (timing, switch(CHECK)?) {
         (false, true) if engine == Engine::Interpreter => {
-            eprintln!("libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both");
+            talk::say!(
+                "libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both"
+            );
             Err(Errno(libc::EINVAL))
         }
         (_, true) if engine == Engine::Compiler => Ok(Engine::Check),
@@ -175,7 +177,7 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
         Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
     };
     if policy == Policy::AtLast && machine()?.emulated.simulation().is_some() {
-        eprintln!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
+        talk::say!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
         return Err(Errno(libc::ENOTSUP));
     }
     Ok(policy)
@@ -186,7 +188,7 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
     let Some(path) = path(name, timing)? else {
         return Ok(None);
     };
-    let told = |error: &io::Error| eprintln!("libspe2: {name}: {}: {error}", path.display());
+    let told = |error: &io::Error| talk::say!("libspe2: {name}: {}: {error}", path.display());
     Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
 }
 
@@ -199,7 +201,7 @@ fn path(name: &str, timing: bool) -> Result<Option<PathBuf>, Errno> {
         return Err(refused(name, "is a path", &path));
     }
     if !timing {
-        eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
+        talk::say!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
         return Err(Errno(libc::EINVAL));
     }
     Ok(Some(path.into()))
@@ -211,7 +213,7 @@ fn description(timing: bool) -> Result<Timing, Errno> {
         return Ok(Timing::default());
     };
     Timing::read(&path).map_err(|error| {
-        eprintln!("libspe2: {DESCRIPTION}: {error}");
+        talk::say!("libspe2: {DESCRIPTION}: {error}");
         Errno(libc::EINVAL)
     })
 }

@@ -2,6 +2,11 @@
 //! system calls. This is a separate program without the test harness, because it replaces standard
 //! output by a file.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "a test has nothing to lose but its output"
+)]
+
 use std::ffi::CString;
 use std::fs::{self, File};
 use std::os::fd::AsRawFd as _;

@@ -2,6 +2,10 @@
 //! program without the test harness, because signal handlers belong to the whole process, and
 //! because it forks, which needs a process without other threads.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "a test has nothing to lose but its output"
+)]
 #![expect(
     clippy::undocumented_unsafe_blocks,
     reason = "each block calls the C library or the C API with pointers that outlive the call"

@@ -47,13 +47,11 @@ impl Script {
 /// The `main` of a build script. An error goes to standard error as readable text.
 pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> ExitCode {
     let mut directives = Script::default();
-    match work(&mut directives) {
-        Ok(()) => {
-            print!("{}", directives.0);
-            ExitCode::SUCCESS
-        }
+    let worked = work(&mut directives);
+    match worked.and_then(|()| Ok(talk::print(directives.0)?)) {
+        Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("{error}");
+            talk::say!("{error}");
             ExitCode::FAILURE
         }
     }

@@ -79,6 +79,12 @@ pub enum Error {
         /// The reason.
         source: image::ImageError,
     },
+    /// The name of a picture has the extension of another format.
+    #[error("{}: a reference is written as .png, which loses nothing", path.display())]
+    Format {
+        /// The file.
+        path: PathBuf,
+    },
     /// A PNG has channels other than 8-bit red, green and blue.
     #[error("{}: the PNG has pixels of the kind {kind}, not red, green and blue of 8 bits", path.display())]
     Kind {

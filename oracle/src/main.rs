@@ -2,7 +2,6 @@
 //!
 //! Data goes to standard output, messages go to standard error.
 
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -61,7 +60,7 @@ enum Verb {
         /// Size of the picture in pixels [default: the scene's own]
         #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
         size: Option<(u32, u32)>,
-        /// File to write the picture to
+        /// File to write the picture to, or - for standard output
         #[arg(long, value_name = "PNG")]
         out: PathBuf,
         /// Prints the numbers of rays as JSON (whitted)
@@ -149,7 +148,7 @@ impl Model {
         match self.name {
             Name::Depth => {
                 for left_out in not_drawn(scene) {
-                    eprintln!("{left_out}");
+                    talk::say!("{left_out}");
                 }
                 let reference = oracle::trace(scene, width, height)?;
                 Ok(Traced {
@@ -209,7 +208,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("oracle: {error}");
+            talk::say!("oracle: {error}");
             ExitCode::FAILURE
         }
     }
@@ -218,6 +217,9 @@ fn main() -> ExitCode {
 type Done = Result<(), Box<dyn std::error::Error>>;
 
 fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option<&Path>) -> Done {
+    if diff == Some(Path::new("-")) {
+        return Err("--diff -: standard output has the errors; name a file".into());
+    }
     let picture = Picture::read_png(picture)?;
     let scene = load(scene)?;
     let size = (picture.width(), picture.height());
@@ -225,7 +227,7 @@ fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option
     let result = oracle::compare(&picture, &reference)?;
     if let Some(diff) = diff {
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
-        eprintln!(
+        talk::say!(
             "{}: the difference, {DIFFERENCE_SCALE} times amplified",
             diff.display()
         );
@@ -236,8 +238,7 @@ fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option
         report(&result, &picture)
     };
     text.push('\n');
-    io::stdout().write_all(text.as_bytes())?;
-    Ok(())
+    Ok(talk::print(text)?)
 }
 
 fn report(result: &Comparison, picture: &Picture) -> String {
@@ -258,6 +259,9 @@ fn report(result: &Comparison, picture: &Picture) -> String {
 }
 
 fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, stats: bool) -> Done {
+    if stats && out == Path::new("-") {
+        return Err("--out - and --stats can't both have standard output".into());
+    }
     let scene = load(scene)?;
     let (width, height) = size.unwrap_or(scene.view.resolution);
     let Traced { reference, counts } = model.trace(&scene, (width, height))?;
@@ -267,14 +271,14 @@ fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, sta
         Name::Depth => "spheres",
         Name::Whitted => "objects",
     };
-    eprintln!(
+    talk::say!(
         "{}: {width}x{height}, {what} cover {covered:.1} %",
         out.display()
     );
     if let Some(counts) = counts.filter(|_| stats) {
         let mut text = serde_json::to_string(&counts)?;
         text.push('\n');
-        io::stdout().write_all(text.as_bytes())?;
+        talk::print(text)?;
     }
     Ok(())
 }
@@ -283,7 +287,7 @@ fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, sta
 fn load(name: &Path) -> Result<Scene, meshes::Error> {
     let loaded = meshes::load(name)?;
     for note in loaded.notes {
-        eprintln!("{}: {note}", name.display());
+        talk::say!("{}: {note}", name.display());
     }
     Ok(loaded.scene)
 }

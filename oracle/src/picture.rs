@@ -4,7 +4,7 @@
 //! size.
 
 use std::fs::File;
-use std::io::BufReader;
+use std::io::{BufReader, Cursor};
 use std::path::Path;
 
 use image::{ImageFormat, ImageReader, RgbImage};
@@ -53,17 +53,32 @@ impl Picture {
         }
     }
 
-    /// Writes a PNG.
+    /// Writes a PNG; `-` is standard output.
     ///
     /// # Errors
-    /// The file can't be written.
+    /// The name has the extension of another format, or the file can't be written.
     pub fn write_png(&self, path: &Path) -> Result<(), Error> {
+        let failed = |source| Error::Png {
+            path: path.to_owned(),
+            source,
+        };
+        if path == Path::new("-") {
+            let mut bytes = Cursor::new(Vec::new());
+            let encoded = self.image.write_to(&mut bytes, ImageFormat::Png);
+            encoded.map_err(failed)?;
+            return talk::print(bytes.into_inner()).map_err(|error| failed(error.into()));
+        }
+        if path
+            .extension()
+            .is_some_and(|extension| !extension.eq_ignore_ascii_case("png"))
+        {
+            return Err(Error::Format {
+                path: path.to_owned(),
+            });
+        }
         self.image
             .save_with_format(path, ImageFormat::Png)
-            .map_err(|source| Error::Png {
-                path: path.to_owned(),
-                source,
-            })
+            .map_err(failed)
     }
 
     /// The width in pixels.

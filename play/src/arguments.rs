@@ -5,10 +5,11 @@ use std::time::Duration;
 
 use cellray::Settings;
 use cellray::choices::{Antialias, Colour, Model};
-use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
+use cellray::framebuffer::{Geometry, NumberedPath};
 use cellray::game::FrameRange;
 use cellray::scene::{CONTRAST, Look, RenderOptions, Samples};
 use cellray::spe::Program;
+use clap::builder::{OsStringValueParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
 use crate::error::PlayError;
@@ -157,7 +158,7 @@ pub struct Options {
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<FrameRange>,
     /// Numbered pictures to write, such as f-%05d.png; pictures that exist are kept
-    #[arg(long, value_name = "F-%05d.png", value_parser = numbered)]
+    #[arg(long, value_name = "F-%05d.png", value_parser = OsStringValueParser::new().try_map(NumberedPath::new))]
     pub out: Option<NumberedPath>,
     /// Frames a second of game time, for pictures
     #[arg(long, default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
@@ -257,8 +258,4 @@ impl Options {
     pub fn step(&self) -> Duration {
         Duration::from_secs(1) / self.fps
     }
-}
-
-fn numbered(text: &str) -> Result<NumberedPath, FramebufferError> {
-    NumberedPath::new(text)
 }

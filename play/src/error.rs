@@ -61,8 +61,8 @@ pub enum PlayError {
     #[error("display: {0}")]
     Show(#[source] io::Error),
     /// Standard output can't be written to.
-    #[error("standard output: {0}")]
-    Output(#[source] io::Error),
+    #[error(transparent)]
+    Output(io::Error),
     /// Signals can't be caught.
     #[error("signals: {0}")]
     Signals(#[source] io::Error),

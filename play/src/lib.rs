@@ -22,13 +22,12 @@ mod recording;
 mod reload;
 mod screenshot;
 mod spu_clock;
-mod talk;
 mod texts;
 mod viewer;
 mod waiting;
 
-use std::fmt::Write as _;
-use std::io::{self, IsTerminal as _, Write as _};
+use std::fmt::{Display, Write as _};
+use std::io::{self, IsTerminal as _};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -37,16 +36,16 @@ use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
 use cellray::scene::mesh::gathered;
+use cellray::scene::offset_note;
 use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
-use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines};
+use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines, terminal_size};
 use self::error::PlayError;
 use self::frontend::Ending;
 use self::input::{DeviceSet, InputDevices, SystemDevices};
 use self::interactive::Player;
 use self::reload::Reload;
-use self::talk::say;
 use self::viewer::Viewer;
 
 /// The initial size of a window, and the default size of pictures.
@@ -119,7 +118,11 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
-            let viewer = Viewer::new(scene, view.render_options());
+            let render_options = view.render_options();
+            if let Some(note) = offset_note(&scene, render_options) {
+                say(note);
+            }
+            let viewer = Viewer::new(scene, render_options);
             session(
                 Box::new(viewer),
                 Some(0),
@@ -146,7 +149,7 @@ fn show(path: &Path) -> Result<Ending, PlayError> {
         path: path.to_path_buf(),
         source,
     })?;
-    let columns = crossterm::terminal::size().map_or(80, |(columns, _)| columns);
+    let (columns, _) = terminal_size();
     print(&lines(
         &picture.to_rgb8(),
         columns,
@@ -167,13 +170,9 @@ fn list(games: &[Entry]) -> String {
     text
 }
 
-/// Writes to standard output. A reader that has closed its pipe is no error.
-fn print(text: &[u8]) -> Result<Ending, PlayError> {
-    let mut out = io::stdout().lock();
-    match out.write_all(text).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PlayError::Output(error)),
-        _ => Ok(Ending::Over),
-    }
+fn print(data: &[u8]) -> Result<Ending, PlayError> {
+    talk::print(data).map_err(PlayError::Output)?;
+    Ok(Ending::Over)
 }
 
 /// The requested display, or the first possible one.
@@ -314,6 +313,11 @@ fn pictures(
         made.written, made.kept
     ));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
+}
+
+/// Prints a line on standard error.
+fn say(line: impl Display) {
+    talk::say!("cellray-play: {line}");
 }
 
 fn tell(mut report: Report) {

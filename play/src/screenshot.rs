@@ -6,7 +6,7 @@ use std::fs::{self, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cellray::framebuffer::write_png;
+use cellray::framebuffer::write_picture;
 use image::RgbImage;
 
 /// The highest number.
@@ -46,7 +46,7 @@ pub fn write(folder: &Path, stem: &str, picture: &RgbImage) -> Result<PathBuf, S
         // The file is created first, so that a concurrent writer gets another name.
         match OpenOptions::new().write(true).create_new(true).open(&path) {
             Ok(_) => {
-                if let Err(error) = write_png(&path, picture) {
+                if let Err(error) = write_picture(&path, picture) {
                     // The first error is the one to report.
                     let _ = fs::remove_file(&path);
                     return Err(error.into());

@@ -79,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;
-    eprintln!("cellray: {}", framebuffer.describe());
+    talk::say!("cellray: {}", framebuffer.describe());
     let frames = arguments
         .frames
         .or_else(|| (!is_device(&arguments.device)).then_some(1));

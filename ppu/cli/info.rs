@@ -1,6 +1,6 @@
 //! `cellray info`: shows the libspe2, the SPEs and the framebuffer that this program uses.
 
-use std::io::Write as _;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use cellray::framebuffer::Device;
@@ -25,7 +25,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         .as_deref()
         .map_or("unknown".into(), Path::to_string_lossy);
     let program = Program::tracer();
-    let mut out = std::io::stdout().lock();
+    let mut out = String::new();
     writeln!(out, "libspe2      {library}")?;
     writeln!(out, "SPEs         {}", spe::usable_spes()?)?;
     let bytes = program.image().len();
@@ -52,5 +52,5 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(line) => writeln!(out, "framebuffer  {line}")?,
         Err(error) => writeln!(out, "framebuffer  none: {error}")?,
     }
-    Ok(())
+    Ok(talk::print(out)?)
 }

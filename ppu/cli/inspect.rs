@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use cellray::engine::TracedTile;
-use cellray::framebuffer::{Geometry, Memory, write_png};
+use cellray::framebuffer::{Geometry, Memory, PictureFile, write_picture};
 use cellray::{Engine, LoopTime, Report, Scene};
 use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
 use image::codecs::png::PngEncoder;
@@ -38,6 +38,9 @@ pub fn frame(
     to: &Path,
 ) -> Outcome {
     let program = options.program()?;
+    if let Some(out) = out {
+        PictureFile::new(out, geometry)?;
+    }
     let mut engine = Engine::start(options.settings(program), Box::new(Memory::new(geometry)?))?;
     let size = (geometry.width, geometry.height);
     let formulations = program.formulations().ok();
@@ -54,7 +57,7 @@ pub fn frame(
     drop(engine);
     let (timeline, profile) = (recording.timeline()?, recording.profile()?);
     if let Some(out) = out {
-        write_png(out, &picture)?;
+        write_picture(out, &picture)?;
     }
 
     let settings = options.settings(program);
@@ -94,7 +97,7 @@ pub fn frame(
     })?;
     fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
     tell(options, report)?;
-    eprintln!("cellray: {}: {} bytes", to.display(), text.len());
+    talk::say!("cellray: {}: {} bytes", to.display(), text.len());
     Ok(())
 }
 

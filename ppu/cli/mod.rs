@@ -79,7 +79,7 @@ pub fn main() -> ExitCode {
     match dispatch(&Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("cellray: error: {error}");
+            talk::say!("cellray: error: {error}");
             ExitCode::FAILURE
         }
     }

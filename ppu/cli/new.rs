@@ -87,7 +87,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         made.and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    eprintln!(
+    talk::say!(
         "cellray: made {0}; next: cd {0} && cargo run --release",
         folder.display()
     );

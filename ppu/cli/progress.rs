@@ -1,6 +1,6 @@
 //! Shows the progress of long frames on standard error.
 
-use std::io::{IsTerminal as _, Write as _};
+use std::io::IsTerminal as _;
 use std::time::{Duration, Instant};
 
 /// No progress is shown for frames that take less time than this.
@@ -39,18 +39,16 @@ impl Progress {
         self.shown = Some(Instant::now());
         let text = format!("cellray: frame {frame}: {:.0} %", part * 100.0);
         if self.terminal {
-            eprint!("\r{text}  ");
-            // If progress can't be shown, the work still goes on.
-            let _ = std::io::stderr().flush();
+            talk::part(&format!("\r{text}  "));
         } else {
-            eprintln!("{text}");
+            talk::say!("{text}");
         }
     }
 
     /// Ends the progress line.
     pub fn end(&mut self) {
         if self.terminal && self.shown.is_some() {
-            eprintln!();
+            talk::part("\n");
         }
     }
 }

@@ -1,9 +1,11 @@
 //! `cellray render`: traces a scene into a PNG file, or into a sequence of them.
 
+use std::io::IsTerminal as _;
+use std::os::unix::ffi::OsStrExt as _;
 use std::path::{Path, PathBuf};
 
 use cellray::framebuffer::{
-    Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Png,
+    Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, PictureFile,
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
 use cellray::scene::mesh::gathered;
@@ -20,9 +22,9 @@ pub struct Arguments {
     /// Width and height in pixels [default: the scene's own]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Picture to write; without it the frames are traced and only measured. If the name has a
-    /// place for the frame's number, as f-%05d.png, every frame becomes a picture; pictures that
-    /// exist are kept
+    /// Picture to write, a .png, a .jpg, or - for a PNG on standard output; without it the frames
+    /// are traced and only measured. If the name has a place for the frame's number, as f-%05d.png,
+    /// every frame becomes a picture; pictures that exist are kept
     #[arg(long, value_name = "F.png")]
     out: Option<PathBuf>,
     /// Frames: N for the first N, traced only once unless --retrace is given; or A..B for numbered
@@ -61,9 +63,23 @@ impl Arguments {
 
     /// The names of numbered pictures, if `--out` asks for them.
     fn numbered(&self) -> Result<Option<NumberedPath>, FramebufferError> {
-        let pattern = self.out.as_deref().and_then(Path::to_str);
-        let pattern = pattern.filter(|pattern| pattern.contains('%'));
+        let has_place = |out: &&PathBuf| out.as_os_str().as_bytes().contains(&b'%');
+        let pattern = self.out.as_ref().filter(has_place);
         pattern.map(NumberedPath::new).transpose()
+    }
+
+    /// Refuses what would mix something into a picture on standard output.
+    fn check_output(&self) -> Result<(), &'static str> {
+        if self.options.stats.as_deref() == Some(Path::new("-")) {
+            return Err("--out - and --stats - can't both have standard output");
+        }
+        if self.watch || (self.frames.first, self.frames.end) != (0, 1) {
+            return Err("--out - writes one picture: leave out --watch and --frames");
+        }
+        if std::io::stdout().is_terminal() {
+            return Err("--out -: standard output is a terminal; redirect it to a file or a pipe");
+        }
+        Ok(())
     }
 
     /// Writes every frame as a picture while the eye goes around the scene.
@@ -92,6 +108,9 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
+    if arguments.out.as_deref() == Some(Path::new("-")) {
+        arguments.check_output()?;
+    }
     if !arguments.watch {
         return once(arguments);
     }
@@ -101,9 +120,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let mut watch = Watch::new(arguments.options.files());
     loop {
         if let Err(error) = once(arguments) {
-            eprintln!("cellray: error: {error}");
+            talk::say!("cellray: error: {error}");
         }
-        eprintln!("cellray: waiting for a change");
+        talk::say!("cellray: waiting for a change");
         watch.wait();
     }
 }
@@ -128,7 +147,7 @@ fn once(arguments: &Arguments) -> Outcome {
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),
-        Some(path) => Box::new(Png::new(path, geometry)?),
+        Some(path) => Box::new(PictureFile::new(path, geometry)?),
         None => Box::new(Memory::new(geometry)?),
     };
     let enough = |traced| traced as u64 >= arguments.frames.end;

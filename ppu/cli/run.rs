@@ -1,13 +1,12 @@
 //! The common part of `render` and `fb`: a scene, SPUs, a number of frames, statistics.
 
 use std::fs;
-use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::choices::{Antialias, Colour, Model, Quality, Split};
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples};
+use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples, offset_note};
 use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
@@ -182,7 +181,7 @@ impl Options {
 pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
     let meshes::Loaded { mut scene, notes } = meshes::load(&options.scene)?;
     for note in notes {
-        eprintln!("cellray: note: {}: {note}", options.scene.display());
+        talk::say!("cellray: note: {}: {note}", options.scene.display());
     }
     options.camera.place(&mut scene.view);
     Ok(scene)
@@ -191,18 +190,21 @@ pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
 pub fn scene(
     options: &Options,
-    scene: &nff::Scene,
+    source: &nff::Scene,
     render_options: RenderOptions,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(scene, render_options, program)?;
+    let scene = Scene::new(source, render_options, program)?;
+    if let Some(note) = offset_note(source, render_options) {
+        talk::say!("cellray: note: {note}");
+    }
     for what in scene.not_drawn() {
-        eprintln!("cellray: note: {what}");
+        talk::say!("cellray: note: {what}");
     }
     if let Some(requested) = &options.sphere {
         let used = scene.sphere_formulation(&program.formulations()?).name;
         if used != requested {
-            eprintln!(
+            talk::say!(
                 "cellray: note: {requested} has no kernel for this scene's rays; {used} is used instead"
             );
         }
@@ -240,7 +242,7 @@ pub fn frames(
 pub fn tell(options: &Options, mut report: Report) -> Outcome {
     report.add_memory();
     for line in report.to_string().lines() {
-        eprintln!("cellray: {line}");
+        talk::say!("cellray: {line}");
     }
     match &options.stats {
         Some(path) => write_stats(path, &report),
@@ -251,10 +253,8 @@ pub fn tell(options: &Options, mut report: Report) -> Outcome {
 fn write_stats(path: &Path, report: &Report) -> Outcome {
     let mut text = serde_json::to_string_pretty(report)?;
     text.push('\n');
-    let result = if path == Path::new("-") {
-        std::io::stdout().write_all(text.as_bytes())
-    } else {
-        fs::write(path, text)
-    };
-    Ok(result.map_err(|error| format!("statistics {}: {error}", path.display()))?)
+    if path == Path::new("-") {
+        return Ok(talk::print(text)?);
+    }
+    Ok(fs::write(path, text).map_err(|error| format!("statistics {}: {error}", path.display()))?)
 }

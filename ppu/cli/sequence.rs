@@ -25,12 +25,13 @@ pub fn run(
     let mut clock = FixedSteps(Duration::ZERO);
     let made = pictures.write(&mut session, frames, &mut clock, &mut interrupted)?;
     run::tell(options, session.report().clone())?;
-    eprintln!(
+    talk::say!(
         "cellray: {} picture(s) written, {} existed already",
-        made.written, made.kept
+        made.written,
+        made.kept
     );
     if let Some(signal) = interrupted.signal() {
-        eprintln!("cellray: ended by signal {signal}");
+        talk::say!("cellray: ended by signal {signal}");
         emulate_default_handler(signal)?;
     }
     Ok(())

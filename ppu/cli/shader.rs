@@ -52,7 +52,7 @@ fn build(sources: &[PathBuf], out: Option<&Path>) -> Outcome {
     let shaders = Program::from_image(&image)?.shaders()?;
     let out = named(&sources[0], out, "elf");
     fs::write(&out, &image).map_err(|error| format!("{}: {error}", out.display()))?;
-    eprintln!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
+    talk::say!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
     Ok(())
 }
 

@@ -1,7 +1,5 @@
 //! `cellray sphereflake`: writes a generated scene as a file.
 
-use std::io::{BufWriter, Write as _};
-
 use clap::Args;
 
 use super::Outcome;
@@ -17,7 +15,5 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Outcome {
     let scene = nff::sphereflake::generate(arguments.level)?;
-    let mut out = BufWriter::new(std::io::stdout().lock());
-    write!(out, "{scene}")?;
-    Ok(out.flush()?)
+    Ok(talk::print_with(|out| write!(out, "{scene}"))?)
 }

@@ -5,7 +5,7 @@
 //! colours are rounded to bytes before they are averaged, so a pixel is up to half a step off its
 //! exact mean.
 
-use super::{Framebuffer, FramebufferError, Geometry, Memory, Png, Target, write_png};
+use super::{Framebuffer, FramebufferError, Geometry, Memory, PictureFile, Target, write_picture};
 use image::{Rgb, RgbImage};
 use std::path::{Path, PathBuf};
 
@@ -21,12 +21,12 @@ impl Corners {
     /// frame.
     ///
     /// # Errors
-    /// - `path` isn't a regular file.
+    /// - No picture can be written to `path`.
     /// - The frame, which is one larger in both directions, exceeds the largest size, or there is
     ///   not enough memory for it.
     pub fn new(path: Option<&Path>, geometry: Geometry) -> Result<Corners, FramebufferError> {
         if let Some(path) = path {
-            Png::new(path, geometry)?;
+            PictureFile::new(path, geometry)?;
         }
         let memory = Memory::new(Geometry {
             width: geometry.width + 1,
@@ -66,7 +66,7 @@ impl Framebuffer for Corners {
 
     fn present(&mut self) -> Result<(), FramebufferError> {
         match &self.path {
-            Some(path) => write_png(path, &self.averaged()),
+            Some(path) => write_picture(path, &self.averaged()),
             None => Ok(()),
         }
     }

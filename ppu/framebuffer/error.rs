@@ -134,9 +134,15 @@ pub enum FramebufferError {
         /// The size of the frame.
         bytes: usize,
     },
+    /// The name of a picture has the extension of a format that is not written.
+    #[error("{}: pictures are written as .png, .jpg or .jpeg; a name without an extension is a PNG", path.display())]
+    PictureFormat {
+        /// The picture's path.
+        path: PathBuf,
+    },
     /// A picture could not be written.
     #[error("cannot write {}: {source}", path.display())]
-    Png {
+    Picture {
         /// The picture's path.
         path: PathBuf,
         /// The encoder's error.

@@ -27,8 +27,8 @@ mod numbered;
 mod open;
 #[cfg(test)]
 mod pattern;
+mod picture_file;
 mod pixel;
-mod png;
 mod raster;
 mod surface;
 mod switching;
@@ -45,8 +45,8 @@ pub(crate) use last_resort::restore_screen;
 pub use memory::Memory;
 pub use numbered::NumberedPath;
 pub use open::{open, open_with};
+pub use picture_file::{PictureFile, write_picture};
 pub use pixel::PixelFormat;
-pub use png::{Png, write_png};
 pub use raster::Raster;
 
 use std::fmt;

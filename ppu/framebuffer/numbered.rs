@@ -1,18 +1,22 @@
 //! The names of numbered pictures.
 
+use std::ffi::{OsStr, OsString};
+use std::os::unix::ffi::{OsStrExt as _, OsStringExt as _};
 use std::path::PathBuf;
 
 use super::FramebufferError;
+use super::picture_file::Format;
 
 /// The most digits of a number: as many as the largest `u64` has.
 const MOST_DIGITS: usize = 20;
 
 /// A pattern of paths with a number: `%d` stands for the number, `%05d` for at least five digits.
+/// What is around it may be any bytes that a file's name can have.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NumberedPath {
-    before: String,
+    before: Vec<u8>,
     digits: usize,
-    after: String,
+    after: Vec<u8>,
 }
 
 impl NumberedPath {
@@ -20,43 +24,50 @@ impl NumberedPath {
     /// sign.
     ///
     /// # Errors
-    /// The pattern has no place for the number, or several.
-    pub fn new(pattern: &str) -> Result<Self, FramebufferError> {
-        let malformed = || FramebufferError::MalformedNumbering {
-            pattern: pattern.to_owned(),
-        };
-        let mut parts = vec![String::new()];
+    /// The pattern has no place for the number, or several, or the extension of a format that
+    /// pictures are not written in.
+    pub fn new(pattern: impl AsRef<OsStr>) -> Result<Self, FramebufferError> {
+        let pattern = pattern.as_ref();
+        let path = Self::parse(pattern.as_bytes()).ok_or_else(|| {
+            FramebufferError::MalformedNumbering {
+                pattern: pattern.to_string_lossy().into_owned(),
+            }
+        })?;
+        Format::of(&path.of(0))?;
+        Ok(path)
+    }
+
+    fn parse(pattern: &[u8]) -> Option<Self> {
+        let mut text = Vec::new();
         let mut found = None;
         let mut rest = pattern;
-        while let Some((text, behind)) = rest.split_once('%') {
-            parts.last_mut().ok_or_else(malformed)?.push_str(text);
-            if let Some(behind) = behind.strip_prefix('%') {
-                parts.last_mut().ok_or_else(malformed)?.push('%');
-                rest = behind;
-                continue;
-            }
-            let (digits, behind) = behind.split_once('d').ok_or_else(malformed)?;
-            let is_width = digits.starts_with('0') && digits.bytes().all(|c| c.is_ascii_digit());
-            let digits = match digits {
-                "" => 1,
-                digits if is_width => digits.parse().map_err(|_| malformed())?,
-                _ => return Err(malformed()),
-            };
-            if digits > MOST_DIGITS || found.replace(digits).is_some() {
-                return Err(malformed());
-            }
-            parts.push(String::new());
+        while let Some((&byte, behind)) = rest.split_first() {
             rest = behind;
+            if byte != b'%' {
+                text.push(byte);
+            } else if let Some(behind) = rest.strip_prefix(b"%") {
+                text.push(b'%');
+                rest = behind;
+            } else {
+                let end = rest.iter().position(|&byte| byte == b'd')?;
+                let digits = match str::from_utf8(&rest[..end]).ok()? {
+                    "" => 1,
+                    digits if is_width(digits) => digits.parse().ok()?,
+                    _ => return None,
+                };
+                let before = std::mem::take(&mut text);
+                if digits > MOST_DIGITS || found.replace((before, digits)).is_some() {
+                    return None;
+                }
+                rest = &rest[end + 1..];
+            }
         }
-        parts.last_mut().ok_or_else(malformed)?.push_str(rest);
-        match (found, <[String; 2]>::try_from(parts)) {
-            (Some(digits), Ok([before, after])) => Ok(Self {
-                before,
-                digits,
-                after,
-            }),
-            _ => Err(malformed()),
-        }
+        let (before, digits) = found?;
+        Some(Self {
+            before,
+            digits,
+            after: text,
+        })
     }
 
     /// The path for a number.
@@ -67,8 +78,14 @@ impl NumberedPath {
             digits,
             after,
         } = self;
-        PathBuf::from(format!("{before}{number:0digits$}{after}"))
+        let number = format!("{number:0digits$}");
+        let path = [before.as_slice(), number.as_bytes(), after].concat();
+        OsString::from_vec(path).into()
     }
+}
+
+fn is_width(digits: &str) -> bool {
+    digits.starts_with('0') && digits.bytes().all(|digit| digit.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -103,5 +120,18 @@ mod tests {
             let error = NumberedPath::new(pattern).expect_err(pattern);
             assert!(error.to_string().contains("%05d"), "{error}");
         }
+    }
+
+    #[test]
+    fn a_pattern_may_have_bytes_that_are_no_text() {
+        let pattern = OsStr::from_bytes(b"\xe4%03d\xff.png");
+        let path = NumberedPath::new(pattern).expect("a pattern").of(7);
+        assert_eq!(path.as_os_str().as_bytes(), b"\xe4007\xff.png");
+    }
+
+    #[test]
+    fn a_format_that_is_not_written_is_refused() {
+        let error = NumberedPath::new("f-%d.gif").expect_err("a format");
+        assert!(error.to_string().contains(".jpg"), "{error}");
     }
 }

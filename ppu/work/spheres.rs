@@ -14,6 +14,7 @@ use zerocopy::big_endian::F32;
 use super::policy::Skip;
 use super::projection::{Projection, seen_radius};
 use crate::scene;
+use crate::scene::eye_side::EyeSide;
 use crate::scene::single::{LARGEST, SMALLEST, down, singles, up};
 use protocol::formulation::EyeRecord;
 use protocol::layout::Sphere;
@@ -78,7 +79,16 @@ impl EyeSpheres {
 fn can_be_seen(sphere: &scene::Sphere, projection: &Projection) -> bool {
     let distance = projection.to(sphere.centre).length();
     let around_the_eye = sphere.radius >= distance * (1.0 + ROUNDING);
-    !around_the_eye && !projection.bounds(sphere.centre, sphere.radius).is_empty()
+    let is_seen = !around_the_eye && eye_side(sphere, projection) == EyeSide::Outside;
+    is_seen && !projection.bounds(sphere.centre, sphere.radius).is_empty()
+}
+
+/// The eye's side of a sphere. To an eye on its surface, a sphere is as invisible as from inside.
+fn eye_side(sphere: &scene::Sphere, projection: &Projection) -> EyeSide {
+    match EyeSide::of(projection.eye(), sphere.centre, sphere.radius) {
+        EyeSide::On => EyeSide::Inside,
+        side => side,
+    }
 }
 
 /// A lower bound of the distance at which a ray enters the sphere.
@@ -111,7 +121,8 @@ fn record(sphere: &scene::Sphere, projection: &Projection, form: EyeRecord) -> S
         always
     };
     let plane_rounding = ROUNDING + 2.0 * projection.direction_error();
-    let size = (radius * part).clamp(SMALLEST, LARGEST);
+    let clear = eye_side(sphere, projection).clear_radius(distance, radius);
+    let size = (clear * part).clamp(SMALLEST, LARGEST);
     Sphere {
         centre: singles(to_centre * part),
         radius_squared: F32::new((size * size) as f32),

@@ -2,6 +2,11 @@
 //! the scheduled loops with the plain ones. It sets the whole process's environment, so it is a
 //! program of its own. `MAKE_REF=1` writes the scheduled file and the page instead of comparing.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "a test has nothing to lose but its output"
+)]
+
 use std::fs;
 use std::path::Path;
 

@@ -3,6 +3,11 @@
 //!
 //!     cargo bench -p games
 
+#![expect(
+    clippy::print_stdout,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use std::error::Error;
 use std::process::Command;
 

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Instant;
 
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::game::{
     DAffine3, DVec3, Light, Material, Mesh, MeshId, RenderOptions, Shader, World, WorldError,
 };
@@ -43,9 +43,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let scene = world.scene(&settings.program)?;
         let took = began.elapsed().as_secs_f64() * 1e3;
         let path = folder.join(format!("knot-{frame:03}.png"));
-        let mut engine = Engine::start(settings, Box::new(Png::new(&path, geometry)?))?;
+        let mut engine = Engine::start(settings, Box::new(PictureFile::new(&path, geometry)?))?;
         engine.render(scene, &mut |_| {})?;
-        println!("{}: {took:.1} ms for the scene", path.display());
+        talk::say!("{}: {took:.1} ms for the scene", path.display());
     }
     Ok(())
 }

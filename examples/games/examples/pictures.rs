@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::scene::Look;
 use cellray::{Engine, Settings};
 use games::demo::{DEMOS, Demo, demo};
@@ -30,13 +30,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = folder.join(demo.name).with_extension("png");
         demo.play((width, height), 1, |world| -> Result<(), Box<dyn Error>> {
             let settings = Settings::default();
-            let picture = Png::new(&path, Geometry::new(width, height)?)?;
+            let picture = PictureFile::new(&path, Geometry::new(width, height)?)?;
             let mut engine = Engine::start(settings, Box::new(picture))?;
             world.set_look(Some(Look::default()));
             engine.render(world.scene(&settings.program)?, &mut |_| {})?;
             Ok(())
         })?;
-        eprintln!("{}", path.display());
+        talk::say!("{}", path.display());
     }
     Ok(())
 }

@@ -1,6 +1,11 @@
 //! The product compared with f64, and the cycles with the pipelines' bound. It sets the environment
 //! of the whole process, so it is a program of its own.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "a test has nothing to lose but its output"
+)]
+
 use matrix::{SIDE, example, multiply};
 
 /// A multiply-add in every cycle, four at a time.

@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::path::PathBuf;
 
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             Geometry::new(width, height)?
         }
     };
-    let picture = Png::new(&path, geometry)?;
+    let picture = PictureFile::new(&path, geometry)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
     engine.render(&scene, &mut |_| ())?;
     Ok(())

@@ -1,6 +1,12 @@
 //! Run time against error of every formulation, like `cellray-bench accuracy`. Files go to
 //! target/accuracy, and the formulations that no other beats to standard output.
 
+#![expect(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a benchmark has nothing to lose but its output"
+)]
+
 use std::error::Error;
 use std::path::Path;
 

@@ -1,7 +1,6 @@
 //! Results as files: everything as JSON, and each table as CSV.
 
 use std::fs;
-use std::io::{self, Write};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -61,12 +60,10 @@ pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
     let text = serde_json::to_string_pretty(document);
     let mut text = text.map_err(OutputError::of("results as JSON"))?;
     text.push('\n');
-    let written = if path == Path::new("-") {
-        io::stdout().write_all(text.as_bytes())
-    } else {
-        fs::write(path, text)
-    };
-    written.map_err(OutputError::of(path.display()))
+    if path == Path::new("-") {
+        return talk::print(text).map_err(OutputError::of("results"));
+    }
+    fs::write(path, text).map_err(OutputError::of(path.display()))
 }
 
 /// Writes results to a folder, as JSON and as tables.

@@ -2,6 +2,12 @@
 //! program of its own. `MAKE_REF=1` writes docs/clock.md and model.json instead, as
 //! `cellray-bench clock --write` does.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a test has nothing to lose but its output"
+)]
+
 use std::process::ExitCode;
 
 use clock::document::{error, page};

@@ -42,6 +42,10 @@ const LIMIT: u64 = 10_000_000;
 
 /// A generator of random inputs. Its seed is `CELLRAY_SEED`, or else always the same.
 #[must_use]
+#[expect(
+    clippy::print_stdout,
+    reason = "the test harness shows this output if a test fails, and only then"
+)]
 pub fn random() -> ChaCha8Rng {
     let seed = std::env::var("CELLRAY_SEED")
         .ok()

@@ -102,6 +102,8 @@ enum Failure {
     Document(#[from] DocumentError),
     #[error("can't write the table as JSON: {0}")]
     Json(#[from] serde_json::Error),
+    #[error(transparent)]
+    Output(#[from] io::Error),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
 }
@@ -110,7 +112,7 @@ fn main() -> ExitCode {
     match run(Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("kernels: {error}");
+            talk::say!("kernels: {error}");
             ExitCode::FAILURE
         }
     }
@@ -132,8 +134,7 @@ fn run(command: Command) -> Result<(), Failure> {
         }
         Command::Check { names } => {
             let kernels = chosen(&names)?;
-            let mut out = io::stdout().lock();
-            Ok(check(&kernels, &mut out)?)
+            Ok(check(&kernels, &mut talk::Output)?)
         }
         Command::Image {
             sphere,
@@ -158,9 +159,9 @@ fn measure(arguments: &Measure) -> Result<(), Failure> {
     } else if let Some(file) = &arguments.check {
         document::check(file, &markdown(&measured))?;
     } else if arguments.json {
-        println!("{}", serde_json::to_string_pretty(&measured)?);
+        talk::print(serde_json::to_string_pretty(&measured)? + "\n")?;
     } else {
-        print!("{}", markdown(&measured));
+        talk::print(markdown(&measured))?;
     }
     Ok(())
 }

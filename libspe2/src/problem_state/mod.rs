@@ -53,7 +53,7 @@ pub(crate) struct Areas {
 impl Areas {
     pub(crate) fn map(spe: &Arc<Spe>, run: &Arc<RunState>) -> Result<Self, Errno> {
         if !access::SUPPORTED {
-            eprintln!("libspe2: SPE_MAP_PS: not on this kind of processor");
+            talk::say!("libspe2: SPE_MAP_PS: not on this kind of processor");
             return Err(Errno(libc::ENOTSUP));
         }
         handler::install()?;

@@ -19,7 +19,9 @@ const MFC_LSA: usize = 0x3004;
 const MFC_EAH: usize = 0x3008;
 const MFC_EAL: usize = 0x300c;
 const MFC_SIZE_TAG: usize = 0x3010;
+/// When written; the command status when read.
 const MFC_CLASS_ID_COMMAND: usize = 0x3014;
+const MFC_COMMAND_STATUS: usize = MFC_CLASS_ID_COMMAND;
 const MFC_QUEUE_STATUS: usize = 0x3104;
 const PROXY_QUERY_TYPE: usize = 0x3204;
 const PROXY_QUERY_MASK: usize = 0x321c;
@@ -55,9 +57,76 @@ impl RunState {
     }
 }
 
+/// The command status: a command was queued, or the sequence was not kept.
+const SUCCESS: u32 = 0;
+const SEQUENCE_ERROR: u32 = 1;
+
+/// Which registers of the sequence that gives a command have been written.
+///
+/// Provenance: the order of the registers, and the meanings of the status, are those of IBM's SDK
+/// (Programming Tutorial, "Issuing DMA commands from the PPE"): LSA, EAH and EAL, size and tag,
+/// class and opcode, and then the status is read, which ends the sequence. An example of an error
+/// there is a second sequence within the first; it must begin anew with the LSA. That every
+/// register must be written, EAH too and for every opcode, and that the status is an error if
+/// nothing was, is how the emulator RPCS3 behaves. That another order is an error is inferred from
+/// the tutorial, and is not known of a console.
+struct Sequence {
+    /// The registers that have been written, in their order; `None` after one out of order.
+    written: Option<u8>,
+    status: u32,
+}
+
+impl Sequence {
+    const LSA: u8 = 1;
+    const EAH: u8 = 2;
+    const EAL: u8 = 4;
+    const SIZE_AND_TAG: u8 = 8;
+    const EA: u8 = Self::EAH | Self::EAL;
+
+    /// Takes note that a parameter is written.
+    fn write(&mut self, register: u8) {
+        let expected = |written: u8| match register {
+            Self::EAH | Self::EAL => written & !Self::EA == Self::LSA,
+            Self::SIZE_AND_TAG => written & !register == Self::LSA | Self::EA,
+            _ => false,
+        };
+        self.written = match register {
+            Self::LSA => Some(register),
+            _ => self.written.filter(|&written| expected(written)),
+        };
+        self.written = self.written.map(|written| written | register);
+    }
+
+    /// Whether the command that is written now has all its parameters. They are used up.
+    fn is_complete(&mut self) -> bool {
+        const ALL: u8 = Sequence::LSA | Sequence::EA | Sequence::SIZE_AND_TAG;
+        let is_complete = self.written == Some(ALL);
+        *self = Self {
+            status: if is_complete { SUCCESS } else { SEQUENCE_ERROR },
+            ..Self::default()
+        };
+        is_complete
+    }
+
+    /// Reads the status, and ends the sequence.
+    fn end(&mut self) -> u32 {
+        std::mem::take(self).status
+    }
+}
+
+impl Default for Sequence {
+    fn default() -> Self {
+        Self {
+            written: Some(0),
+            status: SEQUENCE_ERROR,
+        }
+    }
+}
+
 /// The parameters of the next proxy command, and what is asked about its tags.
 #[derive(Default)]
 struct Command {
+    sequence: Sequence,
     lsa: u32,
     ea: [u32; 2],
     size_and_tag: u32,
@@ -93,6 +162,8 @@ impl Registers {
             MFC_EAH => self.command().ea[0],
             MFC_EAL => self.command().ea[1],
             MFC_SIZE_TAG => self.command().size_and_tag,
+            // The queue is never full: a command that finds no room waits for it.
+            MFC_COMMAND_STATUS => self.command().sequence.end(),
             MFC_QUEUE_STATUS => {
                 let idle = spe.proxy_tags(u32::MAX, TagWait::Immediate) == u32::MAX;
                 PROXY_QUEUE_DEPTH as u32 | if idle { QUEUE_EMPTY } else { 0 }
@@ -115,7 +186,7 @@ impl Registers {
             RUN_CONTROL => self.status() & RUNNING,
             STATUS => self.status(),
             NEXT_PROGRAM_COUNTER => self.run.next.load(SeqCst),
-            // A command is accepted at once, and a synchronisation has nothing to wait for.
+            // A synchronisation has nothing to wait for.
             _ => 0,
         }
     }
@@ -128,10 +199,26 @@ impl Registers {
     pub fn write(&self, offset: usize, value: u32) {
         let spe = &self.spe;
         match offset {
-            MFC_LSA => self.command().lsa = value,
-            MFC_EAH => self.command().ea[0] = value,
-            MFC_EAL => self.command().ea[1] = value,
-            MFC_SIZE_TAG => self.command().size_and_tag = value,
+            MFC_LSA => {
+                let mut command = self.command();
+                command.lsa = value;
+                command.sequence.write(Sequence::LSA);
+            }
+            MFC_EAH => {
+                let mut command = self.command();
+                command.ea[0] = value;
+                command.sequence.write(Sequence::EAH);
+            }
+            MFC_EAL => {
+                let mut command = self.command();
+                command.ea[1] = value;
+                command.sequence.write(Sequence::EAL);
+            }
+            MFC_SIZE_TAG => {
+                let mut command = self.command();
+                command.size_and_tag = value;
+                command.sequence.write(Sequence::SIZE_AND_TAG);
+            }
             MFC_CLASS_ID_COMMAND => self.start(value),
             PROXY_QUERY_TYPE => self.command().query_type = value,
             PROXY_QUERY_MASK => self.command().query_mask = value,
@@ -146,12 +233,15 @@ impl Registers {
         }
     }
 
-    /// Gives a command with the parameters that were written before it. A wrong one stops the SPU,
-    /// as the interrupt of the hardware does.
+    /// Gives a command with the parameters that were written before it, if all were. A wrong one
+    /// stops the SPU, as the interrupt of the hardware does.
     fn start(&self, class_and_opcode: u32) {
         const OPCODE: u32 = 0xffff;
         let command = {
-            let command = self.command();
+            let mut command = self.command();
+            if !command.sequence.is_complete() {
+                return;
+            }
             ProxyCommand {
                 opcode: class_and_opcode & OPCODE,
                 lsa: command.lsa,

@@ -83,6 +83,65 @@ fn mailboxes_and_signals_are_registers() {
     assert_eq!(control.load(0x34), 32);
 }
 
+/// Writes the registers of a command, in their order.
+fn give(command: Area, lsa: u32, ea: u64, size_and_tag: u32, opcode: u32) {
+    command.store(0x4, lsa);
+    command.store(0x8, (ea >> 32) as u32);
+    command.store(0xc, ea as u32);
+    command.store(0x10, size_and_tag);
+    command.store(0x14, opcode);
+}
+
+/// Provenance: see `Sequence` in the library.
+#[test]
+fn a_command_without_its_parameters_is_a_sequence_error() {
+    const SEQUENCE_ERROR: u32 = 1;
+    let context = mapped("stop 0x2000");
+    let mut there = Aligned::<16>::new();
+    there.0 = [7; 16];
+    let (high, low) = ((there.ea() >> 32) as u32, there.ea() as u32);
+    let command = Area::of(&context, COMMAND);
+    let status = || command.load(0x14) & 3;
+    let lsa = (0x4, 0x8000);
+    let ea = [(0x8, high), (0xc, low)];
+    let size = (0x10, 16 << 16 | 3);
+    let get = (0x14, 0x40);
+    assert_eq!(status(), SEQUENCE_ERROR, "nothing was written");
+    let wrong: [(&str, &[(usize, u32)]); 8] = [
+        ("alone", &[get]),
+        ("without the LSA", &[ea[0], ea[1], size, get]),
+        ("without the EAH", &[lsa, ea[1], size, get]),
+        ("without the EAL", &[lsa, ea[0], size, get]),
+        ("without size and tag", &[lsa, ea[0], ea[1], get]),
+        ("size before the EA", &[lsa, size, ea[0], ea[1], get]),
+        ("the LSA last", &[ea[0], ea[1], size, lsa, get]),
+        ("twice", &[lsa, ea[0], ea[1], size, get, get]),
+    ];
+    for (what, stores) in wrong {
+        context.set_local_store(0x8000, &[0; 16]);
+        for &(offset, value) in stores {
+            command.store(offset, value);
+        }
+        assert_eq!(status(), SEQUENCE_ERROR, "{what}");
+        let found = context.local_store(0x8000, 16);
+        let was_given = what == "twice";
+        assert_eq!(found == [7; 16], was_given, "{what}");
+    }
+    // A sequence within another, as by a signal's handler, leaves the first one incomplete.
+    command.store(lsa.0, lsa.1);
+    give(command, 0x8000, there.ea(), 16 << 16 | 3, 0x40);
+    assert_eq!(status(), 0);
+    for (offset, value) in [ea[0], ea[1], size, get] {
+        command.store(offset, value);
+    }
+    assert_eq!(status(), SEQUENCE_ERROR);
+    // It begins anew with the LSA, and its status is read once.
+    command.store(0x8, high);
+    give(command, 0x8000, there.ea(), 16 << 16 | 3, 0x40);
+    assert_eq!([status(), status()], [0, SEQUENCE_ERROR]);
+    assert_eq!(context.local_store(0x8000, 16), [7; 16]);
+}
+
 #[test]
 fn commands_are_given_by_registers() {
     let context = mapped("stop 0x2000");
@@ -90,19 +149,14 @@ fn commands_are_given_by_registers() {
     there.0 = std::array::from_fn(|n| n as u8);
     let command = Area::of(&context, COMMAND);
     assert_eq!(command.load(0x104) & 0xffff, 8);
-    command.store(0x4, 0x8000);
-    command.store(0x8, (there.ea() >> 32) as u32);
-    command.store(0xc, there.ea() as u32);
-    command.store(0x10, 128 << 16 | 5);
-    command.store(0x14, 0x40);
+    give(command, 0x8000, there.ea(), 128 << 16 | 5, 0x40);
     assert_eq!(command.load(0x14) & 3, 0);
     command.store(0x21c, 1 << 5);
     assert_eq!(command.load(0x22c), 1 << 5);
     assert_eq!(context.local_store(0x8000, 128), there.0);
     // An error is reported by the run, as nobody checks the command.
-    command.store(0x4, 0x8000);
-    command.store(0x10, 24 << 16);
-    command.store(0x14, 0x40);
+    give(command, 0x8000, there.ea(), 24 << 16, 0x40);
+    assert_eq!(command.load(0x14) & 3, 0);
     let stop = elsewhere(|| context.run(), || ());
     assert_eq!((stop.reason, stop.code), (SPE_RUNTIME_EXCEPTION, 8));
 }

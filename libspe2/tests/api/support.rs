@@ -198,6 +198,10 @@ impl Context {
 }
 
 /// Returns the result of `body` on another thread, if it ends in time.
+#[expect(
+    clippy::print_stderr,
+    reason = "a test has nothing to lose but its output"
+)]
 pub fn elsewhere<T: Send>(body: impl FnOnce() -> T + Send, meanwhile: impl FnOnce()) -> T {
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {

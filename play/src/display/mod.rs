@@ -19,7 +19,7 @@ pub use none::NoDisplay;
 pub use pointer::Pointer;
 pub use scale::Enlarged;
 pub use screen::Screen;
-pub use terminal::{Colours, Terminal, lines};
+pub use terminal::{Colours, Terminal, lines, size as terminal_size};
 pub use window::Window;
 
 use std::io;

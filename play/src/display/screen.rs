@@ -14,7 +14,7 @@ use image::RgbImage;
 use super::text::Printed;
 use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
-use crate::talk::say;
+use crate::say;
 
 /// A framebuffer device, or a file instead of one.
 pub struct Screen {

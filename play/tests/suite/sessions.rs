@@ -510,7 +510,7 @@ fn what_a_recording_lacks_at_the_end_is_an_error() {
     let size = Geometry::new(16, 16).expect("a size");
     let memory = || Box::new(Memory::new(size).expect("memory"));
     let folder = tempfile::tempdir().expect("a folder");
-    let paths = NumberedPath::new(folder.path().join("f-%d.png").to_str().expect("text"));
+    let paths = NumberedPath::new(folder.path().join("f-%d.png"));
     let pictures = Pictures::new(paths.expect("a path"));
     let mut clock = FixedSteps(Duration::from_millis(40));
     for (room, fits) in [(0, false), (1000, true)] {

@@ -5,7 +5,7 @@
 //! as a file has its name.
 
 use super::{Clock, FrameRange, InputSource, Session, SessionError};
-use crate::framebuffer::{FramebufferError, NumberedPath, write_png};
+use crate::framebuffer::{FramebufferError, NumberedPath, write_picture};
 use crate::game::Game;
 
 /// Pictures of frames, named by the frames' numbers.
@@ -99,7 +99,7 @@ impl Pictures {
             } else {
                 let flow = session.step(step, &mut events, &mut |part| input.tracing(part))?;
                 let picture = session.picture().ok_or(FramebufferError::NoPicture)?;
-                write_png(&path, &picture)?;
+                write_picture(&path, &picture)?;
                 made.written += 1;
                 flow
             };

@@ -237,7 +237,7 @@ impl World {
             return Ok(false);
         };
         let are_objects_changed = !(self.edits.objects.is_empty() && self.edits.removed.is_empty());
-        if block.streams_spheres() && are_objects_changed {
+        if block.streams_spheres() && are_objects_changed || !block.set_eye(self.view.from) {
             return Ok(false);
         }
         let ambient = self.ambient_light();

@@ -14,11 +14,12 @@ use zerocopy::big_endian::U32;
 use super::chains::Sends;
 use super::error::BlockError;
 use super::materials::{self, Light};
-use super::objects::{self, Object};
+use super::objects::{self, Object, has_on_surface, sides_seen_from};
 use super::options::{BlockOptions, ShaderEntries};
+use super::primitive::PrimitiveKind;
 use super::source_location::SourceLocation;
 use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
-use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
+use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
@@ -210,6 +211,38 @@ impl SceneBlock {
         }
     }
 
+    /// Sets the eye for which objects are changed or added from now on. `false` if some object
+    /// needs more or fewer primitives for it.
+    pub(crate) fn set_eye(&mut self, eye: DVec3) -> bool {
+        if self.objects_eye == eye {
+            return true;
+        }
+        self.objects_eye = eye;
+        let is_on = |slot: usize| {
+            let spheres = &self.primitives[PrimitiveKind::Sphere as usize];
+            let object = spheres.slot(slot).1?.0;
+            Some((has_on_surface(eye, &object.primitive), object.sides))
+        };
+        self.objects.iter().all(|range| {
+            let [
+                PrimitiveId {
+                    kind: PrimitiveKind::Sphere,
+                    slot,
+                },
+                rest @ ..,
+            ] = &self.parts[range.clone()]
+            else {
+                return true;
+            };
+            // Only spheres that are seen from both sides are two for an eye on them.
+            let is_two = !rest.is_empty();
+            is_on(*slot).is_none_or(|(is_on, sides)| {
+                let may_be_two = is_two || sides == SIDES_BOTH;
+                is_two == (is_on && may_be_two)
+            })
+        })
+    }
+
     /// Gives an object of the scene another shape or another material.
     pub(crate) fn set_object(
         &mut self,
@@ -227,21 +260,24 @@ impl SceneBlock {
             line: Some(number as u32 + 1),
         };
         let mut parts = self.parts[range.clone()].iter();
+        let eye = self.objects_eye;
         let primitives = &mut self.primitives;
         let mut fits = true;
         objects::of_shape(shape, material, place, &mut |primitive, sides| {
-            let object = Object {
-                primitive,
-                sides,
-                material: material_number as u32,
-            };
-            match parts.next() {
-                Some(&PrimitiveId { kind, slot })
-                    if primitives[kind as usize].fits(slot, &object) =>
-                {
-                    primitives[kind as usize].put(slot, object, U32::new(address));
+            for sides in sides_seen_from(eye, &primitive, sides) {
+                let object = Object {
+                    primitive: primitive.clone(),
+                    sides,
+                    material: material_number as u32,
+                };
+                match parts.next() {
+                    Some(&PrimitiveId { kind, slot })
+                        if primitives[kind as usize].fits(slot, &object) =>
+                    {
+                        primitives[kind as usize].put(slot, object, U32::new(address));
+                    }
+                    _ => fits = false,
                 }
-                _ => fits = false,
             }
             Ok(())
         })?;
@@ -283,22 +319,25 @@ impl SceneBlock {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
+        let eye = self.objects_eye;
         let Self {
             primitives, parts, ..
         } = self;
         let mut fits = true;
-        objects::of_shape(shape, material, place, &mut |primitive, _| {
+        objects::of_shape(shape, material, place, &mut |primitive, sides| {
             let kind = primitive.kind();
             let primitives = &mut primitives[kind as usize];
-            if primitives.count() == MAX_OBJECTS as usize {
-                return Err(BlockError::FullTree {
-                    place: place.to_string(),
-                    what: kind.name(),
-                });
-            }
-            match primitives.take(primitive.size()) {
-                Some(slot) => parts.push(PrimitiveId { kind, slot }),
-                None => fits = false,
+            for _ in sides_seen_from(eye, &primitive, sides) {
+                if primitives.count() == MAX_OBJECTS as usize {
+                    return Err(BlockError::FullTree {
+                        place: place.to_string(),
+                        what: kind.name(),
+                    });
+                }
+                match primitives.take(primitive.size()) {
+                    Some(slot) => parts.push(PrimitiveId { kind, slot }),
+                    None => fits = false,
+                }
             }
             Ok(())
         })?;

@@ -23,6 +23,7 @@ mod error;
 mod materials;
 mod memory_use;
 mod objects;
+mod offsets;
 mod options;
 mod polygons;
 mod primitive;
@@ -44,7 +45,7 @@ use self::bvh::Volumes;
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
 use self::memory_use::MemoryUse;
-use self::objects::Object;
+use self::objects::{Object, sides_seen_from};
 use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
@@ -62,6 +63,7 @@ pub(crate) use bvh::widened;
 pub(crate) use chains::Chains;
 pub use error::BlockError;
 pub(crate) use materials::Light;
+pub(crate) use offsets::offset_note;
 pub use options::BlockOptions;
 pub(crate) use options::ShaderEntries;
 pub use streamed::MeshPlace;
@@ -94,6 +96,9 @@ pub struct SceneBlock {
     block: Block,
     /// The eye that the block is written for.
     eye: Option<DVec3>,
+    /// The eye that the objects are made for: spheres that are seen from both sides are two if it
+    /// is on their surface.
+    objects_eye: DVec3,
 }
 
 /// A material in the block.
@@ -292,6 +297,7 @@ impl SceneBlock {
             streamed,
             block,
             eye: None,
+            objects_eye: scene.view.from,
         };
         scene_block.bound_chains();
         scene_block.check_room()?;
@@ -556,6 +562,7 @@ impl Found {
             mut objects,
             mut parts,
         } = Self::default();
+        let eye = scene.view.from;
         let most = MAX_OBJECTS as usize;
         let mut counts = [0; 4];
         // The first object that exceeds the limit, and its kind.
@@ -579,20 +586,22 @@ impl Found {
                 objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
                     let kind = primitive.kind();
                     let found = &mut found[kind as usize];
-                    counts[kind as usize] += 1;
-                    if found.len() == most {
-                        too_many.get_or_insert((place, kind));
-                        return Ok(());
+                    for sides in sides_seen_from(eye, &primitive, sides) {
+                        counts[kind as usize] += 1;
+                        if found.len() == most {
+                            too_many.get_or_insert((place, kind));
+                            return Ok(());
+                        }
+                        parts.push(PrimitiveId {
+                            kind,
+                            slot: found.len(),
+                        });
+                        found.push(Object {
+                            primitive: primitive.clone(),
+                            sides,
+                            material: object.material,
+                        });
                     }
-                    parts.push(PrimitiveId {
-                        kind,
-                        slot: found.len(),
-                    });
-                    found.push(Object {
-                        primitive,
-                        sides,
-                        material: object.material,
-                    });
                     Ok(())
                 })?;
             }

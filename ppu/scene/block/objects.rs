@@ -12,6 +12,7 @@ use super::error::BlockError;
 use super::polygons::{self, check_vertices};
 use super::primitive::{Primitive, PrimitiveKind};
 use super::source_location::SourceLocation;
+use crate::scene::eye_side::EyeSide;
 use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
@@ -136,6 +137,32 @@ pub(super) fn of_shape(
     }
 }
 
+/// The sides of the objects that stand for a primitive with these sides: usually one. A sphere that
+/// is seen from both sides is hit where a ray enters it, or from inside where the ray leaves. For an
+/// eye on its surface that is two spheres, an entrance and an exit, because in singles only these
+/// can be moved away from the eye without changing what the eye sees of them.
+pub(super) fn sides_seen_from(
+    eye: DVec3,
+    primitive: &Primitive,
+    sides: u32,
+) -> impl Iterator<Item = u32> + use<> {
+    let is_split = sides == SIDES_BOTH && has_on_surface(eye, primitive);
+    let both = if is_split {
+        [Some(0), Some(SIDES_EXIT)]
+    } else {
+        [Some(sides), None]
+    };
+    both.into_iter().flatten()
+}
+
+/// Whether the eye is on a sphere's surface.
+pub(super) fn has_on_surface(eye: DVec3, primitive: &Primitive) -> bool {
+    match *primitive {
+        Primitive::Sphere { centre, radius } => EyeSide::of(eye, centre, radius) == EyeSide::On,
+        _ => false,
+    }
+}
+
 impl Head {
     fn of(primitive: &Primitive) -> Self {
         match *primitive {
@@ -207,6 +234,20 @@ impl Object {
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
+    /// A sphere's radius, moved away from an eye that is too near the surface for singles. An eye
+    /// on the surface is inside an entrance and outside an exit: it sees neither where it is.
+    fn radius_seen_from(&self, eye: DVec3) -> Option<f64> {
+        let Primitive::Sphere { centre, radius } = self.primitive else {
+            return None;
+        };
+        let side = match EyeSide::of(eye, centre, radius) {
+            EyeSide::On if self.sides & (SIDES_BOTH | SIDES_EXIT) == 0 => EyeSide::Inside,
+            EyeSide::On => EyeSide::Outside,
+            side => side,
+        };
+        Some(side.clear_radius((centre - eye).length(), radius))
+    }
+
     /// Writes the record relative to `eye`; `material` is the address of the object's material.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
         let Head {
@@ -217,6 +258,7 @@ impl Object {
             offset,
             ..
         } = Head::of(&self.primitive);
+        let offset = self.radius_seen_from(eye).unwrap_or(offset);
         let centre = centre - eye;
         let head = layout::Object {
             centre: singles(centre),

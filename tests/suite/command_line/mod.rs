@@ -5,6 +5,7 @@ mod formulations;
 mod inspect;
 mod meshes;
 mod newcomer;
+mod outputs;
 mod sequence;
 mod silence;
 mod support;

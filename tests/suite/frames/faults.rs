@@ -6,7 +6,7 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use crate::recorder::nff_scene;
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::spe::Program;
 use cellray::{Engine, EngineError, Scene, Settings};
 use spu_build::{Image, Tools};
@@ -50,7 +50,7 @@ fn render(body: &str, timeout: Duration) -> EngineError {
 fn render_with(program: Program, timeout: Duration) -> EngineError {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("picture.png");
-    let framebuffer = Png::new(
+    let framebuffer = PictureFile::new(
         &picture,
         Geometry {
             width: 64,

@@ -8,6 +8,7 @@ mod counts;
 mod frame;
 mod invariance;
 mod meshes;
+mod on_surface;
 mod pictures;
 mod placed;
 mod polygons;

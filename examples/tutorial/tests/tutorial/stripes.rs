@@ -1,7 +1,7 @@
 //! The stripes compared with their formula: on a wall, with the check of shaders, and on the
 //! planet.
 
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::game::{DVec3, Material, Model, RenderOptions, Shader, View, World};
 use cellray::spe::Program;
 use cellray::{Engine, Settings};
@@ -76,7 +76,7 @@ fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
     let folder = tempfile::tempdir()?;
     let file = folder.path().join("wall.png");
     let size = (160, 90);
-    let picture = Png::new(&file, Geometry::new(size.0, size.1)?)?;
+    let picture = PictureFile::new(&file, Geometry::new(size.0, size.1)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
     for parameters in [[1.6, 0.9], [0.0, 1.0], [7.3, 0.4]] {
         let [scale, strength] = parameters;

@@ -1,6 +1,5 @@
 //! `cellray-bench stability`: the stress suite and the guarantees.
 
-use std::io::Write as _;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -50,7 +49,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         _ => Size::Default,
     };
     let kept = Regressions::kept()?;
-    eprintln!("cellray-bench: seed {}", arguments.seed);
+    talk::say!("cellray-bench: seed {}", arguments.seed);
     let only = arguments.only.as_deref();
     let report = stability::run(size, arguments.seed, only, &kept)?;
     if let Some(path) = &arguments.json {
@@ -60,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(folder) = &arguments.keep {
         keep(&report, folder)?;
     }
-    write!(std::io::stdout().lock(), "{report}")?;
+    talk::print(report.to_string())?;
     Ok(if report.held() {
         ExitCode::SUCCESS
     } else {

@@ -1,6 +1,11 @@
 //! All tests of the kernels. They are one program, because linking many takes longer than running
 //! them.
 
+#![allow(
+    clippy::print_stdout,
+    reason = "the harness shows it with a failed test"
+)]
+
 mod bounce;
 mod catalogue;
 mod command_line;

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use cellray::framebuffer::{Geometry, Png};
+use cellray::framebuffer::{Geometry, PictureFile};
 use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
@@ -22,7 +22,7 @@ fn picture(scene: &str, formulations: Formulations) -> RgbImage {
     let scene = Scene::new(&scene, RenderOptions::default(), &program).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("p.png");
-    let framebuffer = Png::new(&file, Geometry::new(SIZE.0, SIZE.1).unwrap()).unwrap();
+    let framebuffer = PictureFile::new(&file, Geometry::new(SIZE.0, SIZE.1).unwrap()).unwrap();
     let settings = Settings {
         program,
         ..Settings::default()

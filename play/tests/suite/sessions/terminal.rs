@@ -240,3 +240,22 @@ fn a_framebuffer_without_text_holds_the_traced_picture() {
     let same = same.count();
     assert!(same < with.len() && 2 * same > with.len(), "{same}");
 }
+
+#[test]
+fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let picture = folder.path().join("p.png");
+    image::RgbImage::new(200, 20)
+        .save(&picture)
+        .expect("written");
+    // A terminal that doesn't say its size, as over a serial line, has none.
+    for (size, columns) in [((40, 10), 40), ((0, 0), 80)] {
+        let mut command = super::program();
+        command.arg("show").arg(&picture);
+        let mut pty = Pty::start(command, size.0, size.1);
+        assert_eq!(pty.end().code(), Some(0), "{}", pty.seen());
+        let seen = pty.seen();
+        let line = seen.lines().next().expect("a line");
+        assert_eq!(line.matches(HALF).count(), columns, "{size:?}");
+    }
+}

@@ -1,7 +1,7 @@
 //! Error messages and exit statuses of the subcommands.
 
 use std::error::Error;
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -22,7 +22,7 @@ pub enum Failure {
     Elf { path: PathBuf, error: ElfError },
     #[error("{path}: {what}")]
     Contents { path: PathBuf, what: String },
-    #[error("standard output: {0}")]
+    #[error(transparent)]
     Output(io::Error),
     /// An error that only one subcommand has.
     #[error(transparent)]
@@ -42,8 +42,7 @@ impl Failure {
 
 /// Prints a failure and returns the exit status.
 pub fn fail(failure: &Failure) -> ExitCode {
-    // If standard error is closed, the exit status still reports the failure.
-    let _ = writeln!(io::stderr(), "spu: {failure}");
+    talk::say!("spu: {failure}");
     let status = match failure {
         Failure::Elf { .. } => BAD_ELF,
         _ => USAGE,

@@ -1,7 +1,7 @@
 //! `spu profile`: shows where a run's cycles went.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -55,7 +55,7 @@ pub enum Error {
     View { path: PathBuf, source: ViewError },
     #[error("{0}: the file has no line table")]
     NoLines(PathBuf),
-    #[error("standard output: {0}")]
+    #[error(transparent)]
     Output(io::Error),
 }
 
@@ -102,11 +102,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     } else {
         view.functions_text()
     };
-    match io::stdout().write_all(text.as_bytes()) {
-        // A reader that closes the pipe early, such as `head`, is no error.
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
-        _ => Ok(ExitCode::SUCCESS),
-    }
+    talk::print(text).map_err(Error::Output)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Error> {

@@ -1,7 +1,7 @@
 //! `spu schedule`: turns plain assembly into scheduled assembly.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -64,7 +64,7 @@ pub enum Error {
     },
     #[error(transparent)]
     Line(ScheduleError),
-    #[error("standard output: {0}")]
+    #[error(transparent)]
     Output(io::Error),
 }
 
@@ -102,25 +102,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             Outcome::Pipelined(figures) if arguments.verbose => describe(figures),
             Outcome::Pipelined(_) => continue,
         };
-        // If standard error is closed, the schedule is still written.
-        let _ = writeln!(
-            io::stderr(),
-            "{path}:{}: loop {}: {result}",
-            found.line,
-            found.name
-        );
+        talk::say!("{path}:{}: loop {}: {result}", found.line, found.name);
     }
     match &arguments.output {
         Some(output) => fs::write(output, scheduled.text).map_err(|source| Error::File {
             path: output.clone(),
             source,
         })?,
-        None => match io::stdout().write_all(scheduled.text.as_bytes()) {
-            Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-                return Err(Error::Output(error));
-            }
-            _ => {}
-        },
+        None => talk::print(scheduled.text).map_err(Error::Output)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,7 +1,7 @@
 //! `spu time`: the static analyser.
 
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -120,7 +120,7 @@ pub enum TimeError {
     Machine(TimingFileError),
     #[error("{path}: {source}")]
     Write { path: PathBuf, source: io::Error },
-    #[error("standard output: {0}")]
+    #[error(transparent)]
     Output(io::Error),
 }
 
@@ -160,15 +160,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
             path: page.clone(),
             source,
         })?;
-        // If standard error is closed, the page is there all the same.
-        let _ = writeln!(io::stderr(), "{}: {} bytes", page.display(), text.len());
+        talk::say!("{}: {} bytes", page.display(), text.len());
         return Ok(ExitCode::SUCCESS);
     }
-    print(&if arguments.json {
-        report.json()
-    } else {
-        report.text()
-    })?;
+    let text = match arguments.json {
+        true => report.json(),
+        false => report.text(),
+    };
+    talk::print(text).map_err(TimeError::Output)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -200,25 +199,9 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
         return Err(TimeError::NoNotes(names.join(", ")));
     }
     let lines = outcome.differences.iter();
-    print(
-        &lines
-            .map(|difference| format!("{difference}\n"))
-            .collect::<String>(),
-    )?;
+    let text: String = lines.map(|difference| format!("{difference}\n")).collect();
+    talk::print(text).map_err(TimeError::Output)?;
     let wrong = outcome.differences.len();
-    // If standard error is closed, the exit status still reports the result.
-    let _ = writeln!(
-        io::stderr(),
-        "{} notes, {wrong} differ from the model",
-        outcome.notes
-    );
+    talk::say!("{} notes, {wrong} differ from the model", outcome.notes);
     Ok(ExitCode::from(u8::from(wrong > 0)))
-}
-
-/// A reader that closes the pipe early, such as `head`, is no error.
-fn print(text: &str) -> Result<(), TimeError> {
-    match io::stdout().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(TimeError::Output(error)),
-        _ => Ok(()),
-    }
 }

@@ -3,7 +3,6 @@
 mod listing;
 mod map;
 
-use std::io::{self, Write as _};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -48,9 +47,6 @@ pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
             what,
         })?;
     }
-    match io::stdout().write_all(text.as_bytes()) {
-        // A closed pipe is no error: its reader has read enough.
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
-        _ => Ok(ExitCode::SUCCESS),
-    }
+    talk::print(text).map_err(Failure::Output)?;
+    Ok(ExitCode::SUCCESS)
 }

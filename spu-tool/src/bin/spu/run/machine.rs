@@ -1,8 +1,9 @@
 //! The machine of `spu run`: one SPE, main memory, and the code that answers the program.
 
 use std::fs;
-use std::io::{self, Write as _};
+use std::io;
 use std::ops::ControlFlow;
+use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -178,9 +179,9 @@ impl Machine {
         let end = sandbox::within(options.root.as_deref(), || {
             self.run_with(options, &mut bench)
         })??;
-        if let Err(errno) = self.library.flush() {
-            return Err(Failure::Output(io::Error::from_raw_os_error(errno.0)));
-        }
+        let flushed = self.library.flush();
+        let flushed = flushed.map_err(|errno| io::Error::from_raw_os_error(errno.0));
+        talk::unless_closed(flushed).map_err(Failure::file(Path::new("standard output")))?;
         bench.finish()?;
         Ok(end)
     }
@@ -223,7 +224,7 @@ impl Machine {
         let address = debugger
             .listen(port)
             .map_err(|error| RunError::Debugger { port, error })?;
-        eprintln!("spu: waiting for a debugger: target remote {address}");
+        talk::say!("spu: waiting for a debugger: target remote {address}");
         let thread = debugger.attach(&self.spe);
         let end = loop {
             let stopped = self.run_under(&thread, bench);
@@ -392,11 +393,7 @@ impl End {
         };
         let instruction = instruction_text(store.load_word(at), at);
         let place = place(image, at);
-        // If standard error is closed, the exit status still reports the fault.
-        let _ = writeln!(
-            io::stderr(),
-            "spu: {message}\n     at {place}: {instruction}"
-        );
+        talk::say!("spu: {message}\n     at {place}: {instruction}");
         status.into()
     }
 }

@@ -71,6 +71,6 @@ impl<'a> Trace<'a> {
 
     pub fn finish(mut self) -> Result<(), Failure> {
         let flushed = self.result.and_then(|()| self.output.flush());
-        flushed.map_err(Failure::file(&self.path))
+        talk::unless_closed(flushed).map_err(Failure::file(&self.path))
     }
 }

@@ -1,0 +1,158 @@
+//! What programs print: messages on standard error, and data on standard output.
+//!
+//! Invariants:
+//! - A message that can't be printed is lost, and nothing else: the work that it is about goes on.
+//!   Rust's own `eprintln!` panics where standard error is a closed pipe, a full disk or a terminal
+//!   that has hung up.
+//! - Data that nobody reads any more, as after `| head`, is no error: the reader has what it wants.
+//!   Every other error of standard output is one, and its message names standard output.
+
+use std::fmt;
+use std::io::{self, BufWriter, Write};
+
+/// Prints a line on standard error, as `eprintln!` does, but never panics.
+#[macro_export]
+macro_rules! say {
+    ($($line:tt)*) => {
+        $crate::line(::std::format_args!($($line)*))
+    };
+}
+
+/// Prints a line on standard error; see [`say!`].
+pub fn line(line: fmt::Arguments<'_>) {
+    // One write, so that the lines of several threads and programs stay whole.
+    part(&format!("{line}\n"));
+}
+
+/// Prints text on standard error that ends no line, such as progress.
+pub fn part(text: &str) {
+    // There is nowhere else to report an error.
+    let _ = io::stderr().write_all(text.as_bytes());
+}
+
+/// Writes data to standard output.
+///
+/// # Errors
+///
+/// Data can't be written, for another reason than that its reader has closed the pipe.
+pub fn print(data: impl AsRef<[u8]>) -> io::Result<()> {
+    print_with(|out| out.write_all(data.as_ref()))
+}
+
+/// Writes data to standard output in parts. `write` gets an error after the reader has closed the
+/// pipe, and need do nothing but return it.
+///
+/// # Errors
+///
+/// As for [`print()`].
+pub fn print_with(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    print_to(&mut io::stdout().lock(), write)
+}
+
+/// The result of writing to a pipe, where a reader that has closed it is no error.
+///
+/// # Errors
+///
+/// The given one, if it is another.
+pub fn unless_closed(written: io::Result<()>) -> io::Result<()> {
+    match written {
+        Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+        written => written,
+    }
+}
+
+/// Standard output for work that is also done if nobody reads about it, such as a check. After the
+/// reader has closed the pipe, what is written is dropped.
+#[derive(Clone, Copy, Debug)]
+pub struct Output;
+
+impl Write for Output {
+    fn write(&mut self, data: &[u8]) -> io::Result<usize> {
+        print(data)?;
+        Ok(data.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+fn print_to(
+    out: &mut dyn Write,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut buffered = BufWriter::new(out);
+    let written = write(&mut buffered).and_then(|()| buffered.flush());
+    // What is left would be written once more when the buffer is dropped.
+    let (out, _) = buffered.into_parts();
+    unless_closed(written.and_then(|()| out.flush()))
+        .map_err(|error| io::Error::new(error.kind(), format!("standard output: {error}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::ErrorKind;
+
+    /// An output that fails in this way after it has taken some bytes.
+    struct Fails(ErrorKind, usize);
+
+    impl Write for Fails {
+        fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+            let Self(kind, room) = self;
+            if *room == 0 {
+                return Err((*kind).into());
+            }
+            let taken = bytes.len().min(*room);
+            *room -= taken;
+            Ok(taken)
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_reader_that_has_gone_is_no_error() {
+        for room in [0, 3] {
+            print_to(&mut Fails(ErrorKind::BrokenPipe, room), |out| {
+                out.write_all(b"data")
+            })
+            .unwrap();
+        }
+    }
+
+    #[test]
+    fn a_writer_learns_that_its_reader_has_gone() {
+        let mut parts = 0;
+        print_to(&mut Fails(ErrorKind::BrokenPipe, 0), |out| {
+            loop {
+                out.write_all(&[0; 1000])?;
+                parts += 1;
+            }
+        })
+        .unwrap();
+        assert!(parts < 1000, "{parts}");
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error_that_names_the_output() {
+        let error = print_to(&mut Fails(ErrorKind::StorageFull, 3), |out| {
+            out.write_all(b"data")
+        })
+        .unwrap_err();
+        assert_eq!(error.kind(), ErrorKind::StorageFull);
+        assert!(error.to_string().starts_with("standard output: "));
+    }
+
+    #[test]
+    fn everything_is_written() {
+        let mut out = Vec::new();
+        print_to(&mut out, |out| {
+            (0..10_000).try_for_each(|number| writeln!(out, "{number}"))
+        })
+        .unwrap();
+        assert_eq!(out.iter().filter(|&&byte| byte == b'\n').count(), 10_000);
+    }
+}
