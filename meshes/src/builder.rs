@@ -291,7 +291,7 @@ impl Builder {
         };
         Ok(Loaded {
             scene,
-            notes: self.notes.finish(),
+            notes: self.notes.finish(name),
         })
     }
 }

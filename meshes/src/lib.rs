@@ -41,7 +41,7 @@ const BEGINNING: u64 = 4096;
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
-    /// What was left out, a sentence each.
+    /// What was left out, each with its file, and with its line if it is one.
     pub notes: Vec<String>,
 }
 

@@ -8,6 +8,8 @@ pub(crate) struct Notes {
 
 struct Note {
     kind: String,
+    /// The file and the line of the first one; `None` if it is about the whole file.
+    line: Option<String>,
     text: String,
     more: usize,
 }
@@ -17,9 +19,9 @@ impl Notes {
     pub fn add(&mut self, text: impl Into<String>) {
         let text = text.into();
         if !self.notes.iter().any(|note| note.kind == text) {
-            let kind = text.clone();
             self.notes.push(Note {
-                kind,
+                kind: text.clone(),
+                line: None,
                 text,
                 more: 0,
             });
@@ -34,19 +36,23 @@ impl Notes {
             note.more += 1;
             return;
         }
-        let text = format!("{file}:{line}: {text}");
         self.notes.push(Note {
             kind,
-            text,
+            line: Some(format!("{file}:{line}")),
+            text: text.to_owned(),
             more: 0,
         });
     }
 
-    /// The notes, a sentence each.
-    pub fn finish(self) -> Vec<String> {
-        let text = |Note { text, more, .. }: Note| match more {
-            0 => text,
-            more => format!("{text} (and {more} more of this kind)"),
+    /// The notes, each with its line or with this file.
+    pub fn finish(self, file: &str) -> Vec<String> {
+        let text = |note: Note| {
+            let Note { text, more, .. } = note;
+            let place = note.line.unwrap_or_else(|| file.to_owned());
+            match more {
+                0 => format!("{place}: {text}"),
+                more => format!("{place}: {text} (and {more} more of this kind)"),
+            }
         };
         self.notes.into_iter().map(text).collect()
     }

@@ -287,7 +287,7 @@ fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, sta
 fn load(name: &Path) -> Result<Scene, meshes::Error> {
     let loaded = meshes::load(name)?;
     for note in loaded.notes {
-        talk::say!("{}: {note}", name.display());
+        talk::say!("{note}");
     }
     Ok(loaded.scene)
 }

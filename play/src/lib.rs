@@ -138,7 +138,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
 fn load(name: &Path) -> Result<nff::Scene, PlayError> {
     let loaded = meshes::load(name)?;
     for note in &loaded.notes {
-        say(format_args!("{}: {note}", name.display()));
+        say(format_args!("{note}"));
     }
     Ok(gathered(&loaded.scene).into_owned())
 }

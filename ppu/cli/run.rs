@@ -181,7 +181,7 @@ impl Options {
 pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
     let meshes::Loaded { mut scene, notes } = meshes::load(&options.scene)?;
     for note in notes {
-        talk::say!("cellray: note: {}: {note}", options.scene.display());
+        talk::say!("cellray: note: {note}");
     }
     options.camera.place(&mut scene.view);
     Ok(scene)

@@ -1,6 +1,6 @@
 //! What is refused, and what the messages say.
 
-use super::files::{JSON, MTL, OBJ, PLY, binary_ply, container, glb, refusal, triangle};
+use super::files::{JSON, OBJ, PLY, binary_ply, container, glb, refusal, triangle};
 
 #[test]
 fn numbers_that_are_not_finite() {
@@ -150,7 +150,8 @@ fn files_of_17_gigabytes() {
     std::fs::write(&library, "newmtl t\nmap_Kd t.png\n").unwrap();
     let notes = meshes::load(&obj).unwrap().notes;
     let expected = format!(
-        "the texture {}: {size}; surfaces are drawn without it",
+        "{}: the texture {}: {size}; surfaces are drawn without it",
+        obj.display(),
         picture.display()
     );
     assert_eq!(notes, [expected]);

@@ -1,6 +1,7 @@
 //! Small files for the tests.
 
 use std::fs;
+use std::path::Path;
 
 use meshes::{Error, Loaded};
 
@@ -135,7 +136,19 @@ pub fn load(name: &str, bytes: &[u8]) -> Result<Loaded, Error> {
     let path = folder.path().join(name);
     fs::write(folder.path().join("m.mtl"), MTL).unwrap();
     fs::write(&path, bytes).unwrap();
-    meshes::load(&path)
+    let mut loaded = meshes::load(&path)?;
+    without_file(&mut loaded, &path);
+    Ok(loaded)
+}
+
+/// Removes the file from the notes about the whole of it.
+pub fn without_file(loaded: &mut Loaded, path: &Path) {
+    let file = format!("{}: ", path.display());
+    for note in &mut loaded.notes {
+        if let Some(text) = note.strip_prefix(&file) {
+            *note = text.to_owned();
+        }
+    }
 }
 
 /// The message of a file that is refused, without its folder.

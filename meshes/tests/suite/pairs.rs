@@ -6,6 +6,8 @@ use glam::DVec3;
 use meshes::{Error, Loaded};
 use nff::Material;
 
+use super::files::without_file;
+
 /// A file in a folder: its name and its bytes.
 pub type NamedFile = (&'static str, Vec<u8>);
 
@@ -19,7 +21,10 @@ pub fn load(files: &[NamedFile]) -> Result<Loaded, Error> {
     for (name, bytes) in files {
         fs::write(folder.path().join(name), bytes).unwrap();
     }
-    meshes::load(&folder.path().join(files[0].0))
+    let path = folder.path().join(files[0].0);
+    let mut loaded = meshes::load(&path)?;
+    without_file(&mut loaded, &path);
+    Ok(loaded)
 }
 
 /// The message of files that are refused, without their folder.

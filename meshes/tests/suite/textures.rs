@@ -7,7 +7,7 @@ use std::path::Path;
 use image::{ImageFormat, Rgb, RgbImage};
 use nff::{Texture, Wrap};
 
-use super::files::{container, load, refusal, triangle};
+use super::files::{container, load, refusal, triangle, without_file};
 
 /// A file with a picture of 2x1 texels, red and blue. After the triangle's bytes come three
 /// texture coordinates as floats, bytes and halves, then the picture.
@@ -146,6 +146,8 @@ fn textured_obj(obj: &str, line: &str, picture: &[u8]) -> Result<(Texture, Vec<[
         let folder = format!("{}/", folder.path().display());
         error.to_string().replace(&folder, "")
     })?;
+    let mut scene = scene;
+    without_file(&mut scene, &folder.path().join("o.obj"));
     let (scene, notes) = (scene.scene, scene.notes);
     let Some(texture) = scene.materials[0].texture.as_deref() else {
         let folder = format!("{}/", folder.path().display());
