@@ -16,8 +16,8 @@ use nff::Sky;
 use nff::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
-pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
-pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
+pub use self::block::{BlockError, BlockOptions, MaterialTable, MeshPlace, SceneBlock};
+pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics, NumberWidth};
 pub use self::render_options::{
     CONTRAST, Colour, Look, Model, NodeVolumes, RenderOptions, Samples,
 };

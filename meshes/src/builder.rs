@@ -13,7 +13,7 @@ use crate::{Fault, Loaded};
 /// The most triangles of a file.
 pub const MAX_TRIANGLES: usize = 1 << 23;
 /// The most materials that the triangles of a file have.
-pub const MAX_MATERIALS: usize = 256;
+pub const MAX_MATERIALS: usize = 65_536;
 
 /// The parts of a scene, as a format's reader finds them.
 #[derive(Default)]

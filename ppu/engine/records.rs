@@ -6,6 +6,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
+use crate::scene::block::MaterialTable;
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
@@ -32,6 +33,8 @@ pub(super) struct Records {
     mesh: Option<Arc<MeshBlocks>>,
     /// Its textures.
     textures: Option<Arc<Textures>>,
+    /// Its materials, if they are not in the scene.
+    materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
     /// The rays of each SPU that have no room in local store.
@@ -65,6 +68,7 @@ impl Records {
             texture_code_bytes,
             mesh: None,
             textures: None,
+            materials: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
             statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
             waiting: SharedMemory::new((MAX_SPUS * WAITING_SIZE) as usize),
@@ -111,6 +115,7 @@ impl Records {
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
+            self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }
         self.units.write(0, plan.units().bytes());
         costs.clear();

@@ -11,9 +11,9 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_ROOM, FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF,
-    FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES,
-    SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    EYE_CODE_ROOM, FEATURE_CHECK_SHADERS, FEATURE_MATERIALS, FEATURE_MESH, FEATURE_NO_SHADOWS,
+    FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame,
+    MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -153,6 +153,9 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_material_count = mesh.material_count.into();
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
+        if let Some(materials) = mesh.table {
+            frame.materials = materials.address().into();
+        }
         if let Some(textures) = mesh.textures {
             // Their tiles have the place of the code for eye rays.
             let eye_code = EYE_CODE_ROOM.min(addresses.mesh_code_bytes);
@@ -184,6 +187,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
         | flag(frame.mesh.get() != 0, FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
+        | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)
         | flag(options.roll_off, FEATURE_ROLL_OFF)

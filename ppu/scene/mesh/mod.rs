@@ -28,6 +28,7 @@ use glam::DVec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
+    STREAMED_MATERIALS,
 };
 
 use self::tree::{Bounds, Kind, Piece, Tree};
@@ -67,8 +68,8 @@ pub enum MeshError {
         /// Its position.
         position: [f32; 3],
     },
-    /// The triangles have too many materials.
-    #[error("the mesh's triangles have {0} materials; there may be {MESH_MATERIALS}")]
+    /// The triangles and spheres have too many materials.
+    #[error("the scene's objects have {0} different materials; there may be {STREAMED_MATERIALS}")]
     TooManyMaterials(usize),
     /// The triangles take too many blocks.
     #[error("the mesh takes {0} blocks; there may be {MESH_BLOCKS}")]
@@ -80,11 +81,21 @@ pub enum MeshError {
 #[repr(C, align(128))]
 struct Block([u8; MESH_BLOCK as usize]);
 
+/// How wide the materials' numbers are in blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberWidth {
+    /// A byte. So many materials may be in local store.
+    Byte,
+    /// Two bytes, for materials in main memory.
+    TwoBytes,
+}
+
 /// A mesh in blocks.
 #[derive(Clone, Debug)]
 pub struct MeshBlocks {
     blocks: Vec<Block>,
     materials: Vec<u32>,
+    width: NumberWidth,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
     /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
@@ -95,7 +106,8 @@ pub struct MeshBlocks {
 
 impl MeshBlocks {
     /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
-    /// blocks.
+    /// blocks. Each material that has a triangle or a sphere has its own number, and the numbers are
+    /// as narrow as they can be.
     ///
     /// # Errors
     /// - No triangle has an area, and there is no sphere.
@@ -108,6 +120,19 @@ impl MeshBlocks {
         mesh: &Mesh,
         spheres: &[MeshSphere],
         materials: &[Material],
+    ) -> Result<Self, MeshError> {
+        let own: Vec<u32> = (0..).take(materials.len()).collect();
+        Self::numbered(mesh, spheres, materials, &own, NumberWidth::Byte)
+    }
+
+    /// [`MeshBlocks::new`] where `firsts` has for each material the first one that shares its
+    /// number, and numbers are at least so wide.
+    pub(super) fn numbered(
+        mesh: &Mesh,
+        spheres: &[MeshSphere],
+        materials: &[Material],
+        firsts: &[u32],
+        least: NumberWidth,
     ) -> Result<Self, MeshError> {
         let in_range = |position: &[f32; 3]| {
             let mut numbers = position.iter();
@@ -125,8 +150,9 @@ impl MeshBlocks {
         let mut numbers = vec![None; materials.len()];
         let mut used = Vec::new();
         let mut number = |material: usize| {
-            numbers[material].get_or_insert_with(|| {
-                used.push(material as u32);
+            let first = firsts[material];
+            numbers[first as usize].get_or_insert_with(|| {
+                used.push(first);
                 used.len() - 1
             });
         };
@@ -161,12 +187,16 @@ impl MeshBlocks {
         if used.is_empty() {
             return Err(MeshError::NoArea(mesh.triangles.len()));
         }
-        if used.len() > MESH_MATERIALS as usize {
-            return Err(MeshError::TooManyMaterials(used.len()));
-        }
+        let width = match used.len() {
+            count if count > STREAMED_MATERIALS as usize => {
+                return Err(MeshError::TooManyMaterials(count));
+            }
+            count if count > MESH_MATERIALS as usize => NumberWidth::TwoBytes,
+            _ => least,
+        };
 
         let ranges = kinds.each_ref().map(Vec::len);
-        let mut tree = Tree::new(mesh, kinds.concat());
+        let mut tree = Tree::new(mesh, kinds.concat(), width);
         let mut start = 0;
         let mut root = None;
         // The kind of the pieces before each index.
@@ -182,8 +212,8 @@ impl MeshBlocks {
         let Some(root) = root else {
             return Err(MeshError::NoArea(mesh.triangles.len()));
         };
-        let numbers = numbers.into_iter().map(|it| it.unwrap_or_default() as u8);
-        let numbers = numbers.collect::<Vec<_>>();
+        let number = |&first: &u32| numbers[first as usize].unwrap_or_default() as u32;
+        let numbers: Vec<u32> = firsts.iter().map(number).collect();
         write::blocks(mesh, spheres, tree, root, &ends, &numbers, used)
     }
 
@@ -208,11 +238,17 @@ impl MeshBlocks {
         self.blocks.as_ptr().expose_provenance() as u64
     }
 
-    /// The materials of the triangles, as indices in the scene's materials, in the order of their
-    /// numbers in blocks.
+    /// The materials of the triangles and spheres, as indices in the scene's materials, in the order
+    /// of their numbers in blocks. Of those that share a number it has the first one.
     #[must_use]
     pub fn materials(&self) -> &[u32] {
         &self.materials
+    }
+
+    /// How wide these numbers are in blocks.
+    #[must_use]
+    pub fn width(&self) -> NumberWidth {
+        self.width
     }
 
     /// How large the blocks are, and how much work they are for a ray.

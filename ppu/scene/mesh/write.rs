@@ -6,8 +6,8 @@ use std::ops::Range;
 use nff::Mesh;
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
-    MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
-    SIDES_TEXTURED,
+    MESH_UPPER, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
+    SIDES_TEXTURED, SIDES_WIDE,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
@@ -18,7 +18,7 @@ use super::normal::packed;
 use super::sphere::MeshSphere;
 use super::statistics::MeshStatistics;
 use super::tree::{Bounds, Kind, Node, Tree, around};
-use super::{Block, MeshBlocks, MeshError};
+use super::{Block, MeshBlocks, MeshError, NumberWidth};
 
 /// The most triangles of a leaf whose only node has all runs.
 const FEW: usize = 16;
@@ -33,15 +33,19 @@ pub(super) fn blocks(
     tree: Tree<'_>,
     root: usize,
     ends: &[(usize, Kind)],
-    numbers: &[u8],
+    numbers: &[u32],
     materials: Vec<u32>,
 ) -> Result<MeshBlocks, MeshError> {
     let Tree {
-        mut pieces, nodes, ..
+        mut pieces,
+        nodes,
+        width,
+        ..
     } = tree;
     let mut writer = Writer {
         nodes: &nodes,
         numbers,
+        width,
         mesh,
         spheres,
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
@@ -88,13 +92,15 @@ pub(super) fn blocks(
             cost_when_built: writer.cost,
             blocks,
             materials,
+            width,
         }),
     }
 }
 
 struct Writer<'a> {
     nodes: &'a [Node],
-    numbers: &'a [u8],
+    numbers: &'a [u32],
+    width: NumberWidth,
     mesh: &'a Mesh,
     spheres: &'a [MeshSphere],
     /// The surface of the whole mesh's box.
@@ -139,6 +145,7 @@ impl Writer<'_> {
         let mut vertices = Vec::new();
         let mut coordinates = Vec::new();
         let mut faces = Vec::with_capacity(pieces.len());
+        let mut upper = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
             let triangle = piece.index as usize;
             let vertex = self.mesh.triangles[triangle].map(|vertex| {
@@ -163,18 +170,24 @@ impl Writer<'_> {
                 }
                 place.1
             });
+            let number = self.numbers[self.mesh.materials[triangle] as usize];
             faces.push(MeshFace {
                 vertex,
-                material: self.numbers[self.mesh.materials[triangle] as usize],
+                material: number as u8,
             });
+            upper.push((number >> 8) as u8);
         }
+        let wide = match self.width {
+            NumberWidth::Byte => 0,
+            NumberWidth::TwoBytes => SIDES_WIDE,
+        };
         let header = MeshHeader {
             triangles: (faces.len() as u32).into(),
             vertices: (vertices.len() as u32).into(),
-            sides: sides.into(),
+            sides: (sides | wide).into(),
             ..header(number, MESH_LEAF, levels, nodes.len())
         };
-        self.block(
+        let mut block = self.block(
             around(pieces),
             &header,
             &nodes,
@@ -183,7 +196,11 @@ impl Writer<'_> {
                 faces.as_bytes(),
                 coordinates.as_bytes(),
             ],
-        )
+        );
+        if wide != 0 {
+            block.0[MESH_UPPER as usize..][..upper.len()].copy_from_slice(&upper);
+        }
+        block
     }
 
     fn spheres(&mut self, number: u32, pieces: &mut [super::Piece]) -> Block {
@@ -199,7 +216,7 @@ impl Writer<'_> {
                 children.push((piece.bounds, offset(nodes) + place as u32));
                 let sphere = &self.spheres[piece.index as usize];
                 let material = self.numbers[sphere.material as usize];
-                records.push(sphere.record(material.into()));
+                records.push(sphere.record(material));
                 self.statistics.expected_spheres += self.share(piece.bounds);
             }
             lowest.push(children);

@@ -9,7 +9,8 @@
         .section .bss
         .align  4
         .global streamed
-streamed:                               # bits of FEATURE_MESH and FEATURE_TEXTURES; 0 without a mesh
+streamed:                               # bits of FEATURE_MESH, FEATURE_TEXTURES and
+                                        # FEATURE_MATERIALS; 0 without a mesh
         .skip   16
 
         .set    status,3
@@ -33,7 +34,7 @@ function whitted_check
         # mesh_begin checks the rest of the fields of the mesh and its textures, when its code is
         # there.
         load_word $batch,FRAME_features,$a_frame
-        andi    $batch,$batch,FEATURE_MESH|FEATURE_TEXTURES
+        andi    $batch,$batch,FEATURE_MESH|FEATURE_TEXTURES|FEATURE_MATERIALS
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned mesh_code,LINE,MeshCode

@@ -19,6 +19,8 @@ pub struct Descriptor {
     pub mesh: Vec<u8>,
     /// The program's code that traces meshes.
     pub mesh_code: Vec<u8>,
+    /// Its materials in main memory, or none.
+    pub materials: Vec<u8>,
     /// The tiles of its textures, or none.
     pub textures: Vec<u8>,
     /// The program's code that looks up textures.
@@ -79,6 +81,8 @@ impl Descriptor {
         let mesh = block.and_then(|block| block.mesh());
         let textures = mesh.and_then(|mesh| mesh.textures);
         let textures = textures.map_or(Vec::new(), |textures| textures.bytes().to_vec());
+        let materials = mesh.and_then(|mesh| mesh.table);
+        let materials = materials.map_or(Vec::new(), |table| table.bytes().to_vec());
         let mesh = mesh.map_or(Vec::new(), |mesh| mesh.blocks.bytes().to_vec());
         let mut block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
         if frame.box_trees.get() != 0 {
@@ -91,6 +95,7 @@ impl Descriptor {
             block,
             mesh,
             mesh_code,
+            materials,
             textures,
             texture_code,
             units: units.bytes().to_vec(),

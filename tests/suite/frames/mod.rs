@@ -5,6 +5,7 @@ mod descriptor;
 mod faults;
 mod fixture;
 mod long_frames;
+mod materials;
 mod mesh;
 mod pictures;
 mod protocol;

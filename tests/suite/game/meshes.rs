@@ -141,61 +141,15 @@ fn textures_of_meshes() {
             ..world.material(red).unwrap()
         };
         match step {
-            3 => world.place_mesh(first, at(-1.2, 0.1, 0.0)).unwrap(),
-            _ => world.set_material(red, material).unwrap(),
+            3 => {
+                for material in &materials[200..400] {
+                    world.set_material(*material, Material::glass()).unwrap();
+                }
+            }
+            _ => world.remove(ball).unwrap(),
         }
         let picture = compared.picture(&mut world);
         assert!(picture != last, "{step}");
-        assert_ne!(world.checksum(), sum, "{step}");
-        (last, sum) = (picture, world.checksum());
-    }
-    world.place_mesh(first, at(-1.0, 0.3, 0.0)).unwrap();
-    assert!(compared.picture(&mut world) != last);
-
-    mesh.texture_coordinates.pop();
-    let refused = world.add_mesh(Arc::new(mesh.clone()), &[red], DAffine3::IDENTITY);
-    let message = refused.unwrap_err().to_string();
-    assert!(
-        message.contains("as many texture coordinates, or none"),
-        "{message}"
-    );
-    mesh.texture_coordinates.push([0.0, f32::NAN]);
-    let refused = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY);
-    let message = refused.unwrap_err().to_string();
-    assert!(message.contains("texture coordinate NaN"), "{message}");
-}
-
-/// Two places of a mesh: one turns and grows, the other is mirrored, hidden, shown and removed.
-fn play(mesh: Mesh) {
-    let (mut world, red) = world();
-    let mesh = Arc::new(mesh);
-    let left = world
-        .add_mesh(mesh.clone(), &[red], at(-1.0, 0.0, 0.0))
-        .unwrap();
-    let right = at(1.0, 0.2, -0.5);
-    let other = world.add_mesh(mesh, &[red], right).unwrap();
-    let mut compared = Compared::new();
-    let mut last = compared.picture(&mut world);
-    for frame in 1..=7 {
-        let angle = 0.3 * f64::from(frame);
-        let turned = at(-1.0, 0.1 * angle, 0.0) * DAffine3::from_rotation_y(angle);
-        let grown = DAffine3::from_scale(DVec3::new(1.0, 1.0 + 0.3 * angle, 0.8));
-        world
-            .place_mesh(left, turned * DAffine3::from_rotation_x(angle) * grown)
-            .unwrap();
-        match frame {
-            2 => {
-                let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
-                world.place_mesh(other, right * mirror).unwrap();
-            }
-            3 => world.show_mesh(other, false).unwrap(),
-            4 => world.place_mesh(other, right).unwrap(),
-            5 => world.show_mesh(other, true).unwrap(),
-            6 => world.remove_mesh(other).unwrap(),
-            _ => {}
-        }
-        let picture = compared.picture(&mut world);
-        assert!(picture != last, "frame {frame}");
         last = picture;
     }
 }

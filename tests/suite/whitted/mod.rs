@@ -7,6 +7,7 @@ mod colour;
 mod counts;
 mod frame;
 mod invariance;
+mod materials;
 mod meshes;
 mod pictures;
 mod placed;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::super::MeshBlocks;
+use super::super::{MeshBlocks, NumberWidth};
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
 
@@ -102,6 +102,38 @@ fn texture_coordinates_are_where_a_material_has_a_texture() {
         check(&mesh, &materials, &blocks);
         assert!(blocks.count() > plain.count() || rows == 2);
     }
+}
+
+#[test]
+fn materials_with_wide_numbers() {
+    let materials = vec![materials().remove(0); 5000];
+    for (count, width) in [(256, NumberWidth::Byte), (5000, NumberWidth::TwoBytes)] {
+        let mut mesh = ball(50);
+        for (triangle, material) in mesh.materials.iter_mut().enumerate() {
+            *material = (triangle as u32 * 7919) % count;
+        }
+        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert_eq!(blocks.materials().len(), count as usize);
+        assert_eq!(blocks.width(), width);
+        check(&mesh, &materials, &blocks);
+    }
+}
+
+#[test]
+fn materials_that_share_a_number() {
+    let materials = vec![materials().remove(0); 3];
+    let mut mesh = ball(20);
+    for (triangle, material) in mesh.materials.iter_mut().enumerate() {
+        *material = triangle as u32 % 3;
+    }
+    let firsts = [0, 1, 0];
+    let blocks = MeshBlocks::numbered(&mesh, &[], &materials, &firsts, NumberWidth::TwoBytes);
+    let blocks = blocks.unwrap();
+    assert_eq!(blocks.materials(), [0, 1]);
+    for material in &mut mesh.materials {
+        *material = firsts[*material as usize];
+    }
+    check(&mesh, &materials, &blocks);
 }
 
 #[test]

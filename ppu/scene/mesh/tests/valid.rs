@@ -6,8 +6,8 @@ use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_VERTICES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object,
-    SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
+    MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
+    NO_BOX, Object, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
@@ -22,6 +22,8 @@ pub struct Parts {
     pub vertices: Vec<MeshVertex>,
     pub faces: Vec<MeshFace>,
     pub coordinates: Vec<MeshCoordinates>,
+    /// The upper bytes of the faces' materials, or zeros.
+    pub upper: Vec<u8>,
 }
 
 impl Parts {
@@ -46,13 +48,25 @@ impl Parts {
         let coordinates = if is_textured { vertices.len() } else { 0 };
         let (coordinates, rest) =
             <[MeshCoordinates]>::ref_from_prefix_with_elems(&rest[gap..], coordinates).unwrap();
+        let is_wide = header.sides.get() & SIDES_WIDE != 0;
+        let mut upper = vec![0; faces.len()];
+        let (rest, behind) = match is_wide {
+            true => rest.split_at(rest.len() - (MESH_BLOCK - MESH_UPPER) as usize),
+            false => (rest, &[][..]),
+        };
         assert!(rest.iter().all(|&byte| byte == 0), "block {number}");
+        if is_wide {
+            let (own, behind) = behind.split_at(faces.len());
+            upper.copy_from_slice(own);
+            assert!(behind.iter().all(|&byte| byte == 0), "block {number}");
+        }
         Self {
             header,
             nodes: nodes.to_vec(),
             vertices: vertices.to_vec(),
             faces: faces.to_vec(),
             coordinates: coordinates.to_vec(),
+            upper,
         }
     }
 
@@ -215,9 +229,10 @@ fn leaf(
                     high: corner,
                 });
             }
-            let number = parts.faces[face as usize].material;
-            let material = blocks.materials()[number as usize];
-            let sides = parts.header.sides.get();
+            let lower = parts.faces[face as usize].material;
+            let number = u16::from_be_bytes([parts.upper[face as usize], lower]);
+            let material = blocks.materials()[usize::from(number)];
+            let sides = parts.header.sides.get() & !SIDES_WIDE;
             *found.entry((bits(corners), material, sides)).or_default() += 1;
         }
         assert_eq!(own, bounds);

@@ -1,7 +1,8 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
 # takes: patches and objects. Neighbours in a packet share them. Most are made by
 # mesh_flat_patches, four at a time. Those whose blocks have left the cache are made here, and so
-# are spheres, and triangles with normals or textures. Both ways make the same bits.
+# are spheres, and triangles with normals or textures. Both ways make the same bits. Where the
+# materials are in main memory, all of them are made here, and mesh_materials follows.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -318,5 +319,10 @@ sphere: shli    $index,$index,4
         br      next_hit
 
 all_made:
-        leave
+        # As leave does, but the test waits for nothing else.
+        lqa     $address,are_streamed
+        ai      $sp,$sp,32
+        lqd     $lr,16($sp)
+        brnz    $address,mesh_materials
+        bi      $lr
 endfunction mesh_hits

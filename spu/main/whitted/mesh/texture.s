@@ -54,7 +54,7 @@ function texture_begin
         refuse_if $bad,MeshCache
 
         # The table of textures and levels.
-        require_from_one texture_count,MESH_MATERIALS,TextureRecords
+        require_from_one texture_count,MESH_TEXTURES,TextureRecords
         ori     $count,$value,0
         require_from_one texture_level_count,TEXTURE_LEVELS,TextureRecords
         load_word $table,FRAME_texture_records,$a_frame
@@ -125,7 +125,11 @@ next_level:
         ai      $left,$left,-1
         brnz    $left,next_level
 
-        # Each material of the mesh has one of the textures, or none.
+        # Each material of the mesh has one of the textures, or none. In main memory they may have
+        # anything, since nothing but tiles is ever fetched.
+        lqa     $value,streamed
+        andi    $value,$value,FEATURE_MATERIALS
+        binz    $value,$lr
         load_word $table,FRAME_texture_records,$a_frame
         load_word $count,FRAME_texture_count,$a_frame
         load_word $material,FRAME_mesh_materials,$a_frame
