@@ -61,6 +61,14 @@ pub enum SceneError {
         /// Name of the scene's file.
         file: String,
     },
+    /// The SPU program has no code for colours of vertices.
+    #[error(
+        "{file}: the mesh has colours at its vertices, and the SPU program can't interpolate them"
+    )]
+    NoColours {
+        /// Name of the scene's file.
+        file: String,
+    },
     /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
@@ -148,6 +156,11 @@ impl Scene {
             }),
             Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
                 Err(SceneError::NoTextures {
+                    file: self.file.clone(),
+                })
+            }
+            Some(mesh) if mesh.blocks.is_coloured() && program.colour_code().is_empty() => {
+                Err(SceneError::NoColours {
                     file: self.file.clone(),
                 })
             }

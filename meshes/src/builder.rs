@@ -139,6 +139,7 @@ impl Builder {
             triangles: self.triangles,
             materials: self.triangle_materials,
             two_sided: self.two_sided,
+            ..Mesh::default()
         };
         let (low, high) = mesh.bounds().ok_or(Fault::NoTriangles)?;
         let (lights, ambient) = if self.lights.is_empty() {
@@ -204,6 +205,7 @@ pub(crate) fn plain(colour: DVec3) -> Material {
         shine: 1.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     }

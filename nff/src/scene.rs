@@ -77,6 +77,9 @@ pub struct Material {
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
+    /// Light that it sends by itself, in addition to what other light does there: red, green and blue,
+    /// encoded as the colour is. [`Shader::Depth`] ignores it.
+    pub emission: DVec3,
     /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,
     /// What the colour is multiplied by on the triangles of a mesh that has texture coordinates.
@@ -202,6 +205,7 @@ impl PartialEq for Material {
             && self.shine == other.shine
             && self.transmittance == other.transmittance
             && self.refraction_index == other.refraction_index
+            && self.emission == other.emission
             && self.shader == other.shader
             && self.texture == other.texture
     }

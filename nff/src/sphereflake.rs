@@ -91,6 +91,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         shine: 100_000.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     };
@@ -102,6 +103,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         shine: 3.0827,
         transmittance: 0.0,
         refraction_index: 1.0,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     };

@@ -102,6 +102,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             shine: 0.0,
             transmittance: 0.0,
             refraction_index: 1.0,
+            emission: DVec3::ZERO,
             shader: Shader::Phong,
             texture: None,
         }],

@@ -249,6 +249,7 @@ impl<R: BufRead> Words<R> {
             shine: self.not_negative("shine")?,
             transmittance: self.not_negative("T")?,
             refraction_index: self.not_negative("index of refraction")?,
+            emission: DVec3::ZERO,
             shader: Shader::Phong,
             texture: None,
         })

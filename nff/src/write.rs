@@ -92,6 +92,7 @@ impl fmt::Display for Material {
             shine,
             transmittance,
             refraction_index,
+            emission: _,
             shader,
             texture: _,
         } = self;

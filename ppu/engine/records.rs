@@ -13,8 +13,8 @@ use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    BOX_CODE, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere, Statistics,
-    UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
+    BOX_CODE, COLOUR_CODE_ROOM, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere,
+    Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -28,6 +28,7 @@ pub(super) struct Records {
     /// The number of its bytes.
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
+    colour_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
@@ -57,6 +58,8 @@ impl Records {
             memory.write(0, &code);
             (memory, code.len() as u32)
         });
+        let mut colour_code = SharedMemory::new(COLOUR_CODE_ROOM as usize);
+        colour_code.write(0, &program.colour_code());
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
@@ -66,6 +69,7 @@ impl Records {
             mesh_code_bytes,
             texture_code,
             texture_code_bytes,
+            colour_code,
             mesh: None,
             textures: None,
             materials: None,
@@ -93,6 +97,7 @@ impl Records {
             mesh_code_bytes: self.mesh_code_bytes,
             texture_code: self.texture_code.address(),
             texture_code_bytes: self.texture_code_bytes,
+            colour_code: self.colour_code.address(),
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             waiting: self.waiting.address(),

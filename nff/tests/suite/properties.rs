@@ -88,6 +88,7 @@ fn material() -> impl Strategy<Value = Material> {
         transmittance: shares.z.abs(),
         shine: shine.abs(),
         refraction_index: index.abs(),
+        emission: DVec3::ZERO,
         texture: None,
         shader,
     })

@@ -69,6 +69,9 @@ impl Checksum {
 
     /// A mesh without its place and its materials.
     pub fn mesh(&mut self, mesh: &Mesh) {
+        if mesh.origin != DVec3::ZERO {
+            self.vector(mesh.origin);
+        }
         for vectors in [&mesh.positions, &mesh.normals] {
             self.word(vectors.len() as u64);
             for number in vectors.iter().flatten() {
@@ -76,6 +79,9 @@ impl Checksum {
             }
         }
         for number in mesh.texture_coordinates.iter().flatten() {
+            self.bytes(&number.to_bits().to_be_bytes());
+        }
+        for number in mesh.colours.iter().flatten() {
             self.bytes(&number.to_bits().to_be_bytes());
         }
         for number in mesh.triangles.iter().flatten().chain(&mesh.materials) {
@@ -109,6 +115,10 @@ impl Checksum {
             material.refraction_index,
         ] {
             self.float(share);
+        }
+        // What most materials lack is left out, so that sums of older recordings stay valid.
+        if material.emission != DVec3::ZERO {
+            self.vector(material.emission);
         }
         if let Some(texture) = &material.texture {
             self.word(texture.checksum());

@@ -32,6 +32,8 @@ pub struct Material {
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
+    /// Light that it sends by itself, in addition to what other light does there.
+    pub emission: DVec3,
     /// The shader that computes the colour; [`Shader::Own`] names one of the SPU program's.
     pub shader: Shader,
     /// What the colour is multiplied by on meshes with texture coordinates.
@@ -49,6 +51,7 @@ impl Material {
             shine: 1.0,
             transmittance: 0.0,
             refraction_index: 1.0,
+            emission: DVec3::ZERO,
             shader: Shader::Phong,
             texture: None,
         }
@@ -110,6 +113,7 @@ impl Material {
             shine: self.shine,
             transmittance: self.transmittance,
             refraction_index: self.refraction_index,
+            emission: self.emission,
             shader: self.shader,
             texture: self.texture,
         }
@@ -125,6 +129,7 @@ impl From<&nff::Material> for Material {
             shine: material.shine,
             transmittance: material.transmittance,
             refraction_index: material.refraction_index,
+            emission: material.emission,
             shader: material.shader.clone(),
             texture: material.texture.clone(),
         }

@@ -54,14 +54,15 @@ impl WorldMesh {
         self.place.matrix3.determinant() < 0.0
     }
 
-    /// Writes the positions, and the normals if there is room for any.
-    fn write(&self, positions: &mut [[f32; 3]], normals: &mut [[f32; 3]]) {
-        if self.place == DAffine3::IDENTITY {
+    /// Writes the positions relative to an origin, and the normals if there is room for any.
+    fn write(&self, origin: DVec3, positions: &mut [[f32; 3]], normals: &mut [[f32; 3]]) {
+        if self.place == DAffine3::IDENTITY && origin == self.mesh.origin {
             positions.copy_from_slice(&self.mesh.positions);
         } else {
             for (to, &from) in positions.iter_mut().zip(&self.mesh.positions) {
-                let position = Vec3::from(from).as_dvec3();
-                *to = self.place.transform_point3(position).as_vec3().to_array();
+                let position = self.mesh.origin + Vec3::from(from).as_dvec3();
+                let place = self.place.transform_point3(position) - origin;
+                *to = place.as_vec3().to_array();
             }
         }
         if self.mesh.normals.is_empty() {
@@ -118,7 +119,8 @@ impl World {
     ///
     /// # Errors
     /// - A triangle names a vertex or a material that doesn't exist, or there is no triangle.
-    /// - The number of normals, of texture coordinates or of triangles' materials is wrong.
+    /// - The number of normals, of texture coordinates, of colours or of triangles' materials is
+    ///   wrong.
     /// - A number is out of range, or the place is flat.
     pub fn add_mesh(
         &mut self,
@@ -224,7 +226,11 @@ impl World {
         }
         let has_normals = visible().any(|entry| !entry.mesh.normals.is_empty());
         let has_coordinates = visible().any(|entry| !entry.mesh.texture_coordinates.is_empty());
+        let has_colours = visible().any(|entry| !entry.mesh.colours.is_empty());
         let mut joined = Mesh {
+            // Whatever depends on places would differ between a world in which meshes have moved
+            // and a new one.
+            origin: first.mesh.origin,
             two_sided: visible().any(|entry| entry.mesh.two_sided),
             ..Mesh::default()
         };
@@ -236,11 +242,15 @@ impl World {
                 .normals
                 .resize(if has_normals { after } else { 0 }, [0.0; 3]);
             let normals = joined.normals.get_mut(first..).unwrap_or_default();
-            entry.write(&mut joined.positions[first..], normals);
+            entry.write(joined.origin, &mut joined.positions[first..], normals);
             if has_coordinates {
                 let coordinates = &entry.mesh.texture_coordinates;
                 joined.texture_coordinates.extend_from_slice(coordinates);
                 joined.texture_coordinates.resize(after, [0.0; 2]);
+            }
+            if has_colours {
+                joined.colours.extend_from_slice(&entry.mesh.colours);
+                joined.colours.resize(after, [1.0; 3]);
             }
             let is_mirrored = entry.is_mirrored();
             let triangles = entry.mesh.triangles.iter().map(|triangle| {
@@ -275,7 +285,7 @@ impl World {
             let mesh = &entry.mesh;
             let met = (0..mesh.triangles.len()).filter_map(|triangle| {
                 let both_sides = two_sided || seen_through[mesh.materials[triangle] as usize];
-                let corners = mesh.corners(triangle).map(|corner| corner.as_dvec3());
+                let corners = mesh.places(triangle);
                 Some((triangle, ray.triangle(corners, both_sides)?))
             });
             let (triangle, (distance, normal)) =
@@ -293,7 +303,7 @@ impl World {
             first = range.end;
             if entry.has_moved {
                 let normals = joined.normals.get_mut(range.clone()).unwrap_or_default();
-                entry.write(&mut joined.positions[range], normals);
+                entry.write(joined.origin, &mut joined.positions[range], normals);
             }
         }
     }

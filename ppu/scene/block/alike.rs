@@ -10,7 +10,7 @@ use nff::{Material, Shader, Texture};
 /// place in memory.
 #[derive(PartialEq, Eq, Hash)]
 struct Key<'a> {
-    numbers: [u64; 8],
+    numbers: [u64; 11],
     shader: (u8, &'a str, [u64; 4]),
     texture: Option<*const Texture>,
 }
@@ -25,6 +25,7 @@ impl<'a> Key<'a> {
             shine,
             transmittance,
             refraction_index,
+            emission,
             shader,
             texture,
         } = material;
@@ -45,6 +46,9 @@ impl<'a> Key<'a> {
             *shine,
             *transmittance,
             *refraction_index,
+            emission.x,
+            emission.y,
+            emission.z,
         ];
         Self {
             numbers: numbers.map(f64::to_bits),
@@ -76,6 +80,7 @@ mod tests {
             shine: 9.0,
             transmittance: 0.0,
             refraction_index: 1.0,
+            emission: DVec3::ZERO,
             shader: Shader::Phong,
             texture: None,
         }
@@ -93,13 +98,14 @@ mod tests {
             let texels = vec![[1, 2, 3]];
             Texture::new(1, texels, [nff::Wrap::Clamp; 2]).map(Arc::new)
         };
-        let changes: [fn(&mut Material); 12] = [
+        let changes: [fn(&mut Material); 13] = [
             |it| it.colour.z = 0.4,
             |it| it.diffuse = 0.6,
             |it| it.specular = 0.6,
             |it| it.shine = 8.0,
             |it| it.transmittance = 0.1,
             |it| it.refraction_index = 1.5,
+            |it| it.emission.y = 0.1,
             |it| it.shader = Shader::Flat,
             |it| it.shader = Shader::Lambert,
             |it| {
@@ -132,7 +138,7 @@ mod tests {
         }
         let own: Vec<u32> = (0..materials.len() as u32).collect();
         assert_eq!(firsts(&materials), own);
-        materials[3] = materials[14].clone();
-        assert_eq!(firsts(&materials)[14], 3);
+        materials[3] = materials[15].clone();
+        assert_eq!(firsts(&materials)[15], 3);
     }
 }

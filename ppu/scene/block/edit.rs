@@ -18,7 +18,7 @@ use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
 use super::{
-    PrimitiveId, SceneBlock, Source, Spare, Surface, alike, ambient, brightest, texture_address,
+    PrimitiveId, SceneBlock, Source, Spare, Surface, alike, ambient, brightest, surfacing,
 };
 use crate::scene::mesh::MeshError;
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
@@ -197,8 +197,8 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let texture = texture_address(self.streamed.as_ref(), material);
-        let record = materials::record(&self.file, material, texture, self.options, &shader)?;
+        let surfacing = surfacing(self.streamed.as_ref(), material);
+        let record = materials::record(&self.file, material, surfacing, self.options, &shader)?;
         if let Some(address) = address {
             let bytes = self.block.at(address, record.as_bytes().len());
             bytes.copy_from_slice(record.as_bytes());

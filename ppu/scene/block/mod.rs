@@ -46,6 +46,7 @@ use self::bounds::Bounds;
 use self::bvh::Volumes;
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
+use self::materials::Surfacing;
 use self::memory_use::MemoryUse;
 use self::objects::Object;
 use self::primitive::PrimitiveKind;
@@ -297,8 +298,8 @@ impl SceneBlock {
         }
         let record = |index: usize| {
             let material = &scene.materials[index];
-            let texture = texture_address(streamed.as_ref(), material);
-            let record = materials::record(&scene.name, material, texture, options, shader)?;
+            let surfacing = surfacing(streamed.as_ref(), material);
+            let record = materials::record(&scene.name, material, surfacing, options, shader)?;
             let surface = Surface {
                 address: None,
                 is_shared: false,
@@ -546,11 +547,17 @@ impl SceneBlock {
     }
 }
 
-/// The address of the record of a material's texture; 0 if the streamed mesh doesn't have it.
-fn texture_address(streamed: Option<&Streamed>, material: &nff::Material) -> u32 {
+/// What the streamed mesh has for a material.
+fn surfacing(streamed: Option<&Streamed>, material: &nff::Material) -> Surfacing {
+    let Some(streamed) = streamed else {
+        return Surfacing::default();
+    };
     let texture = material.texture.as_ref();
-    let address = texture.and_then(|texture| streamed?.texture_address(texture));
-    address.unwrap_or_default()
+    let address = texture.and_then(|texture| streamed.texture_address(texture));
+    Surfacing {
+        texture: address.unwrap_or_default(),
+        is_coloured: streamed.blocks.is_coloured(),
+    }
 }
 
 /// The bytes that the queue of rays leaves for a scene.

@@ -7,8 +7,8 @@ use std::sync::Arc;
 use glam::DVec3;
 use nff::{Mesh, Scene, Shape, Texture};
 use protocol::layout::{
-    self, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS, SCENE_ROOM,
-    TEXTURE_CODE,
+    self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
+    SCENE_ROOM, TEXTURE_CODE,
 };
 use zerocopy::big_endian::F32;
 
@@ -19,7 +19,7 @@ use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::Colour;
-use crate::scene::mesh::{MeshBlocks, MeshSphere, NumberWidth, RESIDENT};
+use crate::scene::mesh::{MeshBlocks, MeshSphere, NumberWidth, Numbers, RESIDENT};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
@@ -33,6 +33,8 @@ pub(super) struct Streamed {
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
+    /// The point of the scene that positions in blocks are relative to.
+    origin: DVec3,
     /// The corners of the box around it.
     bounds: [DVec3; 2],
     /// Whether the scene's spheres are there, too.
@@ -66,7 +68,7 @@ pub struct MeshPlace<'a> {
     pub textures: Option<&'a Arc<Textures>>,
     /// The local-store address of their records.
     pub texture_records: u32,
-    /// The eye in the mesh's coordinates, and 0.
+    /// The eye relative to the blocks' origin, and 0.
     pub eye: [F32; 4],
 }
 
@@ -79,8 +81,12 @@ impl Streamed {
         least: NumberWidth,
     ) -> Result<Option<Self>, BlockError> {
         let Source { scene, firsts, .. } = source;
+        let origin = match &scene.mesh {
+            Some(mesh) => mesh.origin,
+            None => origin_of_spheres(scene),
+        };
         let spheres = match with_spheres {
-            true => spheres(scene)?,
+            true => spheres(scene, origin)?,
             false => Vec::new(),
         };
         if scene.mesh.is_none() && spheres.is_empty() {
@@ -92,10 +98,13 @@ impl Streamed {
         };
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
-        let blocks = MeshBlocks::numbered(mesh, &spheres, &scene.materials, firsts, least);
+        let numbers = Numbers { firsts, least };
+        let colour = source.options.colour;
+        let blocks = MeshBlocks::numbered(mesh, &spheres, &scene.materials, numbers, colour);
         let blocks = blocks.map_err(wrong)?;
         let corners = spheres.iter().flat_map(|sphere| {
-            let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
+            let centre = origin + sphere.centre.as_dvec3();
+            let radius = f64::from(sphere.radius.abs());
             [centre - radius, centre + radius]
         });
         let bounds = mesh.bounds().map(|(low, high)| [low, high]);
@@ -105,9 +114,10 @@ impl Streamed {
         });
         Ok(Some(Self {
             wasted_pictures: 0.0,
+            origin,
             bounds: bounds.unwrap_or_default(),
             with_spheres,
-            textures: textures(scene, &blocks, source.options.colour)?,
+            textures: textures(scene, &blocks, colour)?,
             blocks: Arc::new(blocks),
             materials: SCENE_ADDRESS,
             table: None,
@@ -167,7 +177,8 @@ impl Streamed {
 
     /// Where the mesh's cache ends: before the code that it needs.
     fn end(&self) -> u32 {
-        match self.textures {
+        match &self.textures {
+            _ if self.blocks.is_coloured() => COLOUR_CODE,
             Some(_) => TEXTURE_CODE,
             None => EYE_CODE,
         }
@@ -191,7 +202,7 @@ impl Streamed {
     pub fn place(&self, used: usize, eye: DVec3, most: u32) -> MeshPlace<'_> {
         let room = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
         let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
-        let [x, y, z] = singles(eye);
+        let [x, y, z] = singles(eye - self.origin);
         MeshPlace {
             blocks: &self.blocks,
             materials: self.materials,
@@ -236,8 +247,24 @@ fn textures(
     Ok((!found.is_empty()).then(|| Arc::new(Textures::new(found, colour))))
 }
 
-/// A scene's spheres, with single precision.
-fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
+/// The origin for the spheres of a scene that has no mesh.
+fn origin_of_spheres(scene: &Scene) -> DVec3 {
+    let spheres = scene
+        .objects
+        .iter()
+        .filter_map(|object| match object.shape {
+            Shape::Sphere { centre, radius } => {
+                Some([centre - radius.abs(), centre + radius.abs()])
+            }
+            _ => None,
+        });
+    let around = spheres
+        .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
+    around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
+}
+
+/// A scene's spheres, with single precision, relative to an origin.
+fn spheres(scene: &Scene, origin: DVec3) -> Result<Vec<MeshSphere>, BlockError> {
     let mut found = Vec::new();
     for object in &scene.objects {
         let Some(material) = scene.materials.get(object.material as usize) else {
@@ -253,7 +280,7 @@ fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
         objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
             if let Primitive::Sphere { centre, radius } = primitive {
                 found.push(MeshSphere {
-                    centre: centre.as_vec3(),
+                    centre: (centre - origin).as_vec3(),
                     radius: radius as f32,
                     sides,
                     material: object.material,
@@ -266,12 +293,14 @@ fn spheres(scene: &Scene) -> Result<Vec<MeshSphere>, BlockError> {
 }
 
 /// Whether a scene's mesh is small enough to be tried in local store, where it is faster, and has
-/// no texture.
+/// no texture and no colours of vertices.
 pub(super) fn may_stay(scene: &Scene) -> bool {
     let is_textured = |mesh: &Mesh| {
         let of = |&number: &u32| scene.materials.get(number as usize)?.texture.as_ref();
         !mesh.texture_coordinates.is_empty() && mesh.materials.iter().any(|it| of(it).is_some())
     };
     let mesh = scene.mesh.as_deref();
-    mesh.is_none_or(|mesh| mesh.triangles.len() <= RESIDENT && !is_textured(mesh))
+    mesh.is_none_or(|mesh| {
+        mesh.triangles.len() <= RESIDENT && mesh.colours.is_empty() && !is_textured(mesh)
+    })
 }

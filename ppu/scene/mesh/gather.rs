@@ -29,7 +29,7 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
         let is_kept = keeps_quads && is_quad(&object.shape);
         size(&object.shape) > 0 && knows_material(object) && !is_kept
     };
-    let mut gatherer = Gatherer::new(scene.mesh.as_deref(), corners);
+    let mut gatherer = Gatherer::new(scene, corners);
     let mut rest = Vec::new();
     for object in &scene.objects {
         if !is_moved(object) || !gatherer.add(object) {
@@ -85,8 +85,11 @@ struct Gatherer {
 
 impl Gatherer {
     /// `corners`: those of all triangles that may be added.
-    fn new(mesh: Option<&Mesh>, corners: usize) -> Self {
-        let mut mesh = mesh.cloned().unwrap_or_default();
+    fn new(scene: &Scene, corners: usize) -> Self {
+        let mut mesh = scene.mesh.as_deref().cloned().unwrap_or_else(|| Mesh {
+            origin: origin(&scene.objects),
+            ..Mesh::default()
+        });
         mesh.normals.resize(mesh.positions.len(), [0.0; 3]);
         let known = HashMap::with_capacity(corners);
         Self { mesh, known }
@@ -120,7 +123,7 @@ impl Gatherer {
     }
 
     fn vertex(&mut self, position: DVec3, normal: DVec3) -> u32 {
-        let vertex = [position, normal].map(|it| it.as_vec3().to_array());
+        let vertex = [position - self.mesh.origin, normal].map(|it| it.as_vec3().to_array());
         let [[x, y, z], [nx, ny, nz]] = vertex;
         let bits = [[x, y], [z, nx], [ny, nz]]
             .map(|[one, other]| u64::from(one.to_bits()) << 32 | u64::from(other.to_bits()));
@@ -132,9 +135,23 @@ impl Gatherer {
             if !mesh.texture_coordinates.is_empty() {
                 mesh.texture_coordinates.push([0.0; 2]);
             }
+            if !mesh.colours.is_empty() {
+                mesh.colours.push([1.0; 3]);
+            }
             mesh.positions.len() as u32 - 1
         })
     }
+}
+
+/// The origin for the polygons and patches among some objects.
+fn origin(objects: &[Object]) -> DVec3 {
+    let vertices = objects.iter().flat_map(|object| match &object.shape {
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => vertices.as_slice(),
+        Shape::Sphere { .. } | Shape::Cone { .. } => &[],
+    });
+    let around = vertices.map(|&vertex| [vertex; 2]);
+    let around = around.reduce(|[low, high], [vertex, _]| [low.min(vertex), high.max(vertex)]);
+    around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
 }
 
 #[cfg(test)]

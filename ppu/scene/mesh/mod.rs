@@ -11,6 +11,7 @@
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A
 //! triangle without an area is left out: no ray hits it.
 
+mod colour;
 mod cut;
 mod gather;
 mod leaf;
@@ -31,7 +32,9 @@ use protocol::layout::{
     STREAMED_MATERIALS,
 };
 
+use self::colour::packed;
 use self::tree::{Bounds, Kind, Piece, Tree};
+use super::Colour;
 use super::single::LARGEST;
 
 pub use self::gather::gathered;
@@ -90,12 +93,22 @@ pub enum NumberWidth {
     TwoBytes,
 }
 
+/// The numbers of materials in blocks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers<'a> {
+    /// For each material the first one that shares its number.
+    pub firsts: &'a [u32],
+    /// How wide they are at least.
+    pub least: NumberWidth,
+}
+
 /// A mesh in blocks.
 #[derive(Clone, Debug)]
 pub struct MeshBlocks {
     blocks: Vec<Block>,
     materials: Vec<u32>,
     width: NumberWidth,
+    is_coloured: bool,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
     /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
@@ -106,8 +119,8 @@ pub struct MeshBlocks {
 
 impl MeshBlocks {
     /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
-    /// blocks. Each material that has a triangle or a sphere has its own number, and the numbers are
-    /// as narrow as they can be.
+    /// blocks. Their positions are relative to the mesh's origin. Each material that has a triangle
+    /// or a sphere has its own number, and the numbers are as narrow as they can be. Colours of vertices are light.
     ///
     /// # Errors
     /// - No triangle has an area, and there is no sphere.
@@ -122,17 +135,21 @@ impl MeshBlocks {
         materials: &[Material],
     ) -> Result<Self, MeshError> {
         let own: Vec<u32> = (0..).take(materials.len()).collect();
-        Self::numbered(mesh, spheres, materials, &own, NumberWidth::Byte)
+        let numbers = Numbers {
+            firsts: &own,
+            least: NumberWidth::Byte,
+        };
+        Self::numbered(mesh, spheres, materials, numbers, Colour::Linear)
     }
 
-    /// [`MeshBlocks::new`] where `firsts` has for each material the first one that shares its
-    /// number, and numbers are at least so wide.
+    /// [`MeshBlocks::new`] where materials may share their numbers, and where `colour` says what
+    /// the colours of vertices are.
     pub(super) fn numbered(
         mesh: &Mesh,
         spheres: &[MeshSphere],
         materials: &[Material],
-        firsts: &[u32],
-        least: NumberWidth,
+        Numbers { firsts, least }: Numbers<'_>,
+        colour: Colour,
     ) -> Result<Self, MeshError> {
         let in_range = |position: &[f32; 3]| {
             let mut numbers = position.iter();
@@ -214,7 +231,14 @@ impl MeshBlocks {
         };
         let number = |&first: &u32| numbers[first as usize].unwrap_or_default() as u32;
         let numbers: Vec<u32> = firsts.iter().map(number).collect();
-        write::blocks(mesh, spheres, tree, root, &ends, &numbers, used)
+        let colours: Vec<u32> = mesh.colours.iter().map(|it| packed(*it, colour)).collect();
+        let content = write::Content {
+            mesh,
+            spheres,
+            numbers: &numbers,
+            colours: &colours,
+        };
+        write::blocks(content, tree, root, &ends, used)
     }
 
     /// The number of blocks.
@@ -243,6 +267,12 @@ impl MeshBlocks {
     #[must_use]
     pub fn materials(&self) -> &[u32] {
         &self.materials
+    }
+
+    /// Whether the triangles have colours at their vertices.
+    #[must_use]
+    pub fn is_coloured(&self) -> bool {
+        self.is_coloured
     }
 
     /// How wide these numbers are in blocks.

@@ -10,7 +10,7 @@ use super::tree::Bounds;
 /// A sphere of a scene that local store has no room for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshSphere {
-    /// Centre, in the scene's coordinates.
+    /// Centre, relative to the mesh's origin.
     pub centre: Vec3,
     /// Radius; below 0 if only its inside is seen.
     pub radius: f32,

@@ -12,8 +12,8 @@ use super::sweep::sweep;
 use glam::Vec3;
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_FACES, MESH_UPPER, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
-    SIDES_TEXTURED,
+    Boxes, MESH_BLOCK, MESH_FACES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
+    MeshVertex, SIDES_TEXTURED,
 };
 
 /// Bins of an axis.
@@ -68,12 +68,17 @@ pub(super) enum Kind {
 
 impl Kind {
     /// The bytes that a vertex takes.
-    fn vertex(self) -> usize {
+    fn vertex(self, is_coloured: bool) -> usize {
+        let colour = if is_coloured {
+            size_of::<MeshColour>()
+        } else {
+            0
+        };
         match self {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
-                size_of::<MeshVertex>() + size_of::<MeshCoordinates>()
+                size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
             }
-            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>(),
+            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>() + colour,
         }
     }
 }
@@ -181,7 +186,8 @@ impl<'a> Tree<'a> {
     /// About how many triangles of a kind a leaf block holds.
     fn capacity(&self, kind: Kind) -> usize {
         let room = self.block() - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
-        let each = size_of::<MeshFace>() as f64 + self.vertices * kind.vertex() as f64;
+        let vertex = kind.vertex(!self.mesh.colours.is_empty()) as f64;
+        let each = size_of::<MeshFace>() as f64 + self.vertices * vertex;
         ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize)
     }
 
@@ -201,9 +207,20 @@ impl<'a> Tree<'a> {
         }
         let needed = size_of::<MeshHeader>()
             + LEAF_NODES * size_of::<Boxes>()
-            + vertices * kind.vertex()
+            + self.arrays(kind, vertices)
             + (pieces.len() * size_of::<MeshFace>()).next_multiple_of(16);
         needed <= self.block()
+    }
+
+    /// The bytes of so many vertices, with what fills up quadwords between arrays.
+    fn arrays(&self, kind: Kind, vertices: usize) -> usize {
+        match self.mesh.colours.is_empty() {
+            true => vertices * kind.vertex(false),
+            false => {
+                let colours = vertices * size_of::<MeshColour>();
+                (vertices * kind.vertex(false)).next_multiple_of(16) + colours
+            }
+        }
     }
 
     /// The bytes of a leaf block up to the upper bytes of the materials' numbers.

@@ -138,8 +138,9 @@ record! {
         /// Effective address of the first of the mesh's materials with `FEATURE_MATERIALS`, a
         /// `MATERIAL` each `MATERIAL_STRIDE` bytes; a multiple of 128.
         materials: U64,
-        /// 0.
-        reserved: [U32; 2],
+        /// Effective address of the code that interpolates colours, `COLOUR_CODE_ROOM` bytes; a
+        /// multiple of 128.
+        colour_code: U64,
     }
 }
 

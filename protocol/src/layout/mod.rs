@@ -101,8 +101,10 @@ constants! {
     FEATURE_TEXTURES = 128;
     /// Feature bit: the materials of the mesh are in main memory, too.
     FEATURE_MATERIALS = 256;
+    /// Feature bit: the mesh in main memory has colours at its vertices.
+    FEATURE_COLOURS = 512;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 511;
+    FEATURES_KNOWN = 1023;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -193,6 +195,8 @@ constants! {
     /// In `sides`: the triangles of a block whose materials have numbers of 16 bits. Their upper
     /// bytes are at `MESH_UPPER`.
     SIDES_WIDE = 0x0800_0000;
+    /// In `sides`: a triangle of a mesh with colours at its vertices.
+    SIDES_COLOURED = 0x0400_0000;
     /// First word of a mesh's block: `MESH`.
     MESH_MAGIC = 0x4d45_5348;
     /// Bytes of a mesh's block.
@@ -257,6 +261,11 @@ constants! {
     TEXTURE_CODE_ROOM = 4096;
     /// Address in local store of that code.
     TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_ROOM;
+    /// Bytes in front of `TEXTURE_CODE` for the code that interpolates colours, of meshes with or
+    /// without textures.
+    COLOUR_CODE_ROOM = 2048;
+    /// Address in local store of that code.
+    COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_ROOM;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
@@ -279,8 +288,10 @@ constants! {
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
-    /// In `flags`: it has a texture.
+    /// In `flags`: it has a texture, or triangles with colours at their vertices may have it.
     MATERIAL_TEXTURED = 32;
+    /// In `flags`: its colour is light that it sends.
+    MATERIAL_FLAT = 64;
     /// With the status `Shader`, times 256: no shader has this number. Added to it is the number
     /// times 2^24, at most 255.
     RULE_KNOWN = 1;
@@ -350,6 +361,7 @@ pub const RECORDS: &[Record] = &[
     MeshRay::RECORD,
     MeshVisit::RECORD,
     MeshCoordinates::RECORD,
+    MeshColour::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
@@ -455,6 +467,8 @@ statuses! {
     Waiting = 39, "waiting";
     /// Must be bits of the 4 trees, and with any, the scene must have the 4736 bytes of the code for boxes.
     BoxTrees = 40, "box_trees, scene_bytes";
+    /// Must be a multiple of 128.
+    ColourCode = 41, "colour_code";
 }
 
 const _: () = {
@@ -468,6 +482,7 @@ const _: () = {
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
     assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
+    assert!(COLOUR_CODE.is_multiple_of(LINE));
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);

@@ -25,6 +25,8 @@ pub struct Descriptor {
     pub textures: Vec<u8>,
     /// The program's code that looks up textures.
     pub texture_code: Vec<u8>,
+    /// The program's code that interpolates colours.
+    pub colour_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
     /// The memory for the picture. The frame contains its address.
@@ -42,7 +44,7 @@ impl Descriptor {
         let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program;
         let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
-        let box_code = program.box_code();
+        let (box_code, colour_code) = (program.box_code(), program.colour_code());
         let program = program.formulations().unwrap();
         records.cull(
             scene.spheres(),
@@ -63,6 +65,7 @@ impl Descriptor {
                 mesh_code_bytes: mesh_code.len() as u32,
                 texture_code: 0,
                 texture_code_bytes: texture_code.len() as u32,
+                colour_code: 0,
                 unit_counter: 0,
                 statistics: 0,
                 waiting: 0,
@@ -98,6 +101,7 @@ impl Descriptor {
             materials,
             textures,
             texture_code,
+            colour_code,
             units: units.bytes().to_vec(),
             framebuffer,
         }

@@ -40,6 +40,7 @@ impl Fixture {
             materials,
             textures,
             texture_code,
+            colour_code,
             units,
             framebuffer,
         } = Descriptor::of(scene, spus);
@@ -64,6 +65,8 @@ impl Fixture {
         if frame.materials.get() != 0 {
             frame.materials = materials.address().into();
         }
+        let colour_code = shared(&colour_code);
+        frame.colour_code = colour_code.address().into();
         frame.textures = textures.address().into();
         frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
@@ -93,6 +96,7 @@ impl Fixture {
                 mesh_code,
                 textures,
                 texture_code,
+                colour_code,
                 unit_counter,
                 statistics,
                 costs,

@@ -33,6 +33,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         shine: 0.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     };

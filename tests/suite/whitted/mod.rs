@@ -4,6 +4,7 @@ mod antialias;
 mod boxes;
 mod chains;
 mod colour;
+mod colours;
 mod counts;
 mod frame;
 mod invariance;

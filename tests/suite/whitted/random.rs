@@ -113,14 +113,21 @@ fn material(random: &mut ChaCha8Rng) -> Material {
     };
     let (diffuse, specular, transmittance) = (share(0.9, 1.0), share(0.6, 0.9), share(0.4, 0.95));
     let shine = libm::pow(10f64, share(0.9, 2.5));
+    let colour = vector(random, 1.0).abs();
+    let emission = if transmittance > 0.5 {
+        0.3 * colour
+    } else {
+        DVec3::ZERO
+    };
     Material {
         line: 0,
-        colour: vector(random, 1.0).abs(),
+        colour,
         diffuse,
         specular,
         shine: if random.random_bool(0.1) { 0.0 } else { shine },
         transmittance,
         refraction_index: random.random_range(0.6..2.4),
+        emission,
         shader: shader(random),
         texture: None,
     }

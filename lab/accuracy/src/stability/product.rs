@@ -120,6 +120,7 @@ impl Product {
                 shine: 10.0,
                 transmittance: stuff.transmittance,
                 refraction_index: stuff.index,
+                emission: DVec3::ZERO,
                 shader: nff::Shader::Phong,
                 texture: None,
             }],

@@ -17,6 +17,7 @@ pub fn materials() -> Vec<Material> {
         shine: 1.0,
         transmittance,
         refraction_index: 1.5,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     };

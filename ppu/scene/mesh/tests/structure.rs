@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::super::{MeshBlocks, NumberWidth};
+use super::super::{Colour, MeshBlocks, NumberWidth, Numbers};
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
 
@@ -127,13 +127,43 @@ fn materials_that_share_a_number() {
         *material = triangle as u32 % 3;
     }
     let firsts = [0, 1, 0];
-    let blocks = MeshBlocks::numbered(&mesh, &[], &materials, &firsts, NumberWidth::TwoBytes);
+    let numbers = Numbers {
+        firsts: &firsts,
+        least: NumberWidth::TwoBytes,
+    };
+    let blocks = MeshBlocks::numbered(&mesh, &[], &materials, numbers, Colour::Linear);
     let blocks = blocks.unwrap();
     assert_eq!(blocks.materials(), [0, 1]);
     for material in &mut mesh.materials {
         *material = firsts[*material as usize];
     }
     check(&mesh, &materials, &blocks);
+}
+
+#[test]
+fn colours_are_beside_vertices() {
+    let texture = nff::Texture::new(1, vec![[1, 2, 3]], [nff::Wrap::Clamp; 2]);
+    let mut materials = materials();
+    materials[0].texture = texture.map(Arc::new);
+    for rows in [2, 5, 40] {
+        let mut mesh = ball(rows);
+        let plain = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert!(!plain.is_coloured());
+        let colours = mesh.positions.iter();
+        let colours = colours.map(|position| position.map(|axis| axis.abs().min(1.0)));
+        mesh.colours = colours.collect();
+        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert!(blocks.is_coloured());
+        check(&mesh, &materials, &blocks);
+        assert!(blocks.count() > plain.count() || rows == 2);
+        let places = mesh.positions.iter().map(|[x, y, _]| [*x, *y]);
+        mesh.texture_coordinates = places.collect();
+        check(
+            &mesh,
+            &materials,
+            &MeshBlocks::new(&mesh, &[], &materials).unwrap(),
+        );
+    }
 }
 
 #[test]

@@ -6,14 +6,16 @@ use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
-    NO_BOX, Object, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
+    MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
+    MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
+    SIDES_WIDE,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 
+use super::super::colour::packed as packed_colour;
 use super::super::normal::packed;
-use super::super::{MeshBlocks, tree::Bounds};
+use super::super::{Colour, MeshBlocks, tree::Bounds};
 
 /// A block, taken apart.
 pub struct Parts {
@@ -22,6 +24,7 @@ pub struct Parts {
     pub vertices: Vec<MeshVertex>,
     pub faces: Vec<MeshFace>,
     pub coordinates: Vec<MeshCoordinates>,
+    pub colours: Vec<MeshColour>,
     /// The upper bytes of the faces' materials, or zeros.
     pub upper: Vec<u8>,
 }
@@ -48,6 +51,12 @@ impl Parts {
         let coordinates = if is_textured { vertices.len() } else { 0 };
         let (coordinates, rest) =
             <[MeshCoordinates]>::ref_from_prefix_with_elems(&rest[gap..], coordinates).unwrap();
+        let is_coloured = header.sides.get() & SIDES_COLOURED != 0;
+        let gap = if is_coloured { rest.len() % 16 } else { 0 };
+        assert!(rest[..gap].iter().all(|&byte| byte == 0), "block {number}");
+        let colours = if is_coloured { vertices.len() } else { 0 };
+        let (colours, rest) =
+            <[MeshColour]>::ref_from_prefix_with_elems(&rest[gap..], colours).unwrap();
         let is_wide = header.sides.get() & SIDES_WIDE != 0;
         let mut upper = vec![0; faces.len()];
         let (rest, behind) = match is_wide {
@@ -66,6 +75,7 @@ impl Parts {
             vertices: vertices.to_vec(),
             faces: faces.to_vec(),
             coordinates: coordinates.to_vec(),
+            colours: colours.to_vec(),
             upper,
         }
     }
@@ -137,6 +147,9 @@ pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
         let has_texture = materials[material as usize].texture.is_some();
         if has_texture && !mesh.texture_coordinates.is_empty() {
             sides |= SIDES_TEXTURED;
+        }
+        if !mesh.colours.is_empty() {
+            sides |= SIDES_COLOURED;
         }
         *wanted.entry((bits(corners), material, sides)).or_default() += 1;
     }
@@ -257,6 +270,16 @@ fn leaf(
             all.any(|known| known == (&position, &found)),
             "{position:?}"
         );
+    }
+    assert_eq!(parts.colours.is_empty(), mesh.colours.is_empty());
+    for (vertex, found) in parts.vertices.iter().zip(&parts.colours) {
+        let position = vertex.position.map(F32::get);
+        let mut all = mesh.positions.iter().zip(&mesh.colours);
+        let found = found.packed.get();
+        let is_known = |(known, colour): (&[f32; 3], &[f32; 3])| {
+            *known == position && packed_colour(*colour, Colour::Linear) == found
+        };
+        assert!(all.any(is_known), "{position:?}");
     }
     for vertex in &parts.vertices {
         if parts.header.sides.get() & SIDES_SMOOTH == 0 {

@@ -65,8 +65,12 @@ materials_checked:
         refuse_if $bad,MeshCache
         stqa    $k_sides,sides_known
         lqa     $value,streamed
-        andi    $value,$value,FEATURE_TEXTURES
+        il      $limit,FEATURE_TEXTURES|FEATURE_COLOURS
+        and     $value,$value,$limit
         biz     $value,$lr
+        enter
+        andi    $value,$value,FEATURE_TEXTURES
+        brz     $value,no_textures
 
         # The code for textures is fetched now, in front of this code.
         ilhu    $k_more,SIDES_TEXTURED>>16
@@ -76,7 +80,6 @@ materials_checked:
         require_at_most texture_code_bytes,TEXTURE_CODE_ROOM,TextureCode
         andi    $bad,$value,15
         refuse_if $bad,TextureCode
-        enter
         ori     $6,$value,0
         ila     $3,TEXTURE_CODE
         load_word $4,FRAME_texture_code,$a_frame
@@ -86,7 +89,28 @@ materials_checked:
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
         brsl    $lr,texture_begin
-        leave
+no_textures:
+        lqa     $value,streamed
+        il      $limit,FEATURE_COLOURS
+        and     $value,$value,$limit
+        brz     $value,begun
+        lqa     $k_sides,sides_known
+        ilhu    $k_more,SIDES_COLOURED>>16
+        or      $k_sides,$k_sides,$k_more
+        stqa    $k_sides,sides_known
+        ila     $a_frame,frame
+        require_aligned colour_code,LINE,ColourCode
+        ila     $3,COLOUR_CODE
+        load_word $4,FRAME_colour_code,$a_frame
+        load_word $5,FRAME_colour_code+4,$a_frame
+        il      $6,COLOUR_CODE_ROOM
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        sync
+        brsl    $lr,colour_begin
+begun:  leave
 
         # A number is right if its upper byte is, so that mesh_prepare need not know of the other.
 in_main_memory:
@@ -94,8 +118,8 @@ in_main_memory:
         require_from_one mesh_material_count,STREAMED_MATERIALS,MeshMaterials
         andi    $bad,$value,MESH_MATERIALS-1
         refuse_if $bad,MeshMaterials
-        il      $value,-1
-        stqa    $value,are_streamed
+        ila     $value,mesh_materials
+        stqa    $value,after_hits
         ilhu    $k_more,SIDES_WIDE>>16
         or      $k_sides,$k_sides,$k_more
         load_word $end,FRAME_scene_bytes,$a_frame

@@ -1,8 +1,9 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
 # takes: patches and objects. Neighbours in a packet share them. Most are made by
 # mesh_flat_patches, four at a time. Those whose blocks have left the cache are made here, and so
-# are spheres, and triangles with normals or textures. Both ways make the same bits. Where the
-# materials are in main memory, all of them are made here, and mesh_materials follows.
+# are spheres, and triangles with normals or textures. Both ways make the same bits. With
+# colours at vertices or materials in main memory, all of them are made here, and what makes these
+# follows.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -320,9 +321,9 @@ sphere: shli    $index,$index,4
 
 all_made:
         # As leave does, but the test waits for nothing else.
-        lqa     $address,are_streamed
+        lqa     $address,after_hits
         ai      $sp,$sp,32
         lqd     $lr,16($sp)
-        brnz    $address,mesh_materials
+        binz    $address,$address
         bi      $lr
 endfunction mesh_hits

@@ -9,8 +9,8 @@
 
         .section .data.mesh,"aw",@progbits
         .align  4
-        .global are_streamed
-are_streamed:                           # whether materials are in main memory
+        .global after_hits
+after_hits:                             # the function that follows mesh_hits, or 0
         .int    0,0,0,0
 current_block:                                          # its number
         .skip   16

@@ -9,6 +9,7 @@
         .include "driver.inc"
         .include "checks.inc"
         .include "whitted.inc"
+        .include "flat_light.inc"
 
         # The bounds' shears are made again before they are needed.
         .set    TEXEL_BUFFER,BATCH_SHEARS
@@ -42,6 +43,8 @@ slots_and_1:
 #   Uses    $3, $15-$27
 function texture_begin
         ila     $a_frame,frame
+        ila     $value,texture_packet
+        stqa    $value,surface_way
         require_aligned textures,LINE,Textures
         require_from_one texture_tiles,TEXTURE_TILES,Textures
         # The mesh's cache ends before this code.
@@ -255,7 +258,12 @@ filter_call:
         lqa     $3,rays
         lqa     $4,surfaces
         lqd     $14,SURFACES_flags($4)
-        leave
+        # As leave does, but the test waits for nothing else.
+        ai      $sp,$sp,32
+        lqd     $lr,16($sp)
+        andi    $same,$14,MATERIAL_FLAT
+        brnz    $same,texture_flat
+        bi      $lr
 
 wait:   phase_ends $g_ticks_shade,$same
         load_constant $3,1<<TAG_TEXTURE
@@ -309,3 +317,6 @@ no_tile:
         il      $3,STATUS_Texture
         br      give_up
 endfunction texture_packet
+
+        transpose_table .rodata.texture
+        flat_light texture_flat
