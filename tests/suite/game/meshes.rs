@@ -238,12 +238,12 @@ fn more_materials_than_local_store_has_room_for() {
                 }
             }
             2 => world.place_mesh(id, at(0.4, 0.2, -0.5)).unwrap(),
-            3 => {
+            3 => world.remove(ball).unwrap(),
+            _ => {
                 for material in &materials[200..400] {
                     world.set_material(*material, Material::glass()).unwrap();
                 }
             }
-            _ => world.remove(ball).unwrap(),
         }
         let picture = compared.picture(&mut world);
         assert!(picture != last, "{step}");
