@@ -17,8 +17,8 @@ use nff::Sky;
 use nff::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
-pub use self::block::{BlockError, BlockOptions, MeshPlace, SceneBlock};
-pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics};
+pub use self::block::{BlockError, BlockOptions, MaterialTable, MeshPlace, SceneBlock};
+pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics, NumberWidth};
 pub use self::render_options::{
     CONTRAST, Colour, Look, Model, NodeVolumes, RenderOptions, Samples,
 };
@@ -59,6 +59,14 @@ pub enum SceneError {
     /// The SPU program has no code for textures.
     #[error("{file}: the mesh has textures, and the SPU program can't look them up")]
     NoTextures {
+        /// Name of the scene's file.
+        file: String,
+    },
+    /// The SPU program has no code for colours of vertices.
+    #[error(
+        "{file}: the mesh has colours at its vertices, and the SPU program can't interpolate them"
+    )]
+    NoColours {
         /// Name of the scene's file.
         file: String,
     },
@@ -149,6 +157,11 @@ impl Scene {
             }),
             Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
                 Err(SceneError::NoTextures {
+                    file: self.file.clone(),
+                })
+            }
+            Some(mesh) if mesh.blocks.is_coloured() && program.colour_code().is_empty() => {
+                Err(SceneError::NoColours {
                     file: self.file.clone(),
                 })
             }

@@ -15,7 +15,7 @@ use crate::{Fault, Loaded, colours};
 /// The most triangles of a file.
 pub const MAX_TRIANGLES: usize = 1 << 23;
 /// The most materials that the triangles of a file have.
-pub const MAX_MATERIALS: usize = 256;
+pub const MAX_MATERIALS: usize = 65_536;
 /// The most corners of a face. The time to cut it into triangles grows with their square.
 pub const MAX_CORNERS: usize = 4096;
 /// The largest coordinate: SPUs' singles hold the squares of the numbers up to it.

@@ -6,14 +6,15 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
+use crate::scene::block::MaterialTable;
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    BOX_CODE, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere, Statistics,
-    UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
+    BOX_CODE, COLOUR_CODE_ROOM, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere,
+    Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -27,11 +28,14 @@ pub(super) struct Records {
     /// The number of its bytes.
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
+    colour_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
     /// Its textures.
     textures: Option<Arc<Textures>>,
+    /// Its materials, if they are not in the scene.
+    materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
     /// The rays of each SPU that have no room in local store.
@@ -54,6 +58,8 @@ impl Records {
             memory.write(0, &code);
             (memory, code.len() as u32)
         });
+        let mut colour_code = SharedMemory::new(COLOUR_CODE_ROOM as usize);
+        colour_code.write(0, &program.colour_code());
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
@@ -63,8 +69,10 @@ impl Records {
             mesh_code_bytes,
             texture_code,
             texture_code_bytes,
+            colour_code,
             mesh: None,
             textures: None,
+            materials: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
             statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
             waiting: SharedMemory::new((MAX_SPUS * WAITING_SIZE) as usize),
@@ -89,6 +97,7 @@ impl Records {
             mesh_code_bytes: self.mesh_code_bytes,
             texture_code: self.texture_code.address(),
             texture_code_bytes: self.texture_code_bytes,
+            colour_code: self.colour_code.address(),
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             waiting: self.waiting.address(),
@@ -111,6 +120,7 @@ impl Records {
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
+            self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }
         self.units.write(0, plan.units().bytes());
         costs.clear();

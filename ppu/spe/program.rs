@@ -12,8 +12,8 @@ use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
 use protocol::layout::{
-    BOX_CODE, BOX_CODE_ROOM, EYE_CODE, EYE_CODE_ROOM, MESH_CODE_ROOM, TEXTURE_CODE,
-    TEXTURE_CODE_ROOM,
+    BOX_CODE, BOX_CODE_ROOM, COLOUR_CODE, COLOUR_CODE_ROOM, EYE_CODE, EYE_CODE_ROOM,
+    MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -148,6 +148,18 @@ impl Program {
     pub fn texture_code(&self) -> Vec<u8> {
         let room = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
         elf::loaded(self.image, room).unwrap_or_default()
+    }
+
+    /// The code that interpolates colours of vertices, from `COLOUR_CODE` on, with zeros up to the
+    /// end of its room. It is empty if the program has none.
+    #[must_use]
+    pub fn colour_code(&self) -> Vec<u8> {
+        let room = COLOUR_CODE..COLOUR_CODE + COLOUR_CODE_ROOM;
+        let mut code = elf::loaded(self.image, room).unwrap_or_default();
+        if !code.is_empty() {
+            code.resize(COLOUR_CODE_ROOM as usize, 0);
+        }
+        code
     }
 
     /// The code that tests boxes, in the same way: what is loaded from `BOX_CODE` on.

@@ -11,9 +11,9 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_ROOM, FEATURE_CHECK_SHADERS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF,
-    FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES,
-    SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    EYE_CODE_ROOM, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS, FEATURE_MESH,
+    FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES,
+    FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -31,6 +31,8 @@ pub struct Addresses {
     pub texture_code: u64,
     /// The number of its bytes.
     pub texture_code_bytes: u32,
+    /// The program's code that interpolates colours.
+    pub colour_code: u64,
     /// The unit counter.
     pub unit_counter: u64,
     /// The statistics records.
@@ -153,6 +155,12 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_material_count = mesh.material_count.into();
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
+        if mesh.blocks.is_coloured() {
+            frame.colour_code = addresses.colour_code.into();
+        }
+        if let Some(materials) = mesh.table {
+            frame.materials = materials.address().into();
+        }
         if let Some(textures) = mesh.textures {
             // Their tiles have the place of the code for eye rays.
             let eye_code = EYE_CODE_ROOM.min(addresses.mesh_code_bytes);
@@ -179,11 +187,15 @@ pub fn describe(order: &Order) -> Frame {
 /// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order, frame: &Frame) -> u32 {
     let options = order.scene.render_options();
+    let mesh = order.scene.block().and_then(SceneBlock::mesh);
+    let is_coloured = mesh.is_some_and(|mesh| mesh.blocks.is_coloured());
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
         | flag(frame.mesh.get() != 0, FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
+        | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
+        | flag(is_coloured, FEATURE_COLOURS)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)
         | flag(options.roll_off, FEATURE_ROLL_OFF)

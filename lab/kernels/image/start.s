@@ -6,7 +6,7 @@
 _start:
         stop    0x1ffd
 
-# Directly in front of the kernels for textures, so that the bench has all the memory in front of
+# Directly in front of the kernels for colours, so that the bench has all the memory in front of
 # it.
         .global boxes_place
-        .set    boxes_place,0x33600
+        .set    boxes_place,0x32e00

@@ -39,7 +39,7 @@ pub enum Objects {
 }
 
 /// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
-const FAMILIES: [(&[Kernel], &[&str]); 13] = [
+const FAMILIES: [(&[Kernel], &[&str]); 14] = [
     (eye::KERNELS, &["eye::"]),
     (
         eye::formulation::KERNELS,
@@ -53,6 +53,7 @@ const FAMILIES: [(&[Kernel], &[&str]); 13] = [
     (whitted::shade::KERNELS, &["surfaces::"]),
     (whitted::smooth::KERNELS, &["pairs::smooth"]),
     (whitted::texture::KERNELS, &["pairs::texture"]),
+    (whitted::colour::KERNELS, &["pairs::colour"]),
     (whitted::shaders::KERNELS, &["shaders::"]),
     (whitted::bounce::KERNELS, &["bounce::"]),
     (whitted::mesh::KERNELS, &["mesh::"]),

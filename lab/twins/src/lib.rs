@@ -8,6 +8,7 @@
 pub mod accumulate;
 pub mod bounce;
 pub mod bound;
+pub mod colour;
 pub mod cone;
 pub mod cull;
 pub mod cull_box_nodes;

@@ -73,14 +73,15 @@ pub struct Texel {
     pub down: Single,
 }
 
-/// The texture coordinates of a hit, and the square of a pixel's width there, in texels of a
-/// texture that has one.
-#[must_use]
-pub fn footprint(hit: &Hit, angle: Single) -> ([Single; 2], Single) {
-    let [a, b, c] = hit.vertices.map(|vertex| -> [Single; 3] {
-        std::array::from_fn(|axis| fs(vertex[axis], hit.point[axis]))
-    });
-    let plane = hit.plane;
+/// The shares of the second and the third vertex in a point, and 1 over the double area of the
+/// triangle; `plane` is its normal.
+pub(super) fn shares(
+    vertices: &Triangle,
+    point: [Single; 3],
+    plane: [Single; 3],
+) -> (Single, Single, Single) {
+    let [a, b, c] = vertices
+        .map(|vertex| -> [Single; 3] { std::array::from_fn(|axis| fs(vertex[axis], point[axis])) });
     let share = |from: [Single; 3], to: [Single; 3]| {
         let turn =
             [[1, 2], [2, 0], [0, 1]].map(|[i, j]| fms(plane[i], from[j], fm(plane[j], from[i])));
@@ -88,7 +89,15 @@ pub fn footprint(hit: &Hit, angle: Single) -> ([Single; 2], Single) {
     };
     let [share_a, share_b, share_c] = [share(b, c), share(c, a), share(a, b)];
     let inverse = reciprocal(fa(fa(share_a, share_b), share_c));
-    let (of_b, of_c) = (fm(share_b, inverse), fm(share_c, inverse));
+    (fm(share_b, inverse), fm(share_c, inverse), inverse)
+}
+
+/// The texture coordinates of a hit, and the square of a pixel's width there, in texels of a
+/// texture that has one.
+#[must_use]
+pub fn footprint(hit: &Hit, angle: Single) -> ([Single; 2], Single) {
+    let plane = hit.plane;
+    let (of_b, of_c, inverse) = shares(&hit.vertices, hit.point, plane);
     let [from, to_b, to_c] = hit.coordinates;
     let b: [Single; 2] = std::array::from_fn(|axis| fs(to_b[axis], from[axis]));
     let c: [Single; 2] = std::array::from_fn(|axis| fs(to_c[axis], from[axis]));

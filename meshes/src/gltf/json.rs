@@ -143,7 +143,7 @@ pub(super) struct Material {
     pub pbr_metallic_roughness: Pbr,
     pub normal_texture: Option<IgnoredAny>,
     pub occlusion_texture: Option<IgnoredAny>,
-    pub emissive_texture: Option<TextureInfo>,
+    pub emissive_texture: Option<IgnoredAny>,
     pub emissive_factor: [f64; 3],
     pub alpha_mode: String,
     pub alpha_cutoff: Option<f64>,

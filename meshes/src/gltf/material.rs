@@ -97,8 +97,7 @@ pub(super) fn of(material: &json::Material, notes: &mut Notes) -> Material {
     }
 }
 
-/// The light that a surface emits. A texture of a base colour multiplies it, too, so it is right
-/// with an emissive texture only if that is the same one.
+/// The light that a surface emits. Without its texture, the factor would make all of it shine.
 fn emission(material: &json::Material, notes: &mut Notes) -> DVec3 {
     let strength = material.extensions.emissive_strength.as_ref();
     let strength = strength.map_or(1.0, |it| it.emissive_strength);
@@ -106,17 +105,11 @@ fn emission(material: &json::Material, notes: &mut Notes) -> DVec3 {
     if light == DVec3::ZERO || material.extensions.unlit.is_some() {
         return DVec3::ZERO;
     }
-    let base = material.pbr_metallic_roughness.base_color_texture.as_ref();
-    let place = |texture: &json::TextureInfo| (texture.index, texture.tex_coord);
-    if let Some(own) = &material.emissive_texture
-        && base.map(place) != Some(place(own))
-    {
+    if material.emissive_texture.is_some() {
         notes.add("light that emissive textures send is ignored");
         return DVec3::ZERO;
     }
-    if base.is_some() && material.emissive_texture.is_none() {
-        notes.add("light that textured surfaces emit has the colours of their textures");
-    }
-    let brightest = DVec3::splat(BRIGHTEST);
-    light.clamp(DVec3::ZERO, brightest).map(encoded)
+    light
+        .clamp(DVec3::ZERO, DVec3::splat(BRIGHTEST))
+        .map(encoded)
 }

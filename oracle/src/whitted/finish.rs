@@ -28,6 +28,8 @@ pub(super) struct Finish {
     pub refraction_index: f64,
     /// The emitted light.
     pub emission: DVec3,
+    /// Whether the emitted light has the colour in it.
+    pub is_flat: bool,
     /// Whether lights illuminate it.
     pub is_lit: bool,
     /// Whether it has the second colour of a checker.
@@ -48,6 +50,7 @@ impl Finish {
             transmittance: meaning.share(material.transmittance),
             refraction_index: material.refraction_index,
             emission: meaning.light(material.emission),
+            is_flat: false,
             is_lit: true,
             other: false,
         };
@@ -57,7 +60,10 @@ impl Finish {
                 highlight: 0.0,
                 ..plain
             },
-            Shader::Flat => plain.sends(own + plain.emission),
+            Shader::Flat => Self {
+                is_flat: true,
+                ..plain.sends(own + plain.emission)
+            },
             Shader::Depth { far, near } => {
                 let brightness = ((far - distance) / (far - near)).clamp(0.0, 1.0);
                 plain.sends(brightness * own)
@@ -71,6 +77,20 @@ impl Finish {
                     ..plain
                 }
             }
+        }
+    }
+
+    /// The same finish with its colour multiplied, also where that is the light it emits.
+    pub(super) fn tinted(self, factor: DVec3) -> Self {
+        let colour = self.colour * factor;
+        let emission = match self.is_flat {
+            true => self.emission + colour - self.colour,
+            false => self.emission,
+        };
+        Self {
+            colour,
+            emission,
+            ..self
         }
     }
 

@@ -195,7 +195,7 @@ impl<'a> Stage<'a> {
             let width = self.pixel * (ray.origin.distance(self.eye) + distance);
             let cosine = place.normal.dot(ray.direction);
             let texel = self.textures.colour(index, place.point, width, cosine);
-            finish.colour *= texel.unwrap_or(DVec3::ONE);
+            finish = finish.tinted(texel.unwrap_or(DVec3::ONE));
         }
         let (normal, smooth) = if outside {
             (place.normal, place.smooth)

@@ -1,4 +1,4 @@
-//! Colours of textures, as `docs/shading.md` defines them.
+//! Colours of textures and of vertices, as `docs/shading.md` defines them.
 //!
 //! Owns the levels of a texture and their filter. Invariant: whatever the coordinates are, a
 //! colour is within the range of the texels.
@@ -24,14 +24,15 @@ pub(super) struct Levels {
     wrap: [Wrap; 2],
 }
 
-/// A triangle with texture coordinates.
+/// A triangle with texture coordinates or colours.
 struct Facet {
     corners: [DVec3; 3],
-    coordinates: [DVec2; 3],
-    levels: Arc<Levels>,
+    texture: Option<([DVec2; 3], Arc<Levels>)>,
+    /// The light of its vertices' colours.
+    colours: Option<[DVec3; 3]>,
 }
 
-/// The triangles of a scene's surfaces that have a texture.
+/// The triangles of a scene's surfaces that have a texture or colours.
 #[derive(Default)]
 pub(super) struct Textures {
     facets: HashMap<usize, Facet>,
@@ -39,7 +40,7 @@ pub(super) struct Textures {
 }
 
 impl Textures {
-    /// Adds a triangle of a mesh as the surface with this index, if it has a texture.
+    /// Adds a triangle of a mesh as the surface with this index, if it has a texture or colours.
     pub(super) fn add(
         &mut self,
         surface: usize,
@@ -50,26 +51,35 @@ impl Textures {
     ) {
         let material = scene.materials.get(mesh.materials[triangle] as usize);
         let texture = material.and_then(|material| material.texture.as_ref());
-        let (Some(texture), Some(coordinates)) = (texture, mesh.corner_coordinates(triangle))
-        else {
-            return;
-        };
+        let texture = texture.zip(mesh.corner_coordinates(triangle));
+        let texture = texture.map(|(texture, coordinates)| {
+            let coordinates = coordinates.map(|[u, v]| DVec2::new(u.into(), v.into()));
+            (coordinates, self.levels(texture, colour))
+        });
+        let colours = mesh.corner_colours(triangle);
+        let colours = colours.map(|colours| colours.map(|it| colour.light(it.as_dvec3())));
+        if texture.is_some() || colours.is_some() {
+            let facet = Facet {
+                corners: mesh.places(triangle),
+                texture,
+                colours,
+            };
+            self.facets.insert(surface, facet);
+        }
+    }
+
+    fn levels(&mut self, texture: &Arc<Texture>, colour: Colour) -> Arc<Levels> {
         let known = self.known.iter().find(|(it, _)| Arc::ptr_eq(it, texture));
-        let levels = known.map(|(_, levels)| levels.clone()).unwrap_or_else(|| {
+        known.map(|(_, levels)| levels.clone()).unwrap_or_else(|| {
             let levels = Arc::new(Levels::new(texture, colour));
             self.known.push((texture.clone(), levels.clone()));
             levels
-        });
-        let facet = Facet {
-            corners: mesh.places(triangle),
-            coordinates: coordinates.map(|[u, v]| DVec2::new(u.into(), v.into())),
-            levels,
-        };
-        self.facets.insert(surface, facet);
+        })
     }
 
-    /// The texture's colour at a point of a surface, where a pixel is `width` across. `cosine` is
-    /// that of the angle between the ray and the normal. `None` if the surface has no texture.
+    /// The texture's colour times that of the vertices at a point of a surface, where a pixel is
+    /// `width` across. `cosine` is that of the angle between the ray and the normal. `None` if the
+    /// surface has neither.
     pub(super) fn colour(
         &self,
         surface: usize,
@@ -84,12 +94,17 @@ impl Textures {
         let from_a = point - a;
         let of_b = from_a.cross(to_c).dot(normal) / normal.length_squared();
         let of_c = to_b.cross(from_a).dot(normal) / normal.length_squared();
-        let [at_a, at_b, at_c] = facet.coordinates;
+        let of_vertices = facet.colours.map_or(DVec3::ONE, |[at_a, at_b, at_c]| {
+            at_a + of_b * (at_b - at_a) + of_c * (at_c - at_a)
+        });
+        let Some(([at_a, at_b, at_c], levels)) = &facet.texture else {
+            return Some(of_vertices);
+        };
         let (along_b, along_c) = (at_b - at_a, at_c - at_a);
-        let place = at_a + of_b * along_b + of_c * along_c;
+        let place = *at_a + of_b * along_b + of_c * along_c;
         // The length of a texel's side that fits the pixel's width on the surface.
         let stretch = (along_b.perp_dot(along_c).abs() / normal.length()).sqrt();
-        Some(facet.levels.filtered(place, stretch * width / cosine.abs()))
+        Some(of_vertices * levels.filtered(place, stretch * width / cosine.abs()))
     }
 }
 

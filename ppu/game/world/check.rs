@@ -119,6 +119,20 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
             "{vertices} vertices need as many texture coordinates, or none, not {count}"
         ));
     }
+    if !mesh.colours.is_empty() && mesh.colours.len() != vertices {
+        let count = mesh.colours.len();
+        return bad(format!(
+            "{vertices} vertices need as many colours, or none, not {count}"
+        ));
+    }
+    for (vertex, colour) in mesh.colours.iter().enumerate() {
+        let is_right = |channel: &f32| (0.0..=1.0).contains(channel);
+        if let Some(channel) = colour.iter().find(|channel| !is_right(channel)) {
+            return bad(format!(
+                "vertex {vertex} has {channel} in its colour: channels must be from 0 to 1"
+            ));
+        }
+    }
     for (number, triangle) in mesh.triangles.iter().enumerate() {
         if let Some(vertex) = triangle.iter().find(|vertex| **vertex as usize >= vertices) {
             return bad(format!(

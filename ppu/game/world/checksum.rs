@@ -81,6 +81,9 @@ impl Checksum {
         for number in mesh.texture_coordinates.iter().flatten() {
             self.bytes(&number.to_bits().to_be_bytes());
         }
+        for number in mesh.colours.iter().flatten() {
+            self.bytes(&number.to_bits().to_be_bytes());
+        }
         for number in mesh.triangles.iter().flatten().chain(&mesh.materials) {
             self.bytes(&number.to_be_bytes());
         }

@@ -49,6 +49,7 @@ impl World {
         entry.material = material;
         self.touch_material(id);
         if sides_change {
+            self.edits.rebuild |= self.meshes.values().any(|mesh| mesh.used().contains(&id));
             for (object, known) in &mut self.objects {
                 if known.material == id {
                     self.edits.object(object, &mut known.traced);

@@ -119,7 +119,8 @@ impl World {
     ///
     /// # Errors
     /// - A triangle names a vertex or a material that doesn't exist, or there is no triangle.
-    /// - The number of normals, of texture coordinates or of triangles' materials is wrong.
+    /// - The number of normals, of texture coordinates, of colours or of triangles' materials is
+    ///   wrong.
     /// - A number is out of range, or the place is flat.
     pub fn add_mesh(
         &mut self,
@@ -225,6 +226,7 @@ impl World {
         }
         let has_normals = visible().any(|entry| !entry.mesh.normals.is_empty());
         let has_coordinates = visible().any(|entry| !entry.mesh.texture_coordinates.is_empty());
+        let has_colours = visible().any(|entry| !entry.mesh.colours.is_empty());
         let mut joined = Mesh {
             // Whatever depends on places would differ between a world in which meshes have moved
             // and a new one.
@@ -245,6 +247,10 @@ impl World {
                 let coordinates = &entry.mesh.texture_coordinates;
                 joined.texture_coordinates.extend_from_slice(coordinates);
                 joined.texture_coordinates.resize(after, [0.0; 2]);
+            }
+            if has_colours {
+                joined.colours.extend_from_slice(&entry.mesh.colours);
+                joined.colours.resize(after, [1.0; 3]);
             }
             let is_mirrored = entry.is_mirrored();
             let triangles = entry.mesh.triangles.iter().map(|triangle| {

@@ -18,7 +18,10 @@ use super::objects::{self, Object, has_on_surface, sides_seen_from};
 use super::options::{BlockOptions, ShaderEntries};
 use super::primitive::PrimitiveKind;
 use super::source_location::SourceLocation;
-use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
+use super::{
+    PrimitiveId, SceneBlock, Source, Spare, Surface, alike, ambient, brightest, surfacing,
+};
+use crate::scene::mesh::MeshError;
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
 
 /// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
@@ -38,7 +41,30 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<Self, BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let tight = Self::unchanging(scene, options, &shader)?;
+        // Each material has a record of its own, so that it can be changed alone, unless they take
+        // more than local store.
+        let own: Vec<u32> = (0..).take(scene.materials.len()).collect();
+        let firsts = alike::firsts(&scene.materials);
+        let mut source = Source {
+            scene,
+            options,
+            shader: &shader,
+            firsts: &own,
+        };
+        let mut outcome = Self::unchanging_of(source);
+        let is_large = match &outcome {
+            Ok(block) => block.streamed.as_ref().is_some_and(|it| it.table.is_some()),
+            Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. }) => true,
+            Err(BlockError::Mesh { source, .. }) => {
+                matches!(source, MeshError::TooManyMaterials(_))
+            }
+            Err(_) => false,
+        };
+        if is_large && firsts != own {
+            source.firsts = &firsts;
+            outcome = Self::unchanging_of(source);
+        }
+        let tight = outcome?;
         if tight.streamed.is_some() {
             // What would be spare is the mesh's cache.
             return Ok(tight);
@@ -55,7 +81,7 @@ impl SceneBlock {
                     .each_ref()
                     .map(|primitives| more(primitives.count())),
             };
-            match Self::with_spare(scene, options, &shader, spare, None) {
+            match Self::with_spare(source, spare, None) {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
                     return Ok(roomy);
                 }
@@ -146,6 +172,10 @@ impl SceneBlock {
             None => Ok(false),
             // The record is written when an object needs it.
             Some(None) => Ok(true),
+            // Other materials keep the record.
+            Some(Some(Surface {
+                is_shared: true, ..
+            })) => Ok(false),
             Some(Some(Surface {
                 address, texture, ..
             })) => {
@@ -163,17 +193,23 @@ impl SceneBlock {
     fn write_material(
         &mut self,
         number: usize,
-        address: u32,
+        address: Option<u32>,
         material: &Material,
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let texture = texture_address(self.streamed.as_ref(), material);
-        let record = materials::record(&self.file, material, texture, self.options, &shader)?;
-        let bytes = self.block.at(address, record.as_bytes().len());
-        bytes.copy_from_slice(record.as_bytes());
+        let surfacing = surfacing(self.streamed.as_ref(), material);
+        let record = materials::record(&self.file, material, surfacing, self.options, &shader)?;
+        if let Some(address) = address {
+            let bytes = self.block.at(address, record.as_bytes().len());
+            bytes.copy_from_slice(record.as_bytes());
+        }
+        if let Some(streamed) = &mut self.streamed {
+            streamed.set_material(number, &record);
+        }
         self.materials[number] = Some(Surface {
             address,
+            is_shared: false,
             sends: Sends::of(&record, material, self.options.colour),
             texture: material.texture.clone(),
         });
@@ -200,12 +236,15 @@ impl SceneBlock {
     ) -> Result<Option<u32>, BlockError> {
         match self.materials.get(number) {
             None => Ok(None),
-            Some(Some(Surface { address, .. })) => Ok(Some(*address)),
-            Some(None) => {
+            Some(Some(Surface {
+                address: Some(address),
+                ..
+            })) => Ok(Some(*address)),
+            Some(_) => {
                 let Some(address) = self.material_room.pop() else {
                     return Ok(None);
                 };
-                self.write_material(number, address, material, shaders)?;
+                self.write_material(number, Some(address), material, shaders)?;
                 Ok(Some(address))
             }
         }

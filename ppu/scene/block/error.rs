@@ -1,7 +1,7 @@
 //! The errors of Whitted's model.
 
 use crate::scene::mesh::MeshError;
-use protocol::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
+use protocol::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, MESH_TEXTURES};
 
 /// Why a scene can't be converted to the SPUs' format. The messages begin with the file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -97,6 +97,14 @@ pub enum BlockError {
         consumers: String,
         /// A text that says about how much fits.
         fits: String,
+    },
+    /// The scene's mesh has more textures than the SPUs support.
+    #[error("{file}: the mesh has {count} textures; there may be {MESH_TEXTURES}")]
+    TooManyTextures {
+        /// Name of the file.
+        file: String,
+        /// The number of its textures.
+        count: usize,
     },
     /// The scene's mesh can't be converted to blocks.
     #[error("{file}: {source}")]

@@ -14,8 +14,8 @@ use super::source_location::SourceLocation;
 use crate::scene::Colour;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
-    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TEXTURED,
-    MATERIAL_TRANSMITS,
+    self, MATERIAL_FLAT, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES,
+    MATERIAL_TEXTURED, MATERIAL_TRANSMITS,
 };
 
 /// Blinn's exponent for a highlight, as a multiple of Phong's.
@@ -118,12 +118,20 @@ pub(super) fn background(
     })
 }
 
-/// The record of a material. `texture` is the address of its texture's record, or 0. `entry` looks
-/// up the entry of a shader of the SPU program by its name.
+/// What a material's colour is multiplied by.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Surfacing {
+    /// The address of its texture's record, or 0.
+    pub texture: u32,
+    /// Whether the streamed mesh has colours at its vertices.
+    pub is_coloured: bool,
+}
+
+/// The record of a material. `entry` looks up the entry of a shader of the SPU program by its name.
 pub(super) fn record(
     file: &str,
     material: &Material,
-    texture: u32,
+    surface: Surfacing,
     options: BlockOptions,
     entry: &dyn Fn(&str) -> Option<u32>,
 ) -> Result<layout::Material, BlockError> {
@@ -178,6 +186,8 @@ pub(super) fn record(
         }
         parameters = given;
     }
+    let texture = surface.texture;
+    let is_flat = material.shader == Shader::Flat;
     let share = |share: f64| if shading.shares { share } else { 0.0 };
     let highlight = if shading.shines { share(specular) } else { 0.0 };
     let diffuse = share(diffuse);
@@ -211,7 +221,9 @@ pub(super) fn record(
         | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
         | flag(highlight > 0.0, MATERIAL_SHINES)
         | flag(shading.shader.is_some(), MATERIAL_SHADED)
-        | flag(texture != 0, MATERIAL_TEXTURED);
+        | flag(is_flat, MATERIAL_FLAT)
+        | flag(texture != 0 || surface.is_coloured, MATERIAL_TEXTURED);
+
     Ok(layout::Material {
         colour: singles(options.colour.light(colour)),
         diffuse: single(diffuse),

@@ -12,6 +12,7 @@
 //! it are within it. The order of the file is not kept: a ray that hits several surfaces at equal
 //! distance may take any of them.
 
+mod alike;
 mod bounding_sphere;
 mod bounds;
 mod bvh;
@@ -20,6 +21,7 @@ mod chains;
 mod cost;
 mod edit;
 mod error;
+mod material_table;
 mod materials;
 mod memory_use;
 mod objects;
@@ -32,6 +34,7 @@ mod source_location;
 mod streamed;
 mod visible;
 
+use std::collections::HashSet;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -44,6 +47,7 @@ use self::bounds::Bounds;
 use self::bvh::Volumes;
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
+use self::materials::Surfacing;
 use self::memory_use::MemoryUse;
 use self::objects::{Object, sides_seen_from};
 use self::primitive::PrimitiveKind;
@@ -51,6 +55,7 @@ use self::primitives::Primitives;
 use self::source_location::SourceLocation;
 use self::streamed::{Streamed, may_stay};
 use crate::scene::Colour;
+use crate::scene::mesh::NumberWidth;
 use crate::scene::render_options::NodeVolumes;
 use crate::scene::single::singles;
 use protocol::layout::{
@@ -62,6 +67,7 @@ pub(crate) use bounding_sphere::BoundingSphere;
 pub(crate) use bvh::widened;
 pub(crate) use chains::Chains;
 pub use error::BlockError;
+pub use material_table::MaterialTable;
 pub(crate) use materials::Light;
 pub(crate) use offsets::offset_note;
 pub use options::BlockOptions;
@@ -104,9 +110,23 @@ pub struct SceneBlock {
 /// A material in the block.
 #[derive(Clone, Debug)]
 struct Surface {
-    address: u32,
+    /// The address of its record; `None` if it is only in main memory.
+    address: Option<u32>,
+    /// Whether other materials of the scene have the same record.
+    is_shared: bool,
     sends: Sends,
     texture: Option<Arc<Texture>>,
+}
+
+/// What a block is made of.
+#[derive(Clone, Copy)]
+struct Source<'a> {
+    scene: &'a Scene,
+    options: BlockOptions,
+    /// Looks up the entry of a shader of the SPU program by its name.
+    shader: &'a dyn Fn(&str) -> Option<u32>,
+    /// For each material of the scene the first one that shares its record.
+    firsts: &'a [u32],
 }
 
 /// A primitive: an object, or a part of one.
@@ -140,16 +160,41 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
+        Self::of(Source {
+            scene,
+            options,
+            shader,
+            firsts: &alike::firsts(&scene.materials),
+        })
+    }
+
+    fn of(source: Source<'_>) -> Result<Self, BlockError> {
+        let scene = source.scene;
         if may_stay(scene) {
-            let spare = Spare::default();
-            match Self::with_spare(scene, options, shader, spare, None) {
+            match Self::with_spare(source, Spare::default(), None) {
                 Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. })
                     if scene.mesh.is_some() => {}
                 done => return done,
             }
         }
-        let streamed = Streamed::of(scene, false, options.colour)?;
-        Self::with_spare(scene, options, shader, Spare::default(), streamed)
+        Self::streaming(source, false)
+    }
+
+    /// A block whose mesh is in main memory, and whose spheres are, if they are to be. If local
+    /// store lacks room for the materials, these are in main memory, too.
+    fn streaming(source: Source<'_>, with_spheres: bool) -> Result<Self, BlockError> {
+        let with = |streamed| Self::with_spare(source, Spare::default(), streamed);
+        let streamed = Streamed::of(source, with_spheres, NumberWidth::Byte)?;
+        let materials = streamed.as_ref().map_or(0, Streamed::resident_materials);
+        let outcome = with(streamed);
+        match outcome {
+            Err(BlockError::TooLarge { needed, room, .. })
+                if needed - room <= materials * size_of::<layout::Material>() =>
+            {
+                with(Streamed::of(source, with_spheres, NumberWidth::TwoBytes)?)
+            }
+            outcome => outcome,
+        }
     }
 
     /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres go to main memory if local
@@ -162,29 +207,38 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
-        let outcome = Self::new(scene, options, shader);
+        Self::unchanging_of(Source {
+            scene,
+            options,
+            shader,
+            firsts: &alike::firsts(&scene.materials),
+        })
+    }
+
+    fn unchanging_of(source: Source<'_>) -> Result<Self, BlockError> {
+        let outcome = Self::of(source);
         let (Err(BlockError::TooLarge { .. }) | Err(BlockError::TooManyObjects { .. })) = &outcome
         else {
             return outcome;
         };
-        match Streamed::of(scene, true, options.colour)? {
-            None => outcome,
-            streamed => Self::with_spare(scene, options, shader, Spare::default(), streamed),
+        let is_sphere = |it: &nff::Object| matches!(it.shape, nff::Shape::Sphere { .. });
+        match source.scene.objects.iter().any(is_sphere) {
+            true => Self::streaming(source, true),
+            false => outcome,
         }
     }
 
     /// Without `streamed`, a mesh is in local store. The nodes of a tree become boxes if that is
     /// worth it, and their code and larger nodes take no room that batches need.
     fn with_spare(
-        scene: &Scene,
-        options: BlockOptions,
-        shader: &dyn Fn(&str) -> Option<u32>,
+        source: Source<'_>,
         spare: Spare,
         streamed: Option<Streamed>,
     ) -> Result<Self, BlockError> {
+        let options = source.options;
         let is_streamed = streamed.is_some();
         let spheres = [Volumes::Spheres; 4];
-        let plain = Self::with_volumes(scene, options, shader, spare, spheres, streamed)?;
+        let plain = Self::with_volumes(source, spare, spheres, streamed)?;
         if is_streamed {
             return Ok(plain);
         }
@@ -201,7 +255,7 @@ impl SceneBlock {
         }
         // Boxes gain more than a large batch does, but less than a small one loses.
         let deepest = options.ray_depth;
-        match Self::with_volumes(scene, options, shader, spare, volumes, None) {
+        match Self::with_volumes(source, spare, volumes, None) {
             Ok(block) if block.small_batch_at(deepest) == plain.small_batch_at(deepest) => {
                 Ok(block)
             }
@@ -212,13 +266,17 @@ impl SceneBlock {
 
     /// [`SceneBlock::with_spare`] with these volumes in the trees' nodes.
     fn with_volumes(
-        scene: &Scene,
-        options: BlockOptions,
-        shader: &dyn Fn(&str) -> Option<u32>,
+        source: Source<'_>,
         spare: Spare,
         volumes: [Volumes; 4],
         mut streamed: Option<Streamed>,
     ) -> Result<Self, BlockError> {
+        let Source {
+            scene,
+            options,
+            shader,
+            firsts,
+        } = source;
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
             return Err(BlockError::RayDepth(options.ray_depth));
         }
@@ -237,28 +295,59 @@ impl SceneBlock {
             objects,
             mut parts,
         } = Found::of(scene, options.ray_depth, streamed.as_ref())?;
-        let mut materials = vec![None; scene.materials.len()];
-        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers.
-        let mut used: Vec<u32> = Vec::new();
-        if let Some(streamed) = &mut streamed {
-            if let Some(textures) = &streamed.textures {
-                streamed.texture_records = block.append(&textures.records(block.end()));
-            }
-            streamed.materials = block.end();
-            used.extend(streamed.blocks.materials());
+        let mut materials: Vec<Option<Surface>> = vec![None; scene.materials.len()];
+        if let Some(streamed) = &mut streamed
+            && let Some(textures) = &streamed.textures
+        {
+            streamed.texture_records = block.append(&textures.records(block.end()));
         }
-        used.extend(found.iter().flatten().map(|object| object.material));
-        for index in used {
-            let index = index as usize;
-            if materials[index].is_none() {
-                let material = &scene.materials[index];
-                let texture = texture_address(streamed.as_ref(), material);
-                let record = materials::record(&scene.name, material, texture, options, shader)?;
-                materials[index] = Some(Surface {
-                    address: block.append(record.as_bytes()),
-                    sends: Sends::of(&record, material, options.colour),
-                    texture: material.texture.clone(),
-                });
+        let record = |index: usize| {
+            let material = &scene.materials[index];
+            let surfacing = surfacing(streamed.as_ref(), material);
+            let record = materials::record(&scene.name, material, surfacing, options, shader)?;
+            let surface = Surface {
+                address: None,
+                is_shared: false,
+                sends: Sends::of(&record, material, options.colour),
+                texture: material.texture.clone(),
+            };
+            Ok::<_, BlockError>((record, surface))
+        };
+        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers: in local
+        // store, or in main memory, too.
+        let start = block.end();
+        let mut table = Vec::new();
+        if let Some(streamed) = &streamed {
+            for &index in streamed.blocks.materials() {
+                let (record, mut surface) = record(index as usize)?;
+                match streamed.blocks.width() {
+                    NumberWidth::Byte => surface.address = Some(block.append(record.as_bytes())),
+                    NumberWidth::TwoBytes => table.push(record),
+                }
+                materials[index as usize] = Some(surface);
+            }
+        }
+        for object in found.iter().flatten() {
+            let index = firsts[object.material as usize] as usize;
+            if materials[index]
+                .as_ref()
+                .is_none_or(|it| it.address.is_none())
+            {
+                let (record, mut surface) = record(index)?;
+                surface.address = Some(block.append(record.as_bytes()));
+                materials[index] = Some(surface);
+            }
+        }
+        if let Some(streamed) = &mut streamed {
+            streamed.place_materials(start, &table);
+        }
+        for (index, &first) in firsts.iter().enumerate() {
+            let first = first as usize;
+            if first != index
+                && let Some(surface) = &mut materials[first]
+            {
+                surface.is_shared = true;
+                materials[index] = materials[first].clone();
             }
         }
         let material_room = (0..spare.materials)
@@ -266,7 +355,7 @@ impl SceneBlock {
             .collect();
         let material = |object: &Object| {
             let surface = materials[object.material as usize].as_ref();
-            U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
+            U32::new(surface.and_then(|it| it.address).unwrap_or(SCENE_ADDRESS))
         };
         let mut slots = PrimitiveKind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
         let primitives = PrimitiveKind::ALL.map(|kind| {
@@ -449,7 +538,9 @@ impl SceneBlock {
         }
         let objects = self.primitives.each_ref();
         let objects = objects.map(|primitives| (primitives.count(), primitives.size()));
-        let materials = self.materials.iter().flatten().count();
+        let addresses = self.materials.iter().flatten();
+        let addresses: HashSet<u32> = addresses.filter_map(|it| it.address).collect();
+        let materials = addresses.len();
         let memory_use = MemoryUse::new(objects, materials, self.lights.len());
         Err(BlockError::TooLarge {
             file: self.file.clone(),
@@ -462,11 +553,17 @@ impl SceneBlock {
     }
 }
 
-/// The address of the record of a material's texture; 0 if the streamed mesh doesn't have it.
-fn texture_address(streamed: Option<&Streamed>, material: &nff::Material) -> u32 {
+/// What the streamed mesh has for a material.
+fn surfacing(streamed: Option<&Streamed>, material: &nff::Material) -> Surfacing {
+    let Some(streamed) = streamed else {
+        return Surfacing::default();
+    };
     let texture = material.texture.as_ref();
-    let address = texture.and_then(|texture| streamed?.texture_address(texture));
-    address.unwrap_or_default()
+    let address = texture.and_then(|texture| streamed.texture_address(texture));
+    Surfacing {
+        texture: address.unwrap_or_default(),
+        is_coloured: streamed.blocks.is_coloured(),
+    }
 }
 
 /// The bytes that the queue of rays leaves for a scene.

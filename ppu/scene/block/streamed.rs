@@ -1,21 +1,25 @@
 //! The part of a scene that SPUs stream from main memory: its mesh, and spheres if there are too
 //! many; and what of these is in local store.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::DVec3;
 use nff::{Mesh, Scene, Shape, Texture};
 use protocol::layout::{
-    EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, SCENE_ADDRESS, SCENE_ROOM, TEXTURE_CODE,
+    self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
+    SCENE_ROOM, TEXTURE_CODE,
 };
 use zerocopy::big_endian::F32;
 
+use super::Source;
 use super::error::BlockError;
+use super::material_table::MaterialTable;
 use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::Colour;
-use crate::scene::mesh::{MeshBlocks, MeshSphere, RESIDENT};
+use crate::scene::mesh::{MeshBlocks, MeshSphere, NumberWidth, Numbers, RESIDENT};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
@@ -35,8 +39,10 @@ pub(super) struct Streamed {
     bounds: [DVec3; 2],
     /// Whether the scene's spheres are there, too.
     pub with_spheres: bool,
-    /// The address of the first of its materials, which are in a row.
-    pub materials: u32,
+    /// The address of the first of its materials, which are in a row, if they are in local store.
+    materials: u32,
+    /// Its materials, if they are in main memory.
+    pub table: Option<Arc<MaterialTable>>,
     /// The textures of these, if there are any.
     pub textures: Option<Arc<Textures>>,
     /// The address of their records.
@@ -48,8 +54,10 @@ pub(super) struct Streamed {
 pub struct MeshPlace<'a> {
     /// The blocks in main memory.
     pub blocks: &'a Arc<MeshBlocks>,
-    /// The local-store address of the first material.
+    /// The local-store address of the first material, if they are there.
     pub materials: u32,
+    /// The materials, if they are in main memory.
+    pub table: Option<&'a Arc<MaterialTable>>,
     /// The number of materials.
     pub material_count: u32,
     /// The local-store address of the cache.
@@ -66,12 +74,13 @@ pub struct MeshPlace<'a> {
 
 impl Streamed {
     /// The blocks of a scene's mesh, and of its spheres if they are to be in main memory too;
-    /// `None` if there is nothing for these.
+    /// `None` if there is nothing for these. Materials have numbers at least so wide.
     pub fn of(
-        scene: &Scene,
+        source: Source<'_>,
         with_spheres: bool,
-        colour: Colour,
+        least: NumberWidth,
     ) -> Result<Option<Self>, BlockError> {
+        let Source { scene, firsts, .. } = source;
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
             None => origin_of_spheres(scene),
@@ -89,7 +98,10 @@ impl Streamed {
         };
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
-        let blocks = MeshBlocks::new(mesh, &spheres, &scene.materials).map_err(wrong)?;
+        let numbers = Numbers { firsts, least };
+        let colour = source.options.colour;
+        let blocks = MeshBlocks::numbered(mesh, &spheres, &scene.materials, numbers, colour);
+        let blocks = blocks.map_err(wrong)?;
         let corners = spheres.iter().flat_map(|sphere| {
             let centre = origin + sphere.centre.as_dvec3();
             let radius = f64::from(sphere.radius.abs());
@@ -105,11 +117,37 @@ impl Streamed {
             origin,
             bounds: bounds.unwrap_or_default(),
             with_spheres,
-            textures: textures(scene, &blocks, colour),
+            textures: textures(scene, &blocks, colour)?,
             blocks: Arc::new(blocks),
             materials: SCENE_ADDRESS,
+            table: None,
             texture_records: SCENE_ADDRESS,
         }))
+    }
+
+    /// How many materials it has in local store.
+    pub fn resident_materials(&self) -> usize {
+        match self.blocks.width() {
+            NumberWidth::Byte => self.blocks.materials().len(),
+            NumberWidth::TwoBytes => 0,
+        }
+    }
+
+    /// Sets where its materials are: at this address, unless main memory is to have them.
+    pub fn place_materials(&mut self, address: u32, table: &[layout::Material]) {
+        self.materials = address;
+        let has_table = self.blocks.width() == NumberWidth::TwoBytes;
+        self.table = has_table.then(|| Arc::new(MaterialTable::new(table)));
+    }
+
+    /// Replaces the record that main memory has of a material of the scene, if it has one.
+    pub fn set_material(&mut self, material: usize, record: &layout::Material) {
+        let mut materials = self.blocks.materials().iter();
+        if let Some(table) = &mut self.table
+            && let Some(number) = materials.position(|&it| it as usize == material)
+        {
+            Arc::make_mut(table).set(number, record);
+        }
     }
 
     /// Moves the triangles; `false` if a new tree is needed.
@@ -139,7 +177,8 @@ impl Streamed {
 
     /// Where the mesh's cache ends: before the code that it needs.
     fn end(&self) -> u32 {
-        match self.textures {
+        match &self.textures {
+            _ if self.blocks.is_coloured() => COLOUR_CODE,
             Some(_) => TEXTURE_CODE,
             None => EYE_CODE,
         }
@@ -167,7 +206,11 @@ impl Streamed {
         MeshPlace {
             blocks: &self.blocks,
             materials: self.materials,
-            material_count: self.blocks.materials().len() as u32,
+            table: self.table.as_ref(),
+            material_count: self
+                .table
+                .as_ref()
+                .map_or(self.blocks.materials().len() as u32, |table| table.count()),
             cache: self.end() - slots * MESH_BLOCK,
             slots,
             textures: self.textures.as_ref(),
@@ -178,19 +221,30 @@ impl Streamed {
 }
 
 /// The textures of a mesh's materials, if it has texture coordinates.
-fn textures(scene: &Scene, blocks: &MeshBlocks, colour: Colour) -> Option<Arc<Textures>> {
+fn textures(
+    scene: &Scene,
+    blocks: &MeshBlocks,
+    colour: Colour,
+) -> Result<Option<Arc<Textures>>, BlockError> {
     let mesh = scene.mesh.as_ref();
-    mesh.filter(|mesh| !mesh.texture_coordinates.is_empty())?;
+    if mesh.is_none_or(|mesh| mesh.texture_coordinates.is_empty()) {
+        return Ok(None);
+    }
+    let mut known = HashSet::new();
     let mut found: Vec<Arc<Texture>> = Vec::new();
     for &number in blocks.materials() {
         let texture = scene.materials[number as usize].texture.as_ref();
-        if let Some(texture) =
-            texture.filter(|it| !found.iter().any(|other| Arc::ptr_eq(it, other)))
-        {
+        if let Some(texture) = texture.filter(|it| known.insert(Arc::as_ptr(it))) {
             found.push(texture.clone());
         }
     }
-    (!found.is_empty()).then(|| Arc::new(Textures::new(found, colour)))
+    if found.len() > MESH_TEXTURES as usize {
+        return Err(BlockError::TooManyTextures {
+            file: scene.name.clone(),
+            count: found.len(),
+        });
+    }
+    Ok((!found.is_empty()).then(|| Arc::new(Textures::new(found, colour))))
 }
 
 /// The origin for the spheres of a scene that has no mesh.
@@ -239,12 +293,14 @@ fn spheres(scene: &Scene, origin: DVec3) -> Result<Vec<MeshSphere>, BlockError> 
 }
 
 /// Whether a scene's mesh is small enough to be tried in local store, where it is faster, and has
-/// no texture.
+/// no texture and no colours of vertices.
 pub(super) fn may_stay(scene: &Scene) -> bool {
     let is_textured = |mesh: &Mesh| {
         let of = |&number: &u32| scene.materials.get(number as usize)?.texture.as_ref();
         !mesh.texture_coordinates.is_empty() && mesh.materials.iter().any(|it| of(it).is_some())
     };
     let mesh = scene.mesh.as_deref();
-    mesh.is_none_or(|mesh| mesh.triangles.len() <= RESIDENT && !is_textured(mesh))
+    mesh.is_none_or(|mesh| {
+        mesh.triangles.len() <= RESIDENT && mesh.colours.is_empty() && !is_textured(mesh)
+    })
 }

@@ -11,6 +11,7 @@
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A
 //! triangle without an area is left out: no ray hits it.
 
+mod colour;
 mod cut;
 mod gather;
 mod leaf;
@@ -28,9 +29,12 @@ use glam::DVec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
+    STREAMED_MATERIALS,
 };
 
+use self::colour::packed;
 use self::tree::{Bounds, Kind, Piece, Tree};
+use super::Colour;
 use super::single::LARGEST;
 
 pub use self::gather::gathered;
@@ -67,8 +71,8 @@ pub enum MeshError {
         /// Its position.
         position: [f32; 3],
     },
-    /// The triangles have too many materials.
-    #[error("the mesh's triangles have {0} materials; there may be {MESH_MATERIALS}")]
+    /// The triangles and spheres have too many materials.
+    #[error("the scene's objects have {0} different materials; there may be {STREAMED_MATERIALS}")]
     TooManyMaterials(usize),
     /// The triangles take too many blocks.
     #[error("the mesh takes {0} blocks; there may be {MESH_BLOCKS}")]
@@ -80,11 +84,31 @@ pub enum MeshError {
 #[repr(C, align(128))]
 struct Block([u8; MESH_BLOCK as usize]);
 
+/// How wide the materials' numbers are in blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NumberWidth {
+    /// A byte. So many materials may be in local store.
+    Byte,
+    /// Two bytes, for materials in main memory.
+    TwoBytes,
+}
+
+/// The numbers of materials in blocks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numbers<'a> {
+    /// For each material the first one that shares its number.
+    pub firsts: &'a [u32],
+    /// How wide they are at least.
+    pub least: NumberWidth,
+}
+
 /// A mesh in blocks.
 #[derive(Clone, Debug)]
 pub struct MeshBlocks {
     blocks: Vec<Block>,
     materials: Vec<u32>,
+    width: NumberWidth,
+    is_coloured: bool,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
     /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
@@ -95,7 +119,8 @@ pub struct MeshBlocks {
 
 impl MeshBlocks {
     /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
-    /// blocks. Their positions are relative to the mesh's origin.
+    /// blocks. Their positions are relative to the mesh's origin. Each material that has a triangle
+    /// or a sphere has its own number, and the numbers are as narrow as they can be. Colours of vertices are light.
     ///
     /// # Errors
     /// - No triangle has an area, and there is no sphere.
@@ -108,6 +133,23 @@ impl MeshBlocks {
         mesh: &Mesh,
         spheres: &[MeshSphere],
         materials: &[Material],
+    ) -> Result<Self, MeshError> {
+        let own: Vec<u32> = (0..).take(materials.len()).collect();
+        let numbers = Numbers {
+            firsts: &own,
+            least: NumberWidth::Byte,
+        };
+        Self::numbered(mesh, spheres, materials, numbers, Colour::Linear)
+    }
+
+    /// [`MeshBlocks::new`] where materials may share their numbers, and where `colour` says what
+    /// the colours of vertices are.
+    pub(super) fn numbered(
+        mesh: &Mesh,
+        spheres: &[MeshSphere],
+        materials: &[Material],
+        Numbers { firsts, least }: Numbers<'_>,
+        colour: Colour,
     ) -> Result<Self, MeshError> {
         let in_range = |position: &[f32; 3]| {
             let mut numbers = position.iter();
@@ -125,8 +167,9 @@ impl MeshBlocks {
         let mut numbers = vec![None; materials.len()];
         let mut used = Vec::new();
         let mut number = |material: usize| {
-            numbers[material].get_or_insert_with(|| {
-                used.push(material as u32);
+            let first = firsts[material];
+            numbers[first as usize].get_or_insert_with(|| {
+                used.push(first);
                 used.len() - 1
             });
         };
@@ -161,12 +204,16 @@ impl MeshBlocks {
         if used.is_empty() {
             return Err(MeshError::NoArea(mesh.triangles.len()));
         }
-        if used.len() > MESH_MATERIALS as usize {
-            return Err(MeshError::TooManyMaterials(used.len()));
-        }
+        let width = match used.len() {
+            count if count > STREAMED_MATERIALS as usize => {
+                return Err(MeshError::TooManyMaterials(count));
+            }
+            count if count > MESH_MATERIALS as usize => NumberWidth::TwoBytes,
+            _ => least,
+        };
 
         let ranges = kinds.each_ref().map(Vec::len);
-        let mut tree = Tree::new(mesh, kinds.concat());
+        let mut tree = Tree::new(mesh, kinds.concat(), width);
         let mut start = 0;
         let mut root = None;
         // The kind of the pieces before each index.
@@ -182,9 +229,16 @@ impl MeshBlocks {
         let Some(root) = root else {
             return Err(MeshError::NoArea(mesh.triangles.len()));
         };
-        let numbers = numbers.into_iter().map(|it| it.unwrap_or_default() as u8);
-        let numbers = numbers.collect::<Vec<_>>();
-        write::blocks(mesh, spheres, tree, root, &ends, &numbers, used)
+        let number = |&first: &u32| numbers[first as usize].unwrap_or_default() as u32;
+        let numbers: Vec<u32> = firsts.iter().map(number).collect();
+        let colours: Vec<u32> = mesh.colours.iter().map(|it| packed(*it, colour)).collect();
+        let content = write::Content {
+            mesh,
+            spheres,
+            numbers: &numbers,
+            colours: &colours,
+        };
+        write::blocks(content, tree, root, &ends, used)
     }
 
     /// The number of blocks.
@@ -208,11 +262,23 @@ impl MeshBlocks {
         self.blocks.as_ptr().expose_provenance() as u64
     }
 
-    /// The materials of the triangles, as indices in the scene's materials, in the order of their
-    /// numbers in blocks.
+    /// The materials of the triangles and spheres, as indices in the scene's materials, in the order
+    /// of their numbers in blocks. Of those that share a number it has the first one.
     #[must_use]
     pub fn materials(&self) -> &[u32] {
         &self.materials
+    }
+
+    /// Whether the triangles have colours at their vertices.
+    #[must_use]
+    pub fn is_coloured(&self) -> bool {
+        self.is_coloured
+    }
+
+    /// How wide these numbers are in blocks.
+    #[must_use]
+    pub fn width(&self) -> NumberWidth {
+        self.width
     }
 
     /// How large the blocks are, and how much work they are for a ray.

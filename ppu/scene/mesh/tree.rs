@@ -6,13 +6,14 @@
 
 use std::ops::Range;
 
+use super::NumberWidth;
 use super::leaf::WIDTH;
 use super::sweep::sweep;
 use glam::Vec3;
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_FACES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
-    SIDES_TEXTURED,
+    Boxes, MESH_BLOCK, MESH_FACES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
+    MeshVertex, SIDES_TEXTURED,
 };
 
 /// Bins of an axis.
@@ -67,12 +68,17 @@ pub(super) enum Kind {
 
 impl Kind {
     /// The bytes that a vertex takes.
-    fn vertex(self) -> usize {
+    fn vertex(self, is_coloured: bool) -> usize {
+        let colour = if is_coloured {
+            size_of::<MeshColour>()
+        } else {
+            0
+        };
         match self {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
-                size_of::<MeshVertex>() + size_of::<MeshCoordinates>()
+                size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
             }
-            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>(),
+            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>() + colour,
         }
     }
 }
@@ -116,6 +122,7 @@ pub(super) struct Tree<'a> {
     mesh: &'a Mesh,
     pub pieces: Vec<Piece>,
     pub nodes: Vec<Node>,
+    pub width: NumberWidth,
     /// About how many vertices a triangle of a leaf block has for itself.
     vertices: f64,
     /// For each vertex the last leaf that it was counted for.
@@ -124,7 +131,7 @@ pub(super) struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    pub fn new(mesh: &'a Mesh, pieces: Vec<Piece>) -> Self {
+    pub fn new(mesh: &'a Mesh, pieces: Vec<Piece>, width: NumberWidth) -> Self {
         let shared = mesh.positions.len().min(3 * pieces.len()) as f64 / pieces.len().max(1) as f64;
         // The vertices on the border of a block's triangles are in other blocks, too.
         let vertices = (1.2 * shared).min(3.0);
@@ -132,6 +139,7 @@ impl<'a> Tree<'a> {
             mesh,
             pieces,
             nodes: Vec::new(),
+            width,
             vertices,
             counted: vec![0; mesh.positions.len()],
             count: 0,
@@ -177,8 +185,9 @@ impl<'a> Tree<'a> {
 
     /// About how many triangles of a kind a leaf block holds.
     fn capacity(&self, kind: Kind) -> usize {
-        let room = MESH_BLOCK as usize - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
-        let each = size_of::<MeshFace>() as f64 + self.vertices * kind.vertex() as f64;
+        let room = self.block() - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
+        let vertex = kind.vertex(!self.mesh.colours.is_empty()) as f64;
+        let each = size_of::<MeshFace>() as f64 + self.vertices * vertex;
         ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize)
     }
 
@@ -198,9 +207,28 @@ impl<'a> Tree<'a> {
         }
         let needed = size_of::<MeshHeader>()
             + LEAF_NODES * size_of::<Boxes>()
-            + vertices * kind.vertex()
+            + self.arrays(kind, vertices)
             + (pieces.len() * size_of::<MeshFace>()).next_multiple_of(16);
-        needed <= MESH_BLOCK as usize
+        needed <= self.block()
+    }
+
+    /// The bytes of so many vertices, with what fills up quadwords between arrays.
+    fn arrays(&self, kind: Kind, vertices: usize) -> usize {
+        match self.mesh.colours.is_empty() {
+            true => vertices * kind.vertex(false),
+            false => {
+                let colours = vertices * size_of::<MeshColour>();
+                (vertices * kind.vertex(false)).next_multiple_of(16) + colours
+            }
+        }
+    }
+
+    /// The bytes of a leaf block up to the upper bytes of the materials' numbers.
+    fn block(&self) -> usize {
+        match self.width {
+            NumberWidth::Byte => MESH_BLOCK as usize,
+            NumberWidth::TwoBytes => MESH_UPPER as usize,
+        }
     }
 }
 

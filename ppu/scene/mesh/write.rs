@@ -6,8 +6,8 @@ use std::ops::Range;
 use nff::Mesh;
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
-    MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
-    SIDES_TEXTURED,
+    MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object,
+    SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
@@ -18,32 +18,44 @@ use super::normal::packed;
 use super::sphere::MeshSphere;
 use super::statistics::MeshStatistics;
 use super::tree::{Bounds, Kind, Node, Tree, around};
-use super::{Block, MeshBlocks, MeshError};
+use super::{Block, MeshBlocks, MeshError, NumberWidth};
 
 /// The most triangles of a leaf whose only node has all runs.
 const FEW: usize = 16;
 /// Bits of a run's word below the number of its triangles.
 pub(super) const RUN_SHIFT: u32 = 16;
 
-/// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, `numbers` the
-/// number in blocks of each material of the scene, and `materials` those materials.
+/// What is in blocks.
+#[derive(Clone, Copy)]
+pub(super) struct Content<'a> {
+    pub mesh: &'a Mesh,
+    pub spheres: &'a [MeshSphere],
+    /// The number of each material of the scene.
+    pub numbers: &'a [u32],
+    /// The packed colours of the mesh's vertices, if there are any.
+    pub colours: &'a [u32],
+}
+
+/// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, and `materials`
+/// the materials in the order of their numbers.
 pub(super) fn blocks(
-    mesh: &Mesh,
-    spheres: &[MeshSphere],
+    content: Content<'_>,
     tree: Tree<'_>,
     root: usize,
     ends: &[(usize, Kind)],
-    numbers: &[u8],
     materials: Vec<u32>,
 ) -> Result<MeshBlocks, MeshError> {
     let Tree {
-        mut pieces, nodes, ..
+        mut pieces,
+        nodes,
+        width,
+        ..
     } = tree;
+    let Content { mesh, spheres, .. } = content;
     let mut writer = Writer {
         nodes: &nodes,
-        numbers,
-        mesh,
-        spheres,
+        content,
+        width,
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
         whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
         local: vec![(0, 0); mesh.positions.len()],
@@ -88,15 +100,16 @@ pub(super) fn blocks(
             cost_when_built: writer.cost,
             blocks,
             materials,
+            width,
+            is_coloured: !content.colours.is_empty(),
         }),
     }
 }
 
 struct Writer<'a> {
     nodes: &'a [Node],
-    numbers: &'a [u8],
-    mesh: &'a Mesh,
-    spheres: &'a [MeshSphere],
+    content: Content<'a>,
+    width: NumberWidth,
     /// The surface of the whole mesh's box.
     whole: f64,
     /// For each vertex the last leaf block that has it, counted from 1, and its index there.
@@ -138,43 +151,65 @@ impl Writer<'_> {
 
         let mut vertices = Vec::new();
         let mut coordinates = Vec::new();
+        let mut colours = Vec::new();
+        let Content {
+            mesh,
+            numbers,
+            colours: packed_colours,
+            ..
+        } = self.content;
         let mut faces = Vec::with_capacity(pieces.len());
+        let mut upper = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
             let triangle = piece.index as usize;
-            let vertex = self.mesh.triangles[triangle].map(|vertex| {
+            let vertex = mesh.triangles[triangle].map(|vertex| {
                 let place = &mut self.local[vertex as usize];
                 if place.0 != number + 1 {
                     *place = (number + 1, vertices.len() as u8);
                     let normal = if sides & SIDES_SMOOTH != 0 {
-                        let [x, y, z] = self.mesh.normals[vertex as usize].map(f64::from);
+                        let [x, y, z] = mesh.normals[vertex as usize].map(f64::from);
                         packed(glam::DVec3::new(x, y, z))
                     } else {
                         0
                     };
                     self.sources.push(vertex);
                     if sides & SIDES_TEXTURED != 0 {
-                        let [u, v] = self.mesh.texture_coordinates[vertex as usize].map(F32::new);
+                        let [u, v] = mesh.texture_coordinates[vertex as usize].map(F32::new);
                         coordinates.push(MeshCoordinates { u, v });
                     }
+                    if let Some(&packed) = packed_colours.get(vertex as usize) {
+                        let packed = packed.into();
+                        colours.push(MeshColour { packed });
+                    }
                     vertices.push(MeshVertex {
-                        position: self.mesh.positions[vertex as usize].map(F32::new),
+                        position: mesh.positions[vertex as usize].map(F32::new),
                         normal: normal.into(),
                     });
                 }
                 place.1
             });
+            let number = numbers[mesh.materials[triangle] as usize];
             faces.push(MeshFace {
                 vertex,
-                material: self.numbers[self.mesh.materials[triangle] as usize],
+                material: number as u8,
             });
+            upper.push((number >> 8) as u8);
         }
+        let wide = match self.width {
+            NumberWidth::Byte => 0,
+            NumberWidth::TwoBytes => SIDES_WIDE,
+        };
+        let coloured = match colours.is_empty() {
+            true => 0,
+            false => SIDES_COLOURED,
+        };
         let header = MeshHeader {
             triangles: (faces.len() as u32).into(),
             vertices: (vertices.len() as u32).into(),
-            sides: sides.into(),
+            sides: (sides | wide | coloured).into(),
             ..header(number, MESH_LEAF, levels, nodes.len())
         };
-        self.block(
+        let mut block = self.block(
             around(pieces),
             &header,
             &nodes,
@@ -182,8 +217,13 @@ impl Writer<'_> {
                 vertices.as_bytes(),
                 faces.as_bytes(),
                 coordinates.as_bytes(),
+                colours.as_bytes(),
             ],
-        )
+        );
+        if wide != 0 {
+            block.0[MESH_UPPER as usize..][..upper.len()].copy_from_slice(&upper);
+        }
+        block
     }
 
     fn spheres(&mut self, number: u32, pieces: &mut [super::Piece]) -> Block {
@@ -197,9 +237,9 @@ impl Writer<'_> {
             for piece in rest.by_ref().take(group.len()) {
                 let place = records.len() * size_of::<Object>();
                 children.push((piece.bounds, offset(nodes) + place as u32));
-                let sphere = &self.spheres[piece.index as usize];
-                let material = self.numbers[sphere.material as usize];
-                records.push(sphere.record(material.into()));
+                let sphere = &self.content.spheres[piece.index as usize];
+                let material = self.content.numbers[sphere.material as usize];
+                records.push(sphere.record(material));
                 self.statistics.expected_spheres += self.share(piece.bounds);
             }
             lowest.push(children);

@@ -100,9 +100,11 @@ record! {
         mesh_blocks: U32,
         /// Bytes of that code; a multiple of 16.
         mesh_code_bytes: U32,
-        /// Where in local store the first of the mesh's materials is, which the others follow.
+        /// Where in local store the first of the mesh's materials is, which the others follow; not
+        /// used with `FEATURE_MATERIALS`.
         mesh_materials: U32,
-        /// Materials of the mesh.
+        /// Materials of the mesh. With `FEATURE_MATERIALS` it is a multiple of 256, and there may be
+        /// some that nothing has.
         mesh_material_count: U32,
         /// Where in local store blocks are cached; a multiple of 128.
         mesh_cache: U32,
@@ -133,6 +135,12 @@ record! {
         /// Effective address of the room for rays that wait, `WAITING_SIZE` bytes for each SPU, in
         /// order; a multiple of 128.
         waiting: U64,
+        /// Effective address of the first of the mesh's materials with `FEATURE_MATERIALS`, a
+        /// `MATERIAL` each `MATERIAL_STRIDE` bytes; a multiple of 128.
+        materials: U64,
+        /// Effective address of the code that interpolates colours, `COLOUR_CODE_ROOM` bytes; a
+        /// multiple of 128.
+        colour_code: U64,
     }
 }
 

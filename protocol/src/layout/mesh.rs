@@ -3,8 +3,10 @@
 //!
 //! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
 //! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. With
-//! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. Positions are
-//! in the mesh's own coordinates until a block is in local store, and relative to the eye there.
+//! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. With
+//! `SIDES_COLOURED`, `MESH_COLOUR` records of the vertices begin at the quadword after these. With
+//! `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
+//! mesh's own coordinates until a block is in local store, and relative to the eye there.
 
 use zerocopy::big_endian::{F32, U16, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -28,7 +30,8 @@ record! {
         triangles: U32,
         /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
-        /// `SIDES_BOTH`, `SIDES_SMOOTH` and `SIDES_TEXTURED`, for all triangles of the block.
+        /// `SIDES_BOTH`, `SIDES_SMOOTH`, `SIDES_TEXTURED`, `SIDES_WIDE` and `SIDES_COLOURED`, for all
+        /// triangles of the block.
         sides: U32,
     }
 }
@@ -71,7 +74,7 @@ record! {
     MeshFace as "MESH_FACE" {
         /// Indices of its vertices in the block: counter-clockwise as seen from outside.
         vertex: [u8; 3],
-        /// Index of its material among the mesh's.
+        /// Index of its material among the mesh's; its last byte with `SIDES_WIDE`.
         material: u8,
     }
 }
@@ -83,6 +86,15 @@ record! {
         u: F32,
         /// From above, in heights of the texture.
         v: F32,
+    }
+}
+
+record! {
+    /// A vertex's colour, by which the material's is multiplied.
+    MeshColour as "MESH_COLOUR" {
+        /// Red, green and blue times 1023, from the bits 2^22, 2^12 and 2^2 on: light, or its
+        /// square root with `FEATURE_SRGB`.
+        packed: U32,
     }
 }
 

@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 12;
+    VERSION = 13;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -99,8 +99,12 @@ constants! {
     FEATURE_ROLL_OFF = 64;
     /// Feature bit: the mesh in main memory has textures.
     FEATURE_TEXTURES = 128;
+    /// Feature bit: the materials of the mesh are in main memory, too.
+    FEATURE_MATERIALS = 256;
+    /// Feature bit: the mesh in main memory has colours at its vertices.
+    FEATURE_COLOURS = 512;
     /// All feature bits that this version knows.
-    FEATURES_KNOWN = 255;
+    FEATURES_KNOWN = 1023;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -188,6 +192,11 @@ constants! {
     SIDES_SMOOTH = 0x2000_0000;
     /// In `sides`: a triangle of a mesh with texture coordinates at its vertices.
     SIDES_TEXTURED = 0x1000_0000;
+    /// In `sides`: the triangles of a block whose materials have numbers of 16 bits. Their upper
+    /// bytes are at `MESH_UPPER`.
+    SIDES_WIDE = 0x0800_0000;
+    /// In `sides`: a triangle of a mesh with colours at its vertices.
+    SIDES_COLOURED = 0x0400_0000;
     /// First word of a mesh's block: `MESH`.
     MESH_MAGIC = 0x4d45_5348;
     /// Bytes of a mesh's block.
@@ -208,8 +217,16 @@ constants! {
     MESH_VERTICES = 255;
     /// Most triangles of a run.
     MESH_RUN = 8;
-    /// Most materials of a mesh.
+    /// Offset in a block with `SIDES_WIDE` of a byte for each triangle, in their order.
+    MESH_UPPER = 1920;
+    /// Most materials of a mesh in local store.
     MESH_MATERIALS = 256;
+    /// Most materials of a mesh in main memory.
+    STREAMED_MATERIALS = 0x1_0000;
+    /// Bytes from one of these to the next: a line.
+    MATERIAL_STRIDE = 128;
+    /// Most textures of a mesh.
+    MESH_TEXTURES = 256;
     /// Bytes at the end of the scene's room for the code that traces meshes.
     MESH_CODE_ROOM = 31232;
     /// Address in local store of that code.
@@ -244,6 +261,11 @@ constants! {
     TEXTURE_CODE_ROOM = 4096;
     /// Address in local store of that code.
     TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_ROOM;
+    /// Bytes in front of `TEXTURE_CODE` for the code that interpolates colours, of meshes with or
+    /// without textures.
+    COLOUR_CODE_ROOM = 2048;
+    /// Address in local store of that code.
+    COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_ROOM;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
@@ -266,8 +288,10 @@ constants! {
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
-    /// In `flags`: it has a texture.
+    /// In `flags`: it has a texture, or triangles with colours at their vertices may have it.
     MATERIAL_TEXTURED = 32;
+    /// In `flags`: its colour is light that it sends.
+    MATERIAL_FLAT = 64;
     /// With the status `Shader`, times 256: no shader has this number. Added to it is the number
     /// times 2^24, at most 255.
     RULE_KNOWN = 1;
@@ -337,6 +361,7 @@ pub const RECORDS: &[Record] = &[
     MeshRay::RECORD,
     MeshVisit::RECORD,
     MeshCoordinates::RECORD,
+    MeshColour::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
@@ -422,8 +447,8 @@ statuses! {
     MeshCode = 29, "mesh_code, mesh_code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
-    /// Must be 1 to 256 materials on quadwords of the scene.
-    MeshMaterials = 31, "mesh_materials, mesh_material_count";
+    /// Must be 1 to 256 materials on quadwords of the scene; or, in main memory, a multiple of 256 up to 65536 at a multiple of 128.
+    MeshMaterials = 31, "mesh_materials, mesh_material_count, materials";
     /// Must be a multiple of 128, with 4 to 20 blocks behind the rays that wait and before the code.
     MeshCache = 32, "mesh_cache, mesh_slots";
     /// A block must be as the work unit's document has it, and its children must come after it.
@@ -442,6 +467,8 @@ statuses! {
     Waiting = 39, "waiting";
     /// Must be bits of the 4 trees, and with any, the scene must have the 4736 bytes of the code for boxes.
     BoxTrees = 40, "box_trees, scene_bytes";
+    /// Must be a multiple of 128.
+    ColourCode = 41, "colour_code";
 }
 
 const _: () = {
@@ -450,9 +477,12 @@ const _: () = {
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
             && BOX_CODE_ROOM.is_multiple_of(16)
     );
-    assert!(size_of::<Frame>() == 496);
+    assert!(size_of::<Frame>() == 512);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
+    assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
+    assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
+    assert!(COLOUR_CODE.is_multiple_of(LINE));
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);

@@ -183,7 +183,7 @@ sent:   sum_lanes $3,$amount
         leave
 endfunction surfaces_make
 
-# batch_shade   applies smooth normals, textures and shaders, to the packets that have any
+# batch_shade   applies smooth normals, textures, colours and shaders, to the packets that have any
 #   Uses    $3-$79, w_left
 
 .macro  packet_and_surfaces
@@ -197,12 +197,6 @@ endfunction surfaces_make
         a       $4,$4,$offset
         lqd     $flags,SURFACES_flags($4)
 .endm
-
-        # FEATURE_TEXTURES becomes MATERIAL_TEXTURED.
-        .set    FEATURE_TO_FLAG,-2
-    .if FEATURE_TEXTURES>>2 != MATERIAL_TEXTURED
-        .error  "the bits of textures are elsewhere"
-    .endif
 
 function batch_shade
         enter
@@ -218,11 +212,10 @@ next_packet:
 flat:   andi    $wanted,$flags,MATERIAL_SHADED|MATERIAL_TEXTURED
         brz     $wanted,as_it_is
         andi    $wanted,$flags,MATERIAL_TEXTURED
-        lqa     $offset,streamed
-        rotmi   $offset,$offset,FEATURE_TO_FLAG
-        and     $wanted,$wanted,$offset
+        lqa     $offset,surface_way
         brz     $wanted,plain
-        brsl    $lr,texture_packet
+        brz     $offset,plain
+        bisl    $lr,$offset
 plain:  andi    $wanted,$flags,MATERIAL_SHADED
         brz     $wanted,as_it_is
         ori     $offset,$3,0

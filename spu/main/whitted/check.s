@@ -9,7 +9,12 @@
         .section .bss
         .align  4
         .global streamed
-streamed:                               # bits of FEATURE_MESH and FEATURE_TEXTURES; 0 without a mesh
+streamed:                               # bits of FEATURE_MESH, FEATURE_TEXTURES,
+                                        # FEATURE_MATERIALS and FEATURE_COLOURS; 0 without a mesh
+        .skip   16
+
+        .global surface_way
+surface_way:                            # the function for textures and colours, or 0
         .skip   16
 
         .set    status,3
@@ -33,7 +38,10 @@ function whitted_check
         # mesh_begin checks the rest of the fields of the mesh and its textures, when its code is
         # there.
         load_word $batch,FRAME_features,$a_frame
-        andi    $batch,$batch,FEATURE_MESH|FEATURE_TEXTURES
+        il      $value,FEATURE_MESH|FEATURE_TEXTURES|FEATURE_MATERIALS|FEATURE_COLOURS
+        and     $batch,$batch,$value
+        il      $value,0
+        stqa    $value,surface_way
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned mesh_code,LINE,MeshCode

@@ -19,10 +19,14 @@ pub struct Descriptor {
     pub mesh: Vec<u8>,
     /// The program's code that traces meshes.
     pub mesh_code: Vec<u8>,
+    /// Its materials in main memory, or none.
+    pub materials: Vec<u8>,
     /// The tiles of its textures, or none.
     pub textures: Vec<u8>,
     /// The program's code that looks up textures.
     pub texture_code: Vec<u8>,
+    /// The program's code that interpolates colours.
+    pub colour_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
     /// The memory for the picture. The frame contains its address.
@@ -40,7 +44,7 @@ impl Descriptor {
         let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program;
         let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
-        let box_code = program.box_code();
+        let (box_code, colour_code) = (program.box_code(), program.colour_code());
         let program = program.formulations().unwrap();
         records.cull(
             scene.spheres(),
@@ -61,6 +65,7 @@ impl Descriptor {
                 mesh_code_bytes: mesh_code.len() as u32,
                 texture_code: 0,
                 texture_code_bytes: texture_code.len() as u32,
+                colour_code: 0,
                 unit_counter: 0,
                 statistics: 0,
                 waiting: 0,
@@ -79,6 +84,8 @@ impl Descriptor {
         let mesh = block.and_then(|block| block.mesh());
         let textures = mesh.and_then(|mesh| mesh.textures);
         let textures = textures.map_or(Vec::new(), |textures| textures.bytes().to_vec());
+        let materials = mesh.and_then(|mesh| mesh.table);
+        let materials = materials.map_or(Vec::new(), |table| table.bytes().to_vec());
         let mesh = mesh.map_or(Vec::new(), |mesh| mesh.blocks.bytes().to_vec());
         let mut block = block.map_or(vec![0; 128], |block| block.bytes().to_vec());
         if frame.box_trees.get() != 0 {
@@ -91,8 +98,10 @@ impl Descriptor {
             block,
             mesh,
             mesh_code,
+            materials,
             textures,
             texture_code,
+            colour_code,
             units: units.bytes().to_vec(),
             framebuffer,
         }

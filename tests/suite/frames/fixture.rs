@@ -19,6 +19,8 @@ pub struct Fixture {
     pub units: SharedMemory,
     /// The blocks of the scene's mesh.
     pub mesh: SharedMemory,
+    /// The materials in main memory, if there are any.
+    pub materials: SharedMemory,
     /// The block of Whitted's model, with zeros after it up to the greatest size.
     pub scene: SharedMemory,
     /// The rays that wait and have no room in local store.
@@ -35,8 +37,10 @@ impl Fixture {
             block,
             mesh,
             mesh_code,
+            materials,
             textures,
             texture_code,
+            colour_code,
             units,
             framebuffer,
         } = Descriptor::of(scene, spus);
@@ -57,6 +61,12 @@ impl Fixture {
         frame.waiting = waiting.address().into();
         frame.spheres = spheres.address().into();
         frame.scene = scene.address().into();
+        let materials = shared(&materials);
+        if frame.materials.get() != 0 {
+            frame.materials = materials.address().into();
+        }
+        let colour_code = shared(&colour_code);
+        frame.colour_code = colour_code.address().into();
         frame.textures = textures.address().into();
         frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
@@ -77,6 +87,7 @@ impl Fixture {
             frame,
             units,
             mesh,
+            materials,
             scene,
             waiting,
             framebuffer,
@@ -85,6 +96,7 @@ impl Fixture {
                 mesh_code,
                 textures,
                 texture_code,
+                colour_code,
                 unit_counter,
                 statistics,
                 costs,

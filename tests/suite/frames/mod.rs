@@ -1,10 +1,12 @@
 //! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that fail, and
 //! shaders of games.
 
+mod colours;
 mod descriptor;
 mod faults;
 mod fixture;
 mod long_frames;
+mod materials;
 mod mesh;
 mod pictures;
 mod protocol;

@@ -200,6 +200,95 @@ fn play(mesh: Mesh) {
     }
 }
 
+/// More materials than local store has room for: each is changed in place, the mesh moves, and a
+/// sphere in local store has one of them, too.
+#[test]
+fn more_materials_than_local_store_has_room_for() {
+    let (mut world, _) = world();
+    let mut mesh = pear(16, 20);
+    let count = mesh.triangles.len() as u32;
+    mesh.materials = (0..count).collect();
+    // All different, so that none can share a record.
+    let shade = |number: u32| f64::from(number * 37 % count) / f64::from(count);
+    let materials: Vec<MaterialId> = (0..count)
+        .map(|number| {
+            let material = Material::matte(shade(number), shade(number + 7), 0.5);
+            world.add_material(material).unwrap()
+        })
+        .collect();
+    let place = at(0.0, 0.3, 0.0);
+    let id = world.add_mesh(Arc::new(mesh), &materials, place).unwrap();
+    let ball = world
+        .add_sphere(DVec3::new(-1.5, -0.5, 1.0), 0.4, materials[5])
+        .unwrap();
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    let scene = world.scene(&Program::tracer()).unwrap();
+    let mesh = scene.block().and_then(|block| block.mesh()).unwrap();
+    assert!(mesh.table.is_some());
+    for step in 0..5 {
+        match step {
+            0 => world
+                .set_material(materials[5], Material::mirror())
+                .unwrap(),
+            1 => {
+                for (number, material) in (0..).zip(&materials) {
+                    let colour = DVec3::new(0.9, shade(number), 0.1);
+                    world.recolour(*material, colour).unwrap();
+                }
+            }
+            2 => world.place_mesh(id, at(0.4, 0.2, -0.5)).unwrap(),
+            3 => world.remove(ball).unwrap(),
+            _ => {
+                for material in &materials[200..400] {
+                    world.set_material(*material, Material::glass()).unwrap();
+                }
+            }
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "{step}");
+        last = picture;
+    }
+}
+
+/// A mesh with colours beside one without: it moves, and the other is removed.
+#[test]
+fn colours_of_meshes() {
+    let (mut world, red) = world();
+    let white = world.add_material(Material::matte(0.9, 0.9, 0.9)).unwrap();
+    let plain = Arc::new(pear(8, 12));
+    let mut mesh = pear(8, 12);
+    let sum = |mesh: &Mesh| {
+        let (mut world, red) = self::world();
+        let mesh = Arc::new(mesh.clone());
+        world.add_mesh(mesh, &[red], at(0.0, 0.0, 0.0)).unwrap();
+        world.checksum()
+    };
+    let before = sum(&mesh);
+    let colours = mesh.positions.iter();
+    let colours = colours.map(|position| position.map(|axis| (0.5 + 0.4 * axis).clamp(0.0, 1.0)));
+    mesh.colours = colours.collect();
+    assert!(sum(&mesh) != before);
+    let id = world
+        .add_mesh(Arc::new(mesh), &[white], at(-1.0, 0.0, 0.0))
+        .unwrap();
+    let other = world.add_mesh(plain, &[red], at(1.5, 0.2, -0.5)).unwrap();
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    for step in 0..3 {
+        match step {
+            0 => world.place_mesh(id, at(-0.8, 0.3, 0.2)).unwrap(),
+            1 => world.remove_mesh(other).unwrap(),
+            _ => world
+                .set_material(white, Material::matte(0.3, 0.9, 0.4))
+                .unwrap(),
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "{step}");
+        last = picture;
+    }
+}
+
 #[test]
 fn meshes_move_in_main_memory() {
     play(pear(30, 30));
@@ -431,6 +520,21 @@ fn wrong_meshes_are_refused() {
         (
             &|mesh| mesh.normals.truncate(11),
             "12 vertices need as many normals, or none, not 11",
+        ),
+        (
+            &|mesh| mesh.colours = vec![[1.0; 3]; 11],
+            "12 vertices need as many colours, or none, not 11",
+        ),
+        (
+            &|mesh| {
+                mesh.colours = vec![[1.0; 3]; 12];
+                mesh.colours[7][1] = 1.5;
+            },
+            "vertex 7 has 1.5 in its colour: channels must be from 0 to 1",
+        ),
+        (
+            &|mesh| mesh.colours = vec![[0.0, 0.0, f32::NAN]; 12],
+            "vertex 0 has NaN in its colour",
         ),
         (
             &|mesh| mesh.positions[1][2] = f32::NAN,

@@ -1,7 +1,8 @@
 //! Scenes with a mesh: what is in local store, and what in main memory.
 
 use nff::Mesh;
-use protocol::layout::{EYE_CODE, MESH_BLOCK, SIDES_BOTH};
+use protocol::layout::{EYE_CODE, MATERIAL_STRIDE, MESH_BLOCK, SIDES_BOTH};
+use zerocopy::FromBytes as _;
 
 use super::*;
 
@@ -103,4 +104,113 @@ fn a_mesh_leaves_less_room_for_objects() {
     assert!(matches!(error, BlockError::TooLarge { .. }), "{error}");
     scene.mesh = None;
     assert!(SceneBlock::new(&scene, BlockOptions::default(), &entry).is_ok());
+}
+
+/// A scene of spheres, each after a fill of its own, of which `kinds` differ.
+fn fills(spheres: u32, kinds: u32) -> Scene {
+    let mut rest = String::new();
+    for number in 0..spheres {
+        let kind = f64::from(number % kinds) / f64::from(kinds);
+        rest += &format!("f {kind} 0.5 0.5 1 0 0 0 0\ns {number} 0 -9 0.4\n");
+    }
+    scene(&rest)
+}
+
+fn unchanging(scene: &Scene) -> SceneBlock {
+    SceneBlock::unchanging(scene, BlockOptions::default(), &entry).expect("a block")
+}
+
+#[test]
+fn equal_materials_have_one_record() {
+    let block = unchanging(&fills(500, 7));
+    assert!(block.mesh().is_none());
+    let materials = block.leaves(PrimitiveKind::Sphere).into_iter();
+    let materials = materials.map(|address| block.at::<layout::Object>(address).material.get());
+    let different: HashSet<u32> = materials.collect();
+    assert_eq!(different.len(), 7);
+    let single = unchanging(&fills(500, 1));
+    let more = 6 * size_of::<layout::Material>();
+    assert!(block.bytes().len() - single.bytes().len() <= more + 128);
+
+    let block = unchanging(&fills(8281, 4));
+    let mesh = block.mesh().expect("spheres in main memory");
+    assert_eq!(mesh.material_count, 4);
+    assert!(mesh.table.is_none());
+}
+
+#[test]
+fn many_materials_are_in_main_memory() {
+    // 200 take more than local store has beside spheres in main memory.
+    for kinds in [200, 1200] {
+        let scene = fills(1200, kinds);
+        let block = unchanging(&scene);
+        let mesh = block.mesh().expect("spheres in main memory");
+        let table = mesh.table.expect("materials in main memory");
+        assert_eq!(table.count(), kinds.next_multiple_of(256));
+        assert_eq!(mesh.material_count, table.count());
+        assert_eq!(mesh.blocks.materials().len(), kinds as usize);
+        let records = table.bytes().chunks(MATERIAL_STRIDE as usize);
+        for (record, &material) in records.zip(mesh.blocks.materials()) {
+            let (record, _) = layout::Material::read_from_prefix(record).unwrap();
+            let colour = scene.materials[material as usize].colour;
+            assert_eq!(record.colour, singles(colour));
+        }
+    }
+}
+
+#[test]
+fn a_few_materials_stay_in_local_store() {
+    let block = unchanging(&fills(1200, 50));
+    let mesh = block.mesh().expect("spheres in main memory");
+    assert!(mesh.table.is_none());
+    assert_eq!(mesh.material_count, 50);
+}
+
+#[test]
+fn materials_of_what_changes_have_records_of_their_own() {
+    let shaders = ShaderEntries::new(Vec::new());
+    let scene = fills(40, 2);
+    let options = BlockOptions::default();
+    let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
+    let changed = nff::Material {
+        colour: DVec3::ONE,
+        ..scene.materials[3].clone()
+    };
+    assert!(block.set_material(3, &changed, &shaders).expect("a record"));
+    let white = |block: &SceneBlock| {
+        let objects = block.leaves(PrimitiveKind::Sphere).into_iter();
+        let materials = objects.map(|address| block.at::<layout::Object>(address).material);
+        let is_white = |&address: &U32| {
+            let material: &layout::Material = block.at(address);
+            material.colour == singles(DVec3::ONE)
+        };
+        materials.filter(is_white).count()
+    };
+    assert_eq!(white(&block), 1);
+    // Without room for all of them, equal ones are shared, and a change needs a new block.
+    let scene = fills(1300, 3);
+    let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
+    assert!(block.mesh().is_some_and(|mesh| mesh.table.is_none()));
+    assert!(!block.set_material(3, &changed, &shaders).expect("a record"));
+}
+
+#[test]
+fn a_material_in_main_memory_is_changed_in_place() {
+    let shaders = ShaderEntries::new(Vec::new());
+    let scene = fills(1300, 1300);
+    let mut block = SceneBlock::with_room(&scene, BlockOptions::default(), &shaders).unwrap();
+    let numbers = block.mesh().unwrap().blocks.materials().to_vec();
+    let number = numbers.iter().position(|&it| it == 700).unwrap();
+    let read = |block: &SceneBlock| block.mesh().unwrap().table.unwrap().bytes().to_vec();
+    let before = read(&block);
+    let changed = nff::Material {
+        colour: DVec3::ONE,
+        ..scene.materials[700].clone()
+    };
+    assert!(block.set_material(700, &changed, &shaders).unwrap());
+    let after = read(&block);
+    let stride = MATERIAL_STRIDE as usize;
+    for (index, (old, new)) in before.chunks(stride).zip(after.chunks(stride)).enumerate() {
+        assert_eq!(old != new, index == number);
+    }
 }

@@ -31,14 +31,12 @@ fn coordinates_without_a_square() {
 }
 
 #[test]
-fn more_materials_than_an_index_tells() {
-    let mut colourful = soup(300, 1.0, 1);
-    let materials = vec![materials().remove(0); 300];
-    for (index, material) in colourful.materials.iter_mut().enumerate() {
-        *material = (index as u32).min(256);
-    }
-    let message = "the mesh's triangles have 257 materials; there may be 256";
+fn more_materials_than_a_number_tells() {
+    let mut colourful = soup(65_537, 1.0, 1);
+    let materials = vec![materials().remove(0); 65_537];
+    colourful.materials = (0..65_537).collect();
+    let message = "the scene's objects have 65537 different materials; there may be 65536";
     assert_eq!(refused(&colourful, &materials), message);
-    colourful.materials[256..].fill(7);
+    colourful.materials[65_536] = 7;
     assert!(MeshBlocks::new(&colourful, &[], &materials).is_ok());
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::super::MeshBlocks;
+use super::super::{Colour, MeshBlocks, NumberWidth, Numbers};
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
 
@@ -101,6 +101,68 @@ fn texture_coordinates_are_where_a_material_has_a_texture() {
         let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
         check(&mesh, &materials, &blocks);
         assert!(blocks.count() > plain.count() || rows == 2);
+    }
+}
+
+#[test]
+fn materials_with_wide_numbers() {
+    let materials = vec![materials().remove(0); 5000];
+    for (count, width) in [(256, NumberWidth::Byte), (5000, NumberWidth::TwoBytes)] {
+        let mut mesh = ball(50);
+        for (triangle, material) in mesh.materials.iter_mut().enumerate() {
+            *material = (triangle as u32 * 7919) % count;
+        }
+        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert_eq!(blocks.materials().len(), count as usize);
+        assert_eq!(blocks.width(), width);
+        check(&mesh, &materials, &blocks);
+    }
+}
+
+#[test]
+fn materials_that_share_a_number() {
+    let materials = vec![materials().remove(0); 3];
+    let mut mesh = ball(20);
+    for (triangle, material) in mesh.materials.iter_mut().enumerate() {
+        *material = triangle as u32 % 3;
+    }
+    let firsts = [0, 1, 0];
+    let numbers = Numbers {
+        firsts: &firsts,
+        least: NumberWidth::TwoBytes,
+    };
+    let blocks = MeshBlocks::numbered(&mesh, &[], &materials, numbers, Colour::Linear);
+    let blocks = blocks.unwrap();
+    assert_eq!(blocks.materials(), [0, 1]);
+    for material in &mut mesh.materials {
+        *material = firsts[*material as usize];
+    }
+    check(&mesh, &materials, &blocks);
+}
+
+#[test]
+fn colours_are_beside_vertices() {
+    let texture = nff::Texture::new(1, vec![[1, 2, 3]], [nff::Wrap::Clamp; 2]);
+    let mut materials = materials();
+    materials[0].texture = texture.map(Arc::new);
+    for rows in [2, 5, 40] {
+        let mut mesh = ball(rows);
+        let plain = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert!(!plain.is_coloured());
+        let colours = mesh.positions.iter();
+        let colours = colours.map(|position| position.map(|axis| axis.abs().min(1.0)));
+        mesh.colours = colours.collect();
+        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        assert!(blocks.is_coloured());
+        check(&mesh, &materials, &blocks);
+        assert!(blocks.count() > plain.count() || rows == 2);
+        let places = mesh.positions.iter().map(|[x, y, _]| [*x, *y]);
+        mesh.texture_coordinates = places.collect();
+        check(
+            &mesh,
+            &materials,
+            &MeshBlocks::new(&mesh, &[], &materials).unwrap(),
+        );
     }
 }
 

@@ -6,14 +6,16 @@ use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_VERTICES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object,
-    SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
+    MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
+    MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
+    SIDES_WIDE,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 
+use super::super::colour::packed as packed_colour;
 use super::super::normal::packed;
-use super::super::{MeshBlocks, tree::Bounds};
+use super::super::{Colour, MeshBlocks, tree::Bounds};
 
 /// A block, taken apart.
 pub struct Parts {
@@ -22,6 +24,9 @@ pub struct Parts {
     pub vertices: Vec<MeshVertex>,
     pub faces: Vec<MeshFace>,
     pub coordinates: Vec<MeshCoordinates>,
+    pub colours: Vec<MeshColour>,
+    /// The upper bytes of the faces' materials, or zeros.
+    pub upper: Vec<u8>,
 }
 
 impl Parts {
@@ -46,13 +51,32 @@ impl Parts {
         let coordinates = if is_textured { vertices.len() } else { 0 };
         let (coordinates, rest) =
             <[MeshCoordinates]>::ref_from_prefix_with_elems(&rest[gap..], coordinates).unwrap();
+        let is_coloured = header.sides.get() & SIDES_COLOURED != 0;
+        let gap = if is_coloured { rest.len() % 16 } else { 0 };
+        assert!(rest[..gap].iter().all(|&byte| byte == 0), "block {number}");
+        let colours = if is_coloured { vertices.len() } else { 0 };
+        let (colours, rest) =
+            <[MeshColour]>::ref_from_prefix_with_elems(&rest[gap..], colours).unwrap();
+        let is_wide = header.sides.get() & SIDES_WIDE != 0;
+        let mut upper = vec![0; faces.len()];
+        let (rest, behind) = match is_wide {
+            true => rest.split_at(rest.len() - (MESH_BLOCK - MESH_UPPER) as usize),
+            false => (rest, &[][..]),
+        };
         assert!(rest.iter().all(|&byte| byte == 0), "block {number}");
+        if is_wide {
+            let (own, behind) = behind.split_at(faces.len());
+            upper.copy_from_slice(own);
+            assert!(behind.iter().all(|&byte| byte == 0), "block {number}");
+        }
         Self {
             header,
             nodes: nodes.to_vec(),
             vertices: vertices.to_vec(),
             faces: faces.to_vec(),
             coordinates: coordinates.to_vec(),
+            colours: colours.to_vec(),
+            upper,
         }
     }
 
@@ -123,6 +147,9 @@ pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
         let has_texture = materials[material as usize].texture.is_some();
         if has_texture && !mesh.texture_coordinates.is_empty() {
             sides |= SIDES_TEXTURED;
+        }
+        if !mesh.colours.is_empty() {
+            sides |= SIDES_COLOURED;
         }
         *wanted.entry((bits(corners), material, sides)).or_default() += 1;
     }
@@ -215,9 +242,10 @@ fn leaf(
                     high: corner,
                 });
             }
-            let number = parts.faces[face as usize].material;
-            let material = blocks.materials()[number as usize];
-            let sides = parts.header.sides.get();
+            let lower = parts.faces[face as usize].material;
+            let number = u16::from_be_bytes([parts.upper[face as usize], lower]);
+            let material = blocks.materials()[usize::from(number)];
+            let sides = parts.header.sides.get() & !SIDES_WIDE;
             *found.entry((bits(corners), material, sides)).or_default() += 1;
         }
         assert_eq!(own, bounds);
@@ -242,6 +270,16 @@ fn leaf(
             all.any(|known| known == (&position, &found)),
             "{position:?}"
         );
+    }
+    assert_eq!(parts.colours.is_empty(), mesh.colours.is_empty());
+    for (vertex, found) in parts.vertices.iter().zip(&parts.colours) {
+        let position = vertex.position.map(F32::get);
+        let mut all = mesh.positions.iter().zip(&mesh.colours);
+        let found = found.packed.get();
+        let is_known = |(known, colour): (&[f32; 3], &[f32; 3])| {
+            *known == position && packed_colour(*colour, Colour::Linear) == found
+        };
+        assert!(all.any(is_known), "{position:?}");
     }
     for vertex in &parts.vertices {
         if parts.header.sides.get() & SIDES_SMOOTH == 0 {

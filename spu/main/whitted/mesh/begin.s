@@ -8,7 +8,7 @@
 
         .set    status,3
         .set    NEXT,15
-        registers a_frame,value,limit,bad,end,k_sides,k_textured
+        registers a_frame,value,limit,bad,end,k_sides,k_more
 
         .section .data.mesh,"aw",@progbits
         .align  4
@@ -21,10 +21,12 @@ sides_known:                            # the bits of `sides` that blocks may ha
 #   Uses    $3-$7, $10-$27
 function mesh_begin
         load_constant $k_sides,SIDES_BOTH|SIDES_SMOOTH
-        ilhu    $k_textured,SIDES_TEXTURED>>16
         ila     $a_frame,frame
         require_aligned mesh,LINE,Mesh
         require_from_one mesh_blocks,MESH_BLOCKS,Mesh
+        lqa     $value,streamed
+        andi    $value,$value,FEATURE_MATERIALS
+        brnz    $value,in_main_memory
         require_from_one mesh_material_count,MESH_MATERIALS,MeshMaterials
         mpyi    $limit,$value,MATERIAL_SIZE
         load_word $value,FRAME_mesh_materials,$a_frame
@@ -39,6 +41,7 @@ function mesh_begin
         clgt    $bad,$limit,$end                        # where they end
         refuse_if $bad,MeshMaterials
 
+materials_checked:
         # The cache comes after the queues.
         queue_size $value,$limit
         a       $end,$end,$value
@@ -62,17 +65,21 @@ function mesh_begin
         refuse_if $bad,MeshCache
         stqa    $k_sides,sides_known
         lqa     $value,streamed
-        andi    $value,$value,FEATURE_TEXTURES
+        il      $limit,FEATURE_TEXTURES|FEATURE_COLOURS
+        and     $value,$value,$limit
         biz     $value,$lr
+        enter
+        andi    $value,$value,FEATURE_TEXTURES
+        brz     $value,no_textures
 
         # The code for textures is fetched now, in front of this code.
-        or      $k_sides,$k_sides,$k_textured
+        ilhu    $k_more,SIDES_TEXTURED>>16
+        or      $k_sides,$k_sides,$k_more
         stqa    $k_sides,sides_known
         require_aligned texture_code,LINE,TextureCode
         require_at_most texture_code_bytes,TEXTURE_CODE_ROOM,TextureCode
         andi    $bad,$value,15
         refuse_if $bad,TextureCode
-        enter
         ori     $6,$value,0
         ila     $3,TEXTURE_CODE
         load_word $4,FRAME_texture_code,$a_frame
@@ -82,7 +89,41 @@ function mesh_begin
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
         brsl    $lr,texture_begin
-        leave
+no_textures:
+        lqa     $value,streamed
+        il      $limit,FEATURE_COLOURS
+        and     $value,$value,$limit
+        brz     $value,begun
+        lqa     $k_sides,sides_known
+        ilhu    $k_more,SIDES_COLOURED>>16
+        or      $k_sides,$k_sides,$k_more
+        stqa    $k_sides,sides_known
+        ila     $a_frame,frame
+        require_aligned colour_code,LINE,ColourCode
+        ila     $3,COLOUR_CODE
+        load_word $4,FRAME_colour_code,$a_frame
+        load_word $5,FRAME_colour_code+4,$a_frame
+        il      $6,COLOUR_CODE_ROOM
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        sync
+        brsl    $lr,colour_begin
+begun:  leave
+
+        # A number is right if its upper byte is, so that mesh_prepare need not know of the other.
+in_main_memory:
+        require_aligned materials,LINE,MeshMaterials
+        require_from_one mesh_material_count,STREAMED_MATERIALS,MeshMaterials
+        andi    $bad,$value,MESH_MATERIALS-1
+        refuse_if $bad,MeshMaterials
+        ila     $value,mesh_materials
+        stqa    $value,after_hits
+        ilhu    $k_more,SIDES_WIDE>>16
+        or      $k_sides,$k_sides,$k_more
+        load_word $end,FRAME_scene_bytes,$a_frame
+        br      materials_checked
 refused:
         br      give_up
 endfunction mesh_begin

@@ -1,7 +1,9 @@
 # The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
 # takes: patches and objects. Neighbours in a packet share them. Most are made by
 # mesh_flat_patches, four at a time. Those whose blocks have left the cache are made here, and so
-# are spheres, and triangles with normals or textures. Both ways make the same bits.
+# are spheres, and triangles with normals or textures. Both ways make the same bits. With
+# colours at vertices or materials in main memory, all of them are made here, and what makes these
+# follows.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -318,5 +320,10 @@ sphere: shli    $index,$index,4
         br      next_hit
 
 all_made:
-        leave
+        # As leave does, but the test waits for nothing else.
+        lqa     $address,after_hits
+        ai      $sp,$sp,32
+        lqd     $lr,16($sp)
+        binz    $address,$address
+        bi      $lr
 endfunction mesh_hits

@@ -9,6 +9,7 @@
         .include "driver.inc"
         .include "checks.inc"
         .include "whitted.inc"
+        .include "flat_light.inc"
 
         # The bounds' shears are made again before they are needed.
         .set    TEXEL_BUFFER,BATCH_SHEARS
@@ -42,6 +43,8 @@ slots_and_1:
 #   Uses    $3, $15-$27
 function texture_begin
         ila     $a_frame,frame
+        ila     $value,texture_packet
+        stqa    $value,surface_way
         require_aligned textures,LINE,Textures
         require_from_one texture_tiles,TEXTURE_TILES,Textures
         # The mesh's cache ends before this code.
@@ -54,7 +57,7 @@ function texture_begin
         refuse_if $bad,MeshCache
 
         # The table of textures and levels.
-        require_from_one texture_count,MESH_MATERIALS,TextureRecords
+        require_from_one texture_count,MESH_TEXTURES,TextureRecords
         ori     $count,$value,0
         require_from_one texture_level_count,TEXTURE_LEVELS,TextureRecords
         load_word $table,FRAME_texture_records,$a_frame
@@ -125,7 +128,11 @@ next_level:
         ai      $left,$left,-1
         brnz    $left,next_level
 
-        # Each material of the mesh has one of the textures, or none.
+        # Each material of the mesh has one of the textures, or none. In main memory they may have
+        # anything, since nothing but tiles is ever fetched.
+        lqa     $value,streamed
+        andi    $value,$value,FEATURE_MATERIALS
+        binz    $value,$lr
         load_word $table,FRAME_texture_records,$a_frame
         load_word $count,FRAME_texture_count,$a_frame
         load_word $material,FRAME_mesh_materials,$a_frame
@@ -251,7 +258,12 @@ filter_call:
         lqa     $3,rays
         lqa     $4,surfaces
         lqd     $14,SURFACES_flags($4)
-        leave
+        # As leave does, but the test waits for nothing else.
+        ai      $sp,$sp,32
+        lqd     $lr,16($sp)
+        andi    $same,$14,MATERIAL_FLAT
+        brnz    $same,texture_flat
+        bi      $lr
 
 wait:   phase_ends $g_ticks_shade,$same
         load_constant $3,1<<TAG_TEXTURE
@@ -305,3 +317,6 @@ no_tile:
         il      $3,STATUS_Texture
         br      give_up
 endfunction texture_packet
+
+        transpose_table .rodata.texture
+        flat_light texture_flat

@@ -332,7 +332,7 @@ known_leaf:
         mpyi    $near,$last,BOXES_SIZE
         rotqbyi $below,$last,MESH_HEADER_vertices&15
         rotqbyi $last,$last,MESH_HEADER_sides&15
-        ilhu    $number,(SIDES_SMOOTH|SIDES_TEXTURED)>>16
+        ilhu    $number,(SIDES_SMOOTH|SIDES_TEXTURED|SIDES_WIDE|SIDES_COLOURED)>>16
         and     $number,$number,$last
         brnz    $number,not_kept
         a       $near,$near,$m_block

@@ -1,6 +1,7 @@
 //! The kernels of Whitted's model. Each step of it has a file.
 
 pub mod bounce;
+pub mod colour;
 pub mod isect;
 pub mod mesh;
 pub mod rays;

@@ -209,7 +209,7 @@ fn place(
     (arguments, texels)
 }
 
-fn any_surfaces(anything: u32) -> Surfaces {
+pub(super) fn any_surfaces(anything: u32) -> Surfaces {
     zerocopy::transmute!([U32::new(anything); size_of::<Surfaces>() / 4])
 }
 

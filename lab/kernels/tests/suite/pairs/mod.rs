@@ -1,6 +1,7 @@
 //! The kernels that intersect candidates: tests that all of them share, bit for bit against their
 //! twins, and a file with further tests for each shape.
 
+mod colour;
 mod cone;
 mod flat;
 mod smooth;

@@ -1,0 +1,180 @@
+//! The kernel for colours of vertices: hits on coloured triangles, its case and its error.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::colour::Hit;
+use twins::sphere_ray::Ray;
+use twins::{ONE, Single};
+use zerocopy::big_endian::U32;
+
+use super::isect::call;
+use super::isect::error::SCALES;
+use super::isect::shape::head_words;
+use super::isect::sphere::FRONT;
+use super::smooth;
+use super::texture::{any_surfaces, set_colour};
+use crate::bench::{Bench, Place};
+use crate::cases::eye::call::{address, put};
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::flat_records::{point, quad};
+use crate::single::{bits, single};
+use crate::vector::{Vector, cross, dot, less};
+use protocol::layout::{self, SIDES_COLOURED, Surfaces};
+
+/// Patches of a batch.
+const PATCHES: usize = 128;
+/// The largest value of a packed channel.
+const MOST: f64 = 1023.0;
+
+/// The kernel in this file.
+pub const KERNELS: &[Kernel] = &[Kernel {
+    name: "colour_vertices_r16",
+    rays: 16,
+    cases: &[Case {
+        name: "a packet",
+        objects: Objects::Fixed(1),
+        place: |bench, _| {
+            let hit = Hit {
+                vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
+                colours: [0xff80_4000, 0x0123_4567, 0x89ab_cdef],
+                point: point([0.0, 0.0, -5.0]),
+                plane: point([0.0, 0.0, 1.0]),
+                colour: [ONE; 3],
+            };
+            place(bench, &[Some(hit); 16], true, 0).0
+        },
+    }],
+    error: Some(error),
+}];
+
+/// The patch of each lane: they are anywhere among those of a batch.
+fn slot(lane: usize) -> usize {
+    lane * 37 % PATCHES
+}
+
+fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
+    let vertices = hit.map_or([[anything; 3]; 3], |hit| hit.vertices);
+    let [a, b, c] = vertices.map(|vertex| quad(vertex, anything));
+    let coloured = if hit.is_some() { SIDES_COLOURED } else { 0 };
+    let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
+    object[11] = U32::new(anything & !SIDES_COLOURED | coloured);
+    let triangle = layout::Triangle { object, a, b, c };
+    let [normal_a, normal_b, normal_c] = [quad([anything; 3], anything); 3];
+    layout::Patch {
+        triangle: zerocopy::transmute!(triangle),
+        normal_a,
+        normal_b,
+        normal_c,
+    }
+}
+
+/// Puts hits and their surfaces into local store. Lanes without a hit have one on something without
+/// colours. Returns the arguments, and the surfaces.
+fn place(
+    bench: &mut Bench,
+    hits: &[Option<Hit>; 16],
+    are_roots: bool,
+    anything: u32,
+) -> (Vec<u32>, Place) {
+    let mut patches = [record(None, anything); PATCHES];
+    let mut colours = [[U32::new(anything); 4]; PATCHES];
+    for (lane, hit) in hits.iter().enumerate() {
+        patches[slot(lane)] = record(hit.as_ref(), anything);
+        if let Some(hit) = hit {
+            let [a, b, c] = hit.colours.map(U32::new);
+            colours[slot(lane)] = [a, b, c, U32::new(anything)];
+        }
+    }
+    let patches = put(bench, &patches);
+    let colours = put(bench, &colours);
+    let rays = std::array::from_fn(|lane| Ray {
+        origin: [anything; 3],
+        direction: [anything; 3],
+        t: anything,
+        object: address::<layout::Patch>(patches, slot(lane)),
+    });
+    let rays = put(bench, &[call::packet(&rays, anything)]);
+    let surfaces = put(bench, &[surfaces(hits, anything)]);
+    let are_roots = if are_roots { u32::MAX } else { 0 };
+    let arguments = [rays, surfaces, colours, patches].map(|place| place.address);
+    ([&arguments[..], &[are_roots]].concat(), surfaces)
+}
+
+/// The surfaces of these hits, and `anything` otherwise.
+#[must_use]
+pub fn surfaces(hits: &[Option<Hit>; 16], anything: u32) -> Surfaces {
+    let mut surfaces = any_surfaces(anything);
+    for (lane, hit) in hits.iter().enumerate() {
+        let Some(hit) = hit else { continue };
+        let rows = &mut surfaces;
+        [rows.point_x[lane], rows.point_y[lane], rows.point_z[lane]] = hit.point.map(single);
+        [rows.plane_x[lane], rows.plane_y[lane], rows.plane_z[lane]] = hit.plane.map(single);
+        set_colour(rows, lane, hit.colour);
+    }
+    surfaces
+}
+
+/// `colour_vertices_r16` on these hits: returns the surfaces after the call.
+pub fn coloured(
+    bench: &mut Bench,
+    hits: &[Option<Hit>; 16],
+    are_roots: bool,
+    anything: u32,
+) -> Surfaces {
+    bench.reset();
+    let (arguments, surfaces) = place(bench, hits, are_roots, anything);
+    bench.call("colour_vertices_r16", &arguments);
+    bench.read(surfaces)
+}
+
+/// A hit from the stated domain, in a scene scaled by `scale`.
+pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
+    let hit = smooth::any_hit(random, scale);
+    Hit {
+        vertices: hit.patch.vertices,
+        colours: random.random(),
+        point: hit.point,
+        plane: hit.plane,
+        colour: std::array::from_fn(|_| from_f64(random.random_range(0.0..1.0))),
+    }
+}
+
+/// The colour of a hit.
+fn truth(hit: &Hit, are_roots: bool) -> [f64; 3] {
+    let wide = |it: [Single; 3]| -> Vector { it.map(to_f64) };
+    let [a, b, c] = hit.vertices.map(wide);
+    let p = wide(hit.point);
+    let normal = cross(less(b, a), less(c, a));
+    let part = |from: Vector, to: Vector| {
+        dot(cross(less(from, p), less(to, p)), normal) / dot(normal, normal)
+    };
+    let shares = [part(b, c), part(c, a), part(a, b)];
+    std::array::from_fn(|channel| {
+        let light = hit.colours.map(|packed| {
+            let value = f64::from(packed >> (22 - 10 * channel) & 1023) / MOST;
+            if are_roots { value * value } else { value }
+        });
+        let mixed: f64 = (0..3).map(|corner| shares[corner] * light[corner]).sum();
+        mixed * to_f64(hit.colour[channel])
+    })
+}
+
+/// The largest error of a channel, of 1.
+fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for round in 0..300 {
+        let are_roots = round % 2 == 0;
+        for scale in SCALES {
+            let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(random, scale));
+            let surfaces = coloured(bench, &hits.map(Some), are_roots, random.random());
+            let rows = [surfaces.red, surfaces.green, surfaces.blue];
+            for (lane, hit) in hits.iter().enumerate() {
+                for (row, exact) in rows.iter().zip(truth(hit, are_roots)) {
+                    worst = worst.max((to_f64(bits(row[lane])) - exact).abs());
+                }
+            }
+        }
+    }
+    worst
+}
