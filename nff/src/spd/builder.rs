@@ -49,6 +49,8 @@ pub(super) fn opaque(colour: DVec3, diffuse: f64, specular: f64, highlight: f64)
 
 pub(super) struct Builder {
     scene: Scene,
+    /// Triangles that are not objects.
+    mesh: Mesh,
     /// Lines of the text so far.
     lines: u32,
     /// The material that the next object has unless the text names another.
@@ -79,6 +81,7 @@ impl Builder {
                 objects: Vec::new(),
                 mesh: None,
             },
+            mesh: Mesh::default(),
             current: None,
         }
     }
@@ -148,16 +151,30 @@ impl Builder {
         self.lines += lines;
     }
 
-    /// Sets the triangles after the objects, all of the current material.
-    pub(super) fn mesh(&mut self, mesh: Mesh) {
+    /// Adds triangles, which get the current material. A scene that has any has no objects.
+    pub(super) fn triangles(&mut self, added: &Mesh) {
         let material = self.current.unwrap_or_default();
-        self.scene.mesh = Some(Arc::new(Mesh {
-            materials: vec![material; mesh.triangles.len()],
-            ..mesh
-        }));
+        let mesh = &mut self.mesh;
+        let first = mesh.positions.len() as u32;
+        mesh.positions.extend(&added.positions);
+        mesh.normals.extend(&added.normals);
+        let moved = |corners: &[u32; 3]| corners.map(|corner| first + corner);
+        mesh.triangles.extend(added.triangles.iter().map(moved));
+        mesh.materials.resize(mesh.triangles.len(), material);
+        self.lines += 4 * added.triangles.len() as u32;
+    }
+
+    /// Shows triangles from both sides.
+    pub(super) fn two_sided(&mut self) {
+        self.mesh.two_sided = true;
     }
 
     pub(super) fn finish(self, name: String) -> Scene {
-        Scene { name, ..self.scene }
+        let has_triangles = !self.mesh.triangles.is_empty();
+        Scene {
+            name,
+            mesh: has_triangles.then(|| Arc::new(self.mesh)),
+            ..self.scene
+        }
     }
 }

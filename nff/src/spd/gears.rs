@@ -72,7 +72,7 @@ fn material(x: u32, y: u32, z: u32) -> Material {
         channel(z, x, y, 2),
     );
     let colour = colour / colour.max_element();
-    if (4 * x + 2 * y + z) % 5 == 0 {
+    if (4 * x + 2 * y + z).is_multiple_of(5) {
         Material {
             transmittance: 0.8,
             refraction_index: 1.1,

@@ -2,6 +2,9 @@
 //!
 //! Its 32 patches are bicubic Bézier surfaces. Body, lid and bottom are profiles that are turned
 //! around the axis in four quarters; handle and spout are tubes that are the same on both sides.
+//!
+//! All of it is a mesh, because an object can't be seen from both sides. So each of SPD's squares is
+//! two triangles.
 
 use glam::{DMat4, DVec3, DVec4};
 
@@ -16,8 +19,8 @@ pub(super) const GENERATOR: Generator = Generator {
     most: u32::MAX,
     objects: |size| {
         let size = u128::from(size);
-        // At size 1 the triangles at the axis all are degenerate.
-        65 * size * size - 8 * size
+        // Of the pot, without those of no area, and of the board.
+        64 * size * size - 8 * size + 2 * size * size
     },
     build,
 };
@@ -102,34 +105,39 @@ const ON_AXIS: f64 = 0.0001;
 fn build(size: u32) -> Builder {
     let from = DVec3::new(4.86, 7.2, 5.4);
     let mut builder = Builder::new(view(from, DVec3::ZERO), &LIGHTS);
-    board(&mut builder, size);
-    builder.material(opaque(DVec3::new(1.0, 0.5, 0.1), 0.75, 0.25, 37.0));
     // The lid leaves a gap through which one sees the inside.
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..Mesh::default()
-    };
-    for surface in surfaces() {
-        surface.triangles(&mut mesh, size);
+    builder.two_sided();
+    for (grey, parity) in [(1.0, 1), (0.5, 0)] {
+        builder.material(opaque(DVec3::splat(grey), 0.5, 0.5, 30.0));
+        builder.triangles(&squares(size, parity));
     }
-    builder.mesh(mesh);
+    builder.material(opaque(DVec3::new(1.0, 0.5, 0.1), 0.75, 0.25, 37.0));
+    let mut pot = Mesh::default();
+    for surface in surfaces() {
+        surface.triangles(&mut pot, size);
+    }
+    builder.triangles(&pot);
     builder
 }
 
-/// The checkerboard, first the light squares.
-fn board(builder: &mut Builder, size: u32) {
-    for (grey, parity) in [(1.0, 1), (0.5, 0)] {
-        builder.material(opaque(DVec3::splat(grey), 0.5, 0.5, 30.0));
-        let squares = (0..size).flat_map(|x| (0..size).map(move |y| (x, y)));
-        for (x, y) in squares.filter(|(x, y)| (x + y) % 2 == parity) {
-            let corner = |right, up| {
-                let place = |index: u32| 8.0 * f64::from(index) / f64::from(size) - 4.0;
-                DVec3::new(place(x + right), place(y + up), 0.0)
-            };
-            let corners = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
-            builder.polygon(corners.to_vec());
+/// The light or the dark squares of the checkerboard.
+fn squares(size: u32, parity: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let squares = (0..size).flat_map(|x| (0..size).map(move |y| (x, y)));
+    for (x, y) in squares.filter(|(x, y)| (x + y) % 2 == parity) {
+        let first = mesh.positions.len() as u32;
+        for (right, up) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
+            let place = |index: u32| 8.0 * f64::from(index) / f64::from(size) - 4.0;
+            let corner = DVec3::new(place(x + right), place(y + up), 0.0);
+            mesh.positions.push(corner.as_vec3().to_array());
+            // Flat.
+            mesh.normals.push([0.0; 3]);
         }
+        let halves = [[0, 1, 2], [2, 3, 0]];
+        let halves = halves.map(|half| half.map(|corner| first + corner));
+        mesh.triangles.extend(halves);
     }
+    mesh
 }
 
 /// The control points of a surface.
