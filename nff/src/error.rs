@@ -6,7 +6,7 @@ use std::io;
 use thiserror::Error;
 
 use crate::words::MAX_MAGNITUDE;
-use crate::{ViewError, sphereflake, tetra};
+use crate::{ViewError, spd, sphereflake, tetra};
 
 /// Why a scene can't be read or generated.
 #[derive(Debug, Error)]
@@ -35,6 +35,9 @@ pub enum Error {
     /// Tetrahedra that can't be generated.
     #[error(transparent)]
     Tetra(#[from] tetra::Error),
+    /// Another scene of SPD that can't be generated.
+    #[error(transparent)]
+    Spd(#[from] spd::Error),
 }
 
 /// A fault in a line.

@@ -1,9 +1,8 @@
 //! Scenes in Eric Haines' Neutral File Format (NFF).
 //!
 //! Owns the scene data, meshes included, reading and writing the text format with its `#cellray`
-//! extensions, the camera of a view, the triangles of a polygon, the sphereflake and the tetrahedra
-//! of the Standard Procedural Databases, and the depth-shading model. Doesn't know work units, SPUs
-//! or pictures.
+//! extensions, the camera of a view, the triangles of a polygon, the scenes of the Standard
+//! Procedural Databases, and the depth-shading model. Doesn't know work units, SPUs or pictures.
 //!
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
 //! [`MAX_MAGNITUDE`], no radius or direction of 0 and no material index out of range.
@@ -17,6 +16,7 @@ mod lines;
 mod mesh;
 mod parse;
 mod scene;
+pub mod spd;
 pub mod sphereflake;
 pub mod tetra;
 mod texture;
@@ -39,15 +39,18 @@ pub use words::MAX_MAGNITUDE;
 
 use std::path::Path;
 
-/// Loads the scene that a user has named: `sphereflake:LEVEL` and `tetra:LEVEL` are generated, any
-/// other name is a file to [`read`].
+/// Loads the scene that a user has named: `sphereflake:LEVEL`, `tetra:LEVEL` and the scenes of
+/// [`spd::GENERATORS`] are generated, any other name is a file to [`read`]. A file that has the name
+/// of one of these is the file.
 ///
 /// # Errors
-/// The level is not a number, or any error of [`read`], [`sphereflake::generate`] or
-/// [`tetra::generate`].
+/// The level or size is not a number, or any error of [`read`], [`sphereflake::generate`],
+/// [`tetra::generate`] or [`spd::Generator::generate`].
 pub fn load(name: &Path) -> Result<Scene, Error> {
     let text = name.to_str().unwrap_or_default();
-    if let Some(level) = text.strip_prefix(sphereflake::PREFIX) {
+    if name.is_file() {
+        read(name)
+    } else if let Some(level) = text.strip_prefix(sphereflake::PREFIX) {
         let level = level
             .parse()
             .map_err(|_| sphereflake::Error::Level(Excerpt::of(level)))?;
@@ -57,6 +60,8 @@ pub fn load(name: &Path) -> Result<Scene, Error> {
             .parse()
             .map_err(|_| tetra::Error::Level(Excerpt::of(level)))?;
         Ok(tetra::generate(level)?)
+    } else if let Some(scene) = spd::named(text) {
+        Ok(scene?)
     } else {
         read(name)
     }

@@ -18,10 +18,11 @@ const EXAMPLES: &str = "Examples:
   oracle compare frame.png scenes/paper16.nff
   oracle compare frame.png sphereflake:2 --json --diff difference.png
   oracle render scenes/whitted16.nff --model whitted --out whitted16.png
-  oracle render sphereflake:4 --model whitted --corners --stats --out balls.png
+  oracle render gears --model whitted --corners --spd-rays --stats --out gears.png
 
 SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEVEL or terrain:LEVEL
-for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons).";
+for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons), or gears, mount, rings,
+teapot, tree, lattice, jacks, shells or sombrero, with :SIZE if it is not to have SPD's (gears:2).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]

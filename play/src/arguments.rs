@@ -88,8 +88,9 @@ pub struct GameOptions {
 /// `view`.
 #[derive(Debug, Args)]
 pub struct ViewArguments {
-    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, tetra:LEVEL or
-    /// terrain:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or a generated one: sphereflake:LEVEL,
+    /// tetra:LEVEL, terrain:LEVEL, or gears, mount, rings, teapot, tree, lattice, jacks, shells or
+    /// sombrero, with :SIZE if it is not to have SPD's
     pub scene: PathBuf,
     /// Model that the scene is rendered with
     #[arg(long, value_enum, default_value_t)]

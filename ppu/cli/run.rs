@@ -22,8 +22,9 @@ use super::progress::Progress;
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
 pub struct Options {
-    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or sphereflake:LEVEL, tetra:LEVEL or
-    /// terrain:LEVEL
+    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or a generated one: sphereflake:LEVEL,
+    /// tetra:LEVEL, terrain:LEVEL, or gears, mount, rings, teapot, tree, lattice, jacks, shells or
+    /// sombrero, with :SIZE if it is not to have SPD's
     pub scene: PathBuf,
     #[command(flatten)]
     camera: Camera,

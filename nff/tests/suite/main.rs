@@ -7,6 +7,7 @@ mod entities;
 mod faults;
 mod forms;
 mod properties;
+mod spd;
 mod sphereflake;
 mod tetra;
 mod triangles;

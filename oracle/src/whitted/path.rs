@@ -16,8 +16,13 @@ pub struct Counts {
     pub reflected: u64,
     /// Refracted rays.
     pub refracted: u64,
+    /// Of the reflected rays, those of total reflection. SPD counts these as refracted ones, too.
+    pub totally_reflected: u64,
     /// Shadow rays.
     pub shadow: u64,
+    /// Lights in front of a patch's shading normal, but behind the patch. SPD, which speaks of one
+    /// normal only, sends shadow rays to these, too.
+    pub shadow_behind: u64,
     /// Primary, reflected and refracted rays that hit an object.
     pub hit: u64,
     /// Primary, reflected and refracted rays that hit nothing.
@@ -39,7 +44,9 @@ impl AddAssign for Counts {
         self.eye_hit += other.eye_hit;
         self.reflected += other.reflected;
         self.refracted += other.refracted;
+        self.totally_reflected += other.totally_reflected;
         self.shadow += other.shadow;
+        self.shadow_behind += other.shadow_behind;
         self.hit += other.hit;
         self.background += other.background;
     }

@@ -248,7 +248,9 @@ impl<'a> Stage<'a> {
             let Some(to_light) = nff::unit(way) else {
                 continue;
             };
-            if hit.smooth.dot(to_light) <= 0.0 || hit.normal.dot(to_light) <= 0.0 {
+            let is_facing = hit.smooth.dot(to_light) > 0.0;
+            if !is_facing || hit.normal.dot(to_light) <= 0.0 {
+                path.counts.shadow_behind += u64::from(is_facing);
                 path.note(0);
                 continue;
             }
@@ -314,6 +316,8 @@ impl<'a> Stage<'a> {
             };
             let ray = Ray::new(hit.point, reflected);
             path.counts.reflected += 1;
+            let is_total = finish.transmittance > 0.0 && through.is_none();
+            path.counts.totally_reflected += u64::from(is_total);
             if mirror > 0.0 {
                 sum += mirror * self.look(&ray, depth, weight * mirror, path);
             } else {

@@ -183,3 +183,18 @@ fn gears_by_both_rules_with_fresnel() {
     assert_the_same_but_for_steps(&seen.0, &all.0);
     assert!(all.1.shadow > seen.1.shadow);
 }
+
+/// Scenes of SPD, whose published counts the reference's counts meet.
+const SPD: [&str; 6] = ["gears", "mount", "teapot", "jacks", "shells", "sombrero"];
+
+#[test]
+fn the_scenes_of_spd_by_its_rules() {
+    for name in SPD {
+        let scene = nff::load(Path::new(name)).unwrap();
+        let by_spd = RenderOptions {
+            spd_rays: true,
+            ..WHITTED
+        };
+        corner_rays_are_counted_as_by_the_reference(&scene, by_spd, DEEP_SIDE);
+    }
+}
