@@ -21,7 +21,7 @@ use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::ops::ControlFlow;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use gdbstub::common::Tid;
 use spu_emulator::interp::Spu;
@@ -29,7 +29,7 @@ use spu_emulator::simulated::HelperThread;
 use spu_emulator::spe::Spe;
 use spu_emulator::stop::{Stop, Stopped};
 
-use state::{Halt, Phase, State};
+use state::{Halt, State};
 
 /// How a program ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -152,17 +152,13 @@ impl Debugger {
         }
     }
 
-    /// Gives the SPEs some time to halt. After it, those that have not are asleep in an
-    /// instruction.
+    /// Waits until each SPE has halted or sleeps in an instruction.
     fn settle(&self) {
-        const PATIENCE: Duration = Duration::from_millis(10);
-        let end = Instant::now() + PATIENCE;
+        // Nobody tells when an SPE falls asleep.
+        const LOOK_EVERY: Duration = Duration::from_millis(1);
         let mut state = self.lock();
-        while state.halted && state.threads.values().any(|t| t.phase == Phase::Executing) {
-            let Some(left) = end.checked_duration_since(Instant::now()) else {
-                return;
-            };
-            let waited = self.changed.wait_timeout(state, left);
+        while state.halted && state.is_any_awake() {
+            let waited = self.changed.wait_timeout(state, LOOK_EVERY);
             state = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
     }

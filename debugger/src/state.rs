@@ -136,6 +136,17 @@ impl State {
             .collect()
     }
 
+    /// Whether a thread executes an instruction and doesn't sleep in it. A program that has stopped
+    /// for a library call may wait there.
+    pub fn is_any_awake(&self) -> bool {
+        let mut threads = self.threads.values();
+        threads.any(|thread| {
+            let spe = thread.spe.upgrade();
+            thread.phase == Phase::Executing
+                && spe.is_some_and(|spe| spe.is_running() && !spe.sleeps())
+        })
+    }
+
     pub fn is_connected(&self) -> bool {
         self.session.is_some()
     }

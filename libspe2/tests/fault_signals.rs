@@ -104,7 +104,7 @@ fn end_of_child(prepare: impl FnOnce(), words: &[u32]) -> i32 {
         let begin = Instant::now();
         let mut status = 0;
         while libc::waitpid(child, &raw mut status, libc::WNOHANG) == 0 {
-            if begin.elapsed() > Duration::from_secs(60) {
+            if begin.elapsed() > Duration::from_secs(600) {
                 libc::kill(child, libc::SIGKILL);
             }
             std::thread::sleep(Duration::from_millis(5));

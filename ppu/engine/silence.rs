@@ -37,7 +37,7 @@ impl Pause {
     }
 }
 
-/// Measures the time since the SPUs last showed a sign of work.
+/// Measures the time since the SPUs last showed a sign of work. It is told what time it is.
 pub(super) struct Watchdog {
     timeout: Duration,
     since: Instant,
@@ -46,31 +46,32 @@ pub(super) struct Watchdog {
 
 impl Watchdog {
     /// Starts the timeout.
-    pub fn start(timeout: Duration) -> Self {
+    pub fn start(timeout: Duration, now: Instant) -> Self {
         Self {
             timeout,
-            since: Instant::now(),
+            since: now,
             done: 0,
         }
     }
 
     /// Restarts the timeout if the SPUs have done more than before. `done` is any measure of their
     /// work that only grows.
-    pub fn observe(&mut self, done: u64) {
+    pub fn observe(&mut self, done: u64, now: Instant) {
         if done != self.done {
             self.done = done;
-            self.restart();
+            self.restart(now);
         }
     }
 
     /// Restarts the timeout.
-    pub fn restart(&mut self) {
-        self.since = Instant::now();
+    pub fn restart(&mut self, now: Instant) {
+        self.since = now;
     }
 
     /// The time that is left until the timeout.
-    pub fn left(&self) -> Duration {
-        self.timeout.saturating_sub(self.since.elapsed())
+    pub fn left(&self, now: Instant) -> Duration {
+        let waited = now.saturating_duration_since(self.since);
+        self.timeout.saturating_sub(waited)
     }
 }
 
@@ -155,13 +156,14 @@ mod tests {
 
     #[test]
     fn work_restarts_the_timeout() {
-        let mut watchdog = Watchdog::start(Duration::from_millis(200));
-        std::thread::sleep(Duration::from_millis(120));
-        watchdog.observe(1);
-        std::thread::sleep(Duration::from_millis(120));
-        assert!(!watchdog.left().is_zero());
-        watchdog.observe(1);
-        std::thread::sleep(Duration::from_millis(120));
-        assert!(watchdog.left().is_zero());
+        let start = Instant::now();
+        let after = |millis| start + Duration::from_millis(millis);
+        let mut watchdog = Watchdog::start(Duration::from_millis(200), start);
+        watchdog.observe(1, after(120));
+        assert_eq!(watchdog.left(after(240)), Duration::from_millis(80));
+        watchdog.observe(1, after(240));
+        assert_eq!(watchdog.left(after(320)), Duration::ZERO);
+        watchdog.restart(after(320));
+        assert_eq!(watchdog.left(after(330)), Duration::from_millis(190));
     }
 }

@@ -75,14 +75,15 @@ impl Spus {
         }
         let is_whitted = frame.features.get() & FEATURE_WHITTED != 0;
         let unchecked = || Unchecked::of(settings, is_whitted);
-        let mut watchdog = Watchdog::start(settings.timeout);
+        let mut watchdog = Watchdog::start(settings.timeout, Instant::now());
         let mut waiting = [false; MAX_SPUS as usize];
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
         // All SPUs are waited for, even after an error, because they write to the frame's memory
         // until they answer.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
-            let left = watchdog.left();
+            let began = Instant::now();
+            let left = watchdog.left(began);
             if left.is_zero() {
                 let silence = self.silence(slowest, settings, frame, records);
                 let (spu, unchecked) = (slowest as u32, unchecked());
@@ -92,15 +93,14 @@ impl Spus {
                     unchecked,
                 });
             }
-            let began = Instant::now();
             let Some((number, event)) = self.events.wait(self.pause.length(left))? else {
                 self.pause.slept(began.elapsed());
                 let (taken, finished) = records.units_done(frame);
-                watchdog.observe(u64::from(taken) + u64::from(finished));
+                watchdog.observe(u64::from(taken) + u64::from(finished), Instant::now());
                 progress(part(taken.max(finished), frame));
                 continue;
             };
-            watchdog.restart();
+            watchdog.restart(Instant::now());
             let spu = &mut self.spus[number as usize];
             let error = match event {
                 Event::Answer => {

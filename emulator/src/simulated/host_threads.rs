@@ -6,6 +6,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::time::Duration;
 
 use crate::lock::lock;
 
@@ -63,6 +64,18 @@ pub(super) type Sleep = String;
 /// The sleep of the thread with this folder. `None` if it is not asleep.
 pub(super) fn sleep(folder: &Path) -> Option<Sleep> {
     sleep_of(&fs::read_to_string(folder.join("status")).ok()?)
+}
+
+/// How long the thread with this folder was ready to run so far, while the processors were busy
+/// with others. `None` if the system doesn't say.
+pub(super) fn held_up(folder: &Path) -> Option<Duration> {
+    held_up_of(&fs::read_to_string(folder.join("schedstat")).ok()?)
+}
+
+/// The second number of a thread's `schedstat`, which is in nanoseconds.
+fn held_up_of(schedstat: &str) -> Option<Duration> {
+    let nanos = schedstat.split_ascii_whitespace().nth(1)?;
+    nanos.parse().ok().map(Duration::from_nanos)
 }
 
 /// The count in a thread's `status`. `None` if the thread is not asleep.
@@ -154,6 +167,13 @@ pub(super) fn wakers(behind: &[ThreadId]) -> Wakers {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_a_thread_was_held_up_is_the_second_number() {
+        let held_up = held_up_of("5000 3000000007 12\n");
+        assert_eq!(held_up, Some(Duration::new(3, 7)));
+        assert_eq!(held_up_of(""), None);
+    }
 
     #[test]
     fn only_a_sleeping_thread_has_a_sleep() {

@@ -12,7 +12,7 @@
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU32};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use portable_atomic::AtomicU64;
 
@@ -235,7 +235,10 @@ impl Scheduler {
                         }
                     }
                 }
-                Some((_, rank)) => match table.timeout(rank).map(Timeout::look) {
+                Some((_, rank)) => match table
+                    .timeout(rank)
+                    .map(|timeout| timeout.look(Instant::now()))
+                {
                     None => {}
                     Some(Verdict::Wait(time)) => limit = Some(time),
                     Some(Verdict::Ask) => {
@@ -316,6 +319,13 @@ impl Actor {
 
     pub fn clock(&self) -> u64 {
         self.runner.clock.load(SeqCst)
+    }
+
+    /// Whether it sleeps, or waits for its turn.
+    pub fn waits(&self) -> bool {
+        let table = lock(&self.scheduler.table);
+        let entry = table.actors.get(&self.rank);
+        entry.is_some_and(|entry| matches!(entry.status, Status::Waiting { .. }))
     }
 
     /// PPE threads may go away without notice. A running SPE does not.

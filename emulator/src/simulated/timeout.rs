@@ -23,7 +23,7 @@ pub const POLL_INTERVAL: Duration = Duration::from_millis(25);
 /// Most waits are over by then. After that it asks less and less often.
 const FIRST_LOOK: Duration = Duration::from_micros(100);
 /// A PPE thread that computes this long between two calls, or an SPE that is loaded this long
-/// without a run, is given up.
+/// without a run, is given up. What other programs hold the thread up doesn't count.
 pub const TIME_LIMIT: Duration = Duration::from_secs(2);
 
 /// The time-out of an actor.
@@ -33,6 +33,8 @@ pub(super) struct Timeout {
     /// The thread's folder in /proc.
     thread: Option<PathBuf>,
     last: Option<(Instant, Sleep)>,
+    /// How long the thread was held up in its life before the first check.
+    held_up: Option<Duration>,
     /// When to ask next whether all threads wait for each other.
     next_look: Duration,
 }
@@ -64,18 +66,19 @@ impl Timeout {
             since: Instant::now(),
             thread,
             last: None,
+            held_up: None,
             next_look: FIRST_LOOK,
         }
     }
 
     /// Decides what to do about the actor.
-    pub fn look(&mut self) -> Verdict {
-        let waited = self.since.elapsed();
+    pub fn look(&mut self, now: Instant) -> Verdict {
+        let waited = now.saturating_duration_since(self.since);
         if waited >= self.next_look {
             self.next_look = waited * 2;
             return Verdict::Ask;
         }
-        if self.has_expired() {
+        if self.has_expired(now) {
             return Verdict::GiveUp;
         }
         Verdict::Wait((self.next_look - waited).min(POLL_INTERVAL))
@@ -86,17 +89,25 @@ impl Timeout {
         self.since
     }
 
-    fn has_expired(&mut self) -> bool {
-        let now = Instant::now();
-        if now.duration_since(self.since) >= TIME_LIMIT {
-            return true;
-        }
+    /// How long the thread was held up since the first check.
+    fn held_up(&mut self) -> Duration {
+        let Some(now) = self.thread.as_deref().and_then(host_threads::held_up) else {
+            return Duration::ZERO;
+        };
+        now.saturating_sub(*self.held_up.get_or_insert(now))
+    }
+
+    fn has_expired(&mut self, now: Instant) -> bool {
         let checked = self
             .last
             .as_ref()
             .map_or(self.since, |(checked, _)| *checked);
-        if now.duration_since(checked) < POLL_INTERVAL {
+        if now.saturating_duration_since(checked) < POLL_INTERVAL {
             return false;
+        }
+        let waited = now.saturating_duration_since(self.since);
+        if waited.saturating_sub(self.held_up()) >= TIME_LIMIT {
+            return true;
         }
         let Some(sleep) = self.thread.as_deref().and_then(host_threads::sleep) else {
             self.last = None;
@@ -111,6 +122,7 @@ impl Timeout {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::fs;
     use std::sync::mpsc;
     use std::thread;
 
@@ -123,18 +135,47 @@ mod tests {
             ended.recv().unwrap_err();
         });
         let mut timeout = told.recv().unwrap();
-        assert!(!timeout.has_expired());
-        let start = Instant::now();
-        while !timeout.has_expired() {
-            thread::sleep(POLL_INTERVAL);
-            assert!(start.elapsed() < TIME_LIMIT);
+        let folder = timeout.thread.clone().unwrap();
+        // It may still wake for a moment to give up a lock.
+        while host_threads::sleep(&folder).is_none() {
+            thread::yield_now();
         }
-        let mut own = Timeout::of_this_thread();
-        let start = Instant::now();
-        while start.elapsed() < 8 * POLL_INTERVAL {
-            assert!(!own.has_expired());
+        let mut waited = Duration::ZERO;
+        while !timeout.has_expired(timeout.since + waited) {
+            waited += POLL_INTERVAL;
+            thread::yield_now();
         }
+        assert!(
+            waited >= 2 * POLL_INTERVAL && waited < TIME_LIMIT,
+            "{waited:?}"
+        );
         drop(end);
         sleeper.join().unwrap();
+
+        // This thread runs.
+        let mut timeout = Timeout::of_this_thread();
+        for count in 0..8 {
+            assert!(!timeout.has_expired(timeout.since + count * POLL_INTERVAL));
+        }
+    }
+
+    #[test]
+    fn nobody_computes_for_longer_than_the_limit_but_for_what_holds_him_up() {
+        let mut timeout = Timeout::without_thread();
+        assert!(!timeout.has_expired(timeout.since + TIME_LIMIT - POLL_INTERVAL));
+        assert!(timeout.has_expired(timeout.since + TIME_LIMIT));
+
+        let folder = tempfile::tempdir().unwrap();
+        let held_up = |millis: u64| {
+            let nanos = millis * 1_000_000;
+            fs::write(folder.path().join("schedstat"), format!("7 {nanos} 7\n")).unwrap();
+        };
+        held_up(500);
+        let mut timeout = Timeout::of(Some(folder.path().to_owned()));
+        assert!(!timeout.has_expired(timeout.since + POLL_INTERVAL));
+        held_up(1500);
+        let late = timeout.since + TIME_LIMIT + Duration::from_secs(1);
+        assert!(!timeout.has_expired(late - POLL_INTERVAL));
+        assert!(timeout.has_expired(late));
     }
 }

@@ -16,7 +16,7 @@ mod running;
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;
-use std::sync::{Arc, Mutex, Weak};
+use std::sync::{Arc, Mutex, TryLockError, Weak};
 use std::time::Instant;
 
 use crate::compiled::Runner;
@@ -273,6 +273,23 @@ impl Spe {
     /// once.
     pub fn request_stop(&self) {
         self.problem_state.request_stop(None);
+    }
+
+    /// Whether a thread runs the SPU.
+    #[must_use]
+    pub fn is_running(&self) -> bool {
+        // It holds the lock for the whole run.
+        matches!(self.engine.try_lock(), Err(TryLockError::WouldBlock))
+    }
+
+    /// Whether the SPU found nothing in a blocking channel when it last looked, and sleeps there. In
+    /// simulated time, it also sleeps while it waits for its turn.
+    #[must_use]
+    pub fn sleeps(&self) -> bool {
+        match &self.simulated {
+            None => self.problem_state.with(|state| state.sleeps),
+            Some(side) => side.actor.waits(),
+        }
     }
 
     /// The simulated time of the SPE's machine, if it has one.

@@ -32,6 +32,9 @@ pub(crate) struct State {
     pub events: Events,
     /// The error of a proxy command that failed. It stops the SPU.
     pub fault: Option<DmaError>,
+    /// Whether the SPU found nothing in a blocking channel when it last looked, and sleeps. Unused
+    /// in simulated time.
+    pub sleeps: bool,
 }
 
 /// How a wait of the SPU ended.
@@ -69,6 +72,7 @@ impl ProblemState {
                 signals_arrive: [0; 2],
                 events: Events::default(),
                 fault: None,
+                sleeps: false,
             }),
             changed: Condvar::new(),
             sleeping: AtomicUsize::new(0),
@@ -156,10 +160,14 @@ impl ProblemState {
         mut poll: impl FnMut(&mut State) -> Option<T>,
     ) -> WaitOutcome<T> {
         let deadline = limit.and_then(|limit| Instant::now().checked_add(limit));
-        let result = self.wait(deadline, |state| match poll(state) {
-            Some(value) => Some(WaitOutcome::Ready(value)),
-            None if self.stop_requested() => Some(WaitOutcome::StopRequested),
-            None => None,
+        let result = self.wait(deadline, |state| {
+            let outcome = match poll(state) {
+                Some(value) => Some(WaitOutcome::Ready(value)),
+                None if self.stop_requested() => Some(WaitOutcome::StopRequested),
+                None => None,
+            };
+            state.sleeps = outcome.is_none();
+            outcome
         });
         result.unwrap_or(WaitOutcome::TimedOut)
     }

@@ -167,7 +167,7 @@ fn one_thread_waits_for_two_contexts() {
         for round in 1..=100 {
             let n = round as usize % 2;
             send(&contexts[n], round);
-            let up = handler.wait(4, 60_000);
+            let up = handler.wait(4, 600_000);
             let expected = [(contexts[n].pointer(), SPE_EVENT_OUT_INTR_MBOX, n as u64)];
             assert_eq!(up, expected);
             let mut word = 0;
@@ -183,7 +183,7 @@ fn one_thread_waits_for_two_contexts() {
         }
         for (n, context) in contexts.iter().enumerate() {
             send(context, 0);
-            let up = handler.wait(4, 60_000);
+            let up = handler.wait(4, 600_000);
             assert_eq!(up, [(context.pointer(), SPE_EVENT_SPE_STOPPED, n as u64)]);
             let mut info = no_stop_info();
             assert_eq!(
@@ -234,7 +234,7 @@ fn a_tag_is_up_until_it_is_read() {
         assert_eq!(put, 0);
     });
     assert_eq!(
-        handler.wait(1, 60_000),
+        handler.wait(1, 600_000),
         [(context.pointer(), SPE_EVENT_TAG_GROUP, 5)]
     );
     let mut status = 0;

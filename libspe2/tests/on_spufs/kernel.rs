@@ -1,6 +1,7 @@
 //! What only the kernel's side shows.
 
 use std::ptr;
+use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 
 use spe2::context::{
     spe_context_create, spe_context_create_affinity, spe_gang_context_create,
@@ -89,7 +90,6 @@ fn a_destroyed_context_leaves_nothing_behind() {
 /// A proxy command by the file waits until a thread runs the context.
 #[test]
 fn a_proxy_command_waits_for_the_run() {
-    use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
     let context = Context::new(0);
     let mut there = Aligned::<16>::new();
     there.0 = [5; 16];
@@ -132,7 +132,7 @@ fn a_proxy_command_waits_for_the_run() {
 
 extern "C" fn ignore(_: i32) {}
 
-/// Calls `body` on another thread, to which a signal is sent until it returns. The program has a
+/// Calls `body` on another thread, to which signals are sent until it returns. The program has a
 /// handler for it that does nothing.
 fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
     let signal = libc::SIGUSR2;
@@ -146,18 +146,21 @@ fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
     }
     let (sender, thread) = std::sync::mpsc::channel();
     let (over, ended) = std::sync::mpsc::channel();
+    let has_returned = &AtomicBool::new(false);
     let wait = move || {
         sender.send(unsafe { libc::pthread_self() }).unwrap();
         let result = body();
+        has_returned.store(true, SeqCst);
         // The thread must not end while it may still be sent a signal.
         ended.recv().unwrap();
         result
     };
     elsewhere(wait, || {
         let thread = thread.recv().unwrap();
-        for _ in 0..20 {
-            std::thread::sleep(std::time::Duration::from_millis(10));
+        // It may not wait yet when the first one comes.
+        while !has_returned.load(SeqCst) {
             assert_eq!(unsafe { libc::pthread_kill(thread, signal) }, 0);
+            std::thread::sleep(std::time::Duration::from_millis(10));
         }
         over.send(()).unwrap();
     })

@@ -124,7 +124,7 @@ impl Terminal {
         self.pointer.refit(self.fit());
     }
 
-    fn take_in(&mut self, event: Event, display_events: &mut Vec<DisplayEvent>) {
+    fn take_in(&mut self, event: Event, at: Instant, display_events: &mut Vec<DisplayEvent>) {
         if let Event::Key(key) = event
             && key.modifiers.contains(KeyModifiers::CONTROL)
         {
@@ -137,7 +137,7 @@ impl Terminal {
         }
         let mut input = |event| display_events.push(DisplayEvent::Input(event));
         match event {
-            Event::Key(key) => self.keys.take(key, Instant::now(), &mut input),
+            Event::Key(key) => self.keys.take(key, at, &mut input),
             Event::Mouse(mouse) => {
                 // The centre of the character.
                 let (x, y) = (
@@ -209,11 +209,11 @@ impl Display for Terminal {
             display_events.push(DisplayEvent::Resized);
         }
         if is_back {
-            self.take_in(Event::FocusLost, display_events);
+            self.take_in(Event::FocusLost, Instant::now(), display_events);
         }
         loop {
             match self.events.next() {
-                Ok(Some(event)) => self.take_in(event, display_events),
+                Ok(Some((event, at))) => self.take_in(event, at, display_events),
                 Ok(None) => break,
                 Err(_) => {
                     self.is_gone = true;

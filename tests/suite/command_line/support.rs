@@ -2,7 +2,6 @@
 
 use std::fs;
 use std::process::{Command, Output};
-use std::time::{Duration, Instant};
 
 /// A view, and a white material.
 pub const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\
@@ -30,18 +29,12 @@ pub fn good(arguments: &[&str]) -> (String, String) {
     (out, err)
 }
 
-/// Runs cellray, which must fail soon, write nothing to standard output and print all `parts`.
+/// Runs cellray, which must fail, write nothing to standard output and print all `parts`.
 pub fn bad(arguments: &[&str], parts: &[&str]) {
-    let start = Instant::now();
     let output = cellray(arguments);
     let err = text(&output.stderr);
     assert!(!output.status.success(), "{arguments:?} succeeded");
     assert!(output.status.code().is_some(), "{arguments:?} died: {err}");
-    assert!(
-        start.elapsed() < Duration::from_secs(60),
-        "{arguments:?} took {:?}",
-        start.elapsed()
-    );
     assert!(
         output.stdout.is_empty(),
         "{arguments:?}: {}",

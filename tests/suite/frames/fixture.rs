@@ -142,5 +142,5 @@ impl Fixture {
 /// takes many times as long.
 fn patience() -> Duration {
     let is_checked = env::var("LIBSPE2_CHECK").is_ok_and(|value| value == "1");
-    Duration::from_secs(if is_checked { 3600 } else { 30 })
+    Duration::from_secs(if is_checked { 3600 } else { 600 })
 }

@@ -167,6 +167,7 @@ choose: brnz    $20,taken
         ila     $21,loop
         bie     $21
 loop:   ai      $22,$22,1
+        stqa    $22,0x8000
         br      loop
 taken:  rdch    $10,$ch0
         rdch    $11,$ch13
@@ -176,11 +177,11 @@ taken:  rdch    $10,$ch0
 ";
     let (spe, entry) = Machine::new().loaded(Policy::AtOnce, source);
     let running = start(&spe, entry);
-    assert!(running.sleeps());
+    assert!(running.stores_to(0x8000));
     assert!(spe.write_inbound(42, at_once()));
     running.wait();
     let [event, status, return_address, word] = [10, 11, 12, 13].map(|n| register(&spe, n));
     assert_eq!((event, status, word), (0x10, 0, 42));
     let image = register(&spe, 21);
-    assert!((image..image + 8).contains(&return_address));
+    assert!((image..image + 12).contains(&return_address));
 }

@@ -81,16 +81,18 @@ fn a_stop_request_wakes_a_sleeping_spu_which_goes_on_later() {
 
 #[test]
 fn a_stop_request_ends_a_loop_and_is_used_up() {
-    let (spe, entry) = Machine::new().loaded(Policy::AtOnce, "again: br again\n");
+    let source = "il $10,1\n stqa $10,0x8000\n again: br again\n";
+    let (spe, entry) = Machine::new().loaded(Policy::AtOnce, source);
     let running = start(&spe, entry);
-    assert!(running.sleeps());
+    assert!(running.stores_to(0x8000));
     spe.request_stop();
     assert_eq!(running.wait().reason, Stop::Requested);
     // If the SPU is not running, a request ends the next run before its first instruction.
     spe.request_stop();
+    spe.local_store().write(0x8000, &[0; 4]);
     assert_eq!(start(&spe, entry).wait().reason, Stop::Requested);
     let running = start(&spe, entry);
-    assert!(running.sleeps());
+    assert!(running.stores_to(0x8000));
     spe.request_stop();
     running.wait();
 }

@@ -1,5 +1,6 @@
 //! Functions that assemble programs, and machines that run them.
 
+use std::sync::mpsc::TryRecvError;
 use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -13,8 +14,9 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 
-/// How long a program may take on the host.
-pub const TIMEOUT: Duration = Duration::from_secs(60);
+/// How long a program may take on a host that is busy with other things. It only ends a test that
+/// hangs.
+pub const TIMEOUT: Duration = Duration::from_secs(600);
 
 /// Address of the main memory of every machine in these tests.
 pub const BASE: u64 = 0x3_4000_0000;
@@ -111,9 +113,34 @@ impl Running {
         self.ended.recv_timeout(Duration::from_millis(50)).ok()
     }
 
-    /// Whether the program is still running after a time in which it could have ended.
+    /// Waits until the program sleeps in a channel. Returns `false` if it ends instead.
     pub fn sleeps(&self) -> bool {
-        self.ended.recv_timeout(Duration::from_millis(100)).is_err()
+        self.comes_to(|| self.spe.sleeps())
+    }
+
+    /// Waits until the program has stored to this address of its local store, where it found 0.
+    /// Returns `false` if it ends instead.
+    pub fn stores_to(&self, address: u32) -> bool {
+        self.comes_to(|| {
+            let mut word = [0; 4];
+            self.spe.local_store().read(address, &mut word);
+            word != [0; 4]
+        })
+    }
+
+    /// Waits until the program, which runs on, `is_there`. Returns `false` if it ends instead.
+    fn comes_to(&self, is_there: impl Fn() -> bool) -> bool {
+        let begin = Instant::now();
+        loop {
+            if self.ended.try_recv() != Err(TryRecvError::Empty) {
+                return false;
+            }
+            if is_there() {
+                return true;
+            }
+            assert!(begin.elapsed() < TIMEOUT, "the program does not get there");
+            thread::sleep(Duration::from_millis(1));
+        }
     }
 }
 

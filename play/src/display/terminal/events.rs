@@ -10,12 +10,13 @@
 use std::io;
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crossterm::event::{self, Event};
 
-/// The events that the thread has read.
-pub struct Events(Receiver<Event>);
+/// The events that the thread has read, each with the time at which it was read. That time doesn't
+/// depend on how long frames take.
+pub struct Events(Receiver<(Event, Instant)>);
 
 impl Events {
     /// Starts the thread.
@@ -34,7 +35,7 @@ impl Events {
     ///
     /// # Errors
     /// The terminal has hung up, so there will be no more events.
-    pub fn next(&self) -> io::Result<Option<Event>> {
+    pub fn next(&self) -> io::Result<Option<(Event, Instant)>> {
         match self.0.try_recv() {
             Ok(event) => Ok(Some(event)),
             Err(TryRecvError::Empty) => Ok(None),
@@ -44,9 +45,10 @@ impl Events {
 }
 
 /// Passes the next event on.
-fn pass_on(events: &Sender<Event>) -> io::Result<()> {
+fn pass_on(events: &Sender<(Event, Instant)>) -> io::Result<()> {
     while event::poll(Duration::ZERO)? {
-        let sent = events.send(event::read()?);
+        let event = event::read()?;
+        let sent = events.send((event, Instant::now()));
         sent.map_err(|_| io::ErrorKind::BrokenPipe)?;
     }
     Ok(())

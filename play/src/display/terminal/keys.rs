@@ -21,7 +21,8 @@ pub struct Keys {
 }
 
 impl Keys {
-    /// Converts an event of the terminal, and calls `input` with the results.
+    /// Converts an event that the terminal has reported at `now`, and calls `input` with the
+    /// results.
     pub fn take(&mut self, event: KeyEvent, now: Instant, input: &mut impl FnMut(InputEvent)) {
         let is_release = event.kind == KeyEventKind::Release;
         self.reports_releases |= is_release;
@@ -69,6 +70,8 @@ impl Keys {
     }
 
     fn press(&mut self, key: Key, now: Instant, input: &mut impl FnMut(InputEvent)) {
+        // Several events come together after a long frame, with silence between them.
+        self.release_silent(now, input);
         match self.held.iter_mut().find(|(held, _)| *held == key) {
             Some((_, heard)) => *heard = now,
             None => {
@@ -221,6 +224,19 @@ mod tests {
             told(&mut keys, KeyCode::Up, press, at(950)),
             [(Key::Up, true)]
         );
+    }
+
+    #[test]
+    fn a_key_that_was_silent_during_a_long_frame_is_pressed_anew() {
+        let (mut keys, start) = (Keys::default(), Instant::now());
+        let press = KeyEventKind::Press;
+        told(&mut keys, KeyCode::F(12), press, start);
+        let later = start + HELD;
+        assert_eq!(
+            told(&mut keys, KeyCode::F(12), press, later),
+            [(Key::F12, false), (Key::F12, true)]
+        );
+        assert_eq!(release_silent(&mut keys, later), []);
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! A program on a terminal of its own.
 
 use std::ffi::CStr;
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{Read as _, Write as _};
 use std::os::fd::{AsRawFd as _, OwnedFd};
 use std::os::unix::fs::OpenOptionsExt as _;
@@ -13,8 +13,11 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How long anything may take.
-const PATIENCE: Duration = Duration::from_secs(60);
+/// How long anything may take, on a machine that is busy with other things. It only ends a test
+/// that hangs.
+const PATIENCE: Duration = Duration::from_secs(600);
+/// What the test itself writes to the terminal when the program has ended.
+const LAST: &str = "[the program has ended]";
 
 pub struct Pty {
     child: Child,
@@ -107,6 +110,42 @@ impl Pty {
         }
     }
 
+    /// Presses a key and releases it, as a terminal with the kitty protocol reports that. So it
+    /// doesn't matter how soon the same key is pressed again.
+    pub fn press(&mut self, key: char) {
+        let code = u32::from(key);
+        self.type_in(format!("\x1b[{code};1:1u\x1b[{code};1:3u"));
+    }
+
+    /// Waits until the session has stepped with all that was typed so far, of which the session's
+    /// own keys are done first: shows the help and hides it again. The second time, the program
+    /// reads the key at the beginning of a later frame than the first.
+    pub fn wait_until_stepped(&mut self) {
+        const HELP: &str = "take a picture";
+        // What hides an earlier help may not have been read from the terminal yet.
+        self.wait_until_shown(HELP, false);
+        self.press('h');
+        self.wait_until_shown(HELP, true);
+        self.press('h');
+        self.wait_until_shown(HELP, false);
+    }
+
+    /// Waits until the terminal shows a text, or no longer. What is written may lack characters of
+    /// it that were there before.
+    pub fn wait_until_shown(&mut self, text: &str, is_shown: bool) {
+        self.wait_until(|seen| screen(seen).contains(text) == is_shown);
+    }
+
+    /// Waits until the program has been stopped by a signal.
+    pub fn wait_until_stopped(&self) {
+        let stat = format!("/proc/{}/stat", self.process());
+        let begun = Instant::now();
+        while !fs::read_to_string(&stat).is_ok_and(|stat| stat.contains(") T ")) {
+            assert!(begun.elapsed() < PATIENCE, "it does not stop");
+            thread::sleep(Duration::from_millis(20));
+        }
+    }
+
     pub fn type_in(&mut self, text: impl AsRef<[u8]>) {
         let ours = self.ours.as_mut().expect("not hung up");
         ours.write_all(text.as_ref()).expect("a terminal");
@@ -155,9 +194,14 @@ impl Pty {
                 self.seen()
             );
         };
-        while let Ok(chunk) = self.chunks.recv_timeout(Duration::from_millis(100)) {
-            self.bytes.extend(chunk);
+        if self.ours.is_some() {
+            let theirs = self.theirs.try_clone().expect("a descriptor");
+            File::from(theirs)
+                .write_all(LAST.as_bytes())
+                .expect("a terminal");
+            self.wait_for(LAST);
         }
+        self.bytes.extend(self.chunks.try_iter().flatten());
         status
     }
 
@@ -194,6 +238,35 @@ fn is_readable(file: &File) -> bool {
     };
     // SAFETY: one record, which outlives the call.
     unsafe { libc::poll(&raw mut poll, 1, 50) == 1 }
+}
+
+/// The lines that a terminal shows after all this was written to it.
+fn screen(written: &str) -> String {
+    const SIDE: usize = 128;
+    let mut cells = vec![[' '; SIDE]; SIDE];
+    let (mut row, mut column) = (0, 0);
+    let mut rest = written.chars();
+    while let Some(letter) = rest.next() {
+        if letter == '\x1b' {
+            let sequence = rest.as_str();
+            let Some(end) = sequence.find(|end: char| end.is_ascii_alphabetic()) else {
+                break;
+            };
+            if let Some(place) = sequence[..end].strip_prefix('[')
+                && sequence[end..].starts_with('H')
+            {
+                let mut place = place.split(';').map(|number| number.parse().unwrap_or(1));
+                let mut next = || place.next().unwrap_or(1).clamp(1, SIDE) - 1;
+                (row, column) = (next(), next());
+            }
+            rest = sequence[end + 1..].chars();
+        } else if !letter.is_control() && column < SIDE {
+            cells[row][column] = letter;
+            column += 1;
+        }
+    }
+    let lines: Vec<String> = cells.iter().map(|line| line.iter().collect()).collect();
+    lines.join("\n")
 }
 
 fn modes(terminal: &OwnedFd) -> Modes {

@@ -3,11 +3,9 @@
 use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
 use std::process::Command;
-use std::thread;
-use std::time::Duration;
 
 use super::pty::{self, Pty};
-use super::{GAME, SCENE, in_terminal};
+use super::{GAME, SCENE, in_a_long_frame, in_terminal};
 
 const HALF: char = '\u{2580}';
 
@@ -48,8 +46,9 @@ fn half_an_event_keeps_no_one_waiting() {
     for (number, typed) in [&b"\x1b["[..], b"\xe9"].into_iter().enumerate() {
         let mut pty = in_terminal(&folder.path().join(number.to_string()));
         pty.wait_for(&HALF.to_string());
-        pty.type_in(typed);
-        thread::sleep(Duration::from_millis(300));
+        // The program reads all of it together, and the help shows that it has.
+        pty.type_in([b"h", typed].concat());
+        pty.wait_until_shown("turn the camera", true);
         pty.resize(100, 40);
         pty.wait_for("\x1b[40;");
         pty::signal(pty.process(), libc::SIGTERM);
@@ -73,21 +72,13 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
     .into_iter()
     .enumerate()
     {
-        let mut pty = in_terminal(&folder.path().join(number.to_string()));
-        pty.wait_for(&HALF.to_string());
-        // All are there when it goes on. Yet one thread may be late with the second signal, so
-        // that the frame loop comes round and ends the program after the first.
-        for &signal in [&[libc::SIGSTOP], signals, &[libc::SIGCONT]]
-            .concat()
-            .iter()
-        {
+        let mut pty = in_a_long_frame(&folder.path().join(number.to_string()));
+        for &signal in signals {
             pty::signal(pty.process(), signal);
         }
         let status = pty.end();
-        let in_time = status.code().map(|code| code - 128);
-        let signal = status.signal().or(in_time.filter(|_| signals.len() > 1));
         assert!(
-            signal.is_some_and(|it| signals.contains(&it)),
+            status.signal().is_some_and(|it| signals.contains(&it)),
             "{signals:?}: {status}"
         );
         pty.assert_restored();
@@ -103,6 +94,7 @@ fn a_stopped_program_leaves_the_terminal_and_takes_it_again() {
     pty.wait_until_taken(false);
     pty.wait_for("\x1b[?1049l");
     pty.assert_restored();
+    pty.wait_until_stopped();
     let shown = pty.seen().matches(HALF).count();
     pty::signal(pty.process(), libc::SIGCONT);
     pty.wait_until_taken(true);
@@ -135,15 +127,12 @@ fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
     pty.wait_for("SPUs");
-    let shown = pty.seen().matches(HALF).count();
     // No button is held.
     pty.type_in("\x1b[<35;10;5M\x1b[<35;12;4M");
     // Of the kitty protocol: a pressed and released, b pressed; the focus goes and comes; b
     // pressed.
     pty.type_in("\x1b[97;1:1u\x1b[97;1:3u\x1b[98;1:1u\x1b[O\x1b[I\x1b[98;1:1u\x1b[98;1:3u");
-    // F1 comes after them, and the last line is the picture's again.
-    pty.type_in("\x1bOP");
-    pty.wait_until(|seen| seen.matches(HALF).count() >= shown + 64);
+    pty.wait_until_stepped();
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
     let recorded = fs::read_to_string(&record).expect("a recording");
@@ -189,18 +178,19 @@ fn a_terminal_says_the_keys_and_that_it_is_paused() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
-    pty.wait_for("H: help");
-    pty.type_in("h");
-    pty.wait_for("turn the camera");
+    pty.wait_until_shown("H: help", true);
+    pty.press('h');
+    pty.wait_until_shown("turn the camera", true);
     // The keys of the player come after the game's.
-    pty.wait_for("take a picture");
-    pty.type_in("hp");
-    pty.wait_for("Paused");
+    pty.wait_until_shown("take a picture", true);
+    pty.press('h');
+    pty.press('p');
+    pty.wait_until_shown("Paused", true);
     // Neither of them reaches the game, nor what is typed in a pause.
-    pty.type_in("b");
-    thread::sleep(Duration::from_millis(300));
-    pty.type_in("pc");
-    thread::sleep(Duration::from_millis(300));
+    for key in ['b', 'p', 'c'] {
+        pty.press(key);
+    }
+    pty.wait_until_stepped();
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
     let recorded = fs::read_to_string(&record).expect("a recording");
