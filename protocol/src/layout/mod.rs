@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 12;
+    VERSION = 13;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -200,6 +200,8 @@ constants! {
     MESH_LEAF = 1;
     /// `kind` of a block: its children are spheres.
     MESH_SPHERES = 2;
+    /// `kind` of a block: its children are cones.
+    MESH_CONES = 3;
     /// Most levels of nodes in a block.
     MESH_LEVELS = 3;
     /// Most triangles of a block: an index of 7 bits.
