@@ -17,6 +17,7 @@ use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
 use super::source_location::SourceLocation;
+use super::streamed::InMainMemory;
 use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient, brightest, texture_address};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
@@ -83,10 +84,10 @@ impl SceneBlock {
         worn.is_none_or(|streamed| streamed.is_worth_keeping(most))
     }
 
-    /// Whether spheres are in main memory. Then none can be changed in place.
-    pub(crate) fn streams_spheres(&self) -> bool {
+    /// Whether spheres or cones are in main memory. Then none can be changed in place.
+    pub(crate) fn streams_objects(&self) -> bool {
         let streamed = self.streamed.as_ref();
-        streamed.is_some_and(|streamed| streamed.with_spheres)
+        streamed.is_some_and(|streamed| streamed.kinds != InMainMemory::default())
     }
 
     /// Sets the background, and its gradient.

@@ -48,7 +48,7 @@ use self::objects::Object;
 use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
-use self::streamed::{Streamed, may_stay};
+use self::streamed::{InMainMemory, Streamed, may_stay};
 use crate::scene::Colour;
 use crate::scene::render_options::NodeVolumes;
 use crate::scene::single::singles;
@@ -138,17 +138,16 @@ impl SceneBlock {
         if may_stay(scene) {
             let spare = Spare::default();
             match Self::with_spare(scene, options, shader, spare, None) {
-                Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. })
-                    if scene.mesh.is_some() => {}
+                Err(error) if error.is_lack_of_room() && scene.mesh.is_some() => {}
                 done => return done,
             }
         }
-        let streamed = Streamed::of(scene, false, options.colour)?;
+        let streamed = Streamed::of(scene, InMainMemory::default(), options.colour)?;
         Self::with_spare(scene, options, shader, Spare::default(), streamed)
     }
 
-    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres go to main memory if local
-    /// store has no room for them.
+    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres, its cones or both go to
+    /// main memory if local store has no room for them.
     ///
     /// # Errors
     /// As for [`SceneBlock::new`].
@@ -157,15 +156,16 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
-        let outcome = Self::new(scene, options, shader);
-        let (Err(BlockError::TooLarge { .. }) | Err(BlockError::TooManyObjects { .. })) = &outcome
-        else {
-            return outcome;
-        };
-        match Streamed::of(scene, true, options.colour)? {
-            None => outcome,
-            streamed => Self::with_spare(scene, options, shader, Spare::default(), streamed),
+        let mut outcome = Self::new(scene, options, shader);
+        for kinds in InMainMemory::choices(scene) {
+            match &outcome {
+                Err(error) if error.is_lack_of_room() => {}
+                _ => break,
+            }
+            let streamed = Streamed::of(scene, kinds, options.colour)?;
+            outcome = Self::with_spare(scene, options, shader, Spare::default(), streamed);
         }
+        outcome
     }
 
     /// Without `streamed`, a mesh is in local store. The nodes of a tree become boxes if that is
@@ -548,9 +548,8 @@ struct Found {
 impl Found {
     /// What is in main memory is left out here.
     fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
-        let without_spheres = streamed.is_some_and(|streamed| streamed.with_spheres);
-        let is_streamed =
-            |shape: &nff::Shape| without_spheres && matches!(shape, nff::Shape::Sphere { .. });
+        let in_main_memory = streamed.map(|it| it.kinds).unwrap_or_default();
+        let is_streamed = |shape: &nff::Shape| in_main_memory.holds(shape);
         let Self {
             mut found,
             mut objects,

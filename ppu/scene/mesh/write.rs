@@ -5,8 +5,8 @@ use std::ops::Range;
 
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
-    MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
+    Boxes, Cone, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN,
+    MESH_SPHERES, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_SMOOTH,
     SIDES_TEXTURED,
 };
 use zerocopy::big_endian::{F32, U32};
@@ -15,7 +15,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 use super::cut::{Branch, cut};
 use super::leaf::{WIDTH, run_bounds, runs};
 use super::normal::packed;
-use super::sphere::MeshSphere;
+use super::objects::MeshObjects;
 use super::statistics::MeshStatistics;
 use super::tree::{Bounds, Kind, Node, Tree, around};
 use super::{Block, MeshBlocks, MeshError};
@@ -29,7 +29,7 @@ pub(super) const RUN_SHIFT: u32 = 16;
 /// number in blocks of each material of the scene, and `materials` those materials.
 pub(super) fn blocks(
     mesh: &Mesh,
-    spheres: &[MeshSphere],
+    objects: &MeshObjects,
     tree: Tree<'_>,
     root: usize,
     ends: &[(usize, Kind)],
@@ -43,16 +43,17 @@ pub(super) fn blocks(
         nodes: &nodes,
         numbers,
         mesh,
-        spheres,
+        objects,
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
         whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
         local: vec![(0, 0); mesh.positions.len()],
         sources: Vec::new(),
         cost: 0.0,
         statistics: MeshStatistics {
-            triangles: pieces.len() - spheres.len(),
-            spheres: spheres.len(),
-            left_out: mesh.triangles.len() + spheres.len() - pieces.len(),
+            triangles: pieces.len() - objects.len(),
+            spheres: objects.spheres.len(),
+            cones: objects.cones.len(),
+            left_out: mesh.triangles.len() + objects.len() - pieces.len(),
             ..MeshStatistics::default()
         },
     };
@@ -66,8 +67,8 @@ pub(super) fn blocks(
             let kind = ends.iter().find(|(end, _)| node.pieces.start < *end);
             let own = &mut pieces[node.pieces.clone()];
             blocks.push(match kind {
-                Some((_, Kind::Spheres)) => writer.spheres(number, own),
                 Some(&(_, Kind::Triangles(sides))) => writer.leaf(number, sides, own),
+                Some(&(_, kind)) => writer.of_objects(number, kind, own),
                 None => continue,
             });
         } else {
@@ -96,7 +97,7 @@ struct Writer<'a> {
     nodes: &'a [Node],
     numbers: &'a [u8],
     mesh: &'a Mesh,
-    spheres: &'a [MeshSphere],
+    objects: &'a MeshObjects,
     /// The surface of the whole mesh's box.
     whole: f64,
     /// For each vertex the last leaf block that has it, counted from 1, and its index there.
@@ -186,31 +187,41 @@ impl Writer<'_> {
         )
     }
 
-    fn spheres(&mut self, number: u32, pieces: &mut [super::Piece]) -> Block {
+    fn of_objects(&mut self, number: u32, kind: Kind, pieces: &mut [super::Piece]) -> Block {
+        let (kind_of_block, size, expected) = match kind {
+            Kind::Cones => (
+                MESH_CONES,
+                size_of::<Cone>(),
+                &mut self.statistics.expected_cones,
+            ),
+            _ => (
+                MESH_SPHERES,
+                size_of::<Object>(),
+                &mut self.statistics.expected_spheres,
+            ),
+        };
         let groups = runs(pieces, 1, WIDTH);
         let nodes = groups.len() + usize::from(groups.len() > 1);
         let mut rest = pieces.iter();
-        let mut records = Vec::with_capacity(pieces.len());
+        let mut records = Vec::with_capacity(pieces.len() * size);
         let mut lowest = Vec::with_capacity(groups.len());
         for group in &groups {
             let mut children = Vec::with_capacity(group.len());
             for piece in rest.by_ref().take(group.len()) {
-                let place = records.len() * size_of::<Object>();
-                children.push((piece.bounds, offset(nodes) + place as u32));
-                let sphere = &self.spheres[piece.index as usize];
-                let material = self.numbers[sphere.material as usize];
-                records.push(sphere.record(material.into()));
-                self.statistics.expected_spheres += self.share(piece.bounds);
+                children.push((piece.bounds, offset(nodes) + records.len() as u32));
+                self.objects
+                    .write(kind, piece.index, self.numbers, &mut records);
+                *expected += piece.bounds.area() / self.whole;
             }
             lowest.push(children);
         }
         self.statistics.leaves += 1;
         let (nodes, levels) = under_a_root(lowest);
         let header = MeshHeader {
-            triangles: (records.len() as u32).into(),
-            ..header(number, MESH_SPHERES, levels, nodes.len())
+            triangles: (pieces.len() as u32).into(),
+            ..header(number, kind_of_block, levels, nodes.len())
         };
-        self.block(around(pieces), &header, &nodes, &[records.as_bytes()])
+        self.block(around(pieces), &header, &nodes, &[&records])
     }
 
     /// Writes an inner block. `child` gives a node of the tree a block's number.
