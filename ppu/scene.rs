@@ -47,13 +47,13 @@ pub enum SceneError {
     Block(#[from] BlockError),
     /// The SPU program has no code for meshes in main memory.
     #[error(
-        "{file}: {objects} triangles and spheres do not fit the local store, and the SPU program can't \
-         stream them from main memory"
+        "{file}: {objects} triangles, spheres and cones do not fit the local store, and the SPU \
+         program can't stream them from main memory"
     )]
     NoStreaming {
         /// Name of the scene's file.
         file: String,
-        /// The triangles and spheres that would have to be streamed.
+        /// The triangles, spheres and cones that would have to be streamed.
         objects: usize,
     },
     /// The SPU program has no code for textures.
@@ -140,10 +140,15 @@ impl Scene {
         if !render_options.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, render_options);
         }
-        let scene = &*mesh::gathered(scene);
         let shader = |name: &str| program.shader(name).ok();
-        let block = SceneBlock::unchanging(scene, options(render_options), &shader)?;
-        let scene = Self::by_whitted(scene, render_options, block);
+        let gathered = mesh::gathered(scene);
+        let scene = match Self::whitted(&gathered, render_options, &shader) {
+            Err(SceneError::Block(error)) if error.is_lack_of_room() => {
+                let all = mesh::gathered_all(scene).ok_or(error)?;
+                Self::whitted(&all, render_options, &shader)
+            }
+            outcome => outcome,
+        }?;
         scene.check_streaming(program)?;
         Ok(scene)
     }
@@ -153,7 +158,7 @@ impl Scene {
         match self.block.as_ref().and_then(SceneBlock::mesh) {
             Some(mesh) if program.mesh_code().is_empty() => Err(SceneError::NoStreaming {
                 file: self.file.clone(),
-                objects: mesh.blocks.statistics().triangles + mesh.blocks.statistics().spheres,
+                objects: mesh.blocks.statistics().objects(),
             }),
             Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
                 Err(SceneError::NoTextures {
@@ -180,6 +185,15 @@ impl Scene {
             return Self::by_depth(scene, render_options);
         }
         let block = SceneBlock::with_room(scene, options(render_options), shaders)?;
+        Ok(Self::by_whitted(scene, render_options, block))
+    }
+
+    fn whitted(
+        scene: &nff::Scene,
+        render_options: RenderOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+    ) -> Result<Self, SceneError> {
+        let block = SceneBlock::unchanging(scene, options(render_options), shader)?;
         Ok(Self::by_whitted(scene, render_options, block))
     }
 

@@ -6,16 +6,16 @@
 #           how many blocks there are, $7 how many materials, $8 the bits that `sides` may have;
 #           pointers 16-aligned
 #   Out     $3 0, or something else if the block is damaged. Then its positions may be anything.
-#   Uses    $3-$8, $10-$70   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$8, $10-$74   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0: boxes hold what they held, with a slack of 2^-19 of the largest magnitude of their
 #           coordinates or more
 #   Twin    lab/twins/src/mesh_prepare.rs
 #
 # What is checked is what makes the traversal end and stay within the lists: the levels of nodes
-# are complete, runs have triangles of the block, triangles have vertices of the block, they and
-# spheres have materials of the scene, and children come after their parents. A lane of a node
-# without a child must have the box that no ray meets.
+# are complete, runs have triangles of the block, triangles have vertices of the block, they,
+# spheres and cones have materials of the scene, and children come after their parents. A lane of a
+# node without a child must have the box that no ray meets.
 #
 # All boxes of a block get the slack of its root, which holds the others.
 
@@ -34,7 +34,7 @@
         # the nodes
         registers a_node                                # address
         registers below                                 # offset of the next child above the lowest
-        registers of_spheres,k_objects,k_last           # where spheres begin, and the last one from there
+        registers of_objects,k_objects,k_last           # where these begin, the last from there
         registers a_level_end                           # where the current level ends
         registers a_end
         registers a_low,low                             # the lowest level's first node, and how many
@@ -51,6 +51,12 @@
         registers moved                                 # to 66
         .set    NEXT,moved+4
         registers eye,m_xyz,face,limit
+        # a sphere's or a cone's record: its bytes, its quadwords, and 512 by these
+        registers of_spheres,k_size,k_quads,k_part
+
+    .if CONE_SIZE != 1<<6
+        .error  "a cone's record has another size than is multiplied by here"
+    .endif
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -75,13 +81,13 @@ function mesh_prepare
         xor     $wrong,$t,$number
         or      $bad,$bad,$wrong
         rotqbyi $kind,$header,MESH_HEADER_kind
-        clgti   $wrong,$kind,MESH_SPHERES
+        clgti   $wrong,$kind,MESH_CONES
         or      $bad,$bad,$wrong
         rotqbyi $levels,$header,MESH_HEADER_levels
         ai      $t,$levels,-1
         clgti   $wrong,$t,MESH_LEVELS-1
         or      $bad,$bad,$wrong
-        ori     $nodes,$counts,0
+        rotqbyi $nodes,$counts,MESH_HEADER_nodes&15
         ai      $t,$nodes,-1
         clgti   $wrong,$t,MESH_MOST_NODES-1
         or      $bad,$bad,$wrong
@@ -96,7 +102,8 @@ function mesh_prepare
         and     $coordinates,$coordinates,$t
         andc    $wrong,$t,$sides
         or      $bad,$bad,$wrong
-        # An inner block has no triangles or spheres, and only triangles have vertices.
+        # An inner block has no triangles or objects, and only triangles have vertices.
+        cgti    $of_objects,$kind,MESH_LEAF
         ceqi    $of_spheres,$kind,MESH_SPHERES
         ceqi    $wrong,$kind,MESH_LEAF
         ceqi    $t,$vertices,0
@@ -109,7 +116,10 @@ function mesh_prepare
         mpyi    $a_end,$nodes,BOXES_SIZE
         shli    $t,$vertices,4
         a       $t,$t,$a_end
-        shli    $expected,$triangles,2
+        # The even pipe has more to do. From the next word, the vertices, come zeros.
+        shlqbii $expected,$triangles,2
+        shlqbii $wrong,$triangles,6                     # cones: a size of 2^6
+        selb    $expected,$expected,$wrong,$of_objects
         mpyi    $wrong,$triangles,OBJECT_SIZE
         selb    $wrong,$expected,$wrong,$of_spheres
         a       $t,$t,$wrong
@@ -224,7 +234,7 @@ next_boxes:
         ai      $limit,$materials,-1
         ori     $a_vertex,$a_end,0
         splat   $triangles,$triangles,$m_splat
-        brnz    $of_spheres,spheres
+        brnz    $of_objects,objects
         brnz    $kind,blocks_below
 
         # The runs of triangles.
@@ -327,12 +337,21 @@ next_blocks:
         orx     $3,$bad
         bi      $lr
 
-        # The offsets of spheres: multiples of their size from the first one on.
-spheres:
+        # The offsets of spheres or cones: multiples of their size from the first one on. A size in
+        # quadwords is 3 or 4, and a part of it is times 512.
+objects:
         sf      $k_objects,$a_block,$a_end
         splat   $k_objects,$k_objects,$m_splat
-        mpyi    $k_last,$triangles,OBJECT_SIZE
-        ai      $k_last,$k_last,-OBJECT_SIZE
+        splat   $of_spheres,$of_spheres,$m_splat
+        il      $k_size,CONE_SIZE
+        il      $t,OBJECT_SIZE
+        selb    $k_size,$k_size,$t,$of_spheres
+        mpy     $k_last,$triangles,$k_size
+        sf      $k_last,$k_size,$k_last
+        il      $k_part,512/4
+        il      $t,512/3+1
+        selb    $k_part,$k_part,$t,$of_spheres
+        rotmi   $k_quads,$k_size,-4
         ori     $left,$triangles,0
         ori     $a_again,$a_vertex,0
 next_lanes:
@@ -343,9 +362,9 @@ next_lanes:
         andi    $firsts,$t,15
         or      $wrong,$wrong,$firsts
         rotmi   $t,$t,-4
-        mpyui   $firsts,$t,171                          # a third of it, times 512
+        mpyu    $firsts,$t,$k_part
         rotmi   $firsts,$firsts,-9
-        mpyui   $firsts,$firsts,OBJECT_SIZE/16
+        mpyu    $firsts,$firsts,$k_quads
         ceq     $firsts,$firsts,$t
         orc     $wrong,$wrong,$firsts
         andc    $wrong,$wrong,$absent
@@ -363,8 +382,8 @@ next_object:
         clgt    $face,$face,$limit
         stqd    $moved,OBJECT_centre($a_again)
         or      $bad,$bad,$face
-        ai      $a_vertex,$a_vertex,OBJECT_SIZE
-        ai      $a_again,$a_again,OBJECT_SIZE
+        a       $a_vertex,$a_vertex,$k_size
+        a       $a_again,$a_again,$k_size
         ai      $left,$left,-1
         brnz    $left,next_object
         and     $bad,$bad,$k_least_one

@@ -14,6 +14,8 @@ pub const HEADER: usize = 8;
 pub const NODE: usize = 28;
 /// Words of a sphere's record.
 pub const OBJECT: usize = 12;
+/// Words of a cone's record.
+pub const CONE: usize = 16;
 /// The first word.
 pub const MAGIC: u32 = 0x4d45_5348;
 /// The corner of a box that is not there.
@@ -24,9 +26,11 @@ pub const INNER: u32 = 0;
 pub const LEAF: u32 = 1;
 /// `kind`: the children are spheres.
 pub const SPHERES: u32 = 2;
+/// `kind`: the children are cones.
+pub const CONES: u32 = 3;
 /// In `sides`: vertices have texture coordinates.
 const TEXTURED: u32 = 0x1000_0000;
-/// The sphere's word for its material.
+/// A sphere's or a cone's word for its material.
 const MATERIAL: usize = 10;
 
 /// What is known of a block besides its bytes.
@@ -53,6 +57,16 @@ struct Header {
     vertices: usize,
 }
 
+/// The words of an object's record in a block of this kind; `None` if it has no objects.
+#[must_use]
+pub fn object(kind: u32) -> Option<usize> {
+    match kind {
+        SPHERES => Some(OBJECT),
+        CONES => Some(CONE),
+        _ => None,
+    }
+}
+
 fn header(block: &[u32; WORDS], known: &Known) -> Option<Header> {
     let [
         magic,
@@ -67,7 +81,7 @@ fn header(block: &[u32; WORDS], known: &Known) -> Option<Header> {
     let most_nodes = ((WORDS - HEADER) / NODE) as u32;
     let right = magic == MAGIC
         && number == known.number
-        && kind <= SPHERES
+        && kind <= CONES
         && (1..=3).contains(&levels)
         && (1..=most_nodes).contains(&nodes)
         && triangles <= 127
@@ -78,11 +92,8 @@ fn header(block: &[u32; WORDS], known: &Known) -> Option<Header> {
     if !right {
         return None;
     }
-    let records = match kind {
-        SPHERES => OBJECT as u32 * triangles,
-        _ => triangles,
-    };
-    let words = NODE as u32 * nodes + 4 * vertices + records;
+    let record = object(kind).unwrap_or(1) as u32;
+    let words = NODE as u32 * nodes + 4 * vertices + record * triangles;
     let textured = sides & TEXTURED != 0;
     let words = words.next_multiple_of(4) + if textured { 2 * vertices } else { 0 };
     (words as usize <= WORDS - HEADER).then_some(Header {
@@ -128,19 +139,17 @@ fn lowest(block: &[u32; WORDS], header: &Header) -> Option<(usize, bool)> {
 
 /// Whether a child of a lowest node is right.
 fn is_right(child: u32, header: &Header, known: &Known) -> bool {
-    match header.kind {
-        INNER => child > known.number && child < known.blocks,
-        SPHERES => {
-            let first = 4 * (HEADER + NODE * header.nodes) as u32;
-            let size = 4 * OBJECT as u32;
-            let offset = child.wrapping_sub(first);
-            offset < size * header.triangles && offset.is_multiple_of(size)
-        }
-        _ => {
-            let [first, length] = [(child & 0xffff) >> 2, child >> 16];
-            child & 3 == 0 && (1..=8).contains(&length) && first + length <= header.triangles
-        }
+    if header.kind == INNER {
+        return child > known.number && child < known.blocks;
     }
+    if let Some(words) = object(header.kind) {
+        let first = 4 * (HEADER + NODE * header.nodes) as u32;
+        let size = 4 * words as u32;
+        let offset = child.wrapping_sub(first);
+        return offset < size * header.triangles && offset.is_multiple_of(size);
+    }
+    let [first, length] = [(child & 0xffff) >> 2, child >> 16];
+    child & 3 == 0 && (1..=8).contains(&length) && first + length <= header.triangles
 }
 
 /// Prepares a block as `mesh_prepare` does. Returns whether it is whole; otherwise its positions
@@ -186,8 +195,8 @@ pub fn prepare(block: &mut [u32; WORDS], known: &Known) -> bool {
             block[at + axis] = fs(block[at + axis], *eye);
         }
     };
-    match header.kind {
-        LEAF => {
+    match (header.kind, object(header.kind)) {
+        (LEAF, _) => {
             (0..header.vertices).for_each(|vertex| move_point(first + 4 * vertex));
             let faces = first + 4 * header.vertices;
             let quads = (header.triangles as usize).next_multiple_of(4);
@@ -198,11 +207,12 @@ pub fn prepare(block: &mut [u32; WORDS], known: &Known) -> bool {
                 a.max(b).max(c) <= vertex && of <= material
             });
         }
-        SPHERES => {
-            (0..header.triangles as usize).for_each(|sphere| move_point(first + OBJECT * sphere));
-            whole &= (0..header.triangles as usize).all(|sphere| {
-                block[first + OBJECT * sphere + MATERIAL] <= known.materials.wrapping_sub(1)
-            });
+        (_, Some(size)) => {
+            let objects = (0..header.triangles as usize).map(|object| first + size * object);
+            objects.clone().for_each(move_point);
+            whole &= objects
+                .clone()
+                .all(|object| block[object + MATERIAL] <= known.materials.wrapping_sub(1));
         }
         _ => {}
     }

@@ -13,7 +13,7 @@ use super::content::{Object, WorldMaterial};
 use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
-use crate::scene::mesh::{are_many, gathered};
+use crate::scene::mesh::{are_many, gathered, gathered_all};
 use crate::scene::{Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
@@ -34,8 +34,8 @@ impl World {
     /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
     /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
     /// new scene is made. A new scene is also made when lights or meshes are added or removed, when
-    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere or a polygon
-    /// changes that is in main memory. Meshes that move get new blocks.
+    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere, a cone or a
+    /// polygon changes that is in main memory. Meshes that move get new blocks.
     ///
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
@@ -91,23 +91,29 @@ impl World {
             true => gathered(&shown),
             false => Cow::Borrowed(&shown),
         };
-        let has_gathered = matches!(gathered, Cow::Owned(_));
+        let mut has_gathered = matches!(gathered, Cow::Owned(_));
         let mut keeps_hidden = is_whitted && has_hidden && !has_gathered;
         let mut content = match keeps_hidden {
             true => Cow::Owned(self.content(|_| true)),
             false => gathered,
         };
-        let streams_spheres =
-            |scene: &Scene| scene.block().is_some_and(SceneBlock::streams_spheres);
-        let mut scene = match Scene::with_room(&content, options, &shaders) {
-            Ok(scene) if !(keeps_hidden && streams_spheres(&scene)) => scene,
-            Err(error) if !keeps_hidden => return Err(error.into()),
-            _ => {
-                keeps_hidden = false;
-                content = Cow::Borrowed(&shown);
-                Scene::with_room(&content, options, &shaders)?
-            }
-        };
+        let streams_objects =
+            |scene: &Scene| scene.block().is_some_and(SceneBlock::streams_objects);
+        let mut outcome = Scene::with_room(&content, options, &shaders);
+        if keeps_hidden && outcome.as_ref().map_or(true, streams_objects) {
+            keeps_hidden = false;
+            content = Cow::Borrowed(&shown);
+            outcome = Scene::with_room(&content, options, &shaders);
+        }
+        if let Err(SceneError::Block(error)) = &outcome
+            && error.is_lack_of_room()
+            && let Some(all) = gathered_all(&shown)
+        {
+            has_gathered = true;
+            content = Cow::Owned(all);
+            outcome = Scene::with_room(&content, options, &shaders);
+        }
+        let mut scene = outcome?;
         scene.check_streaming(program)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
             entry.number(number);
@@ -237,7 +243,7 @@ impl World {
             return Ok(false);
         };
         let are_objects_changed = !(self.edits.objects.is_empty() && self.edits.removed.is_empty());
-        if block.streams_spheres() && are_objects_changed || !block.set_eye(self.view.from) {
+        if block.streams_objects() && are_objects_changed || !block.set_eye(self.view.from) {
             return Ok(false);
         }
         let ambient = self.ambient_light();

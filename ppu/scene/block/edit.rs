@@ -18,6 +18,7 @@ use super::objects::{self, Object, has_on_surface, sides_seen_from};
 use super::options::{BlockOptions, ShaderEntries};
 use super::primitive::PrimitiveKind;
 use super::source_location::SourceLocation;
+use super::streamed::InMainMemory;
 use super::{
     PrimitiveId, SceneBlock, Source, Spare, Surface, alike, ambient, brightest, surfacing,
 };
@@ -110,10 +111,10 @@ impl SceneBlock {
         worn.is_none_or(|streamed| streamed.is_worth_keeping(most))
     }
 
-    /// Whether spheres are in main memory. Then none can be changed in place.
-    pub(crate) fn streams_spheres(&self) -> bool {
+    /// Whether spheres or cones are in main memory. Then none can be changed in place.
+    pub(crate) fn streams_objects(&self) -> bool {
         let streamed = self.streamed.as_ref();
-        streamed.is_some_and(|streamed| streamed.with_spheres)
+        streamed.is_some_and(|streamed| streamed.kinds != InMainMemory::default())
     }
 
     /// Sets the background, and its gradient.

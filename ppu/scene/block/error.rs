@@ -118,3 +118,10 @@ pub enum BlockError {
     #[error("ray depth {0}: must be 1 to {MAX_DEPTH}")]
     RayDepth(u32),
 }
+
+impl BlockError {
+    /// Whether local store has no room for the scene, so that more of it must be in main memory.
+    pub(crate) fn is_lack_of_room(&self) -> bool {
+        matches!(self, Self::TooLarge { .. } | Self::TooManyObjects { .. })
+    }
+}

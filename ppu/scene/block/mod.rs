@@ -53,7 +53,7 @@ use self::objects::{Object, sides_seen_from};
 use self::primitive::PrimitiveKind;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
-use self::streamed::{Streamed, may_stay};
+use self::streamed::{InMainMemory, Streamed, may_stay};
 use crate::scene::Colour;
 use crate::scene::mesh::NumberWidth;
 use crate::scene::render_options::NodeVolumes;
@@ -172,33 +172,32 @@ impl SceneBlock {
         let scene = source.scene;
         if may_stay(scene) {
             match Self::with_spare(source, Spare::default(), None) {
-                Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. })
-                    if scene.mesh.is_some() => {}
+                Err(error) if error.is_lack_of_room() && scene.mesh.is_some() => {}
                 done => return done,
             }
         }
-        Self::streaming(source, false)
+        Self::streaming(source, InMainMemory::default())
     }
 
-    /// A block whose mesh is in main memory, and whose spheres are, if they are to be. If local
-    /// store lacks room for the materials, these are in main memory, too.
-    fn streaming(source: Source<'_>, with_spheres: bool) -> Result<Self, BlockError> {
+    /// A block whose mesh is in main memory, and so are its objects of these kinds. If local store
+    /// lacks room for the materials, these are in main memory, too.
+    fn streaming(source: Source<'_>, kinds: InMainMemory) -> Result<Self, BlockError> {
         let with = |streamed| Self::with_spare(source, Spare::default(), streamed);
-        let streamed = Streamed::of(source, with_spheres, NumberWidth::Byte)?;
+        let streamed = Streamed::of(source, kinds, NumberWidth::Byte)?;
         let materials = streamed.as_ref().map_or(0, Streamed::resident_materials);
         let outcome = with(streamed);
         match outcome {
             Err(BlockError::TooLarge { needed, room, .. })
                 if needed - room <= materials * size_of::<layout::Material>() =>
             {
-                with(Streamed::of(source, with_spheres, NumberWidth::TwoBytes)?)
+                with(Streamed::of(source, kinds, NumberWidth::TwoBytes)?)
             }
             outcome => outcome,
         }
     }
 
-    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres go to main memory if local
-    /// store has no room for them.
+    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres, its cones or both go to
+    /// main memory if local store has no room for them.
     ///
     /// # Errors
     /// As for [`SceneBlock::new`].
@@ -216,16 +215,15 @@ impl SceneBlock {
     }
 
     fn unchanging_of(source: Source<'_>) -> Result<Self, BlockError> {
-        let outcome = Self::of(source);
-        let (Err(BlockError::TooLarge { .. }) | Err(BlockError::TooManyObjects { .. })) = &outcome
-        else {
-            return outcome;
-        };
-        let is_sphere = |it: &nff::Object| matches!(it.shape, nff::Shape::Sphere { .. });
-        match source.scene.objects.iter().any(is_sphere) {
-            true => Self::streaming(source, true),
-            false => outcome,
+        let mut outcome = Self::of(source);
+        for kinds in InMainMemory::choices(source.scene) {
+            match &outcome {
+                Err(error) if error.is_lack_of_room() => {}
+                _ => break,
+            }
+            outcome = Self::streaming(source, kinds);
         }
+        outcome
     }
 
     /// Without `streamed`, a mesh is in local store. The nodes of a tree become boxes if that is
@@ -651,9 +649,8 @@ struct Found {
 impl Found {
     /// What is in main memory is left out here.
     fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
-        let without_spheres = streamed.is_some_and(|streamed| streamed.with_spheres);
-        let is_streamed =
-            |shape: &nff::Shape| without_spheres && matches!(shape, nff::Shape::Sphere { .. });
+        let in_main_memory = streamed.map(|it| it.kinds).unwrap_or_default();
+        let is_streamed = |shape: &nff::Shape| in_main_memory.holds(shape);
         let Self {
             mut found,
             mut objects,

@@ -13,6 +13,7 @@ use super::polygons::{self, check_vertices};
 use super::primitive::{Primitive, PrimitiveKind};
 use super::source_location::SourceLocation;
 use crate::scene::eye_side::EyeSide;
+use crate::scene::mesh::Slant;
 use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
@@ -195,13 +196,12 @@ impl Head {
                 radii,
                 hollow,
             } => {
-                let growth = primitive.growth();
-                let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
+                let Slant { gain, slope } = Slant::of(primitive.growth(), hollow);
                 Self {
                     centre: base,
                     gain,
                     axis,
-                    slope: -gain * growth,
+                    slope,
                     offset: gain * radii[0],
                     extent: height + radii[0].max(radii[1]),
                 }

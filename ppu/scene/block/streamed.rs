@@ -1,5 +1,5 @@
-//! The part of a scene that SPUs stream from main memory: its mesh, and spheres if there are too
-//! many; and what of these is in local store.
+//! The part of a scene that SPUs stream from main memory: its mesh, and spheres or cones if there
+//! are too many; and what of these is in local store.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -19,12 +19,69 @@ use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::Colour;
-use crate::scene::mesh::{MeshBlocks, MeshSphere, NumberWidth, Numbers, RESIDENT};
+use crate::scene::mesh::{
+    MeshBlocks, MeshCone, MeshObjects, MeshSphere, NumberWidth, Numbers, RESIDENT,
+};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
 /// The fewest blocks that the cache has room for.
 const LEAST_SLOTS: usize = 8;
+
+/// The kinds of a scene's objects that are in main memory beside its mesh.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct InMainMemory {
+    spheres: bool,
+    cones: bool,
+}
+
+impl InMainMemory {
+    const SPHERES: Self = Self {
+        spheres: true,
+        cones: false,
+    };
+    const CONES: Self = Self {
+        spheres: false,
+        cones: true,
+    };
+    const BOTH: Self = Self {
+        spheres: true,
+        cones: true,
+    };
+
+    /// What may be in main memory of a scene that local store has no room for, in the order in
+    /// which it is to be tried: one kind if that is enough, as objects in local store are quicker.
+    /// Choices that leave more there than it could ever hold are left out, for a tree of very many
+    /// spheres takes time.
+    pub fn choices(scene: &Scene) -> Vec<Self> {
+        let count = |kind: Self| {
+            let objects = scene.objects.iter();
+            objects.filter(|object| kind.holds(&object.shape)).count()
+        };
+        let [spheres, cones] = [Self::SPHERES, Self::CONES].map(count);
+        let room = (EYE_CODE - SCENE_ADDRESS) as usize - LEAST_SLOTS * MESH_BLOCK as usize;
+        let mut choices = Vec::new();
+        if spheres > 0 && cones * size_of::<layout::Cone>() <= room {
+            choices.push(Self::SPHERES);
+        }
+        if cones > 0 && spheres * size_of::<layout::Object>() <= room {
+            choices.push(Self::CONES);
+        }
+        if spheres > 0 && cones > 0 {
+            choices.push(Self::BOTH);
+        }
+        choices
+    }
+
+    /// Whether a shape is among them.
+    pub fn holds(self, shape: &Shape) -> bool {
+        match shape {
+            Shape::Sphere { .. } => self.spheres,
+            Shape::Cone { .. } => self.cones,
+            Shape::Polygon { .. } | Shape::Patch { .. } => false,
+        }
+    }
+}
 
 /// A scene's mesh in main memory.
 #[derive(Clone, Debug)]
@@ -37,8 +94,8 @@ pub(super) struct Streamed {
     origin: DVec3,
     /// The corners of the box around it.
     bounds: [DVec3; 2],
-    /// Whether the scene's spheres are there, too.
-    pub with_spheres: bool,
+    /// The scene's objects that are there, too.
+    pub kinds: InMainMemory,
     /// The address of the first of its materials, which are in a row, if they are in local store.
     materials: u32,
     /// Its materials, if they are in main memory.
@@ -73,23 +130,20 @@ pub struct MeshPlace<'a> {
 }
 
 impl Streamed {
-    /// The blocks of a scene's mesh, and of its spheres if they are to be in main memory too;
-    /// `None` if there is nothing for these. Materials have numbers at least so wide.
+    /// The blocks of a scene's mesh, and of its objects of these kinds; `None` if there is nothing
+    /// for these. Materials have numbers at least so wide.
     pub fn of(
         source: Source<'_>,
-        with_spheres: bool,
+        kinds: InMainMemory,
         least: NumberWidth,
     ) -> Result<Option<Self>, BlockError> {
         let Source { scene, firsts, .. } = source;
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
-            None => origin_of_spheres(scene),
+            None => origin_of_objects(scene),
         };
-        let spheres = match with_spheres {
-            true => spheres(scene, origin)?,
-            false => Vec::new(),
-        };
-        if scene.mesh.is_none() && spheres.is_empty() {
+        let objects = objects(scene, kinds, origin)?;
+        if scene.mesh.is_none() && objects.is_empty() {
             return Ok(None);
         }
         let wrong = |source| BlockError::Mesh {
@@ -100,13 +154,15 @@ impl Streamed {
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
         let numbers = Numbers { firsts, least };
         let colour = source.options.colour;
-        let blocks = MeshBlocks::numbered(mesh, &spheres, &scene.materials, numbers, colour);
+        let blocks = MeshBlocks::numbered(mesh, &objects, &scene.materials, numbers, colour);
         let blocks = blocks.map_err(wrong)?;
-        let corners = spheres.iter().flat_map(|sphere| {
-            let centre = origin + sphere.centre.as_dvec3();
-            let radius = f64::from(sphere.radius.abs());
+        let of_spheres = objects.spheres.iter().flat_map(|sphere| {
+            let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
             [centre - radius, centre + radius]
         });
+        let of_cones = objects.cones.iter().flat_map(MeshCone::corners);
+        let corners = of_spheres.chain(of_cones.map(|corner| corner.as_dvec3()));
+        let corners = corners.map(|corner| origin + corner);
         let bounds = mesh.bounds().map(|(low, high)| [low, high]);
         let bounds = corners.fold(bounds, |bounds, corner| {
             let [low, high] = bounds.unwrap_or([corner; 2]);
@@ -116,7 +172,7 @@ impl Streamed {
             wasted_pictures: 0.0,
             origin,
             bounds: bounds.unwrap_or_default(),
-            with_spheres,
+            kinds,
             textures: textures(scene, &blocks, colour)?,
             blocks: Arc::new(blocks),
             materials: SCENE_ADDRESS,
@@ -247,30 +303,31 @@ fn textures(
     Ok((!found.is_empty()).then(|| Arc::new(Textures::new(found, colour))))
 }
 
-/// The origin for the spheres of a scene that has no mesh.
-fn origin_of_spheres(scene: &Scene) -> DVec3 {
-    let spheres = scene
+/// The origin for the spheres and cones of a scene that has no mesh.
+fn origin_of_objects(scene: &Scene) -> DVec3 {
+    let boxes = scene
         .objects
         .iter()
         .filter_map(|object| match object.shape {
             Shape::Sphere { centre, radius } => {
                 Some([centre - radius.abs(), centre + radius.abs()])
             }
-            _ => None,
+            Shape::Cone { base, apex, .. } => Some([base.min(apex), base.max(apex)]),
+            Shape::Polygon { .. } | Shape::Patch { .. } => None,
         });
-    let around = spheres
+    let around = boxes
         .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
     around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
 }
 
-/// A scene's spheres, with single precision, relative to an origin.
-fn spheres(scene: &Scene, origin: DVec3) -> Result<Vec<MeshSphere>, BlockError> {
-    let mut found = Vec::new();
+/// A scene's objects of these kinds, with single precision, relative to an origin.
+fn objects(scene: &Scene, kinds: InMainMemory, origin: DVec3) -> Result<MeshObjects, BlockError> {
+    let mut found = MeshObjects::default();
     for object in &scene.objects {
         let Some(material) = scene.materials.get(object.material as usize) else {
             continue;
         };
-        if !matches!(object.shape, Shape::Sphere { .. }) {
+        if !kinds.holds(&object.shape) {
             continue;
         }
         let place = SourceLocation {
@@ -278,13 +335,31 @@ fn spheres(scene: &Scene, origin: DVec3) -> Result<Vec<MeshSphere>, BlockError> 
             line: Some(object.line),
         };
         objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
-            if let Primitive::Sphere { centre, radius } = primitive {
-                found.push(MeshSphere {
+            let growth = primitive.growth() as f32;
+            match primitive {
+                Primitive::Sphere { centre, radius } => found.spheres.push(MeshSphere {
                     centre: (centre - origin).as_vec3(),
                     radius: radius as f32,
                     sides,
                     material: object.material,
-                });
+                }),
+                Primitive::Cone {
+                    base,
+                    axis,
+                    height,
+                    radii,
+                    hollow,
+                } => found.cones.push(MeshCone {
+                    base: (base - origin).as_vec3(),
+                    axis: axis.as_vec3(),
+                    height: height as f32,
+                    radius: radii[0] as f32,
+                    growth,
+                    hollow,
+                    sides,
+                    material: object.material,
+                }),
+                Primitive::Rectangle { .. } | Primitive::Triangle { .. } => {}
             }
             Ok(())
         })?;

@@ -23,12 +23,32 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
     if !are_many(shapes.clone()) {
         return Cow::Borrowed(scene);
     }
-    let keeps_quads = keeps_quads(shapes.clone());
-    let corners = 3 * shapes.map(size).sum::<usize>();
+    Cow::Owned(with_polygons_in_mesh(scene, keeps_quads(shapes)))
+}
+
+/// The scene with all of its polygons and patches in its mesh, for scenes whose other shapes need
+/// their room; `None` if it has none that can be there, so that this changes nothing.
+#[must_use]
+pub(crate) fn gathered_all(scene: &Scene) -> Option<Scene> {
+    let mut shapes = scene.objects.iter().map(|object| &object.shape);
+    if !shapes.any(|shape| size(shape) > 0) {
+        return None;
+    }
+    let gathered = with_polygons_in_mesh(scene, false);
+    (gathered.objects.len() < scene.objects.len()).then_some(gathered)
+}
+
+fn with_polygons_in_mesh(scene: &Scene, keeps_quads: bool) -> Scene {
     let is_moved = |object: &Object| {
         let is_kept = keeps_quads && is_quad(&object.shape);
-        size(&object.shape) > 0 && knows_material(object) && !is_kept
+        let knows_material = (object.material as usize) < scene.materials.len();
+        size(&object.shape) > 0 && knows_material && !is_kept
     };
+    let corners = 3 * scene
+        .objects
+        .iter()
+        .map(|it| size(&it.shape))
+        .sum::<usize>();
     let mut gatherer = Gatherer::new(scene, corners);
     let mut rest = Vec::new();
     for object in &scene.objects {
@@ -36,7 +56,7 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
             rest.push(object.clone());
         }
     }
-    Cow::Owned(Scene {
+    Scene {
         name: scene.name.clone(),
         view: scene.view.clone(),
         lights: scene.lights.clone(),
@@ -44,7 +64,7 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
         objects: rest,
         mesh: Some(Arc::new(gatherer.mesh)),
         ..*scene
-    })
+    }
 }
 
 /// Whether so many of the shapes are polygons and patches that these are gathered.
@@ -182,6 +202,18 @@ mod tests {
         for (triangle, object) in scene.objects.iter().enumerate() {
             assert_eq!(mesh.shape(triangle), object.shape);
         }
+    }
+
+    #[test]
+    fn all_polygons_are_gathered_if_they_must_be() {
+        let few = scene("tetra:1");
+        let gathered = gathered_all(&few).expect("polygons");
+        assert!(gathered.objects.is_empty());
+        assert_eq!(gathered.mesh.map(|mesh| mesh.triangles.len()), Some(16));
+        assert!(gathered_all(&scene("sphereflake:0")).is_some(), "the floor");
+        let mut balls = scene("sphereflake:1");
+        balls.objects.retain(|object| size(&object.shape) == 0);
+        assert!(gathered_all(&balls).is_none());
     }
 
     #[test]

@@ -1,21 +1,23 @@
-//! Meshes and spheres in the form that SPUs stream from main memory: a BVH of boxes over triangles
-//! and spheres, cut into blocks of one DMA transfer each.
+//! Meshes, spheres and cones in the form that SPUs stream from main memory: a BVH of boxes over
+//! triangles, spheres and cones, cut into blocks of one DMA transfer each.
 //!
 //! A block has nodes in a few complete levels, and a leaf block also its triangles with their
-//! vertices and texture coordinates, or its spheres (`docs/work-unit.md`). Positions are the
-//! mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the
+//! vertices and texture coordinates, or its spheres or cones (`docs/work-unit.md`). Positions are
+//! the mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the
 //! surface area heuristic until they fit a leaf block each; near that size the heuristic counts
 //! blocks instead of triangles, so that blocks get full.
 //!
-//! Invariant: every sphere, and every triangle with an area, is in exactly one leaf block. A
+//! Invariant: every sphere, cone, and triangle with an area is in exactly one leaf block. A
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A
 //! triangle without an area is left out: no ray hits it.
 
 mod colour;
+mod cone;
 mod cut;
 mod gather;
 mod leaf;
 mod normal;
+mod objects;
 mod refit;
 mod sphere;
 mod statistics;
@@ -37,13 +39,16 @@ use self::tree::{Bounds, Kind, Piece, Tree};
 use super::Colour;
 use super::single::LARGEST;
 
+pub use self::cone::MeshCone;
+pub(crate) use self::cone::Slant;
 pub use self::gather::gathered;
-pub(crate) use self::gather::{RESIDENT, are_many};
+pub(crate) use self::gather::{RESIDENT, are_many, gathered_all};
+pub use self::objects::MeshObjects;
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 
-/// The kinds of pieces: triangles by their sides, then spheres.
-const KINDS: [Kind; 9] = [
+/// The kinds of pieces: triangles by their sides, then spheres and cones.
+const KINDS: [Kind; 10] = [
     Kind::Triangles(0),
     Kind::Triangles(SIDES_BOTH),
     Kind::Triangles(SIDES_SMOOTH),
@@ -53,9 +58,12 @@ const KINDS: [Kind; 9] = [
     Kind::Triangles(SIDES_TEXTURED | SIDES_SMOOTH),
     Kind::Triangles(SIDES_TEXTURED | SIDES_BOTH | SIDES_SMOOTH),
     Kind::Spheres,
+    Kind::Cones,
 ];
 /// The place of spheres among them.
-const SPHERES: usize = 8;
+const SPHERES: usize = KINDS.len() - 2;
+/// The place of cones.
+const CONES: usize = KINDS.len() - 1;
 
 /// Why a mesh can't be converted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -71,7 +79,7 @@ pub enum MeshError {
         /// Its position.
         position: [f32; 3],
     },
-    /// The triangles and spheres have too many materials.
+    /// The triangles and objects have too many materials.
     #[error("the scene's objects have {0} different materials; there may be {STREAMED_MATERIALS}")]
     TooManyMaterials(usize),
     /// The triangles take too many blocks.
@@ -118,20 +126,21 @@ pub struct MeshBlocks {
 }
 
 impl MeshBlocks {
-    /// Builds the BVH of a mesh and of spheres whose materials are in `materials`, and cuts it into
-    /// blocks. Their positions are relative to the mesh's origin. Each material that has a triangle
-    /// or a sphere has its own number, and the numbers are as narrow as they can be. Colours of vertices are light.
+    /// Builds the BVH of a mesh and of objects whose materials are in `materials`, and cuts it
+    /// into blocks. Their positions are relative to the mesh's origin. Each material that has a
+    /// triangle or an object has its own number, and the numbers are as narrow as they can be.
+    /// Colours of vertices are light.
     ///
     /// # Errors
-    /// - No triangle has an area, and there is no sphere.
+    /// - No triangle has an area, and there is no object.
     /// - A coordinate is out of range.
     /// - There are more materials or blocks than the SPUs support.
     ///
     /// # Panics
-    /// A triangle has a vertex, or it or a sphere a material, that doesn't exist.
+    /// A triangle has a vertex, or it or an object a material, that doesn't exist.
     pub fn new(
         mesh: &Mesh,
-        spheres: &[MeshSphere],
+        objects: &MeshObjects,
         materials: &[Material],
     ) -> Result<Self, MeshError> {
         let own: Vec<u32> = (0..).take(materials.len()).collect();
@@ -139,14 +148,14 @@ impl MeshBlocks {
             firsts: &own,
             least: NumberWidth::Byte,
         };
-        Self::numbered(mesh, spheres, materials, numbers, Colour::Linear)
+        Self::numbered(mesh, objects, materials, numbers, Colour::Linear)
     }
 
     /// [`MeshBlocks::new`] where materials may share their numbers, and where `colour` says what
     /// the colours of vertices are.
     pub(super) fn numbered(
         mesh: &Mesh,
-        spheres: &[MeshSphere],
+        objects: &MeshObjects,
         materials: &[Material],
         Numbers { firsts, least }: Numbers<'_>,
         colour: Colour,
@@ -173,13 +182,11 @@ impl MeshBlocks {
                 used.len() - 1
             });
         };
-        for (index, sphere) in spheres.iter().enumerate() {
-            number(sphere.material as usize);
-            kinds[SPHERES].push(Piece {
-                bounds: sphere.bounds(),
-                index: index as u32,
-            });
+        for material in objects.materials() {
+            number(material as usize);
         }
+        kinds[SPHERES] = objects.sphere_pieces();
+        kinds[CONES] = objects.cone_pieces();
         for (triangle, &material) in mesh.materials.iter().enumerate() {
             let corners = mesh.corners(triangle);
             let [a, b, c] = corners.map(|corner| corner.as_dvec3());
@@ -234,7 +241,7 @@ impl MeshBlocks {
         let colours: Vec<u32> = mesh.colours.iter().map(|it| packed(*it, colour)).collect();
         let content = write::Content {
             mesh,
-            spheres,
+            objects,
             numbers: &numbers,
             colours: &colours,
         };

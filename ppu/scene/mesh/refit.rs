@@ -4,7 +4,8 @@
 use glam::{DVec3, Vec3};
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX, SIDES_SMOOTH,
+    Boxes, MESH_CONES, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX,
+    SIDES_SMOOTH,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
@@ -17,8 +18,8 @@ use super::{Block, MeshBlocks};
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
-    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres,
-    /// too.
+    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres or
+    /// cones, too.
     #[must_use]
     pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
         let mut refitted = self.clone();
@@ -59,7 +60,7 @@ fn refit(
     let (vertices, rest) = <[MeshVertex]>::mut_from_prefix_with_elems(rest, count).ok()?;
     let count = header.triangles.get() as usize;
     let is_leaf = header.kind.get() == MESH_LEAF;
-    if header.kind.get() == MESH_SPHERES {
+    if matches!(header.kind.get(), MESH_SPHERES | MESH_CONES) {
         return None;
     }
     let (faces, _) = <[MeshFace]>::ref_from_prefix_with_elems(rest, count).ok()?;

@@ -10,6 +10,8 @@ pub struct MeshStatistics {
     pub triangles: usize,
     /// Spheres in blocks.
     pub spheres: usize,
+    /// Cones in blocks.
+    pub cones: usize,
     /// Triangles without an area, which are in no block.
     pub left_out: usize,
     /// Leaf blocks.
@@ -24,9 +26,17 @@ pub struct MeshStatistics {
     pub expected_triangles: f64,
     /// Spheres that a ray is tested with.
     pub expected_spheres: f64,
+    /// Cones that a ray is tested with.
+    pub expected_cones: f64,
 }
 
 impl MeshStatistics {
+    /// What is in blocks: triangles, spheres and cones.
+    #[must_use]
+    pub fn objects(&self) -> usize {
+        self.triangles + self.spheres + self.cones
+    }
+
     /// All bytes by the number of triangles.
     #[must_use]
     pub fn bytes_a_triangle(&self) -> f64 {

@@ -1,4 +1,5 @@
-//! A binary tree over a mesh's triangles, or over spheres, by the surface area heuristic in bins.
+//! A binary tree over a mesh's triangles, over spheres or over cones, by the surface area
+//! heuristic in bins.
 //! Its leaves are the contents of leaf blocks.
 //!
 //! Invariant: every piece is in the range of exactly one leaf, and the pieces of a leaf fit a
@@ -23,8 +24,8 @@ const BINS: usize = 16;
 const FILL: f64 = 0.82;
 /// Nodes of a leaf block with two levels.
 const LEAF_NODES: usize = 5;
-/// Spheres of a leaf block: four for each of its lowest nodes.
-const SPHERES: usize = WIDTH * (LEAF_NODES - 1);
+/// Spheres or cones of a leaf block: four for each of its lowest nodes.
+const OBJECTS: usize = WIDTH * (LEAF_NODES - 1);
 /// Up to so many blocks' pieces are divided into whole blocks.
 const FEW_BLOCKS: usize = 8;
 
@@ -64,6 +65,7 @@ pub(super) enum Kind {
     /// Triangles with these `SIDES_` bits.
     Triangles(u32),
     Spheres,
+    Cones,
 }
 
 impl Kind {
@@ -78,16 +80,16 @@ impl Kind {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
                 size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
             }
-            Self::Triangles(_) | Self::Spheres => size_of::<MeshVertex>() + colour,
+            Self::Triangles(_) | Self::Spheres | Self::Cones => size_of::<MeshVertex>() + colour,
         }
     }
 }
 
-/// A triangle or a sphere, and its box.
+/// A triangle, a sphere or a cone, and its box.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     pub bounds: Bounds,
-    /// The triangle's index in the mesh, or the sphere's.
+    /// The triangle's index in the mesh, or that of the sphere or the cone.
     pub index: u32,
 }
 
@@ -151,7 +153,7 @@ impl<'a> Tree<'a> {
         let bounds = around(&self.pieces[pieces.clone()]);
         let (fits, capacity) = match kind {
             Kind::Triangles(_) => (self.fits(kind, pieces.clone()), self.capacity(kind)),
-            Kind::Spheres => (pieces.len() <= SPHERES, SPHERES),
+            Kind::Spheres | Kind::Cones => (pieces.len() <= OBJECTS, OBJECTS),
         };
         if fits {
             self.nodes.push(Node {

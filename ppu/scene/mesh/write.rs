@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use nff::Mesh;
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_BLOCKS, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN, MESH_SPHERES,
-    MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex, NO_BOX, Object,
-    SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
+    Boxes, Cone, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN,
+    MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
+    NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
@@ -15,7 +15,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 use super::cut::{Branch, cut};
 use super::leaf::{WIDTH, run_bounds, runs};
 use super::normal::packed;
-use super::sphere::MeshSphere;
+use super::objects::MeshObjects;
 use super::statistics::MeshStatistics;
 use super::tree::{Bounds, Kind, Node, Tree, around};
 use super::{Block, MeshBlocks, MeshError, NumberWidth};
@@ -29,7 +29,7 @@ pub(super) const RUN_SHIFT: u32 = 16;
 #[derive(Clone, Copy)]
 pub(super) struct Content<'a> {
     pub mesh: &'a Mesh,
-    pub spheres: &'a [MeshSphere],
+    pub objects: &'a MeshObjects,
     /// The number of each material of the scene.
     pub numbers: &'a [u32],
     /// The packed colours of the mesh's vertices, if there are any.
@@ -62,9 +62,10 @@ pub(super) fn blocks(
         sources: Vec::new(),
         cost: 0.0,
         statistics: MeshStatistics {
-            triangles: pieces.len() - spheres.len(),
-            spheres: spheres.len(),
-            left_out: mesh.triangles.len() + spheres.len() - pieces.len(),
+            triangles: pieces.len() - objects.len(),
+            spheres: objects.spheres.len(),
+            cones: objects.cones.len(),
+            left_out: mesh.triangles.len() + objects.len() - pieces.len(),
             ..MeshStatistics::default()
         },
     };
@@ -78,8 +79,8 @@ pub(super) fn blocks(
             let kind = ends.iter().find(|(end, _)| node.pieces.start < *end);
             let own = &mut pieces[node.pieces.clone()];
             blocks.push(match kind {
-                Some((_, Kind::Spheres)) => writer.spheres(number, own),
                 Some(&(_, Kind::Triangles(sides))) => writer.leaf(number, sides, own),
+                Some(&(_, kind)) => writer.of_objects(number, kind, own),
                 None => continue,
             });
         } else {
@@ -226,31 +227,43 @@ impl Writer<'_> {
         block
     }
 
-    fn spheres(&mut self, number: u32, pieces: &mut [super::Piece]) -> Block {
+    fn of_objects(&mut self, number: u32, kind: Kind, pieces: &mut [super::Piece]) -> Block {
+        let (kind_of_block, size, expected) = match kind {
+            Kind::Cones => (
+                MESH_CONES,
+                size_of::<Cone>(),
+                &mut self.statistics.expected_cones,
+            ),
+            _ => (
+                MESH_SPHERES,
+                size_of::<Object>(),
+                &mut self.statistics.expected_spheres,
+            ),
+        };
         let groups = runs(pieces, 1, WIDTH);
         let nodes = groups.len() + usize::from(groups.len() > 1);
         let mut rest = pieces.iter();
-        let mut records = Vec::with_capacity(pieces.len());
+        let mut records = Vec::with_capacity(pieces.len() * size);
         let mut lowest = Vec::with_capacity(groups.len());
         for group in &groups {
             let mut children = Vec::with_capacity(group.len());
             for piece in rest.by_ref().take(group.len()) {
-                let place = records.len() * size_of::<Object>();
-                children.push((piece.bounds, offset(nodes) + place as u32));
-                let sphere = &self.content.spheres[piece.index as usize];
-                let material = self.content.numbers[sphere.material as usize];
-                records.push(sphere.record(material));
-                self.statistics.expected_spheres += self.share(piece.bounds);
+                children.push((piece.bounds, offset(nodes) + records.len() as u32));
+                let Content {
+                    objects, numbers, ..
+                } = self.content;
+                objects.write(kind, piece.index, numbers, &mut records);
+                *expected += piece.bounds.area() / self.whole;
             }
             lowest.push(children);
         }
         self.statistics.leaves += 1;
         let (nodes, levels) = under_a_root(lowest);
         let header = MeshHeader {
-            triangles: (records.len() as u32).into(),
-            ..header(number, MESH_SPHERES, levels, nodes.len())
+            triangles: (pieces.len() as u32).into(),
+            ..header(number, kind_of_block, levels, nodes.len())
         };
-        self.block(around(pieces), &header, &nodes, &[records.as_bytes()])
+        self.block(around(pieces), &header, &nodes, &[&records])
     }
 
     /// Writes an inner block. `child` gives a node of the tree a block's number.

@@ -2,7 +2,9 @@
 //! while it is traced through them.
 //!
 //! A block is `MESH_BLOCK` bytes: a `MESH_HEADER`, `BOXES` for each of its nodes, then
-//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, then zeros. With
+//! `MESH_VERTEX` and `MESH_FACE` records, or an `OBJECT` for each sphere, or a `CONE` for each
+//! cone, then zeros. In these, `material` is the material's number among the mesh's, and `leave`
+//! how far a cone's surface is from its base at most, less its offset, or 0. With
 //! `SIDES_TEXTURED`, `MESH_UV` records of the vertices begin at the next quadword. With
 //! `SIDES_COLOURED`, `MESH_COLOUR` records of the vertices begin at the quadword after these. With
 //! `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
@@ -20,13 +22,13 @@ record! {
         magic: U32,
         /// The block's own number.
         number: U32,
-        /// `MESH_INNER`, `MESH_LEAF` or `MESH_SPHERES`.
+        /// `MESH_INNER`, `MESH_LEAF`, `MESH_SPHERES` or `MESH_CONES`.
         kind: U32,
         /// Levels of nodes, 1 to `MESH_LEVELS`.
         levels: U32,
         /// Nodes.
         nodes: U32,
-        /// Triangles, at most `MESH_FACES`, or spheres; 0 in an inner block.
+        /// Triangles, at most `MESH_FACES`, or spheres, or cones; 0 in an inner block.
         triangles: U32,
         /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
@@ -54,7 +56,7 @@ record! {
         hi_z: [F32; 4],
         /// Above the lowest level, offsets of nodes in the block. There, in an inner block, numbers
         /// of blocks; in a leaf, runs of triangles: four times the first one's index, and their
-        /// number, 1 to `MESH_RUN`, times 2^16; or the offsets of spheres in the block.
+        /// number, 1 to `MESH_RUN`, times 2^16; or the offsets of spheres or cones in the block.
         child: [U32; 4],
     }
 }

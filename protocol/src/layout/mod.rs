@@ -209,6 +209,8 @@ constants! {
     MESH_LEAF = 1;
     /// `kind` of a block: its children are spheres.
     MESH_SPHERES = 2;
+    /// `kind` of a block: its children are cones.
+    MESH_CONES = 3;
     /// Most levels of nodes in a block.
     MESH_LEVELS = 3;
     /// Most triangles of a block: an index of 7 bits.

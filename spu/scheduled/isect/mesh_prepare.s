@@ -6,16 +6,16 @@
 #           how many blocks there are, $7 how many materials, $8 the bits that `sides` may have;
 #           pointers 16-aligned
 #   Out     $3 0, or something else if the block is damaged. Then its positions may be anything.
-#   Uses    $2-$71, $79   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$75, $79   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0: boxes hold what they held, with a slack of 2^-19 of the largest magnitude of their
 #           coordinates or more
 #   Twin    lab/twins/src/mesh_prepare.rs
 #
 # What is checked is what makes the traversal end and stay within the lists: the levels of nodes
-# are complete, runs have triangles of the block, triangles have vertices of the block, they and
-# spheres have materials of the scene, and children come after their parents. A lane of a node
-# without a child must have the box that no ray meets.
+# are complete, runs have triangles of the block, triangles have vertices of the block, they,
+# spheres and cones have materials of the scene, and children come after their parents. A lane of a
+# node without a child must have the box that no ray meets.
 #
 # All boxes of a block get the slack of its root, which holds the others.
 # Scheduled by spu schedule from mesh_prepare.s
@@ -35,7 +35,7 @@
         # the nodes
         registers a_node                                # address
         registers below                                 # offset of the next child above the lowest
-        registers of_spheres,k_objects,k_last           # where spheres begin, and the last one from there
+        registers of_objects,k_objects,k_last           # where these begin, the last from there
         registers a_level_end                           # where the current level ends
         registers a_end
         registers a_low,low                             # the lowest level's first node, and how many
@@ -52,6 +52,12 @@
         registers moved                                 # to 66
         .set    NEXT,moved+4
         registers eye,m_xyz,face,limit
+        # a sphere's or a cone's record: its bytes, its quadwords, and 512 by these
+        registers of_spheres,k_size,k_quads,k_part
+
+    .if CONE_SIZE != 1<<6
+        .error  "a cone's record has another size than is multiplied by here"
+    .endif
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -65,16 +71,16 @@ first_boxes:
 .endm
 
 function mesh_prepare
-        .set wrong_2,2; .set wrong_3,5; .set t_2,9; .set t_3,10; .set t_4,5; .set wrong_4,9
-        .set wrong_5,8; .set t_5,2; .set t_6,8; .set left_2,79; .set hi_y_2,5; .set lo_x_2,2
-        .set a_node_2,9; .set hi_x_2,8; .set lo_z_2,5; .set hi_x_3,2; .set hi_z_2,8; .set low_2,79
-        .set vertex_2,2; .set vertex1_2,3; .set vertex2_2,4; .set vertex3_2,5; .set a_again_2,2
-        .set face_2,2; .set vertex_3,3; .set bad_2,4; .set child_2,2; .set a_low_2,3
-        .set a_low_3,2; .set child_3,3; .set a_low_4,4; .set t_7,3; .set t_8,6; .set absent_2,4
-        .set firsts_2,5; .set firsts_3,9; .set wrong_6,3; .set firsts_4,7; .set wrong_7,6
-        .set absent_3,10; .set firsts_5,6; .set wrong_8,7; .set absent_4,8; .set wrong_9,4
-        .set a_vertex_2,3; .set face_3,4; .set vertex_4,5; .set moved_2,4; .set moved_3,5
-        .set a_again_3,6; .set vertex_5,7; .set hi_x_4,5; .set firsts_6,3
+        .set wrong_2,2; .set wrong_3,5; .set wrong_4,9; .set t_2,10; .set t_3,11; .set t_4,9
+        .set t_5,5; .set wrong_5,8; .set t_6,2; .set t_7,8; .set left_2,79; .set hi_y_2,5
+        .set lo_x_2,2; .set a_node_2,9; .set hi_x_2,8; .set lo_z_2,5; .set hi_x_3,2; .set hi_z_2,8
+        .set low_2,79; .set vertex_2,2; .set vertex1_2,3; .set vertex2_2,4; .set vertex3_2,5
+        .set a_again_2,2; .set face_2,2; .set vertex_3,3; .set bad_2,4; .set child_2,2
+        .set a_low_2,3; .set a_low_3,2; .set child_3,3; .set a_low_4,4; .set t_8,3; .set t_9,6
+        .set absent_2,4; .set firsts_2,5; .set firsts_3,9; .set wrong_6,3; .set firsts_4,7
+        .set wrong_7,6; .set absent_3,10; .set firsts_5,6; .set wrong_8,7; .set absent_4,8
+        .set wrong_9,4; .set a_vertex_2,3; .set face_3,4; .set vertex_4,5; .set moved_2,4
+        .set moved_3,5; .set a_again_3,6; .set vertex_5,7; .set hi_x_4,5; .set firsts_6,3
         ilhu    $t,0x4d45                               # 0e
         lqd     $header,0($a_block)                     # 0o
         il      $bad,0                                  # 1e
@@ -89,60 +95,64 @@ function mesh_prepare
         lnop                                            # 5o pairing
         xor     $wrong_2,$header,$t                     # 6e
         rotqbyi $t,$header,4                            # 6o
-        ori     $nodes,$counts,0                        # 7e
-        rotqbyi $triangles,$counts,4                    # 7o
+        ila     $m_splat,0x10203                        # 7e
+        rotqbyi $nodes,$counts,0                        # 7o
         or      $bad,$bad,$wrong_2                      # 8e
-        rotqbyi $kind,$header,8                         # 8o
-        mpyi    $a_end,$nodes,112                       # 9e
-        rotqbyi $levels,$header,12                      # 9o
+        rotqbyi $triangles,$counts,4                    # 8o
+        il      $below,144                              # 9e
+        rotqbyi $kind,$header,8                         # 9o
         xor     $wrong_2,$t,$number                     # 10e
-        rotqbyi $vertices,$counts,8                     # 10o
-        mpyi    $wrong_3,$triangles,48                  # 11e
-        rotqbyi $t,$counts,12                           # 11o
-        or      $bad,$bad,$wrong_2                      # 12e
-        clgti   $wrong_2,$kind,2                        # 13e
-        ai      $t_2,$levels,-1                         # 14e
-        or      $bad,$bad,$wrong_2                      # 15e
-        clgti   $wrong_2,$t_2,2                         # 16e
-        ai      $t_2,$nodes,-1                          # 17e
-        shli    $t_3,$vertices,4                        # 18e
-        shli    $expected,$triangles,2                  # 19e
-        or      $bad,$bad,$wrong_2                      # 20e
-        clgti   $wrong_2,$t_2,17                        # 21e
-        ceqi    $of_spheres,$kind,2                     # 22e
-        or      $bad,$bad,$wrong_2                      # 23e
-        clgti   $wrong_2,$triangles,127                 # 24e
-        a       $t_2,$t_3,$a_end                        # 25e
-        selb    $wrong_3,$expected,$wrong_3,$of_spheres # 26e
-        or      $bad,$bad,$wrong_2                      # 27e
-        clgti   $wrong_2,$vertices,255                  # 28e
-        and     $coordinates,$coordinates,$t            # 29e
-        a       $t_4,$t_2,$wrong_3                      # 30e
-        shli    $wrong_4,$vertices,3                    # 31e
-        or      $bad,$bad,$wrong_2                      # 32e
-        andc    $wrong_2,$t,$sides                      # 33e
-        ceqi    $wrong_5,$kind,1                        # 34e
-        ceqi    $t,$vertices,0                          # 35e
-        ai      $t_4,$t_4,15                            # 36e
-        cgti    $coordinates,$coordinates,0             # 37e
-        or      $bad,$bad,$wrong_2                      # 38e
-        ceq     $wrong_2,$wrong_5,$t                    # 39e
-        ceqi    $kind,$kind,0                           # 40e
-        ceqi    $t,$triangles,0                         # 41e
-        andi    $t_4,$t_4,-16                           # 42e
-        and     $wrong_5,$wrong_4,$coordinates          # 43e
-        or      $bad,$bad,$wrong_2                      # 44e
-        xor     $wrong_2,$t,$kind                       # 45e
-        a       $t,$t_4,$wrong_5                        # 46e
-        or      $bad,$bad,$wrong_2                      # 47e
-        cgt     $wrong,$t,$wrong                        # 48e
-        ila     $m_splat,0x10203                        # 49e
-        or      $bad,$bad,$wrong                        # 50e
-        il      $below,144                              # 51e
-        and     $bad,$bad,$k_least_one                  # 52e
-        ai      $a_level_end,$a_low,112                 # 53e
-        a       $a_end,$a_end,$a_low                    # 54e
+        rotqbyi $levels,$header,12                      # 10o
+        mpyi    $a_end,$nodes,112                       # 11e
+        rotqbyi $vertices,$counts,8                     # 11o
+        mpyi    $wrong_3,$triangles,48                  # 12e
+        shlqbii $expected,$triangles,2                  # 12o
+        or      $bad,$bad,$wrong_2                      # 13e
+        shlqbii $wrong_2,$triangles,6                   # 13o cones: a size of 2^6
+        clgti   $wrong_4,$kind,3                        # 14e
+        rotqbyi $t,$counts,12                           # 14o
+        ai      $t_2,$levels,-1                         # 15e
+        or      $bad,$bad,$wrong_4                      # 16e
+        clgti   $wrong_4,$t_2,2                         # 17e
+        ai      $t_2,$nodes,-1                          # 18e
+        cgti    $of_objects,$kind,1                     # 19e
+        shli    $t_3,$vertices,4                        # 20e
+        or      $bad,$bad,$wrong_4                      # 21e
+        clgti   $wrong_4,$t_2,17                        # 22e
+        ceqi    $of_spheres,$kind,2                     # 23e
+        selb    $expected,$expected,$wrong_2,$of_objects # 24e
+        or      $bad,$bad,$wrong_4                      # 25e
+        clgti   $wrong_2,$triangles,127                 # 26e
+        a       $t_4,$t_3,$a_end                        # 27e
+        selb    $wrong_3,$expected,$wrong_3,$of_spheres # 28e
+        or      $bad,$bad,$wrong_2                      # 29e
+        clgti   $wrong_2,$vertices,255                  # 30e
+        and     $coordinates,$coordinates,$t            # 31e
+        a       $t_5,$t_4,$wrong_3                      # 32e
+        shli    $wrong_4,$vertices,3                    # 33e
+        or      $bad,$bad,$wrong_2                      # 34e
+        andc    $wrong_2,$t,$sides                      # 35e
+        ceqi    $wrong_5,$kind,1                        # 36e
+        ceqi    $t,$vertices,0                          # 37e
+        ai      $t_5,$t_5,15                            # 38e
+        cgti    $coordinates,$coordinates,0             # 39e
+        or      $bad,$bad,$wrong_2                      # 40e
+        ceq     $wrong_2,$wrong_5,$t                    # 41e
+        ceqi    $kind,$kind,0                           # 42e
+        ceqi    $t,$triangles,0                         # 43e
+        andi    $t_5,$t_5,-16                           # 44e
+        and     $wrong_5,$wrong_4,$coordinates          # 45e
+        or      $bad,$bad,$wrong_2                      # 46e
+        xor     $wrong_2,$t,$kind                       # 47e
+        a       $t,$t_5,$wrong_5                        # 48e
+        or      $bad,$bad,$wrong_2                      # 49e
+        cgt     $wrong,$t,$wrong                        # 50e
+        ai      $a_level_end,$a_low,112                 # 51e
+        or      $bad,$bad,$wrong                        # 52e
+        a       $a_end,$a_end,$a_low                    # 53e
+        and     $bad,$bad,$k_least_one                  # 54e
         ori     $a_node,$a_low,0                        # 55e
+        lnop                                            # 55o pairing
         ori     $low,$nodes,0                           # 56e
         brnz    $bad,damaged                            # 56o
 next_level:
@@ -161,17 +171,17 @@ upper:
         ceq     $expected,$expected,$child              # 7e
         xori    $valid,$absent,-1                       # 8e
         lnop                                            # 8o pairing
-        andc    $t_5,$k_least_one,$valid                # 10e
-        gb      $t_4,$valid                             # 10o
-        rotqmbyi $t_6,$valid,-4                         # 11o
-        cntb    $t_4,$t_4                               # 14e
-        or      $t_6,$t_6,$k_least_one                  # 15e lanes that may have a child
-        and     $t_6,$t_6,$expected                     # 17e
-        mpyi    $t_4,$t_4,112                           # 18e
-        andc    $wrong,$valid,$t_6                      # 19e
-        or      $wrong,$wrong,$t_5                      # 21e
+        andc    $t_6,$k_least_one,$valid                # 10e
+        gb      $t_5,$valid                             # 10o
+        rotqmbyi $t_7,$valid,-4                         # 11o
+        cntb    $t_5,$t_5                               # 14e
+        or      $t_7,$t_7,$k_least_one                  # 15e lanes that may have a child
+        and     $t_7,$t_7,$expected                     # 17e
+        mpyi    $t_5,$t_5,112                           # 18e
+        andc    $wrong,$valid,$t_7                      # 19e
+        or      $wrong,$wrong,$t_6                      # 21e
         or      $bad,$bad,$wrong                        # 23e
-        a       $below,$below,$t_4                      # 25e
+        a       $below,$below,$t_5                      # 25e
 upper_back:
         brz     $t,upper                                # 25o
         a       $a_level_end,$a_block,$below            # 27e
@@ -186,16 +196,16 @@ lowest:
         brz     $t,damaged                              # 2o
         ilhu    $t,1                                    # 3e
         lqd     $lo_x,0($a_node)                        # 3o
-        ilhu    $t_5,0x405                              # 4e
+        ilhu    $t_6,0x405                              # 4e
         lqd     $hi_x,48($a_node)                       # 4o
         iohl    $t,515                                  # 5e
         lqd     $lo_y,16($a_node)                       # 5o
-        iohl    $t_5,0x607                              # 6e
+        iohl    $t_6,0x607                              # 6e
         lqd     $hi_y,64($a_node)                       # 6o
         ilhu    $k_sign,0x8000                          # 7e
         shufb   $eye_x,$eye,$eye,$t                     # 7o
         il      $size,0                                 # 8e
-        shufb   $eye_y,$eye,$eye,$t_5                   # 8o
+        shufb   $eye_y,$eye,$eye,$t_6                   # 8o
         ilhu    $t,0x809                                # 9e
         lqd     $lo_z,32($a_node)                       # 9o
         ilhu    $slack,0x3600                           # 10e 2^-19
@@ -325,7 +335,7 @@ mesh_prepare_block:
         ori     $a_vertex,$a_end,0                      # 1e
         shufb   $triangles,$triangles,$triangles,$m_splat # 1o
         nop     $127                                    # 2e pairing
-        brnz    $of_spheres,spheres                     # 2o
+        brnz    $of_objects,objects                     # 2o
         nop     $127                                    # 3e pairing
         brnz    $kind,blocks_below                      # 3o
         clgti   $low_2,$low,1                           # 4e at least as many passes as overlap
@@ -342,10 +352,10 @@ mesh_prepare_block:
         ai      $t,$lengths,-1                          # 17e
         ceqi    $absent,$child,0                        # 18e
         clgti   $t,$t,7                                 # 19e
-        a       $t_5,$firsts,$lengths                   # 20e
+        a       $t_6,$firsts,$lengths                   # 20e
         or      $wrong,$wrong,$t                        # 21e
 next_runs:
-            clgt    $t,$t_5,$triangles                  # 0e
+            clgt    $t,$t_6,$triangles                  # 0e
         lqd     $child,96($a_low)                       # 0o
         ai      $a_low,$a_low,112                       # 1e
             or      $wrong,$wrong,$t                    # 2e
@@ -360,12 +370,12 @@ next_runs:
         ai      $t,$lengths,-1                          # 11e
         ceqi    $absent,$child,0                        # 12e
         clgti   $t,$t,7                                 # 13e
-        a       $t_5,$firsts,$lengths                   # 14e
+        a       $t_6,$firsts,$lengths                   # 14e
         or      $wrong,$wrong,$t                        # 15e
 next_runs_back:
         brnz    $low,next_runs                          # 15o
 next_runs_drain:
-        clgt    $t,$t_5,$triangles                      # 0e
+        clgt    $t,$t_6,$triangles                      # 0e
         or      $wrong,$wrong,$t                        # 2e
         andc    $wrong,$wrong,$absent                   # 4e
         or      $bad,$bad,$wrong                        # 6e
@@ -443,10 +453,10 @@ faces:
         rotmi   $left,$left,-2                          # 2e
         ai      $vertices,$vertices,-1                  # 3e
         iohl    $t,787                                  # 4e
-        andi    $t_5,$left,1                            # 6e
+        andi    $t_6,$left,1                            # 6e
         shufb   $limit,$vertices,$limit,$t              # 6o
         rotmi   $left,$left,-1                          # 7e
-        brz     $t_5,in_pairs                           # 8o
+        brz     $t_6,in_pairs                           # 8o
         lqd     $face,0($a_vertex)                      # 9o
         ai      $a_vertex,$a_vertex,16                  # 10e
         clgtb   $face,$face,$limit                      # 15e
@@ -526,50 +536,58 @@ next_blocks_drain:
         stqd    $child,96($a_low_2)                     # 3o
         orx     $a_block,$bad                           # 4o
         bi      $lr                                     # 5o
-spheres:
-        mpyi    $k_last,$triangles,48                   # 0e
-        sf      $k_objects,$a_block,$a_end              # 1e
-        clgti   $low_2,$low,3                           # 2e at least as many passes as overlap
-        lnop                                            # 2o pairing
-        ori     $left,$triangles,0                      # 3e
-        shufb   $k_objects,$k_objects,$k_objects,$m_splat # 3o
-        ori     $a_again,$a_vertex,0                    # 4e
-        lnop                                            # 4o pairing
-        ai      $k_last,$k_last,-48                     # 7e
-        brz     $low_2,next_lanes_short                 # 7o too few passes
-        ai      $a_low_3,$a_low,112                     # 8e
-        lqd     $child_3,96($a_low)                     # 8o
-        ai      $low,$low,-1                            # 9e
-        hbrr    next_lanes_back,next_lanes              # 9o hint
-        ai      $a_low_4,$a_low_3,112                   # 10e
-        lqd     $child_2,96($a_low_3)                   # 10o
-        ai      $low,$low,-1                            # 11e
+objects:
+        il      $k_size,64                              # 0e
+        shufb   $of_spheres,$of_spheres,$of_spheres,$m_splat # 0o
+        il      $t,48                                   # 1e
+        sf      $k_objects,$a_block,$a_end              # 2e
+        il      $k_part,128                             # 3e
+        lnop                                            # 3o pairing
+        selb    $k_size,$k_size,$t,$of_spheres          # 4e
+        shufb   $k_objects,$k_objects,$k_objects,$m_splat # 4o
+        il      $t,171                                  # 5e
+        mpy     $k_last,$triangles,$k_size              # 6e
+        clgti   $low_2,$low,3                           # 7e at least as many passes as overlap
+        selb    $k_part,$k_part,$t,$of_spheres          # 8e
+        rotmi   $k_quads,$k_size,-4                     # 9e
+        ori     $left,$triangles,0                      # 10e
+        ori     $a_again,$a_vertex,0                    # 11e
         lnop                                            # 11o pairing
-        ai      $a_low,$a_low_4,112                     # 12e
-        lqd     $child,96($a_low_4)                     # 12o
-        ai      $low,$low,-1                            # 13e
-        sf      $t_6,$k_objects,$child_3                # 14e
-        ceqi    $absent,$child_3,0                      # 15e
-        rotmi   $t_7,$t_6,-4                            # 16e
-        sf      $t_8,$k_objects,$child_2                # 17e
-        shlqbyi $absent_2,$absent,0                     # 17o copy
-        andi    $firsts_2,$t_6,15                       # 18e
-        rotmi   $t,$t_8,-4                              # 19e
-        mpyui   $firsts_3,$t_7,171                      # 20e a third of it, times 512
-        shlqbyi $t_3,$t_7,0                             # 20o copy
-        clgt    $wrong_6,$t_6,$k_last                   # 21e
-        ceqi    $absent,$child_2,0                      # 22e
-        mpyui   $firsts_4,$t,171                        # 23e a third of it, times 512
-        or      $wrong_6,$wrong_6,$firsts_2             # 24e
-        andi    $firsts_2,$t_8,15                       # 25e
-        clgt    $wrong_7,$t_8,$k_last                   # 26e
-        rotmi   $firsts,$firsts_3,-9                    # 27e
-        sf      $t_6,$k_objects,$child                  # 28e
-        mpyui   $firsts,$firsts,3                       # 31e
-        ceq     $firsts,$firsts,$t_3                    # 38e
+        sf      $k_last,$k_size,$k_last                 # 13e
+        brz     $low_2,next_lanes_short                 # 13o too few passes
+        ai      $a_low_3,$a_low,112                     # 14e
+        lqd     $child_3,96($a_low)                     # 14o
+        ai      $low,$low,-1                            # 15e
+        hbrr    next_lanes_back,next_lanes              # 15o hint
+        ai      $a_low_4,$a_low_3,112                   # 16e
+        lqd     $child_2,96($a_low_3)                   # 16o
+        ai      $low,$low,-1                            # 17e
+        lnop                                            # 17o pairing
+        ai      $a_low,$a_low_4,112                     # 18e
+        lqd     $child,96($a_low_4)                     # 18o
+        ai      $low,$low,-1                            # 19e
+        sf      $t_7,$k_objects,$child_3                # 20e
+        ceqi    $absent,$child_3,0                      # 21e
+        rotmi   $t_8,$t_7,-4                            # 22e
+        sf      $t_9,$k_objects,$child_2                # 23e
+        shlqbyi $absent_2,$absent,0                     # 23o copy
+        andi    $firsts_2,$t_7,15                       # 24e
+        rotmi   $t,$t_9,-4                              # 25e
+        mpyu    $firsts_3,$t_8,$k_part                  # 26e
+        shlqbyi $t_2,$t_8,0                             # 26o copy
+        clgt    $wrong_6,$t_7,$k_last                   # 27e
+        ceqi    $absent,$child_2,0                      # 28e
+        mpyu    $firsts_4,$t,$k_part                    # 29e
+        or      $wrong_6,$wrong_6,$firsts_2             # 30e
+        andi    $firsts_2,$t_9,15                       # 31e
+        clgt    $wrong_7,$t_9,$k_last                   # 32e
+        rotmi   $firsts,$firsts_3,-9                    # 33e
+        sf      $t_7,$k_objects,$child                  # 34e
+        mpyu    $firsts,$firsts,$k_quads                # 37e
+        ceq     $firsts,$firsts,$t_2                    # 44e
 next_lanes:
         ai      $low,$low,-1                            # 0e
-            shlqbyi $t_5,$t,0                           # 0o copy
+            shlqbyi $t_6,$t,0                           # 0o copy
             orc     $wrong,$wrong_6,$firsts             # 1e
             rotmi   $firsts,$firsts_4,-9                # 2e
             or      $wrong_6,$wrong_7,$firsts_2         # 3e
@@ -578,44 +596,44 @@ next_lanes:
             shlqbyi $absent_2,$absent,0                 # 4o copy
             ceqi    $absent,$child,0                    # 5e
             lnop                                        # 5o pairing
-            rotmi   $t,$t_6,-4                          # 6e
+            rotmi   $t,$t_7,-4                          # 6e
         lqd     $child,96($a_low)                       # 6o
-            mpyui   $firsts,$firsts,3                   # 7e
-            andi    $firsts_2,$t_6,15                   # 8e
-            clgt    $wrong_7,$t_6,$k_last               # 9e
-            mpyui   $firsts_4,$t,171                    # 10e a third of it, times 512
+            mpyu    $firsts,$firsts,$k_quads            # 7e
+            andi    $firsts_2,$t_7,15                   # 8e
+            clgt    $wrong_7,$t_7,$k_last               # 9e
+            mpyu    $firsts_4,$t,$k_part                # 10e
         ai      $a_low,$a_low,112                       # 11e
-        sf      $t_6,$k_objects,$child                  # 12e
+        sf      $t_7,$k_objects,$child                  # 12e
             or      $bad,$bad,$wrong                    # 13e
             lnop                                        # 13o pairing
-            ceq     $firsts,$firsts,$t_5                # 14e
+            ceq     $firsts,$firsts,$t_6                # 14e
 next_lanes_back:
         brnz    $low,next_lanes                         # 14o
 next_lanes_drain:
-        rotmi   $t_5,$t_6,-4                            # 0e
-        shlqbyi $t_2,$t,0                               # 0o copy
+        rotmi   $t_6,$t_7,-4                            # 0e
+        shlqbyi $t_4,$t,0                               # 0o copy
         rotmi   $firsts_4,$firsts_4,-9                  # 1e
         shlqbyi $absent_3,$absent,0                     # 1o copy
         orc     $wrong,$wrong_6,$firsts                 # 2e
         or      $wrong_6,$wrong_7,$firsts_2             # 3e
-        mpyui   $firsts_2,$t_5,171                      # 4e a third of it, times 512
-        shlqbyi $t_5,$t_5,0                             # 4o copy
-        mpyui   $firsts,$firsts_4,3                     # 5e
+        mpyu    $firsts_2,$t_6,$k_part                  # 4e
+        shlqbyi $t_6,$t_6,0                             # 4o copy
+        mpyu    $firsts,$firsts_4,$k_quads              # 5e
         ceqi    $absent,$child,0                        # 6e
-        andi    $firsts_5,$t_6,15                       # 7e
+        andi    $firsts_5,$t_7,15                       # 7e
         lnop                                            # 7o pairing
-        clgt    $wrong_8,$t_6,$k_last                   # 8e
+        clgt    $wrong_8,$t_7,$k_last                   # 8e
         shlqbyi $absent_4,$absent,0                     # 8o copy
         andc    $wrong,$wrong,$absent_2                 # 9e
         or      $wrong_9,$wrong_8,$firsts_5             # 10e
         rotmi   $firsts_2,$firsts_2,-9                  # 11e
-        ceq     $firsts,$firsts,$t_2                    # 12e
+        ceq     $firsts,$firsts,$t_4                    # 12e
         or      $bad,$bad,$wrong                        # 13e
         orc     $wrong,$wrong_6,$firsts                 # 14e
-        mpyui   $firsts,$firsts_2,3                     # 15e
+        mpyu    $firsts,$firsts_2,$k_quads              # 15e
         andc    $wrong,$wrong,$absent_3                 # 16e
         or      $bad,$bad,$wrong                        # 18e
-        ceq     $firsts,$firsts,$t_5                    # 22e
+        ceq     $firsts,$firsts,$t_6                    # 22e
         orc     $wrong,$wrong_9,$firsts                 # 24e
         andc    $wrong,$wrong,$absent_4                 # 26e
         or      $bad,$bad,$wrong                        # 28e
@@ -625,13 +643,13 @@ mesh_prepare_block_3:
         orx     $bad,$bad                               # 0o
         nop     $127                                    # 1e pairing
         brz     $left_2,next_object_short               # 2o too few passes
-        ai      $a_vertex_2,$a_vertex,48                # 3e
+        a       $a_vertex_2,$a_vertex,$k_size           # 3e
         lqd     $face_3,32($a_vertex)                   # 3o
         ai      $left,$left,-1                          # 4e
         hbrr    next_object_back,next_object            # 4o hint
         nop     $127                                    # 5e pairing
         lqd     $vertex_4,0($a_vertex)                  # 5o
-        ai      $a_vertex,$a_vertex_2,48                # 6e
+        a       $a_vertex,$a_vertex_2,$k_size           # 6e
         lqd     $face_2,32($a_vertex_2)                 # 6o
         ai      $left,$left,-1                          # 7e
         lqd     $vertex,0($a_vertex_2)                  # 7o
@@ -650,11 +668,11 @@ next_object:
             shlqbyi $vertex_3,$vertex,0                 # 2o copy
             fs      $moved_2,$vertex,$eye               # 3e
         lqd     $vertex,0($a_vertex)                    # 3o
-        ai      $a_vertex,$a_vertex,48                  # 4e
+        a       $a_vertex,$a_vertex,$k_size             # 4e
             stqd    $moved,0($a_again)                  # 4o
             clgt    $face,$face,$limit                  # 5e
             lnop                                        # 5o pairing
-            ai      $a_again,$a_again,48                # 6e
+            a       $a_again,$a_again,$k_size           # 6e
 next_object_back:
         brnz    $left,next_object                       # 6o
 next_object_drain:
@@ -662,11 +680,11 @@ next_object_drain:
         rotqbyi $face_2,$face_2,8                       # 0o
         or      $bad,$bad,$face                         # 1e
         hbr     mesh_prepare_return,$lr                 # 1o hint
-        ai      $a_again_3,$a_again,48                  # 2e
+        a       $a_again_3,$a_again,$k_size             # 2e
         shlqbyi $vertex_5,$vertex,0                     # 2o copy
         selb    $moved,$vertex_3,$moved_2,$m_xyz        # 3e
         clgt    $face,$face_2,$limit                    # 4e
-        ai      $a_again_2,$a_again_3,48                # 5e
+        a       $a_again_2,$a_again_3,$k_size           # 5e
         stqd    $moved,0($a_again)                      # 5o
         or      $bad,$bad,$face                         # 6e
         selb    $moved,$vertex_5,$moved_3,$m_xyz        # 7e
@@ -728,9 +746,9 @@ next_runs_short:
         ai      $t,$lengths,-1                          # 10e
         ceqi    $absent,$child,0                        # 11e
         clgti   $t,$t,7                                 # 12e
-        a       $t_5,$firsts,$lengths                   # 13e
+        a       $t_6,$firsts,$lengths                   # 13e
         or      $wrong,$wrong,$t                        # 14e
-        clgt    $t,$t_5,$triangles                      # 15e
+        clgt    $t,$t_6,$triangles                      # 15e
         or      $wrong,$wrong,$t                        # 17e
         andc    $wrong,$wrong,$absent                   # 19e
         or      $bad,$bad,$wrong                        # 21e
@@ -796,14 +814,14 @@ next_lanes_short:
         ai      $a_low,$a_low,112                       # 1e
         sf      $t,$k_objects,$child                    # 6e
         ceqi    $absent,$child,0                        # 7e
-        rotmi   $t_5,$t,-4                              # 8e
+        rotmi   $t_6,$t,-4                              # 8e
         clgt    $wrong,$t,$k_last                       # 9e
         andi    $firsts,$t,15                           # 10e
-        mpyui   $firsts_6,$t_5,171                      # 12e a third of it, times 512
+        mpyu    $firsts_6,$t_6,$k_part                  # 12e
         or      $wrong,$wrong,$firsts                   # 13e
         rotmi   $firsts,$firsts_6,-9                    # 19e
-        mpyui   $firsts,$firsts,3                       # 23e
-        ceq     $firsts,$firsts,$t_5                    # 30e
+        mpyu    $firsts,$firsts,$k_quads                # 23e
+        ceq     $firsts,$firsts,$t_6                    # 30e
         orc     $wrong,$wrong,$firsts                   # 32e
         andc    $wrong,$wrong,$absent                   # 34e
         lnop                                            # 34o pairing
@@ -815,14 +833,14 @@ next_object_short:
         ai      $left,$left,-1                          # 0e
         lqd     $vertex,0($a_vertex)                    # 0o
         lqd     $face,32($a_vertex)                     # 1o
-        ai      $a_vertex,$a_vertex,48                  # 2e
+        a       $a_vertex,$a_vertex,$k_size             # 2e
         fs      $moved,$vertex,$eye                     # 6e
         rotqbyi $face,$face,8                           # 7o
         clgt    $face,$face,$limit                      # 11e
         selb    $moved,$vertex,$moved,$m_xyz            # 12e
         or      $bad,$bad,$face                         # 13e
         stqd    $moved,0($a_again)                      # 14o
-        ai      $a_again,$a_again,48                    # 15e
+        a       $a_again,$a_again,$k_size               # 15e
         brnz    $left,next_object_short                 # 15o
         and     $bad,$bad,$k_least_one                  # 16e
         orx     $a_block,$bad                           # 18o

@@ -1,5 +1,5 @@
-//! Meshes and spheres in main memory: the same bytes whatever the cache holds, and an error for
-//! every block that is not as it should be.
+//! Meshes, spheres and cones in main memory: the same bytes whatever the cache holds, and an error
+//! for every block that is not as it should be.
 
 use std::sync::Arc;
 
@@ -7,8 +7,8 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
-    EYE_CODE, Frame, MESH_BLOCK, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES, NO_BOX,
-    SCENE_ADDRESS,
+    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES,
+    NO_BOX, SCENE_ADDRESS,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -76,6 +76,26 @@ fn spheres() -> nff::Scene {
     nff::parse(text.as_bytes(), "spheres", &nff::Limits::default()).unwrap()
 }
 
+/// 1,200 cones and 1,100 spheres, some of which reflect.
+fn cones() -> nff::Scene {
+    let mut scene = spheres();
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    scene.name = "cones".into();
+    for (number, object) in scene.objects.iter_mut().enumerate().skip(300) {
+        let [x, y, z]: [f64; 3] = std::array::from_fn(|_| random.random_range(-10.0..10.0));
+        let [u, v, w]: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.2..1.2));
+        let apex_radius = [0.0, 0.4, 0.2, -0.1][number % 4];
+        object.shape = nff::Shape::Cone {
+            base: [x, y, z].into(),
+            base_radius: if apex_radius < 0.0 { -0.4 } else { 0.4 },
+            apex: [x + u, y + v, z + w].into(),
+            apex_radius,
+        };
+    }
+    scene.objects.extend(spheres().objects.drain(..800));
+    scene
+}
+
 /// A block's word.
 fn word(block: u32, index: usize) -> usize {
     block as usize * MESH_BLOCK as usize + 4 * index
@@ -112,6 +132,17 @@ impl Blocks {
         found.expect("the mesh has blocks of this kind")
     }
 
+    /// The first block of a kind that some ray needs.
+    fn first_needed(&mut self, kind: u32) -> u32 {
+        let blocks = 0..self.fixture.frame.mesh_blocks.get();
+        let of_kind: Vec<u32> = blocks
+            .filter(|&block| self.get(word(block, KIND)) == kind)
+            .collect();
+        let mut of_kind = of_kind.into_iter();
+        let found = of_kind.find(|&block| self.traced_with(&[(word(block, 0), 0)]).is_err());
+        found.expect("rays need blocks of this kind")
+    }
+
     /// Traces the frame with words of the blocks replaced.
     fn traced_with(&mut self, words: &[(usize, u32)]) -> Result<RgbImage, EngineError> {
         for &(at, value) in words {
@@ -146,7 +177,7 @@ impl Blocks {
 
 #[test]
 fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
-    for scene in [scene(), spheres()] {
+    for scene in [scene(), spheres(), cones()] {
         let mut one = Blocks::of(&scene, 1);
         let picture = one.traced_with(&[]).unwrap();
         let background = picture.get_pixel(0, 0);
@@ -257,7 +288,9 @@ fn blocks_that_are_not_as_they_should_be() {
     };
     header("another magic", 0, 0x4d45_5347);
     header("another number", NUMBER, 1);
-    header("an unknown kind", KIND, 2);
+    header("an unknown kind", KIND, 4);
+    header("a kind that has no blocks", KIND, MESH_SPHERES);
+    header("another such kind", KIND, MESH_CONES);
     header("no levels", LEVELS, 0);
     header("more levels", LEVELS, 4);
     header("other levels", LEVELS, levels % 3 + 1);
@@ -309,8 +342,18 @@ fn blocks_that_are_not_as_they_should_be() {
 
 #[test]
 fn blocks_of_spheres_that_are_not_as_they_should_be() {
-    let mut blocks = Blocks::of(&spheres(), 2);
-    let leaf = blocks.first(MESH_SPHERES);
+    objects_are_refused(&spheres(), MESH_SPHERES, 48);
+}
+
+#[test]
+fn blocks_of_cones_that_are_not_as_they_should_be() {
+    objects_are_refused(&cones(), MESH_CONES, 64);
+}
+
+/// Damages a leaf of objects whose records have this size.
+fn objects_are_refused(scene: &nff::Scene, kind: u32, size: u32) {
+    let mut blocks = Blocks::of(scene, 2);
+    let leaf = blocks.first_needed(kind);
     let header = |index: usize| word(leaf, index);
     let [nodes, count] = [NODES, TRIANGLES].map(|index| blocks.get(header(index)));
     let child = header(FIRST + 28 * (nodes as usize - 1) + 24);
@@ -318,14 +361,14 @@ fn blocks_of_spheres_that_are_not_as_they_should_be() {
     // The words of an object: its material is the second last.
     let material = header(first as usize / 4 + 10);
     let cases = [
-        ("no spheres", (header(TRIANGLES), 0)),
+        ("no objects", (header(TRIANGLES), 0)),
         ("too much for a block", (header(TRIANGLES), 40)),
         ("vertices", (header(VERTICES), 1)),
-        ("a sphere before the first", (child, first - 48)),
-        ("a sphere behind the last", (child, first + 48 * count)),
-        ("a sphere between spheres", (child, first + 16)),
-        ("a sphere between quadwords", (child, first + 4)),
-        ("a sphere in another block", (child, u32::MAX)),
+        ("an object before the first", (child, first - size)),
+        ("an object behind the last", (child, first + size * count)),
+        ("an object between objects", (child, first + 16)),
+        ("an object between quadwords", (child, first + 4)),
+        ("an object in another block", (child, u32::MAX)),
         ("a material that is not there", (material, 2)),
         (
             "a leaf that says it has triangles",
@@ -340,7 +383,7 @@ fn blocks_of_spheres_that_are_not_as_they_should_be() {
 /// Whatever a block says, the SPU answers: it refuses the block, or draws what it says.
 #[test]
 fn any_block_is_drawn_or_refused() {
-    for scene in [scene(), spheres()] {
+    for scene in [scene(), spheres(), cones()] {
         any_block_of(&scene);
     }
 }

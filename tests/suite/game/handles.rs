@@ -6,7 +6,7 @@ use cellray::game::{
     Shape, View, World, WorldError,
 };
 use cellray::spe::Program;
-use protocol::layout::MAX_SPHERES;
+use protocol::layout::{MAX_LIGHTS, MAX_SPHERES};
 
 use crate::recorder::{nff_scene, render};
 
@@ -220,40 +220,54 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
 #[test]
 fn too_much_is_refused_until_it_is_gone() {
     let program = Program::tracer();
-    let sphere = |centre| Shape::Sphere {
-        centre,
-        radius: 0.5,
-    };
+    let mut world = World::new();
     // With Whitted's model, spheres would be streamed.
-    let cone = |base| Shape::Cone {
-        base,
-        base_radius: 0.5,
-        apex: base + DVec3::Y,
-        apex_radius: 0.0,
-    };
-    let shapes: [(_, &dyn Fn(DVec3) -> Shape); 2] =
-        [(Model::Depth, &sphere), (Model::Whitted, &cone)];
-    for (model, too_many) in shapes {
-        let mut world = World::new();
-        world.set_render_options(RenderOptions {
-            model,
-            ..RenderOptions::default()
-        });
-        let red = red(&mut world);
-        let objects: Vec<_> = (0..=MAX_SPHERES)
-            .map(|x| world.add(too_many(DVec3::X * f64::from(x)), red).unwrap())
-            .collect();
-        for _ in 0..2 {
-            let error = world.scene(&program).unwrap_err();
-            assert!(matches!(error, WorldError::Scene(_)), "{error}");
-        }
-        for object in &objects[100..] {
-            world.remove(*object).unwrap();
-        }
-        world.scene(&program).unwrap();
-        world.move_to(objects[0], DVec3::ONE).unwrap();
-        world.scene(&program).unwrap();
+    world.set_render_options(RenderOptions {
+        model: Model::Depth,
+        ..RenderOptions::default()
+    });
+    let red = red(&mut world);
+    let objects: Vec<_> = (0..=MAX_SPHERES)
+        .map(|x| {
+            let centre = DVec3::X * f64::from(x);
+            world.add_sphere(centre, 0.5, red).unwrap()
+        })
+        .collect();
+    for _ in 0..2 {
+        let error = world.scene(&program).unwrap_err();
+        assert!(matches!(error, WorldError::Scene(_)), "{error}");
     }
+    for object in &objects[100..] {
+        world.remove(*object).unwrap();
+    }
+    world.scene(&program).unwrap();
+    world.move_to(objects[0], DVec3::ONE).unwrap();
+    world.scene(&program).unwrap();
+}
+
+/// The same by Whitted's model, whose objects are streamed if they are too many.
+#[test]
+fn too_many_lights_are_refused_until_they_are_gone() {
+    let program = Program::tracer();
+    let mut world = World::new();
+    let red = red(&mut world);
+    let sphere = world.add_sphere(DVec3::ZERO, 0.5, red).unwrap();
+    let lights: Vec<_> = (0..=MAX_LIGHTS)
+        .map(|x| {
+            let at = DVec3::new(f64::from(x), 9.0, 9.0);
+            world.add_light(Light::at(at)).unwrap()
+        })
+        .collect();
+    for _ in 0..2 {
+        let error = world.scene(&program).unwrap_err();
+        assert!(error.to_string().contains("more than 64 lights"), "{error}");
+    }
+    for light in &lights[10..] {
+        world.remove_light(*light).unwrap();
+    }
+    world.scene(&program).unwrap();
+    world.move_to(sphere, DVec3::ONE).unwrap();
+    world.scene(&program).unwrap();
 }
 
 #[test]

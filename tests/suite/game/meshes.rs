@@ -1,5 +1,5 @@
-//! Meshes of a world at their places, and more spheres than local store has room for: every
-//! picture is that of a new scene with the same content, byte for byte.
+//! Meshes of a world at their places, and more spheres or cones than local store has room for:
+//! every picture is that of a new scene with the same content, byte for byte.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -424,6 +424,74 @@ fn more_spheres_than_local_store_has_room_for() {
         assert!(picture != last, "frame {frame}");
         last = picture;
     }
+}
+
+fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> nff::Shape {
+    nff::Shape::Cone {
+        base,
+        base_radius: 0.08,
+        apex,
+        apex_radius,
+    }
+}
+
+#[test]
+fn more_cones_than_local_store_has_room_for() {
+    let (mut world, red) = world();
+    let mut random = ChaCha8Rng::seed_from_u64(8);
+    let mut cones = Vec::new();
+    for _ in 0..1100 {
+        let [base, way] = [2.0, 0.3]
+            .map(|most| DVec3::from_array([0; 3].map(|_| random.random_range(-most..most))));
+        let shape = cone(base, base + way, random.random_range(0.0..0.1));
+        cones.push(world.add(shape, red).unwrap());
+    }
+    let mut compared = Compared::new();
+    let mut last = compared.picture(&mut world);
+    for frame in 0..5 {
+        match frame {
+            0 => world.move_to(cones[0], [0.0, 1.0, 3.0]).unwrap(),
+            1 => cones[..200]
+                .iter()
+                .for_each(|&id| world.show(id, false).unwrap()),
+            2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
+            3 => cones[..200]
+                .iter()
+                .for_each(|&id| world.show(id, true).unwrap()),
+            // So many are left that all fit.
+            _ => cones[..700]
+                .iter()
+                .for_each(|&id| world.remove(id).unwrap()),
+        }
+        let picture = compared.picture(&mut world);
+        assert!(picture != last, "frame {frame}");
+        last = picture;
+    }
+}
+
+/// Polygons that would fit beside them, but for the code and the cache of meshes.
+#[test]
+fn polygons_beside_cones_in_main_memory() {
+    let (mut world, red) = world();
+    let mut random = ChaCha8Rng::seed_from_u64(9);
+    let mut polygons = Vec::new();
+    for number in 0..1500 {
+        let base = DVec3::from_array([0; 3].map(|_| random.random_range(-2.0..2.0)));
+        let shape = cone(base, base + DVec3::new(0.0, 0.1, 0.05), 0.02);
+        world.add(shape, red).unwrap();
+        if number % 5 == 0 {
+            let [to, other] =
+                [0; 2].map(|_| DVec3::from_array([0; 3].map(|_| random.random_range(-0.2..0.2))));
+            let corners = [base, base + to, base + other];
+            polygons.push(world.add_polygon(&corners, red).unwrap());
+        }
+    }
+    let mut compared = Compared::new();
+    let first = compared.picture(&mut world);
+    world.show(polygons[7], false).unwrap();
+    compared.picture(&mut world);
+    world.show(polygons[7], true).unwrap();
+    assert!(compared.picture(&mut world) == first);
 }
 
 #[test]

@@ -2,10 +2,15 @@
 
 use std::sync::Arc;
 
-use cellray::Settings;
+use cellray::scene::{RenderOptions, SceneBlock};
+use cellray::spe::Program;
+use cellray::work::Skip;
+use cellray::{Scene, Settings};
 use glam::DVec3;
 use nff::Mesh;
 use oracle::whitted::trace;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
 
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
@@ -170,6 +175,97 @@ fn far_from_the_origin_pictures_are_the_same() {
         assert!(hits > 1000, "{name}: {hits}");
         assert_eq!(here.picture, there.picture, "{name}");
     }
+}
+
+/// Cones and spheres of all forms, in a cube, above a floor.
+fn crowd(cones: u32, spheres: u32) -> nff::Scene {
+    const FILLS: [&str; 4] = [
+        "f 0.8 0.5 0.3 0.7 0.3 30 0 0\n",
+        "f 0.4 0.7 0.4 1 0 0 0 0\n",
+        "f 0.5 0.6 0.9 0.6 0.4 60 0 0\n",
+        "f 1 1 1 0.1 0.2 30 0.7 1.2\n",
+    ];
+    let mut text = String::from(
+        "v\nfrom 0 -9 5\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 8 8\n\
+         b 0.3 0.5 0.8\nl 5 -6 9\nl -7 -5 8\n\
+         f 0.7 0.7 0.6 1 0 0 0 0\np 4\n-5 -5 -2\n5 -5 -2\n5 5 -2\n-5 5 -2\n",
+    );
+    let mut random = ChaCha8Rng::seed_from_u64(u64::from(cones));
+    let count = cones + spheres;
+    let size = 2.2 / libm::cbrt(f64::from(count));
+    for number in 0..count {
+        if number % (count / 12) == 0 {
+            text += FILLS[random.random_range(0..FILLS.len())];
+        }
+        let mut within = |most: f64| random.random_range(-most..most);
+        let [x, y, z] = [2.8, 2.8, 1.5].map(&mut within);
+        let [u, v, w] = [0; 3].map(|_| 0.8 * size * within(1.0));
+        // So both kinds are mixed.
+        let is_cone = u64::from(number + 1) * u64::from(cones) / u64::from(count)
+            > u64::from(number) * u64::from(cones) / u64::from(count);
+        if is_cone {
+            let base = size * random.random_range(0.05..0.35);
+            let apex = match number % 5 {
+                0 => base,
+                1 => 0.0,
+                _ => size * random.random_range(0.05..0.25),
+            };
+            // Some are seen from inside only.
+            let sign = if number % 7 == 0 { -1.0 } else { 1.0 };
+            let [base, apex] = [base, apex].map(|radius| sign * radius);
+            let (x1, y1, z1) = (x + u, y + v, z + w);
+            text += &format!("c {x} {y} {z} {base}\n{x1} {y1} {z1} {apex}\n");
+        } else {
+            let radius = size * random.random_range(0.15..0.4);
+            text += &format!("s {x} {y} {z} {radius}\n");
+        }
+    }
+    nff::parse(text.as_bytes(), "crowd", &nff::Limits::default()).unwrap()
+}
+
+/// How much a picture of a crowd differs from the reference.
+fn crowd_compared(
+    (cones, spheres): (u32, u32),
+    render_options: RenderOptions,
+    settings: Settings,
+) -> oracle::Comparison {
+    let scene = crowd(cones, spheres);
+    let made = Scene::new(&scene, render_options, &Program::tracer()).unwrap();
+    let mesh = made.block().and_then(SceneBlock::mesh).unwrap();
+    assert_eq!(mesh.blocks.statistics().cones, cones as usize);
+    let found = Frame::of(&scene, render_options, SIZE, settings);
+    let blocks = found.statistics.spus.iter().map(|spu| spu.blocks.used);
+    assert!(blocks.sum::<u64>() > 0);
+    let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(render_options)).unwrap();
+    let compared = oracle::compare(&picture(&found.picture), &reference).unwrap();
+    println!("{cones} cones, {spheres} spheres: {compared:?}");
+    assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");
+    compared
+}
+
+#[test]
+fn cones_that_local_store_has_no_room_for() {
+    let compared = crowd_compared((1500, 0), WHITTED, Settings::default());
+    assert!(compared.wrong_fraction < 0.01, "{compared:?}");
+    let compared = crowd_compared((5000, 5000), WHITTED, Settings::default());
+    assert!(compared.wrong_fraction < 0.04, "{compared:?}");
+}
+
+/// With SPD's rules for rays, and without leaving out what can't be hit.
+#[test]
+fn cones_in_main_memory_by_other_options() {
+    let spd = RenderOptions {
+        spd_rays: true,
+        ..WHITTED
+    };
+    let compared = crowd_compared((1500, 300), spd, Settings::default());
+    assert!(compared.wrong_fraction < 0.02, "{compared:?}");
+    let settings = Settings {
+        skip: Skip::Nothing,
+        ..Settings::default()
+    };
+    let compared = crowd_compared((1500, 300), WHITTED, settings);
+    assert!(compared.wrong_fraction < 0.02, "{compared:?}");
 }
 
 #[test]

@@ -214,3 +214,84 @@ fn a_material_in_main_memory_is_changed_in_place() {
         assert_eq!(old != new, index == number);
     }
 }
+
+/// A scene of so many spheres, cones and triangles.
+fn crowd(spheres: u32, cones: u32, triangles: u32) -> Scene {
+    let mut text = String::from("l 0 99 0\n");
+    for number in 0..spheres {
+        text += &format!("s {number} 0 -9 0.5\n");
+    }
+    for number in 0..cones {
+        text += &format!("c {number} 2 -9 0.4 {number} 3 -9 0.1\n");
+    }
+    for number in 0..triangles {
+        text += &format!("p 3\n{number} 4 -9\n{} 4 -9\n{number} 5 -8\n", number + 1);
+    }
+    scene(&text)
+}
+
+/// How many spheres, cones and triangles are in main memory, and the same of local store.
+fn places(scene: &Scene) -> [[usize; 3]; 2] {
+    let options = BlockOptions::default();
+    let block = SceneBlock::unchanging(scene, options, &entry).expect("a block");
+    let statistics = block.mesh().map(|mesh| mesh.blocks.statistics());
+    let statistics = statistics.unwrap_or_default();
+    let here = [
+        PrimitiveKind::Sphere,
+        PrimitiveKind::Cone,
+        PrimitiveKind::Triangle,
+    ];
+    let here = here.map(|kind| block.primitives[kind as usize].count());
+    [
+        [statistics.spheres, statistics.cones, statistics.triangles],
+        here,
+    ]
+}
+
+#[test]
+fn only_what_does_not_fit_goes_to_main_memory() {
+    // What fits stays, also if it is almost too much.
+    assert_eq!(places(&crowd(400, 300, 0)), [[0; 3], [400, 300, 0]]);
+    assert_eq!(places(&crowd(0, 700, 0)), [[0; 3], [0, 700, 0]]);
+    // One kind goes if that is enough.
+    assert_eq!(places(&crowd(1500, 20, 10)), [[1500, 0, 0], [0, 20, 10]]);
+    assert_eq!(places(&crowd(20, 1500, 10)), [[0, 1500, 0], [20, 0, 10]]);
+    assert_eq!(places(&crowd(0, 740, 0)), [[0, 740, 0], [0; 3]]);
+    // Otherwise both do.
+    assert_eq!(
+        places(&crowd(1500, 1500, 10)),
+        [[1500, 1500, 0], [0, 0, 10]]
+    );
+    assert_eq!(places(&crowd(600, 400, 0)), [[600, 400, 0], [0; 3]]);
+}
+
+/// Polygons that local store has room for alone, but not beside the code for meshes.
+#[test]
+fn polygons_make_room_for_nothing_else() {
+    let crowd = crowd(1500, 1500, 400);
+    let options = BlockOptions::default();
+    let error = SceneBlock::unchanging(&crowd, options, &entry).unwrap_err();
+    assert!(error.is_lack_of_room(), "{error}");
+    let all = crate::scene::mesh::gathered_all(&crowd).expect("polygons");
+    assert_eq!(places(&all), [[1500, 1500, 400], [0; 3]]);
+    let whole = crate::Scene::from_nff(&crowd).expect("a scene");
+    let statistics = whole.block().and_then(SceneBlock::mesh).expect("a mesh");
+    assert_eq!(statistics.blocks.statistics().objects(), 3400);
+}
+
+#[test]
+fn a_cone_in_main_memory_that_is_out_of_range_is_refused() {
+    let mut scene = crowd(0, 1500, 0);
+    let nff::Shape::Cone { apex_radius, .. } = &mut scene.objects[1400].shape else {
+        panic!("a cone");
+    };
+    *apex_radius = 1e30;
+    let options = BlockOptions::default();
+    let error = SceneBlock::unchanging(&scene, options, &entry).unwrap_err();
+    let message = error.to_string();
+    let line = scene.objects[1400].line;
+    assert!(
+        message.starts_with(&format!("t.nff:{line}: apex radius 1e30 is out of range")),
+        "{message}"
+    );
+}

@@ -1,5 +1,6 @@
 //! The blocks of meshes, right in every field, and traced in `f64`.
 
+mod cones;
 mod meshes;
 mod refit;
 mod refusals;

@@ -3,7 +3,7 @@
 use glam::{DAffine3, DVec3};
 use nff::Mesh;
 
-use super::super::MeshBlocks;
+use super::super::{MeshBlocks, MeshObjects};
 use super::meshes::{ball, materials, soup};
 use super::valid::check;
 
@@ -18,7 +18,7 @@ fn moved(mesh: &Mesh, place: DAffine3) -> Mesh {
 }
 
 fn blocks(mesh: &Mesh) -> MeshBlocks {
-    MeshBlocks::new(mesh, &[], &materials()).unwrap()
+    MeshBlocks::new(mesh, &MeshObjects::default(), &materials()).unwrap()
 }
 
 #[test]

@@ -1,10 +1,10 @@
 //! Meshes that can't be converted.
 
-use super::super::{MeshBlocks, MeshError};
+use super::super::{MeshBlocks, MeshError, MeshObjects};
 use super::meshes::{materials, mesh, soup};
 
 fn refused(mesh: &nff::Mesh, materials: &[nff::Material]) -> String {
-    MeshBlocks::new(mesh, &[], materials)
+    MeshBlocks::new(mesh, &MeshObjects::default(), materials)
         .unwrap_err()
         .to_string()
 }
@@ -16,7 +16,7 @@ fn meshes_without_an_area() {
     assert_eq!(refused(&flat, &materials()), message);
     let empty = mesh(Vec::new(), Vec::new());
     assert_eq!(
-        MeshBlocks::new(&empty, &[], &materials()).unwrap_err(),
+        MeshBlocks::new(&empty, &MeshObjects::default(), &materials()).unwrap_err(),
         MeshError::NoArea(0)
     );
 }
@@ -38,5 +38,5 @@ fn more_materials_than_a_number_tells() {
     let message = "the scene's objects have 65537 different materials; there may be 65536";
     assert_eq!(refused(&colourful, &materials), message);
     colourful.materials[65_536] = 7;
-    assert!(MeshBlocks::new(&colourful, &[], &materials).is_ok());
+    assert!(MeshBlocks::new(&colourful, &MeshObjects::default(), &materials).is_ok());
 }

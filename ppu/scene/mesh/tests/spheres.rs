@@ -1,12 +1,12 @@
 //! Every sphere in exactly one leaf, in a box of its size, beside a mesh or alone.
 
 use glam::Vec3;
-use protocol::layout::{MESH_BLOCK, MESH_SPHERES, MeshHeader, Object, SIDES_EXIT};
+use protocol::layout::{MESH_BLOCK, MESH_SPHERES, Object, SIDES_EXIT};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use zerocopy::FromBytes as _;
 
-use super::super::{MeshBlocks, MeshSphere};
+use super::super::{MeshBlocks, MeshObjects, MeshSphere};
 use super::meshes::{materials, soup};
 use super::valid::Parts;
 
@@ -24,12 +24,7 @@ fn spheres(count: u32, seed: u64) -> Vec<MeshSphere> {
 
 /// The spheres of a block's records, in the order of their boxes.
 fn of_block(blocks: &MeshBlocks, number: u32) -> Vec<MeshSphere> {
-    let parts = Parts::of(blocks, number);
-    let mut boxes = parts.children(size_of::<MeshHeader>() as u32);
-    if parts.header.levels.get() == 2 {
-        boxes = boxes.iter().flat_map(|it| parts.children(it.1)).collect();
-    }
-    assert_eq!(boxes.len() as u32, parts.header.triangles.get());
+    let boxes = Parts::of(blocks, number).objects();
     let block = &blocks.bytes()[number as usize * MESH_BLOCK as usize..];
     let found = boxes.iter().map(|&(bounds, offset)| {
         let (object, _) = Object::read_from_prefix(&block[offset as usize..]).unwrap();
@@ -54,7 +49,11 @@ fn every_sphere_is_in_one_leaf() {
             0 => nff::Mesh::default(),
             _ => soup(triangles, 0.1, 1),
         };
-        let blocks = MeshBlocks::new(&mesh, &spheres, &materials()).unwrap();
+        let objects = MeshObjects {
+            spheres: spheres.clone(),
+            ..MeshObjects::default()
+        };
+        let blocks = MeshBlocks::new(&mesh, &objects, &materials()).unwrap();
         let statistics = blocks.statistics();
         assert_eq!(statistics.spheres, count as usize);
         assert_eq!(statistics.triangles, triangles as usize);

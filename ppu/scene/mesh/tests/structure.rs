@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use super::super::{Colour, MeshBlocks, NumberWidth, Numbers};
+use super::super::{Colour, MeshBlocks, MeshObjects, NumberWidth, Numbers};
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
 
 fn checked(mesh: &nff::Mesh) -> MeshBlocks {
     let materials = materials();
-    let blocks = MeshBlocks::new(mesh, &[], &materials).unwrap();
+    let blocks = MeshBlocks::new(mesh, &MeshObjects::default(), &materials).unwrap();
     check(mesh, &materials, &blocks);
     assert_eq!(blocks.bytes().as_ptr().addr() % 128, 0);
     blocks
@@ -88,7 +88,7 @@ fn texture_coordinates_are_where_a_material_has_a_texture() {
     materials[0].texture = texture.map(Arc::new);
     for rows in [2, 5, 40] {
         let mut mesh = ball(rows);
-        let plain = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        let plain = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         check(&mesh, &materials, &plain);
         let places = mesh
             .positions
@@ -98,7 +98,7 @@ fn texture_coordinates_are_where_a_material_has_a_texture() {
         for (triangle, material) in mesh.materials.iter_mut().enumerate() {
             *material = u32::from(triangle % 5 == 0);
         }
-        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        let blocks = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         check(&mesh, &materials, &blocks);
         assert!(blocks.count() > plain.count() || rows == 2);
     }

@@ -5,7 +5,7 @@ use nff::Mesh;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use super::super::{MeshBlocks, tree::Bounds};
+use super::super::{MeshBlocks, MeshObjects, tree::Bounds};
 use super::meshes::{ball, materials, soup};
 use super::valid::Parts;
 use crate::scene::random::unit;
@@ -63,7 +63,7 @@ fn nearest(ray: &Ray, blocks: &MeshBlocks, number: u32) -> f64 {
 }
 
 fn compare(mesh: &Mesh, rays: usize, seed: u64) {
-    let blocks = MeshBlocks::new(mesh, &[], &materials()).unwrap();
+    let blocks = MeshBlocks::new(mesh, &MeshObjects::default(), &materials()).unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut hits = 0;
     for _ in 0..rays {

@@ -5,10 +5,10 @@ use std::collections::HashMap;
 use glam::Vec3;
 use nff::{Material, Mesh};
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
-    MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
-    SIDES_WIDE,
+    Boxes, Cone, MESH_BLOCK, MESH_CONES, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS,
+    MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates,
+    MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH,
+    SIDES_TEXTURED, SIDES_WIDE,
 };
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
@@ -39,11 +39,19 @@ impl Parts {
             <[Boxes]>::ref_from_prefix_with_elems(rest, count(header.nodes)).unwrap();
         let (vertices, rest) =
             <[MeshVertex]>::ref_from_prefix_with_elems(rest, count(header.vertices)).unwrap();
-        let spheres = header.kind.get() == MESH_SPHERES;
-        let faces = if spheres { 0 } else { count(header.triangles) };
+        let record = match header.kind.get() {
+            MESH_SPHERES => size_of::<Object>(),
+            MESH_CONES => size_of::<Cone>(),
+            _ => 0,
+        };
+        let has_objects = record > 0;
+        let faces = if has_objects {
+            0
+        } else {
+            count(header.triangles)
+        };
         let (faces, rest) = <[MeshFace]>::ref_from_prefix_with_elems(rest, faces).unwrap();
-        let records = if spheres { count(header.triangles) } else { 0 };
-        let rest = &rest[records * size_of::<Object>()..];
+        let rest = &rest[record * count(header.triangles)..];
         // Texture coordinates begin at the next quadword.
         let is_textured = header.sides.get() & SIDES_TEXTURED != 0;
         let gap = if is_textured { rest.len() % 16 } else { 0 };
@@ -78,6 +86,16 @@ impl Parts {
             colours: colours.to_vec(),
             upper,
         }
+    }
+
+    /// The boxes and offsets of a leaf's spheres or cones.
+    pub fn objects(&self) -> Vec<(Bounds, u32)> {
+        let mut boxes = self.children(size_of::<MeshHeader>() as u32);
+        if self.header.levels.get() == 2 {
+            boxes = boxes.iter().flat_map(|it| self.children(it.1)).collect();
+        }
+        assert_eq!(boxes.len() as u32, self.header.triangles.get());
+        boxes
     }
 
     pub fn is_leaf(&self) -> bool {

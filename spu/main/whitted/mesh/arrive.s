@@ -14,7 +14,7 @@ arrived:                                # the block's number
 
 # mesh_arrive   checks a block and makes its positions relative to the eye; gives up if it is damaged
 #   In      $3 address, $4 number
-#   Uses    $3-$8, $10-$70
+#   Uses    $3-$8, $10-$74
 function mesh_arrive
         hbrr    prepare_call,mesh_prepare
         enter

@@ -1,7 +1,7 @@
-# The triangles and spheres of the mesh that rays of a batch have hit, as the records that shading
-# takes: patches and objects. Neighbours in a packet share them. Most are made by
+# The triangles, spheres and cones of the mesh that rays of a batch have hit, as the records that
+# shading takes: patches and objects. Neighbours in a packet share them. Most are made by
 # mesh_flat_patches, four at a time. Those whose blocks have left the cache are made here, and so
-# are spheres, and triangles with normals or textures. Both ways make the same bits. With
+# are spheres, cones, and triangles with normals or textures. Both ways make the same bits. With
 # colours at vertices or materials in main memory, all of them are made here, and what makes these
 # follows.
 
@@ -47,7 +47,7 @@ lanes:
 
         .set    NEXT,10
         registers lane,offset,address,is_same,all_hit,m_splat,c_end,bytes
-        registers number,counts,of_spheres,a_vertices,a_faces # the block's
+        registers number,counts,of_objects,a_vertices,a_faces # the block's
         registers index,face,material
         registers a,b,c,to_b,to_c,turned_b,turned_c,normal,square,inverse,t_y,t_e
         registers k_half,k_one,k_sign,m_xyz,m_next,k_leave,k_scale
@@ -129,12 +129,12 @@ same_block:
         lqa     $number,current_block
         lqa     $all_hit,hit
         ori     $h_block,$3,0
-        lqd     $of_spheres,MESH_HEADER_magic($h_block)
+        lqd     $of_objects,MESH_HEADER_magic($h_block)
         lqd     $counts,MESH_HEADER_nodes($h_block)
-        rotqbyi $of_spheres,$of_spheres,MESH_HEADER_kind
+        rotqbyi $of_objects,$of_objects,MESH_HEADER_kind
         mpyi    $a_vertices,$counts,BOXES_SIZE
         rotqbyi $a_faces,$counts,MESH_HEADER_vertices&15
-        ceqi    $of_spheres,$of_spheres,MESH_SPHERES
+        cgti    $of_objects,$of_objects,MESH_LEAF
         a       $a_vertices,$a_vertices,$h_block
         shli    $a_faces,$a_faces,4
         ai      $a_vertices,$a_vertices,MESH_HEADER_SIZE
@@ -143,7 +143,7 @@ made_of_block:
         ilhu    $k_sign,0x8000
         ilhu    $k_leave,0x3580                         # 2^-20
         andi    $index,$all_hit,(1<<7)-1
-        brnz    $of_spheres,sphere
+        brnz    $of_objects,object
         # Its vertices, relative to the eye.
         shli    $index,$index,2
         hbrr    plain,next_hit
@@ -299,9 +299,10 @@ plain:  brz     $textured,next_hit
 has_texture:
         br      next_hit
 
-        # The record of a sphere, whose number is its offset in quadwords. It lacks `leave`, and has
-        # the number of its material.
-sphere: shli    $index,$index,4
+        # The record of a sphere or a cone, whose number is its offset in quadwords. It has how far
+        # it extends beyond its offset as `leave`, and the number of its material. Shading needs no
+        # more of a cone than of a sphere.
+object: shli    $index,$index,4
         a       $address,$h_block,$index
         lqd     $a,OBJECT_centre($address)
         lqd     $b,OBJECT_axis($address)
@@ -310,7 +311,9 @@ sphere: shli    $index,$index,4
         stqd    $b,OBJECT_axis($h_patch)
         taxicab $sum,$a,$t_e
         andc    $size,$c,$k_sign
+        rotqbyi $part,$c,OBJECT_leave&15
         fa      $leave_object,$sum,$size
+        fa      $leave_object,$leave_object,$part
         fm      $leave_object,$leave_object,$k_leave
         cwd     $m_lane,OBJECT_leave&15($sp)
         shufb   $c,$leave_object,$c,$m_lane

@@ -198,13 +198,13 @@ filter_call:
         rotqbyi $header,$header,MESH_HEADER_kind&15
         brz     $header,inner
 
-        # The packets whose rays meet the boxes of runs or spheres are tested with these.
+        # The packets whose rays meet the boxes of runs or objects are tested with these.
         hbrr    list_call,mesh_candidates
         rotmi   $4,$4,-5
         ori     $3,$m_top,0
         ila     $5,arena+MESH_LIST
-        ceqi    $6,$header,MESH_SPHERES
-        and     $6,$6,$m_block                          # the children are offsets of spheres
+        cgti    $6,$header,MESH_LEAF
+        and     $6,$6,$m_block                          # the children are offsets of objects
         ila     $7,packet_and_step
 list_call:
         brsl    $lr,mesh_candidates
@@ -216,12 +216,15 @@ listed:
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         lqd     $header,MESH_HEADER_kind&~15($m_block)
         rotqbyi $header,$header,MESH_HEADER_kind&15
-        ceqi    $c_more,$header,MESH_SPHERES
+        cgti    $c_more,$header,MESH_LEAF
         brz     $c_more,triangles
         tally   tests_made,$4
         tally   tests_possible,$4
+        ceqi    $c_more,$header,MESH_CONES
+        brnz    $c_more,cones
         brsl    $lr,isect_bounced_spheres
-        # What rays have hit are addresses of spheres in the block, which may leave the cache. They
+objects_tested:
+        # What rays have hit are addresses of objects in the block, which may leave the cache. They
         # get numbers, as triangles have: the offset in the block is in quadwords.
         brsl    $lr,of_packets
         splat_mask $m_word
@@ -259,6 +262,9 @@ tested: phase_ends $g_ticks_isect,$t_sum
         brsl    $lr,mesh_drop_blocked
         br      next_block
 
+cones:  brsl    $lr,isect_cone_pairs_r16
+        br      objects_tested
+
 few:    hbrr    few_call,mesh_few_rays
         # The nodes above them: the root, and its children if there are three levels.
         sfi     $box,$box,4
@@ -280,7 +286,7 @@ few:    hbrr    few_call,mesh_few_rays
         ila     $7,arena+MESH_RAYS
         ila     $8,packet_and_step
         rotqbyi $9,$header,MESH_HEADER_kind
-        ceqi    $9,$9,MESH_SPHERES
+        cgti    $9,$9,MESH_LEAF
         and     $9,$9,$m_block
         ila     $10,arena+MESH_BITS+16
 few_call:

@@ -1,5 +1,5 @@
-# Finds the hits of packets of rays with the triangles and spheres of the mesh. All packets of a
-# batch go through the blocks together, so that each block is needed once for all of them.
+# Finds the hits of packets of rays with the triangles, spheres and cones of the mesh. All packets
+# of a batch go through the blocks together, so that each block is needed once for all of them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -20,7 +20,9 @@ packets:                                # the current block's: a bit each, of we
         .skip   16                      # first packet
 visits_left:                            # blocks: a tree has no more
         .skip   16
-of_spheres:                             # whether the current leaf has spheres
+of_objects:                             # whether the current leaf has spheres or cones
+        .skip   16
+base:                                   # what is added to the children of the lowest nodes
         .skip   16
 filters:                                # whether the lowest boxes may be tested with the rays
         .skip   16
@@ -250,10 +252,12 @@ lowest: hbrr    lowest_call,cull_boxes
         ila     $5,arena+MESH_LIST
         lqd     $header,MESH_HEADER_kind&~15($m_block)
         rotqbyi $header,$header,MESH_HEADER_kind&15
-        ceqi    $6,$header,MESH_SPHERES
+        cgti    $6,$header,MESH_LEAF
         lqa     $mask,scattered
-        andc    $mask,$mask,$6                          # a test with a sphere is as quick
-        and     $6,$6,$m_block                          # the children are offsets of spheres
+        ceqi    $header,$header,MESH_SPHERES
+        andc    $mask,$mask,$header                     # a test with a sphere is as quick
+        and     $6,$6,$m_block                          # the children are offsets of objects
+        stqa    $6,base
         stqa    $mask,filters
         stqa    $3,nodes
         stqa    $4,node_count
@@ -270,12 +274,12 @@ met:    ila     $a_list,arena+MESH_LIST
         rotqbyi $header,$header,MESH_HEADER_kind&15
         brz     $header,inner
 
-        # The triangles or spheres of a leaf.
+        # The triangles, spheres or cones of a leaf.
         hbrr    isect_call,isect_mesh_pairs_r16
         phase_ends $g_ticks_cull,$t_sum
-        ceqi    $c_end,$header,MESH_SPHERES
+        cgti    $c_end,$header,MESH_LEAF
         lqa     $mask,eye_way
-        brnz    $c_end,sphere_leaf
+        brnz    $c_end,object_leaf
         brz     $w_packets,known_leaf
 not_kept:
         brnz    $mask,eye_leaf
@@ -285,7 +289,7 @@ isect_call:
         tally   tests_made,$3
         tally   tests_possible,$3
         il      $c_end,0
-tested: stqa    $c_end,of_spheres
+tested: stqa    $c_end,of_objects
         hbrr    farthest_call,mesh_farthest_r16
         phase_ends $g_ticks_isect,$t_sum
         lqa     $mask,packets
@@ -305,7 +309,7 @@ tested: stqa    $c_end,of_spheres
         a       $3,$3,$bit
         ila     $5,arena+BATCH_BOUNDS
         a       $5,$5,$step
-        lqa     $c_end,of_spheres
+        lqa     $c_end,of_objects
         brnz    $c_end,to_numbers
 numbered:
         brnz    $w_packets,blocked
@@ -389,7 +393,7 @@ filter: ila     $5,arena+MESH_LIST
         cgt     $near,$near,$4
         brz     $near,met
         lqa     $3,nodes
-        il      $6,0
+        lqa     $6,base
         brsl    $lr,filter_boxes_r16
         br      met
 
@@ -410,14 +414,19 @@ was_it_enough:
         brz     $4,next_block
         br      level_met
 
-sphere_leaf:
+object_leaf:
         tally   tests_made,$4
         tally   tests_possible,$4
+        ceqi    $c_end,$header,MESH_CONES
+        brnz    $c_end,cones
         brsl    $lr,isect_bounced_spheres
+objects_tested:
         il      $c_end,-1
         br      tested
+cones:  brsl    $lr,isect_cone_pairs_r16
+        br      objects_tested
 
-        # What rays have hit are addresses of spheres in the block, which may leave the cache. They
+        # What rays have hit are addresses of objects in the block, which may leave the cache. They
         # get numbers, as triangles have: the offset in the block is in quadwords.
 to_numbers:
         splat_mask $m_word

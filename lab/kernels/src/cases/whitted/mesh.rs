@@ -8,7 +8,7 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, fs, to_f64};
 use twins::mesh::{Corners, MeshBound, mesh_bound};
 use twins::mesh_pairs::MeshBlock;
-use twins::mesh_prepare::{INNER, LEAF, SPHERES};
+use twins::mesh_prepare::{CONES, INNER, LEAF, SPHERES};
 use twins::mesh_rays::Visit;
 use twins::mesh_rows::mesh_window;
 use twins::primary_rays::Ray;
@@ -134,6 +134,11 @@ pub const KERNELS: &[Kernel] = &[
                 name: "spheres",
                 objects: Objects::Fixed(1),
                 place: |bench, _| arrived(bench, SPHERES),
+            },
+            Case {
+                name: "cones",
+                objects: Objects::Fixed(1),
+                place: |bench, _| arrived(bench, CONES),
             },
         ],
         error: None,

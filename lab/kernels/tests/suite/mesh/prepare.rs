@@ -8,9 +8,9 @@ use kernels::vector::{in_cube, magnitude};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
-use twins::mesh_prepare::{HEADER, INNER, Known, LEAF, NODE, SPHERES, WORDS, prepare};
+use twins::mesh_prepare::{CONES, HEADER, INNER, Known, LEAF, NODE, SPHERES, WORDS, prepare};
 
-const KINDS: [u32; 3] = [INNER, LEAF, SPHERES];
+const KINDS: [u32; 4] = [INNER, LEAF, SPHERES, CONES];
 /// The most lowest nodes that leave room for something in a block.
 const LOWEST: usize = 11;
 

@@ -3,9 +3,7 @@
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
-use twins::mesh_prepare::{
-    HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, OBJECT, SPHERES, WORDS,
-};
+use twins::mesh_prepare::{HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, WORDS, object};
 
 use crate::vector::in_cube;
 
@@ -37,9 +35,9 @@ pub fn block(
     let room = WORDS - first;
     let lanes: Vec<usize> = (0..lowest).map(|_| random.random_range(1..=4)).collect();
     let children: usize = lanes.iter().sum();
-    let [records, vertices] = match kind {
-        INNER => [0, 0],
-        SPHERES => [children.min(room / OBJECT), 0],
+    let [records, vertices] = match (kind, object(kind)) {
+        (INNER, _) => [0, 0],
+        (_, Some(size)) => [children.min(room / size), 0],
         _ => {
             let vertices = random.random_range(1..=room / 8);
             [
@@ -62,7 +60,7 @@ pub fn block(
     words[..HEADER].copy_from_slice(&header);
     let corner = |corner: [f64; 3], way: f64| corner.map(|c| from_f64(c + way));
     let mut below = 1;
-    let mut sphere = 0;
+    let mut number = 0;
     for node in 0..nodes {
         let at = HEADER + NODE * node;
         let lanes = match node.checked_sub(upper) {
@@ -90,11 +88,11 @@ pub fn block(
                     below += 1;
                     4 * (HEADER + NODE * (below - 1)) as u32
                 } else {
-                    match kind {
-                        INNER => random.random_range(NUMBER + 1..BLOCKS),
-                        SPHERES => {
-                            sphere = (sphere + 1) % records;
-                            4 * (first + OBJECT * sphere) as u32
+                    match (kind, object(kind)) {
+                        (INNER, _) => random.random_range(NUMBER + 1..BLOCKS),
+                        (_, Some(size)) => {
+                            number = (number + 1) % records;
+                            4 * (first + size * number) as u32
                         }
                         _ => {
                             let length = random.random_range(1..=8.min(records));
@@ -106,14 +104,14 @@ pub fn block(
             }
         }
     }
-    match kind {
-        SPHERES => {
-            for record in words[first..first + OBJECT * records].chunks_mut(OBJECT) {
+    match (kind, object(kind)) {
+        (_, Some(size)) => {
+            for record in words[first..first + size * records].chunks_mut(size) {
                 record.fill_with(|| random.random::<u32>() & 0x3fff_ffff);
                 record[10] = random.random_range(0..MATERIALS);
             }
         }
-        LEAF => {
+        (LEAF, _) => {
             for vertex in &mut words[first..first + 4 * vertices] {
                 *vertex = random.random::<u32>() & 0xbfff_ffff;
             }

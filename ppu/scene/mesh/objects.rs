@@ -1,0 +1,69 @@
+//! The spheres and cones that are in main memory.
+
+use zerocopy::IntoBytes as _;
+
+use super::tree::{Bounds, Kind, Piece};
+use super::{MeshCone, MeshSphere};
+
+/// What a scene has in main memory besides triangles.
+#[derive(Clone, Debug, Default)]
+pub struct MeshObjects {
+    /// Spheres.
+    pub spheres: Vec<MeshSphere>,
+    /// Cones and cylinders.
+    pub cones: Vec<MeshCone>,
+}
+
+impl MeshObjects {
+    /// The number of objects.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.spheres.len() + self.cones.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The materials of all objects, as indices in the scene.
+    pub(super) fn materials(&self) -> impl Iterator<Item = u32> {
+        let spheres = self.spheres.iter().map(|sphere| sphere.material);
+        spheres.chain(self.cones.iter().map(|cone| cone.material))
+    }
+
+    /// The spheres as pieces of a tree.
+    pub(super) fn sphere_pieces(&self) -> Vec<Piece> {
+        pieces(self.spheres.iter().map(MeshSphere::bounds))
+    }
+
+    /// The cones as pieces of a tree.
+    pub(super) fn cone_pieces(&self) -> Vec<Piece> {
+        pieces(self.cones.iter().map(MeshCone::bounds))
+    }
+
+    /// Appends an object's record in a block. `numbers` has the materials' numbers in blocks.
+    pub(super) fn write(&self, kind: Kind, index: u32, numbers: &[u32], records: &mut Vec<u8>) {
+        let index = index as usize;
+        let number = |material: u32| numbers[material as usize];
+        match kind {
+            Kind::Triangles(_) => {}
+            Kind::Spheres => {
+                let sphere = &self.spheres[index];
+                records.extend(sphere.record(number(sphere.material)).as_bytes());
+            }
+            Kind::Cones => {
+                let cone = &self.cones[index];
+                records.extend(cone.record(number(cone.material)).as_bytes());
+            }
+        }
+    }
+}
+
+fn pieces(bounds: impl Iterator<Item = Bounds>) -> Vec<Piece> {
+    let numbered = bounds.zip(0..);
+    numbered
+        .map(|(bounds, index)| Piece { bounds, index })
+        .collect()
+}
