@@ -42,6 +42,7 @@ pub(super) fn opaque(colour: DVec3, diffuse: f64, specular: f64, highlight: f64)
         shine,
         transmittance: 0.0,
         refraction_index: 0.0,
+        emission: DVec3::ZERO,
         shader: Shader::Phong,
         texture: None,
     }
