@@ -51,7 +51,7 @@ pub(super) fn blocks(
         width,
         ..
     } = tree;
-    let Content { mesh, spheres, .. } = content;
+    let Content { mesh, objects, .. } = content;
     let mut writer = Writer {
         nodes: &nodes,
         content,

@@ -112,7 +112,7 @@ fn materials_with_wide_numbers() {
         for (triangle, material) in mesh.materials.iter_mut().enumerate() {
             *material = (triangle as u32 * 7919) % count;
         }
-        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        let blocks = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         assert_eq!(blocks.materials().len(), count as usize);
         assert_eq!(blocks.width(), width);
         check(&mesh, &materials, &blocks);
@@ -131,7 +131,13 @@ fn materials_that_share_a_number() {
         firsts: &firsts,
         least: NumberWidth::TwoBytes,
     };
-    let blocks = MeshBlocks::numbered(&mesh, &[], &materials, numbers, Colour::Linear);
+    let blocks = MeshBlocks::numbered(
+        &mesh,
+        &MeshObjects::default(),
+        &materials,
+        numbers,
+        Colour::Linear,
+    );
     let blocks = blocks.unwrap();
     assert_eq!(blocks.materials(), [0, 1]);
     for material in &mut mesh.materials {
@@ -147,12 +153,12 @@ fn colours_are_beside_vertices() {
     materials[0].texture = texture.map(Arc::new);
     for rows in [2, 5, 40] {
         let mut mesh = ball(rows);
-        let plain = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        let plain = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         assert!(!plain.is_coloured());
         let colours = mesh.positions.iter();
         let colours = colours.map(|position| position.map(|axis| axis.abs().min(1.0)));
         mesh.colours = colours.collect();
-        let blocks = MeshBlocks::new(&mesh, &[], &materials).unwrap();
+        let blocks = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         assert!(blocks.is_coloured());
         check(&mesh, &materials, &blocks);
         assert!(blocks.count() > plain.count() || rows == 2);
@@ -161,7 +167,7 @@ fn colours_are_beside_vertices() {
         check(
             &mesh,
             &materials,
-            &MeshBlocks::new(&mesh, &[], &materials).unwrap(),
+            &MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap(),
         );
     }
 }
