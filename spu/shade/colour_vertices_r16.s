@@ -1,5 +1,4 @@
-# colour_vertices_r16   multiplies the colours of sixteen surfaces by those of their triangles'
-#                       vertices
+# colour_vertices_r16   multiplies sixteen surfaces' colours by those of their triangles' vertices
 #   C       void colour_vertices_r16(const struct rays16 *, struct surfaces *,
 #                                    const vec_uint4 *colours, const struct patch *, int are_roots);
 #   In      $3 rays, $4 their surfaces, $5 the packed colours of the vertices of each patch, $6 the
@@ -9,7 +8,7 @@
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  points in their triangles; edges from 2^-30 to 2^30, and from 1/100 of the points'
 #           distance from the eye on; |plane| about 1; up to 128 patches
-#   Error   1e-6, for a colour of 1; for the point as it is given
+#   Error   1e-6 of 1, for a colour of 1; for the point as it is given
 #   Twin    lab/twins/src/colour.rs
 #
 # The light of the vertices is interpolated with the shares of the triangle's area that

@@ -151,7 +151,7 @@ fn colours_and_many_materials() {
     mesh.materials = (0..800).collect();
     let material = |number: u32| nff::Material {
         colour: [f64::from(number) / 800.0, 0.7, 1.0].into(),
-        texture: texture.clone().filter(|_| number % 3 == 0),
+        texture: texture.clone().filter(|_| number.is_multiple_of(3)),
         ..plain.clone()
     };
     scene.materials = (0..800).map(material).collect();
