@@ -182,7 +182,8 @@ impl Mask {
                 let first = usize::from(there[0] == joined);
                 let sides = [beyond(first), beyond(first + 2)];
                 if joined {
-                    keep(clipped(&clipped(part, &sides[0]), &sides[1]));
+                    let [first, second] = sides;
+                    keep(clipped(&clipped(part, first), second));
                 } else {
                     for side in sides {
                         keep(clipped(part, |shares| -side(shares)));

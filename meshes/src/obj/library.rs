@@ -311,8 +311,11 @@ fn without_quotes(name: &[u8]) -> &[u8] {
     inner.unwrap_or(name)
 }
 
-/// The options of a texture with the first value of each, and the name of its picture.
-fn split(text: &[u8]) -> (Vec<(&[u8], &[u8])>, &[u8]) {
+/// An option of a texture, and its first value.
+type MapOption<'a> = (&'a [u8], &'a [u8]);
+
+/// The options of a texture, and the name of its picture.
+fn split(text: &[u8]) -> (Vec<MapOption<'_>>, &[u8]) {
     let mut options = Vec::new();
     let mut rest = text.trim_ascii();
     while rest.starts_with(b"-") {

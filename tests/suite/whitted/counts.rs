@@ -185,7 +185,9 @@ fn gears_by_both_rules_with_fresnel() {
 }
 
 /// Scenes of SPD, whose published counts the reference's counts meet.
-const SPD: [&str; 6] = ["gears", "mount", "teapot", "jacks", "shells", "sombrero"];
+const SPD: [&str; 9] = [
+    "gears", "mount", "teapot", "jacks", "shells", "sombrero", "rings", "tree", "lattice",
+];
 
 #[test]
 fn the_scenes_of_spd_by_its_rules() {
