@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// How files of a format begin.
-const BEGINNINGS: [(&[u8], &str); 15] = [
+const BEGINNINGS: [(&[u8], &str); 22] = [
     (b"Kaydara FBX Binary", "an FBX file"),
     (b"; FBX", "an FBX file"),
     (b"BLENDER", "a Blender (.blend) file"),
@@ -17,6 +17,13 @@ const BEGINNINGS: [(&[u8], &str); 15] = [
     (b"xof ", "a DirectX (.x) file"),
     (b"3D Geometry File Format", "a Rhino (.3dm) file"),
     (b"#INVENTOR", "an Open Inventor file"),
+    (b"\x89PNG", "a PNG picture"),
+    (b"\xff\xd8\xff", "a JPEG picture"),
+    (b"PK\x03\x04", "a ZIP archive"),
+    (b"\x1f\x8b", "a gzip archive"),
+    (b"\x7fELF", "a program"),
+    (b"newmtl", "a material library of OBJ files"),
+    (b"{", "a JSON file that is not glTF"),
     (
         b"nff\n",
         "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format",
@@ -28,7 +35,7 @@ const BEGINNINGS: [(&[u8], &str); 15] = [
 ];
 
 /// The endings of names of formats whose beginnings say less.
-const ENDINGS: [(&str, &str); 25] = [
+const ENDINGS: [(&str, &str); 32] = [
     ("3dm", "a Rhino (.3dm) file"),
     ("3ds", "a 3D Studio (.3ds) file"),
     ("3mf", "a 3MF file"),
@@ -45,7 +52,11 @@ const ENDINGS: [(&str, &str); 25] = [
     ("ma", "a Maya file"),
     ("max", "a 3ds Max file"),
     ("mb", "a Maya file"),
+    ("mtl", "a material library of OBJ files"),
     ("off", "an OFF file"),
+    ("pbrt", "a pbrt scene"),
+    ("pov", "a POV-Ray scene"),
+    ("rib", "a RenderMan (.rib) scene"),
     ("skp", "a SketchUp file"),
     ("step", "a STEP file"),
     ("stp", "a STEP file"),
@@ -54,12 +65,10 @@ const ENDINGS: [(&str, &str); 25] = [
     ("usdc", "a USD file"),
     ("usdz", "a USD file"),
     ("wrl", "a VRML file"),
+    ("x", "a DirectX (.x) file"),
+    ("x3d", "an X3D file"),
+    ("xml", "an XML file"),
 ];
-
-/// The format of a file that is not read, with its article, if its beginning or its name tell it.
-pub(crate) fn of(name: &Path, beginning: &[u8]) -> Option<&'static str> {
-    of_bytes(beginning).or_else(|| of_name(name))
-}
 
 /// The format of a file by how it begins.
 pub(crate) fn of_bytes(beginning: &[u8]) -> Option<&'static str> {
@@ -77,13 +86,19 @@ pub(crate) fn of_bytes(beginning: &[u8]) -> Option<&'static str> {
     } else if has(b"<X3D") {
         Some("an X3D file")
     } else {
-        None
+        Some("an XML file")
     }
 }
 
-/// The format of a file by the end of its name.
-fn of_name(name: &Path) -> Option<&'static str> {
-    let ending = name.extension()?.to_str()?.to_ascii_lowercase();
-    let found = ENDINGS.iter().find(|(known, _)| *known == ending);
-    found.map(|&(_, name)| name)
+/// The format of a file by the end of its name, or that it is no text, which has no bytes of 0.
+pub(crate) fn of_name(name: &Path, beginning: &[u8]) -> Option<&'static str> {
+    let ending = name.extension().and_then(|it| it.to_str());
+    let ending = ending.map(str::to_ascii_lowercase);
+    let found = ENDINGS
+        .iter()
+        .find(|(known, _)| Some(*known) == ending.as_deref());
+    let binary = beginning.contains(&0);
+    found
+        .map(|&(_, name)| name)
+        .or(binary.then_some("a binary file of an unknown format"))
 }

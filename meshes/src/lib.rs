@@ -59,11 +59,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         let done = terrain::generate(level, &mut builder);
         return done.and_then(|()| builder.finish(&file)).map_err(wrong);
     }
-    let beginning = beginning(name);
-    let Some(format) = Format::of(name, &beginning) else {
-        if let Some(foreign) = foreign::of(name, &beginning) {
-            return Err(wrong(Fault::Foreign(foreign)));
-        }
+    let Some(format) = Format::of(name).map_err(wrong)? else {
         let scene = nff::load(name)?;
         return Ok(Loaded {
             scene,
@@ -72,9 +68,6 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
     };
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;
-        if let Some(foreign) = foreign::of_bytes(&bytes[..bytes.len().min(BEGINNING as usize)]) {
-            return Err(Fault::Foreign(foreign));
-        }
         let mut builder = Builder::default();
         match format {
             Format::Obj => obj::read(&bytes, name, &mut builder)?,
@@ -98,40 +91,75 @@ enum Format {
 }
 
 impl Format {
-    /// The format of a file by its first bytes, if these are of one format only, or by the end of
-    /// its name.
-    fn of(name: &Path, beginning: &[u8]) -> Option<Self> {
+    /// The format of a file: what its beginning can only be, whatever its name is; then what its
+    /// name says; then what it may be without one. `None` for a scene of [`nff`].
+    fn of(name: &Path) -> Result<Option<Self>, Fault> {
+        let (beginning, size) = beginning(name);
+        let marked = Self::of_mark(&beginning, size);
+        let named = Self::of_name(name);
+        // glTF's JSON may have its mark anywhere.
+        let is_json = beginning.trim_ascii_start().starts_with(b"{");
+        let is_gltf = is_json && matches!(named, Some(Self::Gltf | Self::Glb));
+        if marked.is_none() && !is_gltf {
+            if let Some(foreign) = foreign::of_bytes(&beginning) {
+                return Err(Fault::Foreign(foreign));
+            }
+            if named.is_none()
+                && let Some(foreign) = foreign::of_name(name, &beginning)
+            {
+                return Err(Fault::Foreign(foreign));
+            }
+        }
+        let gltf = is_gltf.then_some(Self::Gltf);
+        let likely = || obj::is_likely(&beginning).then_some(Self::Obj);
+        Ok(marked.or(gltf).or(named).or_else(likely))
+    }
+
+    fn of_mark(beginning: &[u8], size: u64) -> Option<Self> {
+        let text = beginning.strip_prefix(b"\xef\xbb\xbf").unwrap_or(beginning);
+        let text = text.trim_ascii_start();
+        let has = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
         if beginning.starts_with(b"glTF") {
-            return Some(Self::Glb);
+            Some(Self::Glb)
+        } else if text.starts_with(b"ply\n") || text.starts_with(b"ply\r") {
+            Some(Self::Ply)
+        } else if text.starts_with(b"solid") && has(b"facet") && has(b"vertex")
+            || stl::is_binary(beginning, size)
+        {
+            Some(Self::Stl)
+        } else if text.starts_with(b"{") && has(b"\"asset\"") {
+            Some(Self::Gltf)
+        } else {
+            None
         }
-        if beginning.starts_with(b"ply\n") || beginning.starts_with(b"ply\r") {
-            return Some(Self::Ply);
-        }
-        let extension = name.extension()?.to_str()?.to_ascii_lowercase();
-        match extension.as_str() {
+    }
+
+    fn of_name(name: &Path) -> Option<Self> {
+        let ending = name.extension()?.to_str()?.to_ascii_lowercase();
+        match ending.as_str() {
             "obj" => Some(Self::Obj),
             "ply" => Some(Self::Ply),
             "stl" => Some(Self::Stl),
-            "glb" | "gltf" | "vrm" => Some(match beginning.trim_ascii_start().first() {
-                // JSON, whatever the name says.
-                Some(b'{' | 0xef) => Self::Gltf,
-                _ if extension == "gltf" => Self::Gltf,
-                _ => Self::Glb,
-            }),
+            "gltf" => Some(Self::Gltf),
+            "glb" | "vrm" => Some(Self::Glb),
             _ => None,
         }
     }
 }
 
-/// The first bytes of a file; none if it can't be read, or is no file that can be read twice.
-fn beginning(name: &Path) -> Vec<u8> {
+/// The first bytes of a file, and its size; none if it can't be read, or is no file that can be
+/// read twice.
+fn beginning(name: &Path) -> (Vec<u8>, u64) {
     let mut bytes = Vec::new();
-    let is_file = name.metadata().is_ok_and(|data| data.is_file());
-    if is_file && let Ok(file) = File::open(name) {
+    let size = name.metadata().ok().filter(|data| data.is_file());
+    let size = size.map_or(0, |data| data.len());
+    if size > 0
+        && let Ok(file) = File::open(name)
+    {
         // Whoever reads the file later reports that it can't be read.
         let _ = file.take(BEGINNING).read_to_end(&mut bytes);
     }
-    bytes
+    (bytes, size)
 }
 
 /// Reads a file that is not too large.

@@ -31,8 +31,13 @@ fn is_text(bytes: &[u8]) -> bool {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let begins = bytes.trim_ascii_start().get(..5);
     let begins = begins.is_some_and(|it| it.eq_ignore_ascii_case(b"solid"));
-    let fits = count(bytes).is_some_and(|count| HEADER + count * TRIANGLE == bytes.len());
-    begins && !fits
+    begins && !is_binary(bytes, bytes.len() as u64)
+}
+
+/// Whether the beginning of a file and its size are those of a binary file.
+pub(crate) fn is_binary(beginning: &[u8], size: u64) -> bool {
+    let triangles = count(beginning).filter(|count| *count > 0);
+    triangles.is_some_and(|count| (HEADER + count * TRIANGLE) as u64 == size)
 }
 
 /// The number of triangles that a binary file's header states.

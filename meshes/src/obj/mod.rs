@@ -41,6 +41,24 @@ const FREE_FORM: [&[u8]; 16] = [
     b"hole", b"scrv", b"sp", b"end", b"con", b"ctech",
 ];
 
+/// Whether a text without a name that says so is an OBJ file: its first statement is one that NFF
+/// has not.
+pub(crate) fn is_likely(beginning: &[u8]) -> bool {
+    let text = without_mark(beginning).unwrap_or_default();
+    let first = Lines::new(text).map(|(_, line)| line).find(|line| {
+        let (word, _) = first_word(line);
+        !word.is_empty() && !word.starts_with(b"#")
+    });
+    let Some(first) = first else {
+        return false;
+    };
+    match first_word(&first) {
+        (b"v" | b"vn" | b"vt", rest) => words(rest).filter_map(number).count() >= 2,
+        (b"mtllib" | b"usemtl" | b"o" | b"g", _) => true,
+        _ => false,
+    }
+}
+
 pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let text = without_mark(bytes).map_err(Fault::Encoding)?;
     // The format doesn't say whether surfaces have a back, and many files are wound both ways.

@@ -521,7 +521,7 @@ fn meshes_far_from_the_origin_keep_their_shape_and_are_in_view() {
 
 #[test]
 fn files_of_other_programs_are_named() {
-    let cases: [(&'static str, &[u8], &str); 9] = [
+    let cases: [(&'static str, &[u8], &str); 14] = [
         ("x.fbx", b"Kaydara FBX Binary  \0", "an FBX file"),
         ("x.obj", b"; FBX 7.3.0 project file\n", "an FBX file"),
         (
@@ -538,11 +538,41 @@ fn files_of_other_programs_are_named() {
         ("x.3ds", b"MM\0\0", "a 3D Studio (.3ds) file"),
         ("x.nff", b"#VRML V2.0 utf8\n", "a VRML file"),
         ("x.stl", b"ISO-10303-21;\n", "a STEP file"),
-        ("x.usdz", b"PK\x03\x04", "a USD file"),
+        ("x.zip", b"PK\x03\x04", "a ZIP archive"),
+        ("x.nff", b"\x89PNG\r\n", "a PNG picture"),
+        ("x.nff", b"{\"version\": 1}", "a JSON file that is not glTF"),
+        ("x.mtl", b"newmtl a\n", "a material library of OBJ files"),
+        ("x.pov", b"camera {\n", "a POV-Ray scene"),
+        ("scene", b"\0\x01\x02", "a binary file of an unknown format"),
     ];
     for (name, bytes, expected) in cases {
         let found = refusal(&[file(name, bytes)]);
         let expected = format!("{name}: this is {expected}");
         assert!(found.starts_with(&expected), "{found}");
     }
+}
+
+#[test]
+fn files_with_the_names_of_other_formats_are_read_as_they_are() {
+    let square = format!("# a square\n{CORNERS}f 1 2 3 4\n");
+    let plain = obj(&square);
+    same("OBJ as NFF", &[file("x.nff", &square)], &plain);
+    same("OBJ without an end", &[file("square", &square)], &plain);
+    let stl = super::scans::STL;
+    same("STL as NFF", &[file("x.nff", stl)], &[file("x.stl", stl)]);
+    let binary = super::scans::binary_stl(b"; FBX is not what this is");
+    same(
+        "binary STL as OBJ",
+        &[file("x.obj", &binary)],
+        &[file("x.stl", &binary)],
+    );
+    let glb = super::files::glb();
+    same(
+        "GLB as glTF",
+        &[file("x.gltf", &glb)],
+        &[file("x.glb", &glb)],
+    );
+    let tetra = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
+    let loaded = load(&[file("x.nff", tetra)]).unwrap();
+    assert_eq!(loaded.scene.objects.len(), 1);
 }
