@@ -181,8 +181,8 @@ impl Builder {
         Ok(())
     }
 
-    /// Adds a polygon of vertices that were added, which may be concave. Returns whether it is drawn
-    /// right: triangles around the first corner stand for a polygon whose edges cross.
+    /// Adds a polygon of vertices that were added, which may be concave. Returns whether it is
+    /// drawn right: triangles around the first corner stand for a polygon whose edges cross.
     pub fn face(&mut self, corners: &[u32], material: u32) -> Result<bool, Fault> {
         let &[start, ref rest @ ..] = corners else {
             return Ok(true);

@@ -1,9 +1,9 @@
 //! Loads OBJ, PLY, STL and glTF files as scenes for Whitted's model.
 //!
-//! Owns the formats, how their materials become those of [`nff::Material`], and the view and lights
-//! of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh has at
-//! least one triangle with an area, all of its vertices and materials exist, and all its numbers are
-//! finite. If one of its materials has a texture, it has texture coordinates.
+//! Owns the formats, how their materials become those of [`nff::Material`], and the view and
+//! lights of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh
+//! has at least one triangle with an area, all of its vertices and materials exist, and all its
+//! numbers are finite. If one of its materials has a texture, it has texture coordinates.
 
 mod builder;
 mod colours;

@@ -1,8 +1,8 @@
 //! Holes in surfaces: cuts triangles along the line at which a texture's alpha passes a limit.
 //!
 //! Between the middles of four texels alpha is bilinear, as the texture's colours are. The line is
-//! drawn straight within such a cell (marching squares). So the mesh has the holes, and rays need no
-//! texture to find them.
+//! drawn straight within such a cell (marching squares). So the mesh has the holes, and rays need
+//! no texture to find them.
 
 use glam::{DVec2, DVec3};
 use nff::Wrap;

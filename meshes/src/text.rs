@@ -50,8 +50,8 @@ impl<'a> Lines<'a> {
 }
 
 /// The part before a backslash that joins a line with the next one. The last byte of a character
-/// of GBK or Shift-JIS, and the end of a Windows folder's name, look the same, so the backslash must
-/// come after a blank or a number.
+/// of GBK or Shift-JIS, and the end of a Windows folder's name, look the same, so the backslash
+/// must come after a blank or a number.
 fn continued(line: &[u8]) -> Option<&[u8]> {
     let before = line.trim_ascii_end().strip_suffix(b"\\")?;
     let is_comment = line.trim_ascii_start().starts_with(b"#");

@@ -40,8 +40,8 @@ pub use words::MAX_MAGNITUDE;
 use std::path::Path;
 
 /// Loads the scene that a user has named: `sphereflake:LEVEL`, `tetra:LEVEL` and the scenes of
-/// [`spd::GENERATORS`] are generated, any other name is a file to [`read`]. A file that has the name
-/// of one of these is the file.
+/// [`spd::GENERATORS`] are generated, any other name is a file to [`read`]. A file that has the
+/// name of one of these is the file.
 ///
 /// # Errors
 /// The level or size is not a number, or any error of [`read`], [`sphereflake::generate`],

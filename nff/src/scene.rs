@@ -77,8 +77,8 @@ pub struct Material {
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
-    /// Light that it sends by itself, in addition to what other light does there: red, green and blue,
-    /// encoded as the colour is. [`Shader::Depth`] ignores it.
+    /// Light that it sends by itself, in addition to what other light does there: red, green and
+    /// blue, encoded as the colour is. [`Shader::Depth`] ignores it.
     pub emission: DVec3,
     /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,

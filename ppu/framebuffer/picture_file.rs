@@ -195,8 +195,8 @@ impl PictureFile {
     /// Prepares frames of size `geometry` for `path`. Nothing is written before the first frame.
     ///
     /// # Errors
-    /// The size is out of range, there is not enough memory, or no picture can be written to `path`;
-    /// see [`write_picture`].
+    /// The size is out of range, there is not enough memory, or no picture can be written to
+    /// `path`; see [`write_picture`].
     pub fn new(path: &Path, geometry: Geometry) -> Result<PictureFile, FramebufferError> {
         Format::of(path)?;
         Place::of(path)?;

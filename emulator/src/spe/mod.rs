@@ -282,8 +282,8 @@ impl Spe {
         matches!(self.engine.try_lock(), Err(TryLockError::WouldBlock))
     }
 
-    /// Whether the SPU found nothing in a blocking channel when it last looked, and sleeps there. In
-    /// simulated time, it also sleeps while it waits for its turn.
+    /// Whether the SPU found nothing in a blocking channel when it last looked, and sleeps there.
+    /// In simulated time, it also sleeps while it waits for its turn.
     #[must_use]
     pub fn sleeps(&self) -> bool {
         match &self.simulated {

@@ -3,8 +3,8 @@
 //! Its 32 patches are bicubic Bézier surfaces. Body, lid and bottom are profiles that are turned
 //! around the axis in four quarters; handle and spout are tubes that are the same on both sides.
 //!
-//! All of it is a mesh, because an object can't be seen from both sides. So each of SPD's squares is
-//! two triangles.
+//! All of it is a mesh, because an object can't be seen from both sides. So each of SPD's squares
+//! is two triangles.
 
 use glam::{DMat4, DVec3, DVec4};
 

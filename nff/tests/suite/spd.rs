@@ -270,7 +270,7 @@ fn a_sombrero_faces_up_and_is_highest_in_its_middle() {
         .max_by(|a, b| a.y.total_cmp(&b.y));
     let highest = highest.expect("points");
     assert_eq!(highest.y, -2.0);
-    assert!(highest.x.hypot(highest.z) < 0.2, "{highest}");
+    assert!(libm::hypot(highest.x, highest.z) < 0.2, "{highest}");
 }
 
 #[test]

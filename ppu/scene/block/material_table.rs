@@ -50,8 +50,8 @@ impl MaterialTable {
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         let start = self.0.as_ptr().cast::<u8>();
-        // SAFETY: the lines are arrays of bytes, without padding, one after another: their size is a
-        // multiple of their alignment. The slice borrows `self`, and bytes have no alignment.
+        // SAFETY: the lines are arrays of bytes, without padding, one after another: their size is
+        // a multiple of their alignment. The slice borrows `self`, and bytes have no alignment.
         unsafe { std::slice::from_raw_parts(start, self.0.len() * MATERIAL_STRIDE as usize) }
     }
 

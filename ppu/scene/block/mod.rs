@@ -311,8 +311,8 @@ impl SceneBlock {
             };
             Ok::<_, BlockError>((record, surface))
         };
-        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers: in local
-        // store, or in main memory, too.
+        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers: in
+        // local store, or in main memory, too.
         let start = block.end();
         let mut table = Vec::new();
         if let Some(streamed) = &streamed {

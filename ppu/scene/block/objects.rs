@@ -138,10 +138,10 @@ pub(super) fn of_shape(
     }
 }
 
-/// The sides of the objects that stand for a primitive with these sides: usually one. A sphere that
-/// is seen from both sides is hit where a ray enters it, or from inside where the ray leaves. For an
-/// eye on its surface that is two spheres, an entrance and an exit, because in singles only these
-/// can be moved away from the eye without changing what the eye sees of them.
+/// The sides of the objects that stand for a primitive with these sides: usually one. A sphere
+/// that is seen from both sides is hit where a ray enters it, or from inside where the ray leaves.
+/// For an eye on its surface that is two spheres, an entrance and an exit, because in singles only
+/// these can be moved away from the eye without changing what the eye sees of them.
 pub(super) fn sides_seen_from(
     eye: DVec3,
     primitive: &Primitive,

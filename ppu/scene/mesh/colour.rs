@@ -7,8 +7,9 @@ use crate::scene::Colour;
 /// The largest number.
 const MOST: f64 = 1023.0;
 
-/// A colour of a scene as SPUs get it: its light or, if it is sRGB's, the square root of that, which
-/// has as many steps in the dark as a screen. It is off by at most a fifth of a step of 8 bits.
+/// A colour of a scene as SPUs get it: its light or, if it is sRGB's, the square root of that,
+/// which has as many steps in the dark as a screen. It is off by at most a fifth of a step of 8
+/// bits.
 pub(super) fn packed(colour: [f32; 3], meaning: Colour) -> u32 {
     let light = meaning.light(DVec3::from_array(colour.map(f64::from)));
     let [red, green, blue] = light.to_array().map(|light| {

@@ -269,8 +269,8 @@ impl MeshBlocks {
         self.blocks.as_ptr().expose_provenance() as u64
     }
 
-    /// The materials of the triangles and spheres, as indices in the scene's materials, in the order
-    /// of their numbers in blocks. Of those that share a number it has the first one.
+    /// The materials of the triangles and spheres, as indices in the scene's materials, in the
+    /// order of their numbers in blocks. Of those that share a number it has the first one.
     #[must_use]
     pub fn materials(&self) -> &[u32] {
         &self.materials

@@ -36,8 +36,8 @@ pub(super) struct Content<'a> {
     pub colours: &'a [u32],
 }
 
-/// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, and `materials`
-/// the materials in the order of their numbers.
+/// Writes the blocks of a tree. `ends` has the kind of the pieces before each index, and
+/// `materials` the materials in the order of their numbers.
 pub(super) fn blocks(
     content: Content<'_>,
     tree: Tree<'_>,

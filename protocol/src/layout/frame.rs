@@ -103,8 +103,8 @@ record! {
         /// Where in local store the first of the mesh's materials is, which the others follow; not
         /// used with `FEATURE_MATERIALS`.
         mesh_materials: U32,
-        /// Materials of the mesh. With `FEATURE_MATERIALS` it is a multiple of 256, and there may be
-        /// some that nothing has.
+        /// Materials of the mesh. With `FEATURE_MATERIALS` it is a multiple of 256, and there may
+        /// be some that nothing has.
         mesh_material_count: U32,
         /// Where in local store blocks are cached; a multiple of 128.
         mesh_cache: U32,

@@ -32,8 +32,8 @@ record! {
         triangles: U32,
         /// Vertices, at most `MESH_VERTICES`; 0 unless there are triangles.
         vertices: U32,
-        /// `SIDES_BOTH`, `SIDES_SMOOTH`, `SIDES_TEXTURED`, `SIDES_WIDE` and `SIDES_COLOURED`, for all
-        /// triangles of the block.
+        /// `SIDES_BOTH`, `SIDES_SMOOTH`, `SIDES_TEXTURED`, `SIDES_WIDE` and `SIDES_COLOURED`, for
+        /// all triangles of the block.
         sides: U32,
     }
 }

@@ -39,7 +39,6 @@ fn check(published: &Published) {
     let triangles = scene.mesh.as_ref().map_or(0, |mesh| mesh.triangles.len());
     assert_eq!(scene.objects.len() + triangles, published.primitives);
     let found = counts(&scene, &SPD);
-    println!("{name}: {found:?}");
     assert_eq!(found.eye, 513 * 513);
     for (kind, found, published) in [
         ("eye_hit", found.eye_hit, published.eye_hit),
