@@ -111,8 +111,12 @@ pub(crate) fn without_comment(line: &[u8]) -> &[u8] {
 
 /// A number; `None` if the word is none, or is not finite.
 pub(crate) fn number(word: &[u8]) -> Option<f64> {
-    let number: f64 = std::str::from_utf8(word).ok()?.parse().ok()?;
-    number.is_finite().then_some(number)
+    any_number(word).filter(|number| number.is_finite())
+}
+
+/// A number, which may be NaN or infinite.
+pub(crate) fn any_number(word: &[u8]) -> Option<f64> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }
 
 /// A word or a name, shortened and quoted for a message.

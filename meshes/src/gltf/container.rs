@@ -52,7 +52,13 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>, Fault> {
         }
         rest = &rest[CHUNK_HEADER + size..];
     }
-    let json = json.ok_or_else(|| wrong("it has no JSON chunk".into()))?;
+    let json: &[u8] = json.ok_or_else(|| wrong("it has no JSON chunk".into()))?;
+    // Some programs fill the chunk with zeros instead of blanks.
+    let end = json
+        .iter()
+        .rposition(|&byte| byte != 0)
+        .map_or(0, |last| last + 1);
+    let json = &json[..end];
     Ok(Chunks { json, binary })
 }
 

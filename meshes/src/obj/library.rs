@@ -292,7 +292,6 @@ fn set_map(
         let text = "options of textures other than -clamp are ignored";
         note("options", text.into());
     }
-    let name = without_quotes(name);
     let bare = without_comment(name).trim_ascii_end();
     let found = existing(folder, name).or_else(|| existing(folder, bare));
     // A path of another computer.
@@ -346,6 +345,7 @@ fn split(text: &[u8]) -> (Vec<MapOption<'_>>, &[u8]) {
 
 /// The path of a name in a folder. Windows' backslashes separate folders, too.
 fn joined(folder: &Path, name: &[u8]) -> PathBuf {
+    let name = without_quotes(name);
     let slashes: Vec<u8> = name
         .iter()
         .map(|&it| if it == b'\\' { b'/' } else { it })
@@ -356,6 +356,7 @@ fn joined(folder: &Path, name: &[u8]) -> PathBuf {
 /// The file that a name means in a folder, if there is one: with the name itself, or with one that
 /// differs in the case of letters, or in the encoding of other letters.
 fn existing(folder: &Path, name: &[u8]) -> Option<PathBuf> {
+    let name = without_quotes(name);
     for path in [folder.join(OsStr::from_bytes(name)), joined(folder, name)] {
         if path.is_file() {
             return Some(path);

@@ -14,7 +14,9 @@ use self::library::Libraries;
 use self::materials::Materials;
 use crate::Fault;
 use crate::builder::{Builder, MAX_CORNERS, Vertex};
-use crate::text::{Lines, first_word, number, shown, without_comment, without_mark, words};
+use crate::text::{
+    Lines, any_number, first_word, number, shown, without_comment, without_mark, words,
+};
 
 /// An index that a corner doesn't have.
 const NONE: u32 = u32::MAX;
@@ -151,10 +153,15 @@ impl Parts {
 
     /// `v x y z`, with a weight or with a colour behind it.
     fn position(&mut self, line: usize, text: &[u8]) -> Result<(), Fault> {
-        let place = three(text).ok_or_else(|| Fault::Line {
-            line,
-            what: format!("a vertex needs three finite numbers, not {}", shown(text)),
-        })?;
+        let mut words_of = words(text).map(any_number);
+        let mut next = || words_of.next().flatten();
+        // Scanners write NaN where they have seen nothing, and no face has these vertices.
+        let Some(((x, y), z)) = next().zip(next()).zip(next()) else {
+            return Err(Fault::Line {
+                line,
+                what: format!("a vertex needs three numbers, not {}", shown(text)),
+            });
+        };
         let colour = words(text).skip(3).take(3).map(number);
         let colour: Option<Vec<f32>> = colour.map(|it| Some(it? as f32)).collect();
         if let Some(&[red, green, blue]) = colour.as_deref() {
@@ -162,7 +169,7 @@ impl Parts {
             self.colours.resize(self.positions.len(), without);
             self.colours.push([red, green, blue]);
         }
-        self.positions.push(place);
+        self.positions.push(DVec3::new(x, y, z));
         Ok(())
     }
 

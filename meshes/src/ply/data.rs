@@ -2,7 +2,7 @@
 
 use super::header::{Element, Encoding, Kind};
 use crate::Fault;
-use crate::text::{number, shown};
+use crate::text::{any_number, shown};
 
 /// The most numbers of a list.
 const LONGEST: f64 = (1 << 26) as f64;
@@ -100,8 +100,8 @@ impl<'a> Values<'a> {
         if word.is_empty() {
             return Err(self.wrong("the file ends inside its data".into()));
         }
-        let Some(number) = number(word) else {
-            return Err(self.wrong(format!("{} is not a finite number", shown(word))));
+        let Some(number) = any_number(word) else {
+            return Err(self.wrong(format!("{} is not a number", shown(word))));
         };
         self.at = start + word.len();
         Ok(number)

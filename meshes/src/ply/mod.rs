@@ -199,11 +199,7 @@ impl File {
 
         let count = self.vertices.len();
         let of_faces = (faces_have_places && is_textured) || faces_have_colours;
-        if !of_faces {
-            for vertex in &self.vertices {
-                builder.vertex(vertex)?;
-            }
-        }
+        let mut added = vec![None; count];
         let mut numbers = Vec::new();
         let (mut short, mut crossed) = (0, 0);
         for face in &self.faces {
@@ -218,8 +214,9 @@ impl File {
                         vertices: count,
                     });
                 };
-                if !of_faces {
-                    numbers.push(vertex as u32);
+                // Vertices that no face has are left out: scanners write NaN where they see nothing.
+                if let Some(number) = added[vertex].filter(|_| !of_faces) {
+                    numbers.push(number);
                     continue;
                 }
                 let mut own = self.vertices[vertex];
@@ -227,7 +224,9 @@ impl File {
                     own.coordinates = Some([u as f32, 1.0 - v as f32]);
                 }
                 own.colour = face.colour.or(own.colour);
-                numbers.push(builder.vertex(&own)?);
+                let number = builder.vertex(&own)?;
+                added[vertex] = Some(number);
+                numbers.push(number);
             }
             if (1..3).contains(&numbers.len()) {
                 short += 1;

@@ -122,6 +122,10 @@ fn obj_text_of_any_encoding_and_line_end_is_read() {
             "slashes without numbers",
             obj(format!("{CORNERS}f 1/ 2// 3 4\n")),
         ),
+        (
+            "a vertex that no face has",
+            obj(format!("{CORNERS}v nan -inf 1e300\nf 1 2 3 4\n")),
+        ),
     ];
     for (name, files) in cases {
         let notes = same(name, &files, &plain);
@@ -203,12 +207,12 @@ fn faults_of_obj_geometry_name_their_line() {
         (
             "v 1 1 0",
             "v 1 x 0",
-            "x.obj:3: a vertex needs three finite numbers, not `1 x 0`",
+            "x.obj:3: a vertex needs three numbers, not `1 x 0`",
         ),
         (
             "v 1 1 0",
             "v 1 nan 0",
-            "x.obj:3: a vertex needs three finite numbers",
+            "x.obj:5: vertex 2 is not finite: NaN",
         ),
         (
             "v 1 1 0",
@@ -365,7 +369,7 @@ fn libraries_are_found_by_all_their_names() {
     };
     let green = "newmtl green\nKd 0 1 0\n";
     let spaced = RED.replace("red", "dark red");
-    let cases: [(&str, Vec<NamedFile>); 7] = [
+    let cases: [(&str, Vec<NamedFile>); 8] = [
         (
             "two on a line",
             vec![
@@ -388,6 +392,13 @@ fn libraries_are_found_by_all_their_names() {
         (
             "a folder of another computer's",
             vec![file("x.obj", square(".\\a.mtl", "red")), file("a.mtl", RED)],
+        ),
+        (
+            "quotes",
+            vec![
+                file("x.obj", square("\"a.mtl\"", "red")),
+                file("a.mtl", RED),
+            ],
         ),
         (
             "a comment",

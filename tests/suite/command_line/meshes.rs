@@ -49,7 +49,10 @@ fn bad_meshes_and_views() {
     let path = folder.path().join("bad.obj");
     fs::write(&path, OBJ.replace("f 1 2", "f 1 9")).unwrap();
     let name = path.to_str().unwrap();
-    bad(&["render", name], &["bad.obj", "out of bounds"]);
+    bad(
+        &["render", name],
+        &["bad.obj:6: a face has the vertex 9, but there are only 4"],
+    );
     bad(&["render", "none.glb"], &["none.glb"]);
     for wrong in ["1,2", "1,2,3,4", "1,x,3", "1,2,nan", "1,2,3,x"] {
         let option = format!("--look-at={wrong}");

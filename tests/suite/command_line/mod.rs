@@ -334,14 +334,22 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}#cellray fog\n"), &["bad.nff:9", "fog"]);
 }
 
-/// A file of 17 GB that needs no space on the disk: a sparse file is one endless line of zero
-/// bytes.
+/// A file of 17 GB that needs no space on the disk: a sparse file is all zero bytes, whatever its
+/// first line is.
 #[test]
 fn seventeen_gigabytes() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("huge.nff");
-    File::create(&path).unwrap().set_len(17 << 30).unwrap();
-    bad(&["render", path.to_str().unwrap()], &["huge.nff:1"]);
+    let huge = |start: &[u8]| {
+        fs::write(&path, start).unwrap();
+        let file = File::options().write(true).open(&path).unwrap();
+        file.set_len(17 << 30).unwrap();
+    };
+    huge(b"");
+    let name = path.to_str().unwrap();
+    bad(&["render", name], &["huge.nff: this is a binary file"]);
+    huge(&[b'#'; 5000]);
+    bad(&["render", name], &["huge.nff:1: the line is longer than"]);
     bad(&["render", "sphereflake:9"], &["435848050"]);
 }
 

@@ -2,8 +2,9 @@
 
 use super::*;
 use protocol::layout::{
-    Cone, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
-    Material, Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH, Triangle,
+    Cone, MATERIAL_FLAT, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES,
+    MATERIAL_TRANSMITS, Material, Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT,
+    SIDES_SMOOTH, Triangle,
 };
 
 /// The only object of a kind.
@@ -345,7 +346,7 @@ fn shaders() {
     assert_eq!(shares(&lambert), [0.5, 0.0, 0.25, 0.75]);
     assert_eq!(lambert.flags.get(), glass);
     let flat = material("flat");
-    assert_eq!((shares(&flat), flat.flags.get()), ([0.0; 4], 0));
+    assert_eq!((shares(&flat), flat.flags.get()), ([0.0; 4], MATERIAL_FLAT));
     assert_eq!(wide(flat.emission), colour);
 
     let checker = material("checker 0 0.5 1 4");
