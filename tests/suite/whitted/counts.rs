@@ -37,6 +37,7 @@ fn corner_rays_are_counted_as_by_the_reference(
     scene: &nff::Scene,
     render_options: RenderOptions,
     side: u32,
+    wrong: f64,
 ) -> (Frame, Counts) {
     let name = &scene.name;
     let render_options = RenderOptions {
@@ -79,14 +80,14 @@ fn corner_rays_are_counted_as_by_the_reference(
     let result = oracle::compare(&picture(&averaged(&frame.picture)), &reference).unwrap();
     println!("{name}: {result:?}");
     assert!(result.max_error_off_silhouette <= 2, "{result:?}");
-    assert!(result.wrong_fraction <= WRONG, "{result:?}");
+    assert!(result.wrong_fraction <= wrong, "{result:?}");
     (frame, counts)
 }
 
 #[test]
 fn balls() {
     let scene = nff::load(Path::new("sphereflake:2")).unwrap();
-    corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+    corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE, WRONG);
 }
 
 #[test]
@@ -94,7 +95,7 @@ fn tetra() {
     // The second one's triangles are streamed from main memory.
     for name in ["tetra:3", "tetra:5"] {
         let scene = nff::load(Path::new(name)).unwrap();
-        corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+        corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE, WRONG);
     }
 }
 
@@ -160,7 +161,7 @@ fn gears_by_both_rules() {
             spd_rays,
             ..WHITTED
         };
-        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
+        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE, WRONG)
     });
     assert_the_same_but_for_steps(&seen, &all);
     assert_eq!(by_weight.eye_hit, by_spd.eye_hit);
@@ -178,25 +179,36 @@ fn gears_by_both_rules_with_fresnel() {
             ray_depth: 3,
             ..WHITTED
         };
-        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
+        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE, WRONG)
     });
     assert_the_same_but_for_steps(&seen.0, &all.0);
     assert!(all.1.shadow > seen.1.shadow);
 }
 
-/// Scenes of SPD, whose published counts the reference's counts meet.
-const SPD: [&str; 9] = [
-    "gears", "mount", "teapot", "jacks", "shells", "sombrero", "rings", "tree", "lattice",
+/// Scenes of SPD, whose published counts the reference's counts meet, with the sides of their
+/// pictures, and the share of pixels that may be wrong on silhouettes. Mirrors in mirrors show
+/// other things by the last digit, so there are more of these, and `rings` needs more rays for the
+/// tolerance of counts.
+const SPD: [(&str, u32, f64); 9] = [
+    ("gears", DEEP_SIDE, WRONG),
+    ("mount", DEEP_SIDE, WRONG),
+    ("teapot", DEEP_SIDE, WRONG),
+    ("jacks", DEEP_SIDE, WRONG),
+    ("shells", DEEP_SIDE, WRONG),
+    ("sombrero", DEEP_SIDE, WRONG),
+    ("rings", 2 * DEEP_SIDE, 0.002),
+    ("tree", DEEP_SIDE, 0.003),
+    ("lattice", DEEP_SIDE, 0.025),
 ];
 
 #[test]
 fn the_scenes_of_spd_by_its_rules() {
-    for name in SPD {
+    for (name, side, wrong) in SPD {
         let scene = nff::load(Path::new(name)).unwrap();
         let by_spd = RenderOptions {
             spd_rays: true,
             ..WHITTED
         };
-        corner_rays_are_counted_as_by_the_reference(&scene, by_spd, DEEP_SIDE);
+        corner_rays_are_counted_as_by_the_reference(&scene, by_spd, side, wrong);
     }
 }

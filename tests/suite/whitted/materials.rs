@@ -173,7 +173,7 @@ fn where_materials_are_makes_no_difference() {
 fn many_materials_with_textures() {
     let mut scene = parsed(&format!("{VIEW}f 1 1 1 0.8 0.2 9 0 0\n"));
     let texture = |width: u32, height: u32| {
-        let texel = |number: u32| [number * 37, number * 11, 255 - number].map(|it| it as u8);
+        let texel = |number: u32| [number * 37, number * 11, !number].map(|it| it as u8);
         let texels = (0..width * height).map(texel).collect();
         nff::Texture::new(width, texels, [nff::Wrap::Repeat; 2]).map(Arc::new)
     };
