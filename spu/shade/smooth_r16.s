@@ -21,6 +21,7 @@
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "barycentric.inc"
         .include "math.inc"
 
         .set    NEXT,3
@@ -41,40 +42,8 @@
 
         .section .rodata
         .align  4
-# The first and second words of A and B, alternating; the third and fourth; the first halves; the
-# second halves.
 transpose:
-        .int    0x00010203,0x10111213,0x04050607,0x14151617
-        .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
-        .int    0x00010203,0x04050607,0x10111213,0x14151617
-        .int    0x08090a0b,0x0c0d0e0f,0x18191a1b,0x1c1d1e1f
-
-# Loads a vector of the four patches, with each component in a register.
-.macro  gather x:req, y:req, z:req, offset:req
-    .irp lane, 0,1,2,3
-        lqd     $quad+\lane,\offset($patch+\lane)
-    .endr
-        shufb   $low,$quad,$quad+1,$m_xy
-        shufb   $high,$quad+2,$quad+3,$m_xy
-        shufb   \x,$low,$high,$m_first
-        shufb   \y,$low,$high,$m_second
-        shufb   $low,$quad,$quad+1,$m_zw
-        shufb   $high,$quad+2,$quad+3,$m_zw
-        shufb   \z,$low,$high,$m_first
-.endm
-
-# share = (g x from).to
-.macro  share_of_area share:req, from:req, to:req
-        fm      $turn_x,$gz,$\from\()y
-        fm      $turn_y,$gx,$\from\()z
-        fm      $turn_z,$gy,$\from\()x
-        fms     $turn_x,$gy,$\from\()z,$turn_x
-        fms     $turn_y,$gz,$\from\()x,$turn_y
-        fms     $turn_z,$gx,$\from\()y,$turn_z
-        fm      \share,$turn_x,$\to\()x
-        fma     \share,$turn_y,$\to\()y,\share
-        fma     \share,$turn_z,$\to\()z,\share
-.endm
+        transpose_shuffles
 
 function smooth_r16
         lqa     $m_xy,transpose
@@ -102,9 +71,9 @@ next_row:
         lqd     $g\axis,SURFACES_plane_\axis($a_surfaces)
         lqd     $d\axis,RAYS16_direction_\axis($a_rays)
     .endr
-        gather  $ax,$ay,$az,TRI_a
-        gather  $bx,$by,$bz,TRI_b
-        gather  $cx,$cy,$cz,TRI_c
+        gather  patch,TRI_a,$ax,$ay,$az
+        gather  patch,TRI_b,$bx,$by,$bz
+        gather  patch,TRI_c,$cx,$cy,$cz
     .irp axis, x,y,z
         fs      $a\axis,$a\axis,$p\axis
         fs      $b\axis,$b\axis,$p\axis
@@ -113,9 +82,9 @@ next_row:
         share_of_area $share_a,b,c
         share_of_area $share_b,c,a
         share_of_area $share_c,a,b
-        gather  $ax,$ay,$az,PATCH_normal_a
-        gather  $bx,$by,$bz,PATCH_normal_b
-        gather  $cx,$cy,$cz,PATCH_normal_c
+        gather  patch,PATCH_normal_a,$ax,$ay,$az
+        gather  patch,PATCH_normal_b,$bx,$by,$bz
+        gather  patch,PATCH_normal_c,$cx,$cy,$cz
     .irp axis, x,y,z
         fm      $n\axis,$share_a,$a\axis
         fma     $n\axis,$share_b,$b\axis,$n\axis

@@ -25,6 +25,7 @@
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "barycentric.inc"
         .include "math.inc"
         .include "reciprocal.inc"
 
@@ -68,35 +69,8 @@
 
         .section .rodata.texture,"a",@progbits
         .align  4
-# The first and second words of A and B, alternating; the third and fourth; the first halves; the
-# second halves.
 transpose:
-        .int    0x00010203,0x10111213,0x04050607,0x14151617
-        .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
-        .int    0x00010203,0x04050607,0x10111213,0x14151617
-        .int    0x08090a0b,0x0c0d0e0f,0x18191a1b,0x1c1d1e1f
-
-# Moves the four lanes of a row of addresses to four registers.
-.macro  spread_lanes lanes:req
-        rotqbyi $\lanes+1,$\lanes,4
-        rotqbyi $\lanes+2,$\lanes,8
-        rotqbyi $\lanes+3,$\lanes,12
-.endm
-
-# Loads a quadword of four records, with each word in a register.
-.macro  gather from:req, offset:req, x:req, y:req, z:req, w:req
-    .irp lane, 0,1,2,3
-        lqd     $quad+\lane,\offset($\from+\lane)
-    .endr
-        shufb   $low,$quad,$quad+1,$m_xy
-        shufb   $high,$quad+2,$quad+3,$m_xy
-        shufb   \x,$low,$high,$m_first
-        shufb   \y,$low,$high,$m_second
-        shufb   $low,$quad,$quad+1,$m_zw
-        shufb   $high,$quad+2,$quad+3,$m_zw
-        shufb   \z,$low,$high,$m_first
-        shufb   \w,$low,$high,$m_second
-.endm
+        transpose_shuffles
 
 # Loads one word of it: the second one with m_xy, the fourth with m_zw.
 .macro  gather_one from:req, offset:req, out:req, m_half:req
@@ -106,19 +80,6 @@ transpose:
         shufb   $low,$quad,$quad+1,\m_half
         shufb   $high,$quad+2,$quad+3,\m_half
         shufb   \out,$low,$high,$m_second
-.endm
-
-# share = (g x from).to
-.macro  share_of_area share:req, from:req, to:req
-        fm      $turn_x,$gz,$\from\()y
-        fm      $turn_y,$gx,$\from\()z
-        fm      $turn_z,$gy,$\from\()x
-        fms     $turn_x,$gy,$\from\()z,$turn_x
-        fms     $turn_y,$gz,$\from\()x,$turn_y
-        fms     $turn_z,$gx,$\from\()y,$turn_z
-        fm      \share,$turn_x,$\to\()x
-        fma     \share,$turn_y,$\to\()y,\share
-        fma     \share,$turn_z,$\to\()z,\share
 .endm
 
 # Brings coordinates between 0 and 1. The shifts bring their bits of `wraps` to the sign.
