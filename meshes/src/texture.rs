@@ -4,8 +4,7 @@ use std::collections::HashMap;
 use std::io::Cursor;
 use std::sync::Arc;
 
-use image::imageops::{FilterType, resize};
-use image::{DynamicImage, ImageFormat, ImageReader, Limits, RgbImage};
+use image::{ImageFormat, ImageReader, Limits};
 use nff::{Material, Texture, Wrap};
 
 /// The most texels of all textures of a file. SPUs read them from main memory, where they take
@@ -28,11 +27,13 @@ pub(crate) struct Decoded {
 /// Decodes a PNG or a JPEG.
 pub(crate) fn decode(bytes: &[u8], wrap: [Wrap; 2]) -> Result<Decoded, String> {
     let (picture, note) = picture(bytes)?;
-    let has_alpha = picture.color().has_alpha();
-    let width = picture.width();
-    let alpha = has_alpha.then(|| picture.to_rgba8().pixels().map(|it| it.0[3]).collect());
-    let texels = picture.into_rgb8().pixels().map(|pixel| pixel.0).collect();
-    let texture = Texture::new(width, texels, wrap).ok_or("it has no pixels")?;
+    let width = picture.width;
+    let alpha = picture.has_alpha.then(|| picture.alpha());
+    let texels = picture
+        .texels
+        .into_iter()
+        .map(|[red, green, blue, _]| [red, green, blue]);
+    let texture = Texture::new(width, texels.collect(), wrap).ok_or("it has no pixels")?;
     Ok(Decoded {
         texture: Arc::new(texture),
         alpha: alpha.map(Arc::new),
@@ -40,20 +41,39 @@ pub(crate) fn decode(bytes: &[u8], wrap: [Wrap; 2]) -> Result<Decoded, String> {
     })
 }
 
-/// The brightness of each pixel of a picture whose grey is a mask, or its alpha if it has any, and
-/// the picture's width.
+/// The alpha of each pixel of a picture that is a mask, or its brightness if it has none, and the
+/// picture's width.
 pub(crate) fn decode_mask(bytes: &[u8]) -> Result<(u32, Vec<u8>), String> {
     let (picture, _) = picture(bytes)?;
-    let values = if picture.color().has_alpha() {
-        picture.to_rgba8().pixels().map(|it| it.0[3]).collect()
+    let values = if picture.has_alpha {
+        picture.alpha()
     } else {
-        picture.to_luma8().into_raw()
+        // The weights of ITU-R BT.709.
+        let brightness = |&[red, green, blue, _]: &[u8; 4]| {
+            let [red, green, blue] = [red, green, blue].map(u32::from);
+            ((2126 * red + 7152 * green + 722 * blue + 5000) / 10_000) as u8
+        };
+        picture.texels.iter().map(brightness).collect()
     };
-    Ok((picture.width(), values))
+    Ok((picture.width, values))
+}
+
+/// A picture: red, green, blue and alpha, row by row.
+struct Picture {
+    width: u32,
+    height: u32,
+    texels: Vec<[u8; 4]>,
+    has_alpha: bool,
+}
+
+impl Picture {
+    fn alpha(&self) -> Vec<u8> {
+        self.texels.iter().map(|texel| texel[3]).collect()
+    }
 }
 
 /// A picture that is no larger than a texture may be.
-fn picture(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), String> {
+fn picture(bytes: &[u8]) -> Result<(Picture, Option<String>), String> {
     let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| error.to_string())?;
@@ -66,19 +86,59 @@ fn picture(bytes: &[u8]) -> Result<(DynamicImage, Option<String>), String> {
     limits.max_image_height = Some(MAX_PIXELS);
     limits.max_alloc = Some(1 << 31);
     reader.limits(limits);
-    let picture = reader.decode().map_err(|error| error.to_string())?;
-    let (width, height) = (picture.width(), picture.height());
-    let most = Texture::MAX_SIDE;
-    if width.max(height) <= most {
-        return Ok((picture, None));
+    let decoded = reader.decode().map_err(|error| error.to_string())?;
+    let has_alpha = decoded.color().has_alpha();
+    let pixels = decoded.into_rgba8();
+    let (width, height) = (pixels.width(), pixels.height());
+    let mut picture = Picture {
+        width,
+        height,
+        texels: pixels.pixels().map(|pixel| pixel.0).collect(),
+        has_alpha,
+    };
+    while picture.width.max(picture.height) > Texture::MAX_SIDE {
+        picture.texels = halved(picture.width, picture.height, &picture.texels);
+        picture.width = half(picture.width);
+        picture.height = half(picture.height);
     }
-    let smaller = picture.resize(most, most, FilterType::Triangle);
-    let note = format!(
-        "it has {width}x{height} pixels and is drawn with {}x{}",
-        smaller.width(),
-        smaller.height()
-    );
-    Ok((smaller, Some(note)))
+    let note = (picture.width != width).then(|| {
+        format!(
+            "it has {width}x{height} pixels and is drawn with {}x{}",
+            picture.width, picture.height
+        )
+    });
+    Ok((picture, note))
+}
+
+/// Half of a side, but at least 1.
+fn half(side: u32) -> u32 {
+    (side / 2).max(1)
+}
+
+/// The texels of half as many columns and rows. Each is the mean of the four that it covers; of an
+/// odd side, the last column or row is left out. The crate `image` resizes by functions of the
+/// system's library, whose results differ between systems.
+fn halved<const N: usize>(width: u32, height: u32, texels: &[[u8; N]]) -> Vec<[u8; N]> {
+    let texel = |column: u32, row: u32| {
+        let (column, row) = (column.min(width - 1), row.min(height - 1));
+        texels[row as usize * width as usize + column as usize]
+    };
+    let mean = |column: u32, row: u32| {
+        let four = [
+            texel(column, row),
+            texel(column + 1, row),
+            texel(column, row + 1),
+            texel(column + 1, row + 1),
+        ];
+        std::array::from_fn(|channel| {
+            let sum: u32 = four.iter().map(|texel| u32::from(texel[channel])).sum();
+            ((sum + 2) / 4) as u8
+        })
+    };
+    let rows = 0..half(height);
+    rows.flat_map(|row| (0..half(width)).map(move |column| (column, row)))
+        .map(|(column, row)| mean(2 * column, 2 * row))
+        .collect()
 }
 
 /// What a picture is that can't be decoded.
@@ -123,7 +183,8 @@ pub(crate) fn shrink(materials: &mut [Material]) -> Option<String> {
         let largest = smaller
             .iter_mut()
             .max_by_key(|texture| texture.texels().len())?;
-        *largest = Arc::new(halved(largest)?);
+        let texels = halved(largest.width(), largest.height(), largest.texels());
+        *largest = Arc::new(Texture::new(half(largest.width()), texels, largest.wrap())?);
     }
     let replaced: HashMap<*const Texture, &Arc<Texture>> =
         textures.iter().map(Arc::as_ptr).zip(&smaller).collect();
@@ -136,15 +197,4 @@ pub(crate) fn shrink(materials: &mut [Material]) -> Option<String> {
     Some(format!(
         "the textures have {before} texels, more than {MAX_TEXELS}; they are drawn with {after}"
     ))
-}
-
-/// A texture with half as many texels across and down.
-fn halved(texture: &Texture) -> Option<Texture> {
-    let (width, height) = (texture.width(), texture.height());
-    let bytes = texture.texels().as_flattened().to_vec();
-    let picture = RgbImage::from_raw(width, height, bytes)?;
-    let half = |side: u32| (side / 2).max(1);
-    let smaller = resize(&picture, half(width), half(height), FilterType::Triangle);
-    let texels = smaller.pixels().map(|pixel| pixel.0).collect();
-    Texture::new(half(width), texels, texture.wrap())
 }

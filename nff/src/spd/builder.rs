@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::{Light, LightKind, Material, Mesh, Object, Scene, Shader, Shape, View};
 
@@ -178,4 +178,11 @@ impl Builder {
             ..self.scene
         }
     }
+}
+
+/// A rotation about a unit axis. Those of `glam` use functions of the system's library, whose
+/// results differ between systems.
+pub(super) fn rotation(axis: DVec3, angle: f64) -> DQuat {
+    let imaginary = libm::sin(angle / 2.0) * axis;
+    DQuat::from_vec4(imaginary.extend(libm::cos(angle / 2.0)))
 }

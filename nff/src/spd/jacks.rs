@@ -1,10 +1,10 @@
 //! "jacks": a jack, three crossing cylinders with spheres at their ends, and smaller ones in its
 //! eight corners, which have smaller ones in theirs.
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DVec3};
 
 use super::Generator;
-use super::builder::{Builder, opaque, view};
+use super::builder::{Builder, opaque, rotation, view};
 use crate::View;
 
 pub(super) const GENERATOR: Generator = Generator {
@@ -36,8 +36,8 @@ fn build(size: u32) -> Builder {
     let background = DVec3::new(0.2, 0.05, 0.2);
     let mut builder = Builder::new(view, &[DVec3::new(-10.0, 3.0, -20.0)]).background(background);
     builder.material(opaque(DVec3::new(0.737, 0.561, 0.561), 0.7, 0.7, 20.0));
-    let turn = DQuat::from_rotation_x((-30f64).to_radians())
-        * DQuat::from_rotation_y((-20f64).to_radians());
+    let turn =
+        rotation(DVec3::X, (-30f64).to_radians()) * rotation(DVec3::Y, (-20f64).to_radians());
     grow(&mut builder, &DAffine3::from_quat(turn), 1.0, size);
     builder
 }

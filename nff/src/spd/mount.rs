@@ -5,10 +5,10 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI, SQRT_2};
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::Generator;
-use super::builder::{Builder, opaque, view};
+use super::builder::{Builder, opaque, rotation, view};
 use crate::{Material, View};
 
 pub(super) const GENERATOR: Generator = Generator {
@@ -66,9 +66,9 @@ fn spheres(builder: &mut Builder, middle: DVec3, radius: f64) {
     builder.sphere(middle + top, radius);
     let axis = DVec3::new(FRAC_1_SQRT_2, FRAC_1_SQRT_2, 0.0);
     // The angle between the vertices of a tetrahedron, as seen from its middle.
-    let low = DQuat::from_axis_angle(axis, libm::acos(-1.0 / 3.0)) * top;
+    let low = rotation(axis, libm::acos(-1.0 / 3.0)) * top;
     for third in 0..3 {
-        let turn = DQuat::from_rotation_z(f64::from(third) * 2.0 * PI / 3.0);
+        let turn = rotation(DVec3::Z, f64::from(third) * 2.0 * PI / 3.0);
         builder.sphere(middle + turn * low, radius);
     }
 }

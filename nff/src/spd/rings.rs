@@ -3,10 +3,10 @@
 
 use std::f64::consts::PI;
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::Generator;
-use super::builder::{Builder, opaque, view};
+use super::builder::{Builder, opaque, rotation, view};
 
 pub(super) const GENERATOR: Generator = Generator {
     name: "rings",
@@ -77,11 +77,11 @@ fn rings() -> [[DVec3; 5]; 6] {
     });
     // The angle between two faces.
     let tilt = 2.0 * libm::acos(libm::cos(PI / 3.0) / libm::sin(PI / 5.0));
-    let tilt = DQuat::from_rotation_x(tilt);
+    let tilt = rotation(DVec3::X, tilt);
     std::array::from_fn(|ring| match ring {
         0 => flat,
         _ => {
-            let turn = DQuat::from_rotation_z(PI * (2.0 * ring as f64 - 1.0) / 5.0);
+            let turn = rotation(DVec3::Z, PI * (2.0 * ring as f64 - 1.0) / 5.0);
             flat.map(|joint| turn * (tilt * joint))
         }
     })

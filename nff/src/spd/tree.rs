@@ -1,10 +1,10 @@
 //! "tree": a tree after Aono and Kunii on a field. Each branch, a cone with a sphere at its end,
 //! carries two smaller ones.
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DVec3};
 
 use super::Generator;
-use super::builder::{Builder, opaque, view};
+use super::builder::{Builder, opaque, rotation, view};
 
 pub(super) const GENERATOR: Generator = Generator {
     name: "tree",
@@ -43,8 +43,8 @@ fn build(size: u32) -> Builder {
     builder.ground(50.0);
     builder.material(opaque(DVec3::new(0.55, 0.4, 0.2), 1.0, 0.0, 0.0));
     let branches = BRANCHES.map(|(bend, around, length)| {
-        let bend = DQuat::from_rotation_x(bend.to_radians());
-        let turn = DQuat::from_rotation_z(around.to_radians());
+        let bend = rotation(DVec3::X, bend.to_radians());
+        let turn = rotation(DVec3::Z, around.to_radians());
         DAffine3::from_scale_rotation_translation(DVec3::splat(length), turn * bend, DVec3::Z)
     });
     grow(&mut builder, &branches, &DAffine3::IDENTITY, TRUNK, size);
