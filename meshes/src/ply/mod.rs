@@ -214,7 +214,7 @@ impl File {
                         vertices: count,
                     });
                 };
-                // Vertices that no face has are left out: scanners write NaN where they see nothing.
+                // Vertices of no face are left out: scanners write NaN where they see nothing.
                 if let Some(number) = added[vertex].filter(|_| !of_faces) {
                     numbers.push(number);
                     continue;
