@@ -1,6 +1,7 @@
 //! What nearly every game uses: `use cellray::prelude::*;`.
 
 pub use crate::game::{
-    Axis, Button, DVec3, Frame, Game, Input, Key, Light, LightId, Material, MaterialId, Mouse,
-    MouseButton, ObjectId, Pick, Shader, Shape, Start, Target, World, WorldError,
+    Axis, Button, DAffine3, DVec3, Frame, Game, Input, Key, Light, LightId, Material, MaterialId,
+    Mesh, MeshId, Mouse, MouseButton, ObjectId, OrbitCamera, Pick, Random, Shader, Shape, Sky,
+    Start, Target, Texture, WalkCamera, World, WorldError,
 };

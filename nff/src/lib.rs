@@ -29,7 +29,7 @@ pub use daylight::Sky;
 pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
 pub use lines::Limits;
-pub use mesh::Mesh;
+pub use mesh::{Mesh, cuboid};
 pub use parse::{parse, read};
 pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};
 pub use texture::{Texture, Wrap};

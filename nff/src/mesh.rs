@@ -4,7 +4,7 @@
 //! Invariant: the vertices and materials of a mesh that a loader returned exist, and all its
 //! numbers are finite.
 
-use glam::{DVec3, Vec3};
+use glam::{BVec3, DVec3, Vec3};
 
 use crate::Shape;
 
@@ -33,7 +33,49 @@ pub struct Mesh {
     pub two_sided: bool,
 }
 
+/// The sides of a box, as corners of which bit 0 means high x, bit 1 high y and bit 2 high z:
+/// counter-clockwise as seen from outside.
+const SIDES: [[u32; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
+
+/// A corner of a box, numbered as in [`SIDES`].
+fn corner(low: DVec3, high: DVec3, number: u32) -> DVec3 {
+    DVec3::select(
+        BVec3::new(number & 1 != 0, number & 2 != 0, number & 4 != 0),
+        high,
+        low,
+    )
+}
+
+/// The sides of the box between two corners, each counter-clockwise as seen from outside: those of
+/// low x, high x, low y, high y, low z and high z.
+#[must_use]
+pub fn cuboid(low: DVec3, high: DVec3) -> [[DVec3; 4]; 6] {
+    SIDES.map(|side| side.map(|number| corner(low, high, number)))
+}
+
 impl Mesh {
+    /// A box between two corners, with a single material, 0. Its front is outside.
+    #[must_use]
+    pub fn cuboid(low: DVec3, high: DVec3) -> Self {
+        let corners = [0, 1, 2, 3, 4, 5, 6, 7];
+        let halves = |[a, b, c, d]: [u32; 4]| [[a, b, c], [a, c, d]];
+        Self {
+            positions: corners
+                .map(|number| corner(low, high, number).as_vec3().to_array())
+                .to_vec(),
+            triangles: SIDES.into_iter().flat_map(halves).collect(),
+            materials: vec![0; 2 * SIDES.len()],
+            ..Self::default()
+        }
+    }
+
     /// The vertices of a triangle, relative to the origin.
     #[must_use]
     pub fn corners(&self, triangle: usize) -> [Vec3; 3] {
@@ -109,5 +151,36 @@ impl Mesh {
         let middle = low.midpoint(high);
         let is_far = middle.abs().max_element() > 8.0 * (high - low).max_element();
         if is_far { middle } else { DVec3::ZERO }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::area_vector;
+
+    #[test]
+    fn a_box_is_closed_and_seen_from_outside() {
+        let (low, high) = (DVec3::new(-1.0, 2.0, 0.5), DVec3::new(1.0, 3.0, 4.5));
+        let middle = low.midpoint(high);
+        let outwards = |polygon: &[DVec3]| {
+            let centre = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
+            area_vector(polygon).dot(centre - middle) > 0.0
+        };
+        let sides = cuboid(low, high);
+        assert!(sides.iter().all(|side| outwards(side)));
+        assert_eq!(
+            sides.iter().map(|side| area_vector(side)).sum::<DVec3>(),
+            DVec3::ZERO
+        );
+        let mesh = Mesh::cuboid(low, high);
+        assert_eq!(mesh.bounds(), Some((low, high)));
+        let triangles = || (0..12).map(|number| mesh.places(number));
+        assert!(triangles().all(|triangle| outwards(&triangle)));
+        let area: f64 = triangles()
+            .map(|triangle| area_vector(&triangle).length())
+            .sum();
+        let whole: f64 = sides.iter().map(|side| area_vector(side).length()).sum();
+        assert!((area - whole).abs() < 1e-12, "{area} {whole}");
     }
 }

@@ -6,7 +6,9 @@
 //! [`InputEvent`]s. Invariant: except for [`Frame::last`], everything that a game sees depends only
 //! on the frames' times, sizes and inputs, so a recorded session plays back bit for bit.
 
+mod camera;
 mod input;
+mod random;
 mod run;
 mod turntable;
 mod world;
@@ -15,7 +17,9 @@ pub use glam::{DAffine3, DVec3};
 pub use nff::depth::DepthShading;
 pub use nff::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
 
+pub use camera::{OrbitCamera, WalkCamera};
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
+pub use random::Random;
 pub use run::{
     Clock, FixedSteps, FrameRange, FrameRangeError, InputSource, Made, NoInput, Pictures, RealTime,
     Recording, RecordingError, Session, SessionError,
@@ -23,6 +27,7 @@ pub use run::{
 pub use turntable::Turntable;
 pub use world::{
     Light, LightId, Material, MaterialId, MeshId, ObjectId, Pick, Target, World, WorldError,
+    WorldErrorKind,
 };
 
 pub use crate::scene::{Model, RenderOptions};
@@ -90,9 +95,18 @@ pub struct Entry {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Start {
     /// The random seed. A game that takes all its random numbers from it plays back as recorded.
+    /// [`Start::random`] is a source of them.
     pub seed: u64,
     /// The picture's width and height in pixels.
     pub size: (u32, u32),
+}
+
+impl Start {
+    /// Random numbers that are other ones in each session, and the same when it is played back.
+    #[must_use]
+    pub fn random(&self) -> Random {
+        Random::new(self.seed)
+    }
 }
 
 /// What a game receives for a frame.

@@ -18,7 +18,7 @@ mod objects;
 mod pick;
 mod traced;
 
-pub use error::WorldError;
+pub use error::{WorldError, WorldErrorKind};
 pub use ids::{LightId, MaterialId, MeshId, ObjectId};
 pub use material::{Light, Material};
 pub use pick::{Pick, Target};
@@ -147,6 +147,7 @@ impl World {
     /// # Errors
     /// The scene's content breaks a rule of the world; see [`WorldError`]. The error names the file
     /// and the line of an object, material or light.
+    #[track_caller]
     pub fn from_nff(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, WorldError> {
         let scene = match render_options.is_whitted(scene.lights.len()) {
             true => gathered(scene),
@@ -154,10 +155,10 @@ impl World {
         };
         let scene = &*scene;
         let at = |line| {
-            move |source| WorldError::At {
+            move |source: WorldError| WorldErrorKind::At {
                 file: scene.name.clone(),
                 line,
-                source: Box::new(source),
+                source: Box::new(source.into_kind()),
             }
         };
         let mut world = Self::new();
@@ -291,6 +292,7 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range, or the view shows nothing.
+    #[track_caller]
     pub fn set_view(&mut self, view: View) -> Result<(), WorldError> {
         for (what, place) in [
             ("view from", view.from),
@@ -309,6 +311,7 @@ impl World {
     ///
     /// # Errors
     /// As for [`World::set_view`].
+    #[track_caller]
     pub fn look_from(
         &mut self,
         from: impl Into<DVec3>,
@@ -331,6 +334,7 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range.
+    #[track_caller]
     pub fn set_background(&mut self, colour: impl Into<DVec3>) -> Result<(), WorldError> {
         let colour = colour.into();
         check::vector("background", colour)?;
@@ -349,12 +353,13 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range, or the direction to the zenith is 0.
+    #[track_caller]
     pub fn set_sky(&mut self, sky: Option<Sky>) -> Result<(), WorldError> {
         if let Some(Sky { zenith, up }) = sky {
             check::vector("sky", zenith)?;
             check::vector("direction to the zenith", up)?;
             if up == DVec3::ZERO {
-                return Err(WorldError::NoZenith);
+                return Err(WorldErrorKind::NoZenith.into());
             }
         }
         self.sky = sky;
@@ -381,6 +386,7 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range.
+    #[track_caller]
     pub fn set_ambient(&mut self, brightness: impl Into<DVec3>) -> Result<(), WorldError> {
         let brightness = brightness.into();
         check::vector("ambient light", brightness)?;
@@ -429,6 +435,7 @@ impl World {
     ///
     /// # Errors
     /// A distance is out of range or negative, or `far` is not above `near`.
+    #[track_caller]
     pub fn set_fade(&mut self, fade: Option<DepthShading>) -> Result<(), WorldError> {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;

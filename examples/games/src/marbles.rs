@@ -12,13 +12,12 @@
 
 use cellray::game::{
     Axis, Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, MaterialId, Model,
-    MouseButton, ObjectId, RenderOptions, Shader, Sky, Start, View, World, WorldError,
+    MouseButton, ObjectId, OrbitCamera, RenderOptions, Shader, Sky, Start, View, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::bodies::{Body, meet, pairs};
-use crate::camera::{Orbit, stick};
 use crate::colour::hue;
 use crate::steps::{STEP, Steps};
 
@@ -67,7 +66,7 @@ pub struct Marbles {
     /// approaching.
     tilt: DVec3,
     goal: DVec3,
-    orbit: Orbit,
+    orbit: OrbitCamera,
     steps: Steps,
     chance: Xoshiro256PlusPlus,
 }
@@ -82,7 +81,7 @@ impl Default for Marbles {
             won: 0,
             tilt: DVec3::ZERO,
             goal: DVec3::ZERO,
-            orbit: Orbit {
+            orbit: OrbitCamera {
                 turn: 0.25,
                 rise: 0.55,
                 distance: 8.4,
@@ -315,8 +314,8 @@ impl Marbles {
             f64::from(input.key_axis(Key::Up, Key::Down)),
         );
         if let Some(pad) = input.pad() {
-            goal.x += stick(pad.axis(Axis::LeftX));
-            goal.z += stick(pad.axis(Axis::LeftY));
+            goal.x += pad.stick(Axis::LeftX);
+            goal.z += pad.stick(Axis::LeftY);
             if let Some(sensors) = pad.sensors().filter(|_| pad.held(Button::L1)) {
                 // When the pad's right side is down, the reaction to gravity points to its left.
                 goal.x -= f64::from(sensors.acceleration[0]) * 2.0;

@@ -17,14 +17,14 @@ mod bodies;
 use std::f64::consts::TAU;
 
 use cellray::game::{
-    Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, Model, ObjectId, RenderOptions,
-    Shader, Start, World, WorldError,
+    Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, Model, ObjectId, OrbitCamera,
+    RenderOptions, Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
-use crate::camera::{Orbit, follow};
+use crate::camera::follow;
 use crate::steps::{STEP, Steps};
 
 /// The game's name.
@@ -96,7 +96,7 @@ pub struct Orrery {
     followed: usize,
     /// The point that it looks at, which moves towards that body.
     at: DVec3,
-    orbit: Orbit,
+    orbit: OrbitCamera,
     /// The wanted distance from the body.
     distance: f64,
     /// Radians that the eye still turns, until it sees the day side of the body.
@@ -116,7 +116,7 @@ impl Default for Orrery {
             stopped: false,
             followed: 0,
             at: DVec3::ZERO,
-            orbit: Orbit {
+            orbit: OrbitCamera {
                 turn: 0.5,
                 rise: OVERVIEW_RISE,
                 distance: OVERVIEW,

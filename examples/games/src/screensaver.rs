@@ -13,13 +13,12 @@
 
 use cellray::game::{
     Button, DVec3, DepthShading, Entry, Frame, Game, Key, Light, Material, MaterialId, Model,
-    ObjectId, RenderOptions, Shader, Start, World, WorldError,
+    ObjectId, OrbitCamera, RenderOptions, Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::bodies::{Body, meet, pairs};
-use crate::camera::Orbit;
 use crate::colour::hue;
 use crate::steps::{STEP, Steps};
 
@@ -53,7 +52,7 @@ pub struct Screensaver {
     bodies: [Body; COUNT],
     spheres: [ObjectId; COUNT],
     materials: [MaterialId; COUNT],
-    orbit: Orbit,
+    orbit: OrbitCamera,
     steps: Steps,
     /// Seconds since the player last moved the eye.
     alone: f64,
@@ -66,7 +65,7 @@ impl Default for Screensaver {
             bodies: [Body::new(DVec3::ZERO, 1.0); COUNT],
             spheres: [ObjectId::default(); COUNT],
             materials: [MaterialId::default(); COUNT],
-            orbit: Orbit {
+            orbit: OrbitCamera {
                 turn: 0.35,
                 rise: 0.2,
                 distance: 10.2,

@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::names::{Axis, Button, Name as _, Switches};
 
+/// The largest value of a stick at rest.
+const DEAD: f64 = 0.15;
+
 /// The number of a pad, which is also its player's: 0 for the first. The source of the events
 /// assigns the lowest free number, so the pad of a player who plugs it in again keeps its number.
 #[derive(
@@ -84,6 +87,13 @@ impl Pad {
     #[must_use]
     pub fn axis(&self, axis: Axis) -> f32 {
         self.axes[axis.number() as usize]
+    }
+
+    /// An axis' value, where that of a stick at rest is 0.
+    #[must_use]
+    pub fn stick(&self, axis: Axis) -> f64 {
+        let value = f64::from(self.axis(axis));
+        if value.abs() < DEAD { 0.0 } else { value }
     }
 
     /// The sensors' last readings, or `None` if there were none yet.

@@ -7,17 +7,17 @@
 use glam::{DAffine3, DMat3, DVec3};
 use nff::{LightKind, Mesh, Shader, Shape};
 
-use super::error::WorldError;
+use super::error::WorldErrorKind;
 use super::material::{Light, Material};
 use super::meshes::corners;
 use crate::scene::single::{LARGEST, SMALLEST};
 
-fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {
-    WorldError::OutOfRange { what, value, also }
+fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldErrorKind {
+    WorldErrorKind::OutOfRange { what, value, also }
 }
 
 /// Whether a number can be squared as a single; NaN can't.
-fn number(what: &'static str, value: f64) -> Result<(), WorldError> {
+fn number(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
     if value.abs() <= LARGEST {
         Ok(())
     } else {
@@ -26,14 +26,14 @@ fn number(what: &'static str, value: f64) -> Result<(), WorldError> {
 }
 
 /// Whether all components of a vector can be squared as singles.
-pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldError> {
+pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldErrorKind> {
     vector
         .to_array()
         .into_iter()
         .try_for_each(|value| number(what, value))
 }
 
-fn size(what: &'static str, value: f64) -> Result<(), WorldError> {
+fn size(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
     if (SMALLEST..=LARGEST).contains(&value.abs()) {
         Ok(())
     } else {
@@ -41,7 +41,7 @@ fn size(what: &'static str, value: f64) -> Result<(), WorldError> {
     }
 }
 
-pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
+pub(super) fn shape(shape: &Shape) -> Result<(), WorldErrorKind> {
     match shape {
         Shape::Sphere { centre, radius } => {
             vector("centre", *centre)?;
@@ -58,10 +58,10 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
             number("base radius", *base_radius)?;
             number("apex radius", *apex_radius)?;
             if *base_radius == 0.0 && *apex_radius == 0.0 {
-                return Err(WorldError::NoSurface("both radii of a cone are 0"));
+                return Err(WorldErrorKind::NoSurface("both radii of a cone are 0"));
             }
             if base_radius * apex_radius < 0.0 {
-                return Err(WorldError::NoSurface(
+                return Err(WorldErrorKind::NoSurface(
                     "one radius of a cone is negative and the other positive",
                 ));
             }
@@ -70,7 +70,7 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
         Shape::Polygon { vertices } => polygon(vertices),
         Shape::Patch { vertices, normals } => {
             if vertices.len() != normals.len() {
-                return Err(WorldError::NoSurface(
+                return Err(WorldErrorKind::NoSurface(
                     "a patch needs one normal for each vertex",
                 ));
             }
@@ -83,7 +83,7 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
 }
 
 /// Whether a shape is still in range when it is moved by `by`.
-pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
+pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldErrorKind> {
     match shape {
         Shape::Sphere { .. } => Ok(()),
         Shape::Cone { apex, .. } => vector("apex", *apex + by),
@@ -95,8 +95,8 @@ pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
 
 /// Checks that the parts of a mesh belong together, and that `materials` materials are enough.
 /// Returns the numbers of those that its triangles have.
-pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldError> {
-    let bad = |message: String| Err(WorldError::BadMesh(message));
+pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErrorKind> {
+    let bad = |message: String| Err(WorldErrorKind::BadMesh(message));
     let (vertices, triangles) = (mesh.positions.len(), mesh.triangles.len());
     if triangles == 0 {
         return bad("it has no triangles".into());
@@ -167,7 +167,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
 }
 
 /// Whether a mesh has a volume, or an area, and is in range at a place.
-pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldError> {
+pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldErrorKind> {
     for corner in corners(mesh) {
         vector("transformed vertex", place.transform_point3(corner))?;
     }
@@ -181,14 +181,16 @@ pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldError> {
     }
     let volume = place.matrix3.determinant();
     if volume == 0.0 || !volume.is_finite() {
-        return Err(WorldError::NoSurface("the place of a mesh makes it flat"));
+        return Err(WorldErrorKind::NoSurface(
+            "the place of a mesh makes it flat",
+        ));
     }
     Ok(())
 }
 
-fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {
+fn polygon(vertices: &[DVec3]) -> Result<(), WorldErrorKind> {
     if vertices.len() < 3 {
-        return Err(WorldError::NoSurface(
+        return Err(WorldErrorKind::NoSurface(
             "a polygon needs at least three vertices",
         ));
     }
@@ -197,7 +199,7 @@ fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {
         .try_for_each(|vertex| vector("vertex", *vertex))
 }
 
-pub(super) fn material(material: &Material) -> Result<(), WorldError> {
+pub(super) fn material(material: &Material) -> Result<(), WorldErrorKind> {
     vector("colour", material.colour)?;
     vector("emission", material.emission)?;
     number("diffuse share", material.diffuse)?;
@@ -228,7 +230,7 @@ pub(super) fn material(material: &Material) -> Result<(), WorldError> {
 }
 
 /// Whether brightness can fade from `near` to `far`.
-pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldError> {
+pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldErrorKind> {
     number("far", far)?;
     number("near", near)?;
     if near < 0.0 {
@@ -241,13 +243,13 @@ pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldError> {
     Ok(())
 }
 
-pub(super) fn light(light: &Light) -> Result<(), WorldError> {
+pub(super) fn light(light: &Light) -> Result<(), WorldErrorKind> {
     match light.kind {
         LightKind::Point { position } => vector("light", position)?,
         LightKind::Directional { to_light } => {
             vector("direction to the light", to_light)?;
             if to_light == DVec3::ZERO {
-                return Err(WorldError::NoDirection);
+                return Err(WorldErrorKind::NoDirection);
             }
         }
     }

@@ -1,14 +1,25 @@
 //! The errors of a world.
 
 use std::error::Error;
+use std::panic::Location;
 
 use nff::ViewError;
 
 use crate::scene::SceneError;
 
+/// A change of a world that is refused, or a world that can't be traced: why, and in which line of
+/// the game.
+#[derive(Debug, thiserror::Error)]
+#[error("{kind}")]
+pub struct WorldError {
+    #[source]
+    kind: WorldErrorKind,
+    place: &'static Location<'static>,
+}
+
 /// Why a change of a world is refused, or why it can't be traced.
 #[derive(Debug, thiserror::Error)]
-pub enum WorldError {
+pub enum WorldErrorKind {
     /// The handle's object was removed, or never was in this world.
     #[error("there is no such object: it was removed, or never was in this world")]
     NoObject,
@@ -54,7 +65,7 @@ pub enum WorldError {
         /// Number of the line, from 1.
         line: u32,
         /// The reason.
-        source: Box<WorldError>,
+        source: Box<WorldErrorKind>,
     },
     /// A directional light without a direction.
     #[error("a light that is infinitely far away needs a direction other than 0")]
@@ -84,7 +95,47 @@ impl WorldError {
     /// }
     /// assert!(level("no-such-level").unwrap_err().to_string().starts_with("no-such-level: "));
     /// ```
+    #[track_caller]
     pub fn game(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
-        Self::Game(error.into())
+        WorldErrorKind::Game(error.into()).into()
+    }
+
+    /// Why.
+    #[must_use]
+    pub fn kind(&self) -> &WorldErrorKind {
+        &self.kind
+    }
+
+    /// The place in the source where the world's method was called.
+    #[must_use]
+    pub fn place(&self) -> &'static Location<'static> {
+        self.place
+    }
+
+    /// The reason alone.
+    pub(super) fn into_kind(self) -> WorldErrorKind {
+        self.kind
+    }
+}
+
+impl From<WorldErrorKind> for WorldError {
+    #[track_caller]
+    fn from(kind: WorldErrorKind) -> Self {
+        let place = Location::caller();
+        Self { kind, place }
+    }
+}
+
+impl From<SceneError> for WorldError {
+    #[track_caller]
+    fn from(error: SceneError) -> Self {
+        WorldErrorKind::from(error).into()
+    }
+}
+
+impl From<ViewError> for WorldError {
+    #[track_caller]
+    fn from(error: ViewError) -> Self {
+        WorldErrorKind::from(error).into()
     }
 }

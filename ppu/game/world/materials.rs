@@ -4,13 +4,14 @@ use glam::DVec3;
 
 use super::content::{WorldLight, WorldMaterial};
 use super::edits::SceneEntry;
-use super::{Light, LightId, Material, MaterialId, World, WorldError, check};
+use super::{Light, LightId, Material, MaterialId, World, WorldError, WorldErrorKind, check};
 
 impl World {
     /// Adds a material.
     ///
     /// # Errors
     /// A number is out of range.
+    #[track_caller]
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
         check::material(&material)?;
         let id = self.materials.insert(WorldMaterial {
@@ -27,8 +28,9 @@ impl World {
     ///
     /// # Errors
     /// There is no such material.
+    #[track_caller]
     pub fn material(&self, id: MaterialId) -> Result<Material, WorldError> {
-        let entry = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
+        let entry = self.materials.get(id).ok_or(WorldErrorKind::NoMaterial)?;
         Ok((&entry.material).into())
     }
 
@@ -36,9 +38,13 @@ impl World {
     ///
     /// # Errors
     /// There is no such material, or a number is out of range.
+    #[track_caller]
     pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
         check::material(&material)?;
-        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        let entry = self
+            .materials
+            .get_mut(id)
+            .ok_or(WorldErrorKind::NoMaterial)?;
         let material = material.into_nff(0);
         if entry.material == material {
             return Ok(());
@@ -63,10 +69,14 @@ impl World {
     ///
     /// # Errors
     /// There is no such material, or a number is out of range.
+    #[track_caller]
     pub fn recolour(&mut self, id: MaterialId, colour: impl Into<DVec3>) -> Result<(), WorldError> {
         let colour = colour.into();
         check::vector("colour", colour)?;
-        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        let entry = self
+            .materials
+            .get_mut(id)
+            .ok_or(WorldErrorKind::NoMaterial)?;
         if entry.material.colour != colour {
             entry.material.colour = colour;
             self.touch_material(id);
@@ -78,11 +88,12 @@ impl World {
     ///
     /// # Errors
     /// There is no such material, or objects are made of it.
+    #[track_caller]
     pub fn remove_material(&mut self, id: MaterialId) -> Result<(), WorldError> {
         match self.materials.get(id) {
-            None => Err(WorldError::NoMaterial),
+            None => Err(WorldErrorKind::NoMaterial.into()),
             Some(&WorldMaterial { users, .. }) if users > 0 => {
-                Err(WorldError::MaterialInUse { users })
+                Err(WorldErrorKind::MaterialInUse { users }.into())
             }
             Some(_) => {
                 // No object shows it, so the traced scene may keep its record.
@@ -101,6 +112,7 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range, or a directional light has no direction.
+    #[track_caller]
     pub fn add_light(&mut self, light: Light) -> Result<LightId, WorldError> {
         check::light(&light)?;
         // The brightness of the other lights may depend on how many there are.
@@ -116,8 +128,9 @@ impl World {
     ///
     /// # Errors
     /// There is no such light.
+    #[track_caller]
     pub fn light(&self, id: LightId) -> Result<Light, WorldError> {
-        let entry = self.lights.get(id).ok_or(WorldError::NoLight)?;
+        let entry = self.lights.get(id).ok_or(WorldErrorKind::NoLight)?;
         Ok(entry.light)
     }
 
@@ -125,9 +138,10 @@ impl World {
     ///
     /// # Errors
     /// There is no such light, a number is out of range, or a directional light has no direction.
+    #[track_caller]
     pub fn set_light(&mut self, id: LightId, light: Light) -> Result<(), WorldError> {
         check::light(&light)?;
-        let entry = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
+        let entry = self.lights.get_mut(id).ok_or(WorldErrorKind::NoLight)?;
         if entry.light != light {
             self.edits.rebuild |= entry.light.colour.is_some() && light.colour.is_none();
             entry.light = light;
@@ -140,8 +154,9 @@ impl World {
     ///
     /// # Errors
     /// There is no such light.
+    #[track_caller]
     pub fn remove_light(&mut self, id: LightId) -> Result<(), WorldError> {
-        self.lights.remove(id).ok_or(WorldError::NoLight)?;
+        self.lights.remove(id).ok_or(WorldErrorKind::NoLight)?;
         self.edits.rebuild = true;
         Ok(())
     }

@@ -12,7 +12,7 @@ use slotmap::SecondaryMap;
 
 use super::checksum::Checksum;
 use super::pick::{Crossing, Ray, Target};
-use super::{MaterialId, MeshId, World, WorldError, check};
+use super::{MaterialId, MeshId, World, WorldError, WorldErrorKind, check};
 
 /// A mesh at a place.
 pub(super) struct WorldMesh {
@@ -122,6 +122,7 @@ impl World {
     /// - The number of normals, of texture coordinates, of colours or of triangles' materials is
     ///   wrong.
     /// - A number is out of range, or the place is flat.
+    #[track_caller]
     pub fn add_mesh(
         &mut self,
         mesh: Arc<Mesh>,
@@ -132,7 +133,7 @@ impl World {
         check::place(&mesh, place)?;
         let used: Vec<MaterialId> = used.into_iter().map(|number| materials[number]).collect();
         if !used.iter().all(|&id| self.materials.contains_key(id)) {
-            return Err(WorldError::NoMaterial);
+            return Err(WorldErrorKind::NoMaterial.into());
         }
         for &id in &used {
             if let Some(entry) = self.materials.get_mut(id) {
@@ -158,8 +159,9 @@ impl World {
     ///
     /// # Errors
     /// There is no such mesh, a number is out of range, or the place is flat.
+    #[track_caller]
     pub fn place_mesh(&mut self, id: MeshId, place: DAffine3) -> Result<(), WorldError> {
-        let entry = self.meshes.get_mut(id).ok_or(WorldError::NoMesh)?;
+        let entry = self.meshes.get_mut(id).ok_or(WorldErrorKind::NoMesh)?;
         if entry.place == place {
             return Ok(());
         }
@@ -179,16 +181,18 @@ impl World {
     ///
     /// # Errors
     /// There is no such mesh.
+    #[track_caller]
     pub fn mesh_place(&self, id: MeshId) -> Result<DAffine3, WorldError> {
-        Ok(self.meshes.get(id).ok_or(WorldError::NoMesh)?.place)
+        Ok(self.meshes.get(id).ok_or(WorldErrorKind::NoMesh)?.place)
     }
 
     /// Shows or hides a mesh.
     ///
     /// # Errors
     /// There is no such mesh.
+    #[track_caller]
     pub fn show_mesh(&mut self, id: MeshId, visible: bool) -> Result<(), WorldError> {
-        let entry = self.meshes.get_mut(id).ok_or(WorldError::NoMesh)?;
+        let entry = self.meshes.get_mut(id).ok_or(WorldErrorKind::NoMesh)?;
         self.edits.rebuild |= entry.visible != visible;
         entry.visible = visible;
         Ok(())
@@ -198,8 +202,9 @@ impl World {
     ///
     /// # Errors
     /// There is no such mesh.
+    #[track_caller]
     pub fn remove_mesh(&mut self, id: MeshId) -> Result<(), WorldError> {
-        let entry = self.meshes.remove(id).ok_or(WorldError::NoMesh)?;
+        let entry = self.meshes.remove(id).ok_or(WorldErrorKind::NoMesh)?;
         for material in entry.used {
             self.unuse(material);
         }

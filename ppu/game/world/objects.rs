@@ -1,11 +1,11 @@
 //! The objects of a world.
 
 use glam::DVec3;
-use nff::Shape;
+use nff::{Shape, unit};
 
 use super::content::Object;
 use super::edits::SceneEntry;
-use super::{MaterialId, ObjectId, World, WorldError, check};
+use super::{MaterialId, ObjectId, World, WorldError, WorldErrorKind, check};
 
 impl World {
     /// Adds a visible object of any shape.
@@ -13,10 +13,11 @@ impl World {
     /// # Errors
     /// - There is no such material.
     /// - A number of the shape is out of range, or the shape has no surface.
+    #[track_caller]
     pub fn add(&mut self, shape: Shape, material: MaterialId) -> Result<ObjectId, WorldError> {
         check::shape(&shape)?;
         let entry = self.materials.get_mut(material);
-        entry.ok_or(WorldError::NoMaterial)?.users += 1;
+        entry.ok_or(WorldErrorKind::NoMaterial)?.users += 1;
         let id = self.objects.insert(Object {
             line: None,
             shape,
@@ -33,6 +34,7 @@ impl World {
     ///
     /// # Errors
     /// As for [`World::add`].
+    #[track_caller]
     pub fn add_sphere(
         &mut self,
         centre: impl Into<DVec3>,
@@ -47,6 +49,7 @@ impl World {
     ///
     /// # Errors
     /// As for [`World::add`].
+    #[track_caller]
     pub fn add_polygon(
         &mut self,
         vertices: &[impl Into<DVec3> + Copy],
@@ -56,13 +59,68 @@ impl World {
         self.add(Shape::Polygon { vertices }, material)
     }
 
+    /// Adds a square of a plane: it has edges of this length around `centre`, and is seen from where
+    /// `normal` points, which is perpendicular to it.
+    ///
+    /// # Errors
+    /// As for [`World::add`], or the normal is 0.
+    #[track_caller]
+    pub fn add_plane(
+        &mut self,
+        centre: impl Into<DVec3>,
+        normal: impl Into<DVec3>,
+        edge: f64,
+        material: MaterialId,
+    ) -> Result<ObjectId, WorldError> {
+        let (centre, normal) = (centre.into(), normal.into());
+        check::vector("centre", centre)?;
+        check::vector("normal", normal)?;
+        let normal = unit(normal).ok_or(WorldErrorKind::NoSurface("the normal of a plane is 0"))?;
+        // Edges along the axes for a level plane.
+        let axis = match normal.x.abs() < 0.5 {
+            true => DVec3::X,
+            false => DVec3::Z,
+        };
+        let right = (axis - normal * normal.dot(axis)).normalize() * (edge / 2.0);
+        let up = normal.cross(right);
+        let vertices = [-right - up, right - up, right + up, up - right];
+        self.add_polygon(&vertices.map(|vertex| centre + vertex), material)
+    }
+
+    /// Adds a box between two opposite corners, as six polygons. [`Mesh::cuboid`](nff::Mesh::cuboid)
+    /// is a box that can be turned.
+    ///
+    /// # Errors
+    /// As for [`World::add`], or the box has no volume.
+    #[track_caller]
+    pub fn add_box(
+        &mut self,
+        corner: impl Into<DVec3>,
+        opposite: impl Into<DVec3>,
+        material: MaterialId,
+    ) -> Result<[ObjectId; 6], WorldError> {
+        let (corner, opposite) = (corner.into(), opposite.into());
+        check::vector("corner", corner)?;
+        check::vector("corner", opposite)?;
+        let (low, high) = (corner.min(opposite), corner.max(opposite));
+        if (high - low).min_element() == 0.0 {
+            return Err(WorldErrorKind::NoSurface("a box has no volume").into());
+        }
+        let mut sides = [ObjectId::default(); 6];
+        for (side, corners) in sides.iter_mut().zip(nff::cuboid(low, high)) {
+            *side = self.add_polygon(&corners, material)?;
+        }
+        Ok(sides)
+    }
+
     /// Removes an object. Its handle is refused from then on, even when another object takes its
     /// place.
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
-        let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
+        let object = self.objects.remove(id).ok_or(WorldErrorKind::NoObject)?;
         self.unuse(object.material);
         self.edits.removed(&object.traced);
         Ok(())
@@ -83,6 +141,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn shape(&self, id: ObjectId) -> Result<&Shape, WorldError> {
         Ok(&self.object(id)?.shape)
     }
@@ -91,6 +150,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn position(&self, id: ObjectId) -> Result<DVec3, WorldError> {
         Ok(position(&self.object(id)?.shape))
     }
@@ -99,6 +159,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object, it is fixed, or a number is out of range.
+    #[track_caller]
     pub fn move_to(&mut self, id: ObjectId, position: impl Into<DVec3>) -> Result<(), WorldError> {
         let position = position.into();
         let by = position - self.position(id)?;
@@ -130,6 +191,7 @@ impl World {
     /// # Errors
     /// - There is no such object, or it is fixed.
     /// - A number of the shape is out of range, or the shape has no surface.
+    #[track_caller]
     pub fn reshape(&mut self, id: ObjectId, shape: Shape) -> Result<(), WorldError> {
         check::shape(&shape)?;
         let object = self.movable(id)?;
@@ -144,6 +206,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn material_of(&self, id: ObjectId) -> Result<MaterialId, WorldError> {
         Ok(self.object(id)?.material)
     }
@@ -152,10 +215,11 @@ impl World {
     ///
     /// # Errors
     /// There is no such object or material.
+    #[track_caller]
     pub fn make_of(&mut self, id: ObjectId, material: MaterialId) -> Result<(), WorldError> {
         let before = self.material_of(id)?;
         let entry = self.materials.get_mut(material);
-        entry.ok_or(WorldError::NoMaterial)?.users += 1;
+        entry.ok_or(WorldErrorKind::NoMaterial)?.users += 1;
         self.unuse(before);
         if before != material {
             self.object_mut(id)?.material = material;
@@ -168,6 +232,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn is_visible(&self, id: ObjectId) -> Result<bool, WorldError> {
         Ok(self.object(id)?.visible)
     }
@@ -177,6 +242,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn show(&mut self, id: ObjectId, visible: bool) -> Result<(), WorldError> {
         let object = self.object_mut(id)?;
         if object.visible != visible {
@@ -190,6 +256,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn is_fixed(&self, id: ObjectId) -> Result<bool, WorldError> {
         Ok(self.object(id)?.fixed)
     }
@@ -200,6 +267,7 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = true;
         Ok(())
@@ -209,23 +277,24 @@ impl World {
     ///
     /// # Errors
     /// There is no such object.
+    #[track_caller]
     pub fn free(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = false;
         Ok(())
     }
 
-    fn object(&self, id: ObjectId) -> Result<&Object, WorldError> {
-        self.objects.get(id).ok_or(WorldError::NoObject)
+    fn object(&self, id: ObjectId) -> Result<&Object, WorldErrorKind> {
+        self.objects.get(id).ok_or(WorldErrorKind::NoObject)
     }
 
-    fn object_mut(&mut self, id: ObjectId) -> Result<&mut Object, WorldError> {
-        self.objects.get_mut(id).ok_or(WorldError::NoObject)
+    fn object_mut(&mut self, id: ObjectId) -> Result<&mut Object, WorldErrorKind> {
+        self.objects.get_mut(id).ok_or(WorldErrorKind::NoObject)
     }
 
-    fn movable(&mut self, id: ObjectId) -> Result<&mut Object, WorldError> {
+    fn movable(&mut self, id: ObjectId) -> Result<&mut Object, WorldErrorKind> {
         let object = self.object_mut(id)?;
         if object.fixed {
-            return Err(WorldError::Fixed);
+            return Err(WorldErrorKind::Fixed);
         }
         Ok(object)
     }

@@ -40,6 +40,7 @@ impl World {
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
     /// - The program lacks a shader that a material names.
+    #[track_caller]
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
         let is_whitted = self.render_options.is_whitted(self.light_count());
         let traced = self.traced.take().filter(|traced| {

@@ -3,11 +3,12 @@
 use cellray::Settings;
 use cellray::game::{
     DVec3, Light, LightId, LightKind, Material, MaterialId, Model, ObjectId, RenderOptions, Shader,
-    Shape, View, World, WorldError,
+    Shape, View, World, WorldErrorKind,
 };
 use cellray::spe::Program;
 use protocol::layout::{MAX_LIGHTS, MAX_SPHERES};
 
+use super::kind;
 use crate::recorder::{nff_scene, render};
 
 /// The view takes seven lines.
@@ -42,7 +43,7 @@ fn a_removed_object_is_never_another() {
             world.material_of(object).map(drop),
             world.is_visible(object).map(drop),
         ] {
-            assert!(matches!(refused, Err(WorldError::NoObject)));
+            assert!(matches!(kind(&refused), Some(WorldErrorKind::NoObject)));
         }
     }
     assert_eq!(world.object_count(), 1);
@@ -56,7 +57,10 @@ fn a_material_in_use_stays() {
     let (red, blue) = (red(&mut world), red(&mut world));
     let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
     let error = world.remove_material(red).unwrap_err();
-    assert!(matches!(error, WorldError::MaterialInUse { users: 1 }));
+    assert!(matches!(
+        error.kind(),
+        WorldErrorKind::MaterialInUse { users: 1 }
+    ));
     world.make_of(ball, blue).unwrap();
     world.make_of(ball, blue).unwrap();
     world.remove_material(red).unwrap();
@@ -75,7 +79,7 @@ fn a_material_in_use_stays() {
             world.remove_material(gone),
             world.add(shape, gone).map(drop),
         ] {
-            assert!(matches!(refused, Err(WorldError::NoMaterial)));
+            assert!(matches!(kind(&refused), Some(WorldErrorKind::NoMaterial)));
         }
     }
     assert_eq!(world.object_count(), 0);
@@ -89,10 +93,16 @@ fn a_removed_light_is_refused() {
     world.remove_light(light).unwrap();
     world.add_light(Light::at(DVec3::ZERO)).unwrap();
     for gone in [light, LightId::default()] {
-        assert!(matches!(world.light(gone), Err(WorldError::NoLight)));
+        assert!(matches!(
+            kind(&world.light(gone)),
+            Some(WorldErrorKind::NoLight)
+        ));
         let moved = world.set_light(gone, Light::at(DVec3::ZERO));
-        assert!(matches!(moved, Err(WorldError::NoLight)));
-        assert!(matches!(world.remove_light(gone), Err(WorldError::NoLight)));
+        assert!(matches!(kind(&moved), Some(WorldErrorKind::NoLight)));
+        assert!(matches!(
+            kind(&world.remove_light(gone)),
+            Some(WorldErrorKind::NoLight)
+        ));
     }
     assert_eq!(world.lights().count(), 1);
 }
@@ -106,10 +116,13 @@ fn a_fixed_object_stays_until_it_is_freed() {
     assert!(world.is_fixed(ball).unwrap());
     let shape = world.shape(ball).unwrap().clone();
     assert!(matches!(
-        world.move_to(ball, DVec3::ONE),
-        Err(WorldError::Fixed)
+        kind(&world.move_to(ball, DVec3::ONE)),
+        Some(WorldErrorKind::Fixed)
     ));
-    assert!(matches!(world.reshape(ball, shape), Err(WorldError::Fixed)));
+    assert!(matches!(
+        kind(&world.reshape(ball, shape)),
+        Some(WorldErrorKind::Fixed)
+    ));
     world.show(ball, false).unwrap();
     world.free(ball).unwrap();
     world.move_to(ball, DVec3::ONE).unwrap();
@@ -180,7 +193,7 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
             world.set_material(red, odd),
         ] {
             assert!(
-                matches!(refused, Err(WorldError::OutOfRange { .. })),
+                matches!(kind(&refused), Some(WorldErrorKind::OutOfRange { .. })),
                 "{bad}"
             );
         }
@@ -192,28 +205,107 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
         colour: None,
     };
     assert!(matches!(
-        world.add_light(no_direction),
-        Err(WorldError::NoDirection)
+        kind(&world.add_light(no_direction)),
+        Some(WorldErrorKind::NoDirection)
     ));
     let flat = [DVec3::ZERO, DVec3::X];
     assert!(matches!(
-        world.add_polygon(&flat, red),
-        Err(WorldError::NoSurface(_))
+        kind(&world.add_polygon(&flat, red)),
+        Some(WorldErrorKind::NoSurface(_))
     ));
     assert!(matches!(
-        world.look_from(DVec3::ONE, DVec3::ONE),
-        Err(WorldError::View(_))
+        kind(&world.look_from(DVec3::ONE, DVec3::ONE)),
+        Some(WorldErrorKind::View(_))
     ));
     let view = View {
         angle: 180.0,
         ..world.view().clone()
     };
-    assert!(matches!(world.set_view(view), Err(WorldError::View(_))));
     assert!(matches!(
-        world.add_sphere(DVec3::ZERO, 0.0, red),
-        Err(WorldError::OutOfRange { .. })
+        kind(&world.set_view(view)),
+        Some(WorldErrorKind::View(_))
+    ));
+    assert!(matches!(
+        kind(&world.add_sphere(DVec3::ZERO, 0.0, red)),
+        Some(WorldErrorKind::OutOfRange { .. })
     ));
     assert_eq!(world.checksum(), before);
+}
+
+#[test]
+fn an_error_names_the_line_that_called() {
+    let mut world = World::new();
+    let line = line!() + 1;
+    let error = world.fix(ObjectId::default()).unwrap_err();
+    assert_eq!(
+        (error.place().file(), error.place().line()),
+        (file!(), line)
+    );
+    // Also where one method of the world calls another.
+    let none = MaterialId::default();
+    let line = line!() + 1;
+    let error = world.add_sphere(DVec3::ZERO, 1.0, none).unwrap_err();
+    assert_eq!(
+        (error.place().file(), error.place().line()),
+        (file!(), line)
+    );
+    assert!(format!("{error:?}").contains(file!()), "{error:?}");
+    assert!(!error.to_string().contains(file!()), "{error}");
+}
+
+#[test]
+fn a_box_and_a_plane_are_where_they_were_put() {
+    let mut world = World::new();
+    let red = red(&mut world);
+    let sides = world
+        .add_box([2.0, 3.0, 1.0], [-2.0, 1.0, -1.0], red)
+        .unwrap();
+    let ground = world
+        .add_plane(DVec3::ZERO, DVec3::Y * 3.0, 20.0, red)
+        .unwrap();
+    let tilted = world
+        .add_plane([0.0, 0.0, -50.0], [1.0, 1.0, 1.0], 2.0, red)
+        .unwrap();
+    assert_eq!(world.object_count(), 8);
+    let mut met = |from: DVec3, towards: DVec3| {
+        let pick = world.cast_ray(from, towards).unwrap();
+        (pick.target.object().unwrap(), pick.point)
+    };
+    for (number, outwards) in [
+        -DVec3::X,
+        DVec3::X,
+        -DVec3::Y,
+        DVec3::Y,
+        -DVec3::Z,
+        DVec3::Z,
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let middle = DVec3::new(0.0, 2.0, 0.0);
+        let (side, point) = met(
+            middle + outwards * 1.9 * DVec3::new(2.0, 0.7, 2.0),
+            -outwards,
+        );
+        assert_eq!(side, sides[number]);
+        assert_eq!(point, middle + outwards * DVec3::new(2.0, 1.0, 1.0));
+    }
+    assert_eq!(
+        met(DVec3::new(9.5, 5.0, -9.5), -DVec3::Y),
+        (ground, DVec3::new(9.5, 0.0, -9.5))
+    );
+    assert_eq!(
+        met(DVec3::new(0.0, 0.0, -40.0), DVec3::new(0.0, 0.0, -1.0)).0,
+        tilted
+    );
+    assert!(matches!(
+        kind(&world.add_box(DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), red)),
+        Some(WorldErrorKind::NoSurface(_))
+    ));
+    assert!(matches!(
+        kind(&world.add_plane(DVec3::ZERO, DVec3::ZERO, 1.0, red)),
+        Some(WorldErrorKind::NoSurface(_))
+    ));
 }
 
 /// A world that does not fit fails to render, and renders again once it fits.
@@ -235,7 +327,7 @@ fn too_much_is_refused_until_it_is_gone() {
         .collect();
     for _ in 0..2 {
         let error = world.scene(&program).unwrap_err();
-        assert!(matches!(error, WorldError::Scene(_)), "{error}");
+        assert!(matches!(error.kind(), WorldErrorKind::Scene(_)), "{error}");
     }
     for object in &objects[100..] {
         world.remove(*object).unwrap();

@@ -6,13 +6,14 @@ use std::sync::Arc;
 
 use cellray::game::{
     DAffine3, DVec3, Light, Material, MaterialId, Mesh, MeshId, RenderOptions, Texture, World,
-    WorldError, Wrap,
+    WorldErrorKind, Wrap,
 };
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
+use super::kind;
 use crate::recorder::{Recorder, Snapshot};
 
 const SIZE: (u32, u32) = (132, 66);
@@ -628,11 +629,11 @@ fn wrong_meshes_are_refused() {
         assert_eq!(world.mesh_place(mesh).unwrap(), DAffine3::IDENTITY);
     }
     let unknown = world.add_mesh(good, &[MaterialId::default()], DAffine3::IDENTITY);
-    assert!(matches!(unknown, Err(WorldError::NoMaterial)));
+    assert!(matches!(kind(&unknown), Some(WorldErrorKind::NoMaterial)));
     let in_use = world.remove_material(red);
     assert!(matches!(
-        in_use,
-        Err(WorldError::MaterialInUse { users: 1 })
+        kind(&in_use),
+        Some(WorldErrorKind::MaterialInUse { users: 1 })
     ));
 
     world.remove_mesh(mesh).unwrap();
@@ -644,7 +645,7 @@ fn wrong_meshes_are_refused() {
             world.show_mesh(mesh, true),
             world.remove_mesh(mesh),
         ] {
-            assert!(matches!(refused, Err(WorldError::NoMesh)));
+            assert!(matches!(kind(&refused), Some(WorldErrorKind::NoMesh)));
         }
     }
     assert_eq!(world.meshes().count(), 0);

@@ -9,3 +9,10 @@ mod refined;
 mod retained;
 mod session;
 mod steady;
+
+use cellray::game::{WorldError, WorldErrorKind};
+
+/// Why a change of a world is refused.
+fn kind<T>(change: &Result<T, WorldError>) -> Option<&WorldErrorKind> {
+    change.as_ref().err().map(WorldError::kind)
+}

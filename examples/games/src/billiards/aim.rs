@@ -4,7 +4,6 @@ use cellray::game::{Axis, Button, DVec3, Input, Key, MouseButton};
 
 use super::balls::Balls;
 use super::table::{HALF, RADIUS};
-use crate::camera::stick;
 
 /// Radians by which the cue turns for a pixel of mouse movement, and for a second of keys and
 /// sticks.
@@ -98,8 +97,8 @@ impl Aim {
                 care = CARE;
             }
             let held = |button| f64::from(u8::from(pad.held(button))) * seconds;
-            turn += stick(pad.axis(Axis::LeftX)) * TURN_A_SECOND * seconds;
-            power += stick(pad.axis(Axis::RightY)) * POWER_A_SECOND * seconds;
+            turn += pad.stick(Axis::LeftX) * TURN_A_SECOND * seconds;
+            power += pad.stick(Axis::RightY) * POWER_A_SECOND * seconds;
             height += (held(Button::R1) - held(Button::L1)) * HEIGHT_A_SECOND;
             blow |= pad.pressed(Button::Cross);
         }
