@@ -41,7 +41,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-#[cfg(feature = "cli")]
+#[cfg(feature = "choices")]
 pub mod choices;
 pub mod engine;
 pub mod framebuffer;

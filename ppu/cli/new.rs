@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use clap::{Args, ValueEnum};
 
@@ -9,6 +10,10 @@ use super::Outcome;
 
 /// The sources that this program was built from.
 const SOURCES: &str = env!("CARGO_MANIFEST_DIR");
+/// The versions of other crates with which cellray is tested, which a new game keeps.
+const LOCK: &str = include_str!("../../Cargo.lock");
+/// How a game's build optimises each crate.
+const PROFILE: &str = include_str!("new/profile.toml");
 
 /// A game to begin with: one of the tutorial's, whose files the links in `new/` lead to.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
@@ -39,15 +44,41 @@ impl Template {
         }
     }
 
-    /// The crates of cellray that it depends on, by their folders.
-    fn crates(self) -> &'static [(&'static str, &'static [(&'static str, &'static str)])] {
-        const GAME: (&str, &[(&str, &str)]) =
-            ("dependencies", &[("cellray", ""), ("cellray-play", "play")]);
+    /// The crates of cellray that it depends on, by the parts of its manifest.
+    fn crates(self) -> &'static [(&'static str, &'static [Crate])] {
         match self {
-            Self::Ball | Self::Steer => &[GAME],
-            Self::Stripes => &[GAME, ("build-dependencies", &[("spu-build", "linker")])],
+            Self::Ball | Self::Steer => &[("dependencies", GAME)],
+            Self::Stripes => &[("dependencies", GAME), ("build-dependencies", BUILD)],
         }
     }
+}
+
+const GAME: &[Crate] = &[
+    Crate {
+        name: "cellray",
+        folder: "",
+        // Without what only the program `cellray` needs.
+        features: ", default-features = false",
+    },
+    Crate {
+        name: "cellray-play",
+        folder: "play",
+        features: "",
+    },
+];
+const BUILD: &[Crate] = &[Crate {
+    name: "spu-build",
+    folder: "linker",
+    features: "",
+}];
+
+/// A crate of cellray as a dependency.
+struct Crate {
+    name: &'static str,
+    /// Its folder in cellray's sources.
+    folder: &'static str,
+    /// What the dependency says of its features, as the end of the entry.
+    features: &'static str,
 }
 
 /// Make a folder with a game of your own, ready to run.
@@ -59,7 +90,7 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     template: Template,
     /// Folder of cellray's sources that the game depends on [default: those that this program was
-    /// built from]
+    /// built from, or the repository that they were cloned from, if it has them as they are]
     #[arg(long, value_name = "FOLDER", conflicts_with = "git")]
     path: Option<PathBuf>,
     /// Git repository of cellray that the game depends on
@@ -71,13 +102,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let folder = &arguments.folder;
     let name = package_name(folder)?;
     let manifest = format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n{}\n\
-         # Without optimisation the emulated SPUs are slow.\n\
-         [profile.dev]\nopt-level = 2\n",
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n{}\n{PROFILE}",
         arguments.dependencies()?
     );
     let written = [
         ("Cargo.toml", manifest.as_bytes()),
+        ("Cargo.lock", LOCK.as_bytes()),
         (".gitignore", b"/target\n".as_slice()),
     ];
     fs::create_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -88,7 +118,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             .map_err(|error| format!("{}: {error}", path.display()))?;
     }
     talk::say!(
-        "cellray: made {0}; next: cd {0} && cargo run --release",
+        "cellray: made {0}; next: cd {0} && cargo run --release (the first build takes minutes)",
         folder.display()
     );
     Ok(())
@@ -97,24 +127,62 @@ pub fn run(arguments: &Arguments) -> Outcome {
 impl Arguments {
     /// The parts of the manifest that name cellray's crates.
     fn dependencies(&self) -> Result<String, String> {
+        let origin = self.origin()?;
         let mut text = String::new();
         for (part, crates) in self.template.crates() {
             text += &format!("\n[{part}]\n");
-            for (name, folder) in *crates {
-                text += &format!("{name} = {{ {} }}\n", self.source(folder)?);
+            for Crate {
+                name,
+                folder,
+                features,
+            } in *crates
+            {
+                let place = origin.dependency(folder)?;
+                text += &format!("{name} = {{ {place}{features} }}\n");
             }
         }
         Ok(text)
     }
 
-    /// Where a crate in this folder of cellray's sources is found.
-    fn source(&self, folder: &str) -> Result<String, String> {
+    /// Where cellray's crates are taken from.
+    fn origin(&self) -> Result<Origin, String> {
         if let Some(address) = &self.git {
-            return Ok(format!("git = {}", toml_string(address)?));
+            return Ok(Origin::Git(address.clone(), None));
         }
-        let sources = self.path.clone().unwrap_or_else(|| PathBuf::from(SOURCES));
-        let path = sources.join(folder);
-        let path = fs::canonicalize(&path)
+        if let Some(path) = &self.path {
+            return Ok(Origin::Folder(path.clone()));
+        }
+        let sources = PathBuf::from(SOURCES);
+        Ok(match published(&sources) {
+            Some((address, commit)) => Origin::Git(address, Some(commit)),
+            None => Origin::Folder(sources),
+        })
+    }
+}
+
+/// Where a game takes cellray's crates from.
+enum Origin {
+    /// A folder of this machine.
+    Folder(PathBuf),
+    /// A repository, and a commit of it; without one, its newest.
+    Git(String, Option<String>),
+}
+
+impl Origin {
+    /// The dependency on the crate in this folder of cellray's sources.
+    fn dependency(&self, folder: &str) -> Result<String, String> {
+        let sources = match self {
+            Self::Folder(sources) => sources,
+            Self::Git(address, None) => return Ok(format!("git = {}", toml_string(address)?)),
+            Self::Git(address, Some(commit)) => {
+                return Ok(format!(
+                    "git = {}, rev = {}",
+                    toml_string(address)?,
+                    toml_string(commit)?
+                ));
+            }
+        };
+        let path = fs::canonicalize(sources.join(folder))
             .ok()
             .filter(|path| path.join("Cargo.toml").is_file());
         let path = path.ok_or_else(|| {
@@ -127,6 +195,39 @@ impl Arguments {
         match path.to_str() {
             Some(path) => Ok(format!("path = {}", toml_string(path)?)),
             None => Err(format!("{}: the path is not UTF-8", path.display())),
+        }
+    }
+}
+
+/// The repository that these sources were cloned from, and their commit, if others can fetch from
+/// there just what is here. A game that names them builds on other machines, too.
+fn published(sources: &Path) -> Option<(String, String)> {
+    let git = |arguments: &[&str]| {
+        let mut command = Command::new("git");
+        let output = command
+            .arg("-C")
+            .arg(sources)
+            .args(arguments)
+            .output()
+            .ok()?;
+        let text = String::from_utf8(output.stdout).ok()?;
+        output.status.success().then(|| text.trim().to_owned())
+    };
+    let address = address(&git(&["remote", "get-url", "origin"])?)?;
+    let is_changed = !git(&["status", "--porcelain", "--untracked-files=no"])?.is_empty();
+    let is_there = !git(&["branch", "--remotes", "--contains", "HEAD"])?.is_empty();
+    (is_there && !is_changed).then_some((address, git(&["rev-parse", "HEAD"])?))
+}
+
+/// A repository's address in the form that cargo takes, unless it is a place on this machine.
+fn address(remote: &str) -> Option<String> {
+    match remote.split_once("://") {
+        Some(("https" | "http" | "ssh" | "git", _)) => Some(remote.to_owned()),
+        Some(_) => None,
+        // git's short form of an address by ssh: user@host:path.
+        None => {
+            let (host, path) = remote.split_once(':')?;
+            (host.contains('@') && !host.contains('/')).then(|| format!("ssh://{host}/{path}"))
         }
     }
 }
@@ -167,6 +268,58 @@ mod tests {
         assert!(package_name(Path::new("2d")).is_err());
         assert!(package_name(Path::new("a game")).is_err());
         assert!(package_name(Path::new("..")).is_err());
+    }
+
+    #[test]
+    fn a_game_names_the_repository_that_has_its_sources() {
+        let folder = tempfile::tempdir().unwrap();
+        let (clone, commit) = (
+            folder.path().join("clone"),
+            ["commit", "-q", "-m", "changed"],
+        );
+        let git = |arguments: &[&str]| {
+            let mut command = Command::new("git");
+            command.arg("-C").arg(&clone);
+            for setting in ["user.name=a", "user.email=a", "commit.gpgsign=false"] {
+                command.args(["-c", setting]);
+            }
+            assert!(command.args(arguments).status().unwrap().success());
+        };
+        fs::create_dir(&clone).unwrap();
+        git(&["init", "-q"]);
+        fs::write(clone.join("file"), "1").unwrap();
+        git(&["add", "file"]);
+        git(&commit);
+        assert_eq!(published(&clone), None, "there is no remote");
+        git(&["remote", "add", "origin", "https://example.org/cellray"]);
+        assert_eq!(published(&clone), None, "the remote may not have it");
+        git(&["update-ref", "refs/remotes/origin/main", "HEAD"]);
+        let (address, commit_there) = published(&clone).unwrap();
+        assert_eq!(address, "https://example.org/cellray");
+        assert_eq!(commit_there.len(), 40);
+        fs::write(clone.join("file"), "2").unwrap();
+        assert_eq!(published(&clone), None, "a file is changed");
+        git(&["add", "file"]);
+        git(&commit);
+        assert_eq!(published(&clone), None, "a commit is new");
+    }
+
+    #[test]
+    fn addresses_are_those_that_cargo_takes() {
+        let there = |remote| address(remote);
+        assert_eq!(there("ssh://a@b/c").as_deref(), Some("ssh://a@b/c"));
+        assert_eq!(
+            there("git@example.org:cellray.git").as_deref(),
+            Some("ssh://git@example.org/cellray.git")
+        );
+        for here in [
+            "/home/me/cellray",
+            "../cellray",
+            "file:///home/me/cellray",
+            "/a@b:c",
+        ] {
+            assert_eq!(there(here), None, "{here}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! New games and new shaders, as a newcomer creates them.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
 
@@ -38,6 +39,58 @@ fn a_new_game_is_a_crate_that_cargo_takes() {
         assert_eq!(found.unwrap()["path"], path.to_str().unwrap());
     }
     bad(&["new", path, "--path", "."], &["my-game", "exists"]);
+}
+
+/// A game is built of what cellray is tested with, and its profile names nothing else: cargo would
+/// warn of it.
+#[test]
+fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
+    let folder = tempfile::tempdir().unwrap();
+    let game = folder.path().join("game");
+    good(&["new", game.to_str().unwrap(), "--path", "."]);
+    let tree = Command::new(env!("CARGO"))
+        .args([
+            "tree",
+            "--offline",
+            "--prefix",
+            "none",
+            "--edges",
+            "normal,build",
+        ])
+        .arg("--manifest-path")
+        .arg(game.join("Cargo.toml"))
+        .output()
+        .unwrap();
+    assert!(tree.status.success(), "{}", text(&tree.stderr));
+    let lock = fs::read_to_string("Cargo.lock").unwrap();
+    let tree = text(&tree.stdout);
+    let mut names = BTreeSet::new();
+    for line in tree.lines().skip(1).filter(|line| !line.is_empty()) {
+        let mut words = line.split(' ');
+        let (name, version) = (words.next().unwrap(), words.next().unwrap());
+        let version = version.trim_start_matches('v');
+        let entry = format!("name = \"{name}\"\nversion = \"{version}\"\n");
+        assert!(lock.contains(&entry), "{name} {version}");
+        names.insert(name);
+    }
+    let profile = fs::read_to_string("ppu/cli/new/profile.toml").unwrap();
+    let workspace = fs::read_to_string("Cargo.toml").unwrap();
+    let (_, workspace) = workspace.split_once("[profile.release.package]").unwrap();
+    let entries = profile
+        .lines()
+        .filter_map(|line| line.split_once(" = { opt-level = "));
+    let mut count = 0;
+    for (name, level) in entries.filter(|(name, _)| *name != "\"*\"") {
+        assert!(names.contains(name), "no game is built of {name}");
+        let in_workspace = workspace
+            .lines()
+            .find_map(|line| line.strip_prefix(name)?.strip_prefix(" = { opt-level = "));
+        // The workspace's own crates have the profile's level there.
+        let expected = in_workspace.map_or("3", |level| &level[..1]);
+        assert_eq!(&level[..1], expected, "{name}");
+        count += 1;
+    }
+    assert!(count > 20, "{count}");
 }
 
 #[test]
