@@ -7,6 +7,7 @@
 //! on the frames' times, sizes and inputs, so a recorded session plays back bit for bit.
 
 mod input;
+mod label;
 mod run;
 mod turntable;
 mod world;
@@ -16,6 +17,7 @@ pub use nff::depth::DepthShading;
 pub use nff::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
 
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
+pub use label::{Anchor, Label, PlacedLabel, Side};
 pub use run::{
     Clock, FixedSteps, FrameRange, FrameRangeError, InputSource, Made, NoInput, Pictures, RealTime,
     Recording, RecordingError, Session, SessionError,
@@ -67,6 +69,13 @@ pub trait Game {
     /// that the SPUs trace, so pictures and recordings are the same with or without it.
     fn status(&self) -> String {
         String::new()
+    }
+
+    /// Text over the picture, at places of the picture or of the world: names, hints, numbers.
+    /// Asked after each frame. As [`Game::status`], it is drawn on the display only. Labels that
+    /// come first are more important: where two would cover each other, the later one is left out.
+    fn labels(&self) -> Vec<Label> {
+        Vec::new()
     }
 
     /// Whether the game is over. Asked after each frame; if it is, that frame was the last.
