@@ -16,6 +16,7 @@ pub mod input;
 mod interactive;
 mod keys;
 mod meter;
+mod names;
 mod overlay;
 mod pace;
 mod recording;
@@ -93,15 +94,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let Some(name) = &play.name else {
                 return print(list(games).as_bytes());
             };
-            let entry = games.iter().find(|entry| entry.name == name.as_str());
-            let entry = entry.ok_or_else(|| PlayError::NoGame {
-                name: name.clone(),
-                known: games
-                    .iter()
-                    .map(|entry| entry.name)
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            })?;
+            let entry = find(games, name)?;
             let game = (entry.new)();
             for line in game.controls() {
                 say(line);
@@ -132,6 +125,20 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             )
         }
     }
+}
+
+/// The game with this name, in capitals or not.
+fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
+    let same = |entry: &&Entry| entry.name.eq_ignore_ascii_case(name);
+    games.iter().find(same).ok_or_else(|| PlayError::NoGame {
+        name: name.to_owned(),
+        meant: names::nearest(name, games.iter().map(|entry| entry.name)),
+        known: games
+            .iter()
+            .map(|entry| entry.name)
+            .collect::<Vec<_>>()
+            .join(", "),
+    })
 }
 
 /// Loads a scene to look at, and prints what was left out of it.

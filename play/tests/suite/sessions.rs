@@ -183,7 +183,14 @@ fn bad_input_is_told_of() {
     fs::write(&file, "something").expect("a file");
     let there = file.to_str().expect("text");
     for (arguments, words) in [
-        (&["play", "chess", "--display", "none"][..], "billiards"),
+        (
+            &["play", "chess", "--display", "none"][..],
+            "no game \"chess\"; there are: billiards",
+        ),
+        (
+            &["play", "biliards", "--display", "none"],
+            "no game \"biliards\"; did you mean \"billiards\"?",
+        ),
         (&["view", "none.nff", "--display", "none"], "none.nff"),
         (&["play", GAME, "--frames", "3..3"], "3..3"),
         (&["play", GAME, "--frames", "x"], "A..B"),
@@ -306,6 +313,21 @@ fn games_are_listed() {
         output.status.success() && list.contains(GAME) && list.contains("billiards"),
         "{list}"
     );
+}
+
+#[test]
+fn capitals_make_no_difference_to_a_games_name() {
+    let name = GAME.to_uppercase();
+    good(&[
+        "play",
+        &name,
+        "--size",
+        "64x36",
+        "--display",
+        "none",
+        "--frames",
+        "1",
+    ]);
 }
 
 #[test]
