@@ -107,7 +107,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             Ok(Ending::Over)
         }
         Command::View(view) => {
-            let scene = load(&view.scene)?;
+            let (scene, has_headlight) = load(&view.scene)?;
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
@@ -115,7 +115,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             if let Some(note) = offset_note(&scene, render_options) {
                 say(note);
             }
-            let viewer = Viewer::new(scene, render_options);
+            let viewer = Viewer::new(scene, render_options, has_headlight);
             session(
                 Box::new(viewer),
                 Some(0),
@@ -141,13 +141,13 @@ fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
     })
 }
 
-/// Loads a scene to look at, and prints what was left out of it.
-fn load(name: &Path) -> Result<nff::Scene, PlayError> {
+/// Loads a scene to look at, and whether its light comes with the eye. Prints what was left out.
+fn load(name: &Path) -> Result<(nff::Scene, bool), PlayError> {
     let loaded = meshes::load(name)?;
     for note in &loaded.notes {
         say(format_args!("{note}"));
     }
-    Ok(gathered(&loaded.scene).into_owned())
+    Ok((gathered(&loaded.scene).into_owned(), loaded.added_light))
 }
 
 /// Writes a picture to standard output, as wide as the terminal.
