@@ -17,7 +17,7 @@ use crate::frontend::{Ending, Frontend, Requests};
 use crate::input::InputDevices;
 use crate::meter::Meter;
 use crate::overlay::Overlay;
-use crate::pace::{Pace, Traced};
+use crate::pace::{Divisor, Pace, Traced};
 use crate::recording;
 use crate::reload::Reload;
 use crate::say;
@@ -441,7 +441,8 @@ fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry
 /// How the current picture looks. While something moves, a picture of a divided size has one sample
 /// a pixel; at rest, antialiasing is the last thing that refines it.
 fn look_now(look: Look, pace: Option<&Pace>) -> Look {
-    let is_coarse = pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > 1);
+    let is_coarse =
+        pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > Divisor::ONE);
     match is_coarse {
         true => Look {
             samples: Samples::One,
@@ -452,10 +453,10 @@ fn look_now(look: Look, pace: Option<&Pace>) -> Look {
 }
 
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
+    let divisor = pace.map_or(Divisor::ONE, Pace::divisor);
     // Both sides are divided by the same, so that the proportions stay.
     let most = area.width.min(area.height) / LEAST_SIDE;
-    let divisor = pace.map_or(1, Pace::divisor).min(most).max(1);
-    let side = |side: u32| side / divisor;
+    let side = |side: u32| divisor.of(side).max(side / most.max(1));
     match (pace, fixed) {
         (None, Some(size)) => size,
         _ => Geometry {
