@@ -15,7 +15,7 @@ use crate::display::{Display, Enlarged};
 use crate::error::PlayError;
 use crate::frontend::{Ending, Frontend, Requests};
 use crate::input::InputDevices;
-use crate::meter::Meter;
+use crate::meter::{Meter, Quality};
 use crate::overlay::Overlay;
 use crate::pace::{Divisor, Pace, Traced};
 use crate::recording;
@@ -251,8 +251,8 @@ impl<'a> Show<'a> {
     /// Shows other texts if the player wants them. Returns whether they have changed.
     fn change_texts(&mut self, requests: Requests) -> bool {
         if requests.overlay {
-            let has_status = !self.session.game().status().is_empty();
-            self.texts.change_level(has_status);
+            let has_words = !self.session.game().status().is_empty();
+            self.texts.change_level(has_words);
         }
         if requests.help {
             self.texts.change_help();
@@ -339,13 +339,22 @@ impl<'a> Show<'a> {
     fn show(&mut self, must: bool) -> Result<(), PlayError> {
         let is_paused = self.is_paused();
         let Geometry { width, height } = self.front.display.area();
-        let sizes = ((self.size.width, self.size.height), (width, height));
+        let look = self.look_now();
+        let quality = Quality {
+            picture: (self.size.width, self.size.height),
+            area: (width, height),
+            samples: look.samples as u32,
+            is_full: look == self.look
+                && self
+                    .pace
+                    .as_ref()
+                    .is_none_or(|pace| pace.divisor() == Divisor::ONE),
+        };
         let now = Instant::now();
         let report = self.session.report().clone();
-        let samples = self.look_now().samples as u32;
         let last = self.session.engine().statistics();
         let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
-        let measured = self.meter.frame(now, &report, last, sizes, samples);
+        let measured = self.meter.frame(now, &report, last, quality);
         let game = self.session.game().as_ref();
         self.overlay = self.texts.overlay(measured, game, is_paused, now);
         let display = &mut self.front.display;

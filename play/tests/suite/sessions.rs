@@ -401,6 +401,8 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     pty.wait_for("\u{2580}");
     assert!(pty.is_taken(), "keys come line by line");
     assert!(pty.seen().contains("\x1b[38;2;") && pty.seen().contains("\x1b[48;2;"));
+    // Statistics come after the first picture.
+    pty.type_in("\x1bOP");
     pty.wait_for("SPUs");
     // The arrow turns the eye, so the picture changes.
     let shown = pty.seen().matches('\u{2580}').count();
