@@ -251,7 +251,8 @@ impl<'a> Show<'a> {
     /// Shows other texts if the player wants them. Returns whether they have changed.
     fn change_texts(&mut self, requests: Requests) -> bool {
         if requests.overlay {
-            let has_words = !self.session.game().status().is_empty();
+            let game = self.session.game();
+            let has_words = !game.status().is_empty() || !game.labels().is_empty();
             self.texts.change_level(has_words);
         }
         if requests.help {
@@ -356,7 +357,9 @@ impl<'a> Show<'a> {
         let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
         let measured = self.meter.frame(now, &report, last, quality);
         let game = self.session.game().as_ref();
-        self.overlay = self.texts.overlay(measured, game, is_paused, now);
+        let labels = self.session.labels();
+        let texts = &mut self.texts;
+        self.overlay = texts.overlay(measured, game, labels, is_paused, now);
         let display = &mut self.front.display;
         display.print(&self.overlay);
         let is_recent = |drawn| now.duration_since(drawn) < REFINED_EVERY;

@@ -4,7 +4,7 @@
 
 use std::time::{Duration, Instant};
 
-use cellray::game::Game;
+use cellray::game::{Game, PlacedLabel};
 
 use crate::keys::KEYS;
 use crate::overlay::{Line, Overlay};
@@ -83,6 +83,7 @@ impl Texts {
         &mut self,
         (speeds, loads): (&[String], &[f32]),
         game: &dyn Game,
+        labels: Vec<PlacedLabel>,
         is_paused: bool,
         now: Instant,
     ) -> Overlay {
@@ -97,6 +98,7 @@ impl Texts {
         if self.level != Level::Nothing {
             overlay.message = self.message(now);
             overlay.status = game.status().lines().map(str::to_owned).collect();
+            overlay.labels = labels;
         }
         if self.level == Level::All {
             overlay.speeds = speeds.to_vec();
@@ -144,7 +146,7 @@ fn help(game: &dyn Game) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cellray::game::{Frame, Start, World, WorldError};
+    use cellray::game::{Frame, Side, Start, World, WorldError};
 
     struct Chess(&'static str);
 
@@ -168,9 +170,20 @@ mod tests {
 
     const WHITE: Chess = Chess("White's turn\n0 : 0");
 
+    fn labels() -> Vec<PlacedLabel> {
+        let side = Side::Over;
+        let text = "king".to_owned();
+        vec![PlacedLabel {
+            text,
+            place: [0.5; 2],
+            side,
+            colour: [255; 3],
+        }]
+    }
+
     fn shown(texts: &mut Texts, now: Instant) -> Overlay {
         let speeds = ["60 frames/s".to_owned()];
-        texts.overlay((&speeds, &[0.5]), &WHITE, false, now)
+        texts.overlay((&speeds, &[0.5]), &WHITE, labels(), false, now)
     }
 
     #[test]
@@ -180,6 +193,7 @@ mod tests {
         let mut parts = || {
             let overlay = shown(&mut texts, now);
             texts.change_level(true);
+            assert_eq!(overlay.labels.len(), overlay.status.len() / 2);
             (overlay.speeds.len(), overlay.loads.len(), overlay.status)
         };
         let status = vec!["White's turn".to_owned(), "0 : 0".to_owned()];
@@ -203,7 +217,7 @@ mod tests {
         let now = Instant::now();
         let speeds = ["60 frames/s".to_owned()];
         let mut texts = Texts::new(true);
-        let begun = texts.overlay((&speeds, &[0.5]), &silent, false, now);
+        let begun = texts.overlay((&speeds, &[0.5]), &silent, Vec::new(), false, now);
         let only_the_hint = Overlay {
             message: Some((HINT.to_owned(), 1.0)),
             ..Overlay::default()
@@ -219,7 +233,7 @@ mod tests {
         let now = Instant::now();
         let mut texts = Texts::new(false);
         assert_eq!(shown(&mut texts, now), Overlay::default());
-        let paused = texts.overlay((&[], &[]), &WHITE, true, now);
+        let paused = texts.overlay((&[], &[]), &WHITE, labels(), true, now);
         assert_eq!(paused.notice.as_deref(), Some(PAUSED));
         texts.change_help();
         let help = shown(&mut texts, now).help;

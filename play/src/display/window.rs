@@ -292,7 +292,8 @@ impl Display for Window {
             area: (area.width as usize, area.height as usize),
             format: FORMAT,
         };
-        self.painter.paint(overlay, &mut canvas);
+        let [corner, size] = [fit.corner(), fit.size()].map(|(x, y)| (x as usize, y as usize));
+        self.painter.paint(overlay, (corner, size), &mut canvas);
         window.pre_present_notify();
         buffer.present().map_err(failed)
     }
