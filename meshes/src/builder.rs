@@ -271,16 +271,18 @@ impl Builder {
             return Err(Fault::NoArea(mesh.triangles.len()));
         }
         join_vertices(&mut mesh);
-        let (lights, ambient) = if self.lights.is_empty() {
-            framing::lights(self.up)
+        let added_light = self.lights.is_empty();
+        let (lights, ambient) = if added_light {
+            framing::lights(self.up, self.view.as_ref())
         } else {
             (self.lights, framing::AMBIENT)
         };
         let scene = Scene {
             name: name.to_owned(),
-            view: self
-                .view
-                .unwrap_or_else(|| framing::view(low, high, self.up)),
+            view: match self.view {
+                Some(view) => framing::aimed(view, low, high, self.up),
+                None => framing::view(low, high, self.up),
+            },
             background: framing::BACKGROUND,
             sky: None,
             ambient,
@@ -291,6 +293,7 @@ impl Builder {
         };
         Ok(Loaded {
             scene,
+            added_light,
             notes: self.notes.finish(name),
         })
     }

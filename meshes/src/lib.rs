@@ -41,6 +41,9 @@ const BEGINNING: u64 = 4096;
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
+    /// Whether the scene's only light is one that the file lacks: a sun over the left shoulder of
+    /// who looks by the scene's view. A viewer may have it come with the eye.
+    pub added_light: bool,
     /// What was left out, each with its file, and with its line if it is one.
     pub notes: Vec<String>,
 }
@@ -63,6 +66,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         let scene = nff::load(name)?;
         return Ok(Loaded {
             scene,
+            added_light: false,
             notes: Vec::new(),
         });
     };

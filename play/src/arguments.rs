@@ -187,7 +187,7 @@ pub struct Options {
     /// Limit light that is nearly white or brighter without a step
     #[arg(long)]
     roll_off: bool,
-    /// Start without text on the screen; F1 shows it
+    /// Start without text on the screen; F1 shows it, and then statistics
     #[arg(long)]
     pub no_overlay: bool,
     /// SPUs to use [default: 6, but no more than the computer has processors, unless it is a

@@ -15,10 +15,12 @@ use crate::display::DisplayError;
 #[derive(Debug, thiserror::Error)]
 pub enum PlayError {
     /// There is no game with this name.
-    #[error("no game {name:?}; there are: {known}")]
+    #[error("no game {name:?}{}; there are: {known}", question(*meant))]
     NoGame {
         /// The requested name.
         name: String,
+        /// The name that was probably meant.
+        meant: Option<&'static str>,
         /// The names of the games.
         known: String,
     },
@@ -83,4 +85,9 @@ pub enum PlayError {
     /// The engine failed.
     #[error(transparent)]
     Engine(#[from] EngineError),
+}
+
+/// Asks whether a name was meant.
+fn question(meant: Option<&str>) -> String {
+    meant.map_or_else(String::new, |name| format!("; did you mean {name:?}?"))
 }

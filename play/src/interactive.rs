@@ -15,9 +15,9 @@ use crate::display::{Display, Enlarged};
 use crate::error::PlayError;
 use crate::frontend::{Ending, Frontend, Requests};
 use crate::input::InputDevices;
-use crate::meter::Meter;
+use crate::meter::{Meter, Quality};
 use crate::overlay::Overlay;
-use crate::pace::{Pace, Traced};
+use crate::pace::{Divisor, Pace, Traced};
 use crate::recording;
 use crate::reload::Reload;
 use crate::say;
@@ -251,8 +251,9 @@ impl<'a> Show<'a> {
     /// Shows other texts if the player wants them. Returns whether they have changed.
     fn change_texts(&mut self, requests: Requests) -> bool {
         if requests.overlay {
-            let has_status = !self.session.game().status().is_empty();
-            self.texts.change_level(has_status);
+            let game = self.session.game();
+            let has_words = !game.status().is_empty() || !game.labels().is_empty();
+            self.texts.change_level(has_words);
         }
         if requests.help {
             self.texts.change_help();
@@ -339,15 +340,26 @@ impl<'a> Show<'a> {
     fn show(&mut self, must: bool) -> Result<(), PlayError> {
         let is_paused = self.is_paused();
         let Geometry { width, height } = self.front.display.area();
-        let sizes = ((self.size.width, self.size.height), (width, height));
+        let look = self.look_now();
+        let quality = Quality {
+            picture: (self.size.width, self.size.height),
+            area: (width, height),
+            samples: look.samples as u32,
+            is_full: look == self.look
+                && self
+                    .pace
+                    .as_ref()
+                    .is_none_or(|pace| pace.divisor() == Divisor::ONE),
+        };
         let now = Instant::now();
         let report = self.session.report().clone();
-        let samples = self.look_now().samples as u32;
         let last = self.session.engine().statistics();
         let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
-        let measured = self.meter.frame(now, &report, last, sizes, samples);
+        let measured = self.meter.frame(now, &report, last, quality);
         let game = self.session.game().as_ref();
-        self.overlay = self.texts.overlay(measured, game, is_paused, now);
+        let labels = self.session.labels();
+        let texts = &mut self.texts;
+        self.overlay = texts.overlay(measured, game, labels, is_paused, now);
         let display = &mut self.front.display;
         display.print(&self.overlay);
         let is_recent = |drawn| now.duration_since(drawn) < REFINED_EVERY;
@@ -441,7 +453,8 @@ fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry
 /// How the current picture looks. While something moves, a picture of a divided size has one sample
 /// a pixel; at rest, antialiasing is the last thing that refines it.
 fn look_now(look: Look, pace: Option<&Pace>) -> Look {
-    let is_coarse = pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > 1);
+    let is_coarse =
+        pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > Divisor::ONE);
     match is_coarse {
         true => Look {
             samples: Samples::One,
@@ -452,10 +465,10 @@ fn look_now(look: Look, pace: Option<&Pace>) -> Look {
 }
 
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
+    let divisor = pace.map_or(Divisor::ONE, Pace::divisor);
     // Both sides are divided by the same, so that the proportions stay.
     let most = area.width.min(area.height) / LEAST_SIDE;
-    let divisor = pace.map_or(1, Pace::divisor).min(most).max(1);
-    let side = |side: u32| side / divisor;
+    let side = |side: u32| divisor.of(side).max(side / most.max(1));
     match (pace, fixed) {
         (None, Some(size)) => size,
         _ => Geometry {

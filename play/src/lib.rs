@@ -16,6 +16,7 @@ pub mod input;
 mod interactive;
 mod keys;
 mod meter;
+mod names;
 mod overlay;
 mod pace;
 mod recording;
@@ -93,15 +94,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let Some(name) = &play.name else {
                 return print(list(games).as_bytes());
             };
-            let entry = games.iter().find(|entry| entry.name == name.as_str());
-            let entry = entry.ok_or_else(|| PlayError::NoGame {
-                name: name.clone(),
-                known: games
-                    .iter()
-                    .map(|entry| entry.name)
-                    .collect::<Vec<_>>()
-                    .join(", "),
-            })?;
+            let entry = find(games, name)?;
             let game = (entry.new)();
             for line in game.controls() {
                 say(line);
@@ -114,7 +107,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             Ok(Ending::Over)
         }
         Command::View(view) => {
-            let scene = load(&view.scene)?;
+            let (scene, has_headlight) = load(&view.scene)?;
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
@@ -122,7 +115,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             if let Some(note) = offset_note(&scene, render_options) {
                 say(note);
             }
-            let viewer = Viewer::new(scene, render_options);
+            let viewer = Viewer::new(scene, render_options, has_headlight);
             session(
                 Box::new(viewer),
                 Some(0),
@@ -134,13 +127,27 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
     }
 }
 
-/// Loads a scene to look at, and prints what was left out of it.
-fn load(name: &Path) -> Result<nff::Scene, PlayError> {
+/// The game with this name, in capitals or not.
+fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
+    let same = |entry: &&Entry| entry.name.eq_ignore_ascii_case(name);
+    games.iter().find(same).ok_or_else(|| PlayError::NoGame {
+        name: name.to_owned(),
+        meant: names::nearest(name, games.iter().map(|entry| entry.name)),
+        known: games
+            .iter()
+            .map(|entry| entry.name)
+            .collect::<Vec<_>>()
+            .join(", "),
+    })
+}
+
+/// Loads a scene to look at, and whether its light comes with the eye. Prints what was left out.
+fn load(name: &Path) -> Result<(nff::Scene, bool), PlayError> {
     let loaded = meshes::load(name)?;
     for note in &loaded.notes {
         say(format_args!("{note}"));
     }
-    Ok(gathered(&loaded.scene).into_owned())
+    Ok((gathered(&loaded.scene).into_owned(), loaded.added_light))
 }
 
 /// Writes a picture to standard output, as wide as the terminal.

@@ -10,17 +10,52 @@ use crate::spu_clock::SpuClock;
 /// Numbers are averages over this time; for shorter times they change too fast to be read.
 const EVERY: Duration = Duration::from_millis(400);
 
+/// How a frame was traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Quality {
+    /// The width and height of the traced picture.
+    pub picture: (u32, u32),
+    /// Those of the display.
+    pub area: (u32, u32),
+    /// The most samples of a pixel.
+    pub samples: u32,
+    /// Whether the session's pictures never are better than this.
+    pub is_full: bool,
+}
+
+/// Pictures that the SPUs completed, and the time that they took.
+#[derive(Clone, Copy, Debug, Default)]
+struct Traced {
+    pictures: u32,
+    seconds: f64,
+}
+
+impl Traced {
+    fn of(report: &Report) -> Self {
+        let pictures = report.frames_traced;
+        let seconds = match report.frames_per_second > 0.0 {
+            true => f64::from(pictures) / report.frames_per_second,
+            false => 0.0,
+        };
+        Self { pictures, seconds }
+    }
+}
+
 /// Measures the speed and the load of a session.
 #[derive(Debug)]
 pub struct Meter {
     clock: SpuClock,
     began: Instant,
     frames: u32,
-    traced: u32,
-    spu_seconds: f64,
+    /// The quality of the last frame.
+    quality: Option<Quality>,
+    /// What was traced before the time that is measured, and by the last frame.
+    before: Traced,
+    last: Traced,
+    /// How fast the SPUs alone are, in words that say at which quality.
+    limit: Option<String>,
     loop_seconds: f64,
     shown: f64,
-    simulated: f64,
     free: f64,
     skipped: f64,
     lines: Vec<String>,
@@ -35,11 +70,12 @@ impl Meter {
             clock: SpuClock::here(),
             began: now,
             frames: 0,
-            traced: 0,
-            spu_seconds: 0.0,
+            quality: None,
+            before: Traced::default(),
+            last: Traced::default(),
+            limit: None,
             loop_seconds: 0.0,
             shown: 0.0,
-            simulated: 0.0,
             free: 100.0,
             skipped: 0.0,
             lines: Vec::new(),
@@ -53,9 +89,13 @@ impl Meter {
         now: Instant,
         report: &Report,
         last: &FrameStatistics,
-        (picture, area): ((u32, u32), (u32, u32)),
-        samples: u32,
+        quality: Quality,
     ) -> (&[String], &[f32]) {
+        if self.quality.replace(quality) != Some(quality) {
+            // Speeds at two qualities have no meaningful average.
+            self.before = self.last;
+        }
+        self.last = Traced::of(report);
         let passed = now.saturating_duration_since(self.began);
         if passed >= EVERY {
             self.measure(now, passed.as_secs_f64(), report);
@@ -73,10 +113,10 @@ impl Meter {
         }
         let lines = &mut self.lines;
         lines.clear();
-        lines.push(format!("{:.1} frames/s are shown here", self.shown));
-        let words = self.clock.words(last.spus.len());
-        lines.push(format!("{:.1} frames/s {words}", self.simulated));
-        let mut part = match samples {
+        lines.push(format!("{:.1} frames/s", self.shown));
+        lines.extend(self.limit.clone());
+        let Quality { picture, area, .. } = quality;
+        let mut part = match quality.samples {
             1 => String::new(),
             most => format!(", up to {most} samples a pixel"),
         };
@@ -93,18 +133,23 @@ impl Meter {
     }
 
     fn measure(&mut self, now: Instant, seconds: f64, report: &Report) {
-        let spu_seconds = if report.frames_per_second > 0.0 {
-            f64::from(report.frames_traced) / report.frames_per_second
-        } else {
-            0.0
-        };
         self.shown = f64::from(report.frames - self.frames) / seconds;
-        // While no picture is completed, the last speed stays.
-        if report.frames_traced > self.traced && spu_seconds > self.spu_seconds {
-            let traced = f64::from(report.frames_traced - self.traced);
-            self.simulated = traced / (spu_seconds - self.spu_seconds);
-            self.traced = report.frames_traced;
-            self.spu_seconds = spu_seconds;
+        let pictures = self.last.pictures.saturating_sub(self.before.pictures);
+        let spu_seconds = self.last.seconds - self.before.seconds;
+        // While no picture is completed, the last speed stays, with the quality that it was for.
+        if let Some(quality) = self.quality
+            && pictures > 0
+            && spu_seconds > 0.0
+        {
+            let rate = f64::from(pictures) / spu_seconds;
+            let limit = self.clock.limit();
+            self.limit = Some(match (quality.is_full, quality.picture) {
+                (true, _) => format!("{limit}: {rate:.1} frames/s at full quality"),
+                (false, (width, height)) => {
+                    format!("{limit}: {rate:.1} frames/s at {width}x{height}")
+                }
+            });
+            self.before = self.last;
         }
         let busy = report.loop_seconds - self.loop_seconds;
         self.free = 100.0 * (1.0 - busy / seconds).clamp(0.0, 1.0);
@@ -130,13 +175,62 @@ mod tests {
         };
         let mut meter = Meter::new(now);
         let mut size = |last: &FrameStatistics, samples| {
-            let (lines, _) = meter.frame(now, &report, last, ((64, 36), (128, 72)), samples);
-            lines[2].clone()
+            let quality = Quality {
+                picture: (64, 36),
+                area: (128, 72),
+                samples,
+                is_full: false,
+            };
+            let (lines, _) = meter.frame(now, &report, last, quality);
+            lines[1].clone()
         };
         assert_eq!(size(&last, 1), "64x36 of 128x72, 3 tiles to come");
         let refined = "64x36 of 128x72, up to 4 samples a pixel, 3 tiles to come";
         assert_eq!(size(&last, 4), refined);
         last.tiles_left = 0;
         assert_eq!(size(&last, 1), "64x36 of 128x72");
+    }
+
+    #[test]
+    fn the_limit_is_of_one_quality_and_says_which() {
+        let began = Instant::now();
+        let last = FrameStatistics::default();
+        let mut report = Report::new("a scene", (64, 36), 1);
+        let mut meter = Meter::new(began);
+        let coarse = Quality {
+            picture: (32, 18),
+            area: (64, 36),
+            samples: 1,
+            is_full: false,
+        };
+        let full = Quality {
+            picture: (64, 36),
+            samples: 4,
+            is_full: true,
+            ..coarse
+        };
+        let mut seconds = 0.0;
+        let mut after = 0;
+        let limit = SpuClock::here().limit();
+        // For each frame its quality, the pictures it completes, the time it takes, and the speed
+        // that is then shown.
+        for (quality, pictures, took, expected) in [
+            (coarse, 1, 0.05, Some("20.0 frames/s at 32x18")),
+            (coarse, 1, 0.1, Some("10.0 frames/s at 32x18")),
+            // A picture that is made by two frames.
+            (full, 0, 1.0, Some("10.0 frames/s at 32x18")),
+            (full, 1, 1.0, Some("0.5 frames/s at full quality")),
+            (full, 0, 0.0, Some("0.5 frames/s at full quality")),
+            (coarse, 1, 0.25, Some("4.0 frames/s at 32x18")),
+        ] {
+            seconds += took;
+            report.frames_traced += pictures;
+            report.frames_per_second = f64::from(report.frames_traced) / seconds;
+            after += 1;
+            let (lines, _) = meter.frame(began + after * EVERY, &report, &last, quality);
+            let shown = lines.iter().find_map(|line| line.strip_prefix(limit));
+            let shown = shown.and_then(|line| line.strip_prefix(": "));
+            assert_eq!(shown, expected, "frame {after}");
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! The text over the picture: speeds and loads, what the game says, help, and short notices.
 
+use cellray::game::PlacedLabel;
+
 /// A line of text. Its beginning may be emphasised.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Line {
@@ -49,6 +51,8 @@ pub struct Overlay {
     pub loads: Vec<f32>,
     /// What the game says: the score, and whose turn it is.
     pub status: Vec<String>,
+    /// The game's text at places of the picture.
+    pub labels: Vec<PlacedLabel>,
     /// The keys.
     pub help: Vec<Line>,
     /// Says why nothing moves.

@@ -1,6 +1,7 @@
 //! Chooses how coarsely a picture is traced, by the time that its frames take.
 //!
-//! While something moves, the display's width and height are divided so that frames are fluid. What
+//! While something moves, the display's width and height are divided so that frames are fluid. The
+//! divisor has steps of a quarter, so that a picture is no coarser than the time demands. What
 //! has come to rest is refined: a picture of the display's full resolution is traced a few tiles at
 //! a time, so that a frame stays short and whatever moves next is shown at once.
 //!
@@ -10,8 +11,38 @@
 
 use std::time::Duration;
 
+/// A divisor of the display's width and height, in quarters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Divisor(u32);
+
+impl Divisor {
+    /// The display's full resolution.
+    pub const ONE: Self = Self(4);
+
+    /// A side of the display, divided.
+    #[must_use]
+    pub fn of(self, side: u32) -> u32 {
+        side * Self::ONE.0 / self.0
+    }
+
+    /// The number of the display's pixels for each of the picture's.
+    fn area(self) -> f64 {
+        (f64::from(self.0) / f64::from(Self::ONE.0)).powi(2)
+    }
+
+    /// The finer divisors, the finest first.
+    fn finer(self) -> impl Iterator<Item = Self> {
+        (Self::ONE.0..self.0).map(Self)
+    }
+
+    /// The coarser divisors below [`COARSEST`], the finest first.
+    fn coarser(self) -> impl Iterator<Item = Self> {
+        (self.0 + 1..COARSEST.0).map(Self)
+    }
+}
+
 /// The largest divisor of the display's width and height.
-pub const COARSEST: u32 = 16;
+pub const COARSEST: Divisor = Divisor(64);
 /// Frames that take longer than this, in seconds, make the picture coarser.
 const TOO_LONG: f64 = 1.0 / 20.0;
 /// A picture becomes finer if it is expected to take less than this, in seconds: well below
@@ -25,7 +56,7 @@ const REST: u32 = 8;
 const WEIGHT: f64 = 0.25;
 /// A picture much coarser than this is refined to this divisor before it is to 1. That takes a
 /// sixteenth of the time, and the picture is a good one already.
-const HALFWAY: u32 = 4;
+const HALFWAY: Divisor = Divisor(16);
 /// The time that a frame should take while a picture is refined, in seconds. It is the longest
 /// time by which a key's effect comes later.
 const SLICE: f64 = 1.0 / 25.0;
@@ -49,7 +80,7 @@ pub struct Traced {
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     /// The divisor while something moves.
-    divisor: u32,
+    divisor: Divisor,
     /// The average time of a traced frame at this divisor, in seconds.
     seconds: Option<f64>,
     /// The number of frames since the last change of this divisor.
@@ -64,7 +95,7 @@ pub struct Pace {
 /// The refinement of a picture at rest.
 #[derive(Clone, Copy, Debug)]
 struct Refining {
-    divisor: u32,
+    divisor: Divisor,
     /// The number of tiles of the next frame.
     tiles: u32,
     /// The average time of a tile in seconds, when one is known.
@@ -88,7 +119,7 @@ impl Pace {
 
     /// The current divisor of the display's width and height.
     #[must_use]
-    pub fn divisor(&self) -> u32 {
+    pub fn divisor(&self) -> Divisor {
         self.refining
             .map_or(self.divisor, |refining| refining.divisor)
     }
@@ -125,7 +156,7 @@ impl Pace {
         } else {
             self.still += 1;
         }
-        if self.still >= STILL_FRAMES && (self.divisor > 1 || self.is_smooth) {
+        if self.still >= STILL_FRAMES && (self.divisor > Divisor::ONE || self.is_smooth) {
             self.refining = Some(Refining::new(self.divisor));
         } else if let Some(seconds) = self.seconds.filter(|_| self.still == 0) {
             let next = self.next(seconds);
@@ -138,14 +169,16 @@ impl Pace {
     }
 
     /// The divisor that suits frames of this time, in a single step.
-    fn next(&self, seconds: f64) -> u32 {
-        let shorter = |divisor: u32, than| expected(seconds, self.divisor, divisor) < than;
+    fn next(&self, seconds: f64) -> Divisor {
+        let shorter = |divisor: Divisor, than| expected(seconds, self.divisor, divisor) < than;
         if self.rested > 1 && seconds > TOO_LONG {
-            (self.divisor + 1..COARSEST)
+            self.divisor
+                .coarser()
                 .find(|&coarser| shorter(coarser, TOO_LONG))
                 .unwrap_or(COARSEST)
         } else if self.rested >= REST {
-            (1..self.divisor)
+            self.divisor
+                .finer()
                 .find(|&finer| shorter(finer, SHORT))
                 .unwrap_or(self.divisor)
         } else {
@@ -156,9 +189,13 @@ impl Pace {
 
 impl Refining {
     /// Begins with a picture of this divisor.
-    fn new(divisor: u32) -> Self {
+    fn new(divisor: Divisor) -> Self {
         Self {
-            divisor: if divisor > HALFWAY { HALFWAY } else { 1 },
+            divisor: if divisor > HALFWAY {
+                HALFWAY
+            } else {
+                Divisor::ONE
+            },
             tiles: FIRST_TILES,
             seconds: None,
         }
@@ -173,11 +210,11 @@ impl Refining {
             // The conversion to an integer saturates.
             self.tiles = (SLICE / seconds).clamp(1.0, most) as u32;
         }
-        if left == 0 && self.divisor > 1 {
+        if left == 0 && self.divisor > Divisor::ONE {
             *self = Self {
                 seconds: self.seconds,
                 tiles: self.tiles,
-                divisor: 1,
+                divisor: Divisor::ONE,
             };
         }
     }
@@ -189,8 +226,8 @@ fn mean(mean: Option<f64>, value: f64, weight: f64) -> f64 {
 }
 
 /// The expected time at another divisor, in seconds. It is proportional to the number of rays.
-fn expected(seconds: f64, from: u32, to: u32) -> f64 {
-    seconds * (f64::from(from) / f64::from(to)).powi(2)
+fn expected(seconds: f64, from: Divisor, to: Divisor) -> f64 {
+    seconds * from.area() / to.area()
 }
 
 #[cfg(test)]
@@ -215,14 +252,14 @@ mod tests {
 
         /// The number of tiles of a picture, which are as large at every divisor.
         fn all(pace: &Pace) -> u64 {
-            ALL.div_ceil(u64::from(pace.divisor()).pow(2))
+            (ALL as f64 / pace.divisor().area()).ceil() as u64
         }
 
         /// Makes a frame, and returns its time in seconds.
         fn frame(&mut self, pace: &mut Pace) -> f64 {
             let tiles = self.left.min(pace.tiles().map_or(ALL, u64::from));
             let seconds = if tiles == Self::all(pace) {
-                self.full / f64::from(pace.divisor()).powi(2)
+                self.full / pace.divisor().area()
             } else {
                 tiles as f64 * self.full / ALL as f64
             };
@@ -236,7 +273,7 @@ mod tests {
         }
 
         /// Makes frames in which everything moves, and returns the divisor after each.
-        fn moving(&mut self, pace: &mut Pace, frames: u32) -> Vec<u32> {
+        fn moving(&mut self, pace: &mut Pace, frames: u32) -> Vec<Divisor> {
             (0..frames)
                 .map(|_| {
                     pace.moves();
@@ -256,7 +293,7 @@ mod tests {
                 settled.windows(2).all(|pair| pair[0] == pair[1]),
                 "{full}: {settled:?}"
             );
-            let seconds = full / f64::from(settled[0]).powi(2);
+            let seconds = full / settled[0].area();
             assert!(
                 seconds <= TOO_LONG || settled[0] == COARSEST,
                 "{full}: {seconds}"
@@ -265,13 +302,33 @@ mod tests {
     }
 
     #[test]
+    fn a_picture_is_as_fine_as_the_time_allows() {
+        for full in [0.1, 0.4, 1.0, 1.7, 2.5] {
+            let mut pace = Pace::new(false);
+            let settled = Load::new(full).moving(&mut pace, 200)[199];
+            // A quarter finer would take too long.
+            let finer = Divisor(settled.0 - 1);
+            let (took, would_take) = (full / settled.area(), full / finer.area());
+            assert!(took < SHORT && would_take >= SHORT, "{full}: {settled:?}");
+        }
+        assert_eq!(
+            [1, 5, 7].map(|quarters| Divisor(4 * quarters).of(960)),
+            [960, 192, 137]
+        );
+        assert_eq!((Divisor(5).of(960), Divisor(7).of(540)), (768, 308));
+    }
+
+    #[test]
     fn a_light_load_is_not_divided_and_a_heavy_one_is_at_once() {
         let mut pace = Pace::new(false);
         assert_eq!(pace.divisor(), COARSEST);
         let divisors = Load::new(0.01).moving(&mut pace, 100);
-        assert_eq!(divisors[REST as usize..], [1; 100 - REST as usize]);
+        assert_eq!(
+            divisors[REST as usize..],
+            [Divisor::ONE; 100 - REST as usize]
+        );
         let divisors = Load::new(1.0).moving(&mut pace, 4);
-        assert!(divisors.last() > Some(&3), "{divisors:?}");
+        assert!(divisors.last() > Some(&Divisor(12)), "{divisors:?}");
     }
 
     #[test]
@@ -282,7 +339,7 @@ mod tests {
             let moving = load.moving(&mut pace, 100)[99];
             let mut longest = 0.0_f64;
             let mut frames = 0;
-            while pace.divisor() > 1 || load.left > 0 {
+            while pace.divisor() > Divisor::ONE || load.left > 0 {
                 longest = longest.max(load.frame(&mut pace));
                 frames += 1;
                 assert!(f64::from(frames) < 20.0 + 2.0 * full / SLICE, "{full}");
@@ -293,7 +350,7 @@ mod tests {
                 "{full}: {longest}"
             );
             for _ in 0..100 {
-                assert_eq!((load.frame(&mut pace), pace.divisor()), (0.0, 1));
+                assert_eq!((load.frame(&mut pace), pace.divisor()), (0.0, Divisor::ONE));
             }
 
             // When it moves again, it is as coarse as before, at once.
@@ -306,7 +363,7 @@ mod tests {
         let mut pace = Pace::new(false);
         let mut load = Load::new(10.0);
         load.moving(&mut pace, 2);
-        while pace.divisor() > 1 || load.left > 850 {
+        while pace.divisor() > Divisor::ONE || load.left > 850 {
             load.frame(&mut pace);
         }
         assert_eq!(pace.tiles(), Some(3));
@@ -328,7 +385,7 @@ mod tests {
         for _ in 0..100 {
             load.frame(&mut pace);
         }
-        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
+        assert_eq!((pace.divisor(), pace.tiles()), (Divisor::ONE, None));
     }
 
     #[test]
@@ -336,7 +393,7 @@ mod tests {
         let mut pace = Pace::new(true);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);
-        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
+        assert_eq!((pace.divisor(), pace.tiles()), (Divisor::ONE, None));
         for _ in 0..STILL_FRAMES {
             assert_eq!(pace.tiles(), None);
             load.frame(&mut pace);
@@ -348,6 +405,6 @@ mod tests {
             assert!(load.frame(&mut pace) <= SLICE);
         }
         load.moving(&mut pace, 1);
-        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
+        assert_eq!((pace.divisor(), pace.tiles()), (Divisor::ONE, None));
     }
 }

@@ -38,7 +38,7 @@ impl<'a> Reload<'a> {
             let render_options = self.arguments.render_options();
             let program = self.arguments.options.settings()?.program;
             Scene::new(&scene, render_options, &program)?;
-            Ok(Viewer::new(scene, render_options).seen_from(view))
+            Ok(Viewer::new(scene, render_options, loaded.added_light).seen_from(view))
         })
     }
 }

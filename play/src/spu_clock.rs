@@ -47,13 +47,14 @@ impl SpuClock {
         spus as u32
     }
 
-    /// What a speed by this clock is, in words.
+    /// Whose speed this clock measures, in words: that of the SPUs alone, without the time spent
+    /// waiting for the screen, the game and the player.
     #[must_use]
-    pub fn words(self, spus: usize) -> String {
+    pub fn limit(self) -> &'static str {
         match self {
-            Self::Console => format!("the {spus} SPUs could make"),
-            Self::Model => format!("by {spus} SPUs of a console, by the timing model"),
-            Self::Host => format!("the {spus} emulated SPUs could make"),
+            Self::Console => "SPUs' limit",
+            Self::Model => "a console's limit, by the timing model",
+            Self::Host => "emulator's limit",
         }
     }
 }
@@ -63,18 +64,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_frame_rates_are_told_apart_in_words() {
+    fn whose_speed_it_is_depends_on_the_machine_and_the_timing() {
         for (is_console, timing, words) in [
-            (true, None, "the 6 SPUs could make"),
-            (
-                false,
-                Some("1"),
-                "by 6 SPUs of a console, by the timing model",
-            ),
-            (false, Some("0"), "the 6 emulated SPUs could make"),
-            (false, None, "the 6 emulated SPUs could make"),
+            (true, None, "SPUs' limit"),
+            (false, Some("1"), "a console's limit, by the timing model"),
+            (false, Some("0"), "emulator's limit"),
+            (false, None, "emulator's limit"),
         ] {
-            assert_eq!(SpuClock::of(is_console, timing).words(6), words);
+            assert_eq!(SpuClock::of(is_console, timing).limit(), words);
         }
     }
 

@@ -4,13 +4,13 @@
 
 use std::time::{Duration, Instant};
 
-use cellray::game::Game;
+use cellray::game::{Game, PlacedLabel};
 
 use crate::keys::KEYS;
 use crate::overlay::{Line, Overlay};
 
 /// What the screen says for the first seconds.
-const HINT: &str = "H: help";
+const HINT: &str = "H lists the keys, F1 shows statistics";
 /// How long the hint is visible, including the time in which it fades.
 const HINT_SECONDS: f32 = 6.0;
 /// The time in which it fades.
@@ -23,10 +23,10 @@ const PAUSED: &str = "Paused. P: go on";
 /// How much the screen says besides help and notices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Level {
-    /// Speeds, the game's status and messages.
+    /// What the game says, and messages: what a player needs.
+    Game,
+    /// Speeds as well.
     All,
-    /// The game's status and messages.
-    Status,
     Nothing,
 }
 
@@ -42,13 +42,13 @@ pub struct Texts {
 }
 
 impl Texts {
-    /// The texts of a session, with the overlay or without.
+    /// The texts of a session: those of the game, or none.
     #[must_use]
-    pub fn new(has_overlay: bool) -> Self {
+    pub fn new(has_text: bool) -> Self {
         Self {
             began: None,
-            level: if has_overlay {
-                Level::All
+            level: if has_text {
+                Level::Game
             } else {
                 Level::Nothing
             },
@@ -57,12 +57,13 @@ impl Texts {
         }
     }
 
-    /// Says less, or everything again after nothing. `has_status` says whether the game says
-    /// something.
-    pub fn change_level(&mut self, has_status: bool) {
+    /// Says more, or nothing after everything. `has_words` says whether the game says something;
+    /// one that doesn't has no step of its own.
+    pub fn change_level(&mut self, has_words: bool) {
         self.level = match self.level {
-            Level::All if has_status => Level::Status,
-            Level::All | Level::Status => Level::Nothing,
+            Level::Game => Level::All,
+            Level::All => Level::Nothing,
+            Level::Nothing if has_words => Level::Game,
             Level::Nothing => Level::All,
         };
     }
@@ -82,6 +83,7 @@ impl Texts {
         &mut self,
         (speeds, loads): (&[String], &[f32]),
         game: &dyn Game,
+        labels: Vec<PlacedLabel>,
         is_paused: bool,
         now: Instant,
     ) -> Overlay {
@@ -96,6 +98,7 @@ impl Texts {
         if self.level != Level::Nothing {
             overlay.message = self.message(now);
             overlay.status = game.status().lines().map(str::to_owned).collect();
+            overlay.labels = labels;
         }
         if self.level == Level::All {
             overlay.speeds = speeds.to_vec();
@@ -143,7 +146,7 @@ fn help(game: &dyn Game) -> Vec<Line> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cellray::game::{Frame, Start, World, WorldError};
+    use cellray::game::{Frame, Side, Start, World, WorldError};
 
     struct Chess(&'static str);
 
@@ -167,32 +170,62 @@ mod tests {
 
     const WHITE: Chess = Chess("White's turn\n0 : 0");
 
+    fn labels() -> Vec<PlacedLabel> {
+        let side = Side::Over;
+        let text = "king".to_owned();
+        vec![PlacedLabel {
+            text,
+            place: [0.5; 2],
+            side,
+            colour: [255; 3],
+        }]
+    }
+
     fn shown(texts: &mut Texts, now: Instant) -> Overlay {
         let speeds = ["60 frames/s".to_owned()];
-        texts.overlay((&speeds, &[0.5]), &WHITE, false, now)
+        texts.overlay((&speeds, &[0.5]), &WHITE, labels(), false, now)
     }
 
     #[test]
-    fn everything_then_the_status_then_nothing() {
+    fn what_the_game_says_then_everything_then_nothing() {
         let now = Instant::now();
         let mut texts = Texts::new(true);
         let mut parts = || {
             let overlay = shown(&mut texts, now);
             texts.change_level(true);
+            assert_eq!(overlay.labels.len(), overlay.status.len() / 2);
             (overlay.speeds.len(), overlay.loads.len(), overlay.status)
         };
         let status = vec!["White's turn".to_owned(), "0 : 0".to_owned()];
-        assert_eq!(parts(), (1, 1, status.clone()));
         assert_eq!(parts(), (0, 0, status.clone()));
+        assert_eq!(parts(), (1, 1, status.clone()));
         assert_eq!(parts(), (0, 0, Vec::new()));
-        assert_eq!(parts(), (1, 1, status));
+        assert_eq!(parts(), (0, 0, status));
 
         // A game that says nothing has no step of its own for that.
         let mut texts = Texts::new(true);
-        texts.change_level(false);
+        for speeds in [1, 0, 1, 0] {
+            texts.change_level(false);
+            assert_eq!(shown(&mut texts, now).speeds.len(), speeds);
+        }
         assert_eq!(shown(&mut texts, now), Overlay::default());
-        texts.change_level(false);
-        assert_eq!(shown(&mut texts, now).speeds.len(), 1);
+    }
+
+    #[test]
+    fn at_first_there_is_one_line_that_says_where_the_rest_is() {
+        let silent = Chess("");
+        let now = Instant::now();
+        let speeds = ["60 frames/s".to_owned()];
+        let mut texts = Texts::new(true);
+        let begun = texts.overlay((&speeds, &[0.5]), &silent, Vec::new(), false, now);
+        let only_the_hint = Overlay {
+            message: Some((HINT.to_owned(), 1.0)),
+            ..Overlay::default()
+        };
+        assert_eq!(begun, only_the_hint);
+        for key in ["H", "F1"] {
+            assert!(KEYS.iter().any(|(keys, _)| *keys == key) && HINT.contains(key));
+        }
     }
 
     #[test]
@@ -200,7 +233,7 @@ mod tests {
         let now = Instant::now();
         let mut texts = Texts::new(false);
         assert_eq!(shown(&mut texts, now), Overlay::default());
-        let paused = texts.overlay((&[], &[]), &WHITE, true, now);
+        let paused = texts.overlay((&[], &[]), &WHITE, labels(), true, now);
         assert_eq!(paused.notice.as_deref(), Some(PAUSED));
         texts.change_help();
         let help = shown(&mut texts, now).help;

@@ -1,18 +1,29 @@
-//! The scene viewer: a game in which only the eye moves.
+//! The scene viewer: a game in which only the eye moves, and with it the light of a mesh that has
+//! none of its own.
 //!
-//! Invariant: the eye stays on a sphere around its target, and never passes its poles. Rotations
-//! use rational functions instead of sines, so that a recorded session is the same on every
-//! machine.
+//! Invariant: the eye stays on a sphere around its target, and never passes its poles. However long
+//! a frame takes, it turns by a limited angle, and a key that was only tapped turns it by the same
+//! angle everywhere. Rotations use rational functions instead of sines, so that a recorded session
+//! is the same on every machine.
 
 use cellray::game::{
-    Axis, Button, DVec3, Frame, Game, Key, Mouse, MouseButton, Start, View, World, WorldError,
+    Axis, Button, DVec3, Frame, Game, Input, Key, Light, LightId, LightKind, Mouse, MouseButton,
+    Shape, Start, View, World, WorldError,
 };
 use cellray::scene::RenderOptions;
 
 /// The beginning of a viewer's name as a game, before the scene's name.
 pub const VIEW: &str = "view ";
-/// Rotation of the eye by a key or a stick, in radians a second.
-const TURN: f64 = 1.5;
+/// Rotation of the eye by a key or a stick, in radians a second: a quarter of a turn.
+const TURN: f64 = std::f64::consts::FRAC_PI_2;
+/// The longest time in seconds that counts for a frame. With it, who sees a frame a second still
+/// turns by only an eighth of [`TURN`] from one to the next, and can steer.
+const LONGEST: f64 = 0.125;
+/// A key that goes down counts at once as held for this time in seconds: a tap turns by 3 degrees.
+const TAP: f64 = 1.0 / 30.0;
+/// The time in seconds after which a key that is still down counts as held and no longer as tapped.
+/// Taps last a tenth of a second, and 0.15 s where a terminal doesn't report releases.
+const PATIENCE: f64 = 0.2;
 /// Rotation by a drag across the whole picture, in radians.
 const DRAG: f64 = std::f64::consts::PI;
 /// Rotation in radians for each unit of a mouse without a pointer position.
@@ -38,33 +49,46 @@ pub struct Viewer {
     name: String,
     scene: nff::Scene,
     render_options: RenderOptions,
+    /// Whether the scene's light comes with the eye.
+    has_headlight: bool,
+    headlight: Option<Headlight>,
+    /// Where the player looks from at the beginning, if not by the scene's view.
+    begins: Option<View>,
+    /// The scene's own view.
+    home: Orbit,
     orbit: Orbit,
+    keys: HeldKeys,
     /// The last position of the mouse, relative to the picture's sides, because the picture's size
     /// may change from frame to frame.
     pointer: Option<[f64; 2]>,
 }
 
 impl Viewer {
-    /// A viewer of this scene.
+    /// A viewer of this scene. If `has_headlight`, the scene's first light comes with the eye.
     #[must_use]
-    pub fn new(scene: nff::Scene, render_options: RenderOptions) -> Self {
+    pub fn new(scene: nff::Scene, render_options: RenderOptions, has_headlight: bool) -> Self {
+        let home = Orbit::of(&scene.view);
         Self {
             name: format!("{VIEW}{}", file_name(&scene.name)),
-            orbit: Orbit::of(&scene.view),
+            home,
+            orbit: home,
             scene,
             render_options,
+            has_headlight,
+            headlight: None,
+            begins: None,
+            keys: HeldKeys::default(),
             pointer: None,
         }
     }
 
     /// The same scene, seen from this view instead of its own.
     #[must_use]
-    pub fn seen_from(mut self, view: &View) -> Self {
-        self.orbit = Orbit {
-            first_distance: self.orbit.first_distance,
-            ..Orbit::of(view)
-        };
-        self
+    pub fn seen_from(self, view: &View) -> Self {
+        Self {
+            begins: Some(view.clone()),
+            ..self
+        }
     }
 
     /// The drag of the mouse to the right and up, in radians.
@@ -92,6 +116,19 @@ impl Game for Viewer {
 
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
         *world = World::from_nff(&self.scene, self.render_options)?;
+        self.home = Orbit::of(&aimed(&self.scene, world));
+        self.orbit = match &self.begins {
+            Some(view) => Orbit {
+                first_distance: self.home.first_distance,
+                ..Orbit::of(view)
+            },
+            None => self.home,
+        };
+        let light = world.lights().next().filter(|_| self.has_headlight);
+        self.headlight = match light {
+            Some(id) => Headlight::of(id, world.light(id)?, &self.home),
+            None => None,
+        };
         Ok(())
     }
 
@@ -101,22 +138,141 @@ impl Game for Viewer {
         } = *frame;
         if input.key_pressed(Key::Home) || input.pad().is_some_and(|pad| pad.pressed(Button::Start))
         {
-            self.orbit = Orbit::of(&self.scene.view);
+            self.orbit = self.home;
         }
         let drag = self.drag(input.mouse(), size);
         let held = input.mouse_held(MouseButton::Left);
         let [across, along] = if held { drag } else { [0.0; 2] };
-        let key = |less, more| f64::from(input.key_axis(less, more));
-        let stick = |axis| input.pad().map_or(0.0, |pad| f64::from(pad.axis(axis)));
-        let turn = TURN * delta;
+        let mut key = |key| self.keys.seconds(input, key, delta);
+        let [left, right, down, up] = [Key::Left, Key::Right, Key::Down, Key::Up].map(&mut key);
+        let [farther, nearer] = [Key::PageDown, Key::PageUp].map(&mut key);
+        let stick = |axis| {
+            let value = input.pad().map_or(0.0, |pad| f64::from(pad.axis(axis)));
+            value * delta.min(LONGEST)
+        };
         // The scene follows the mouse; the eye follows keys and sticks.
-        let right = turn * (key(Key::Left, Key::Right) + stick(Axis::LeftX)) - across;
-        let up = turn * (key(Key::Down, Key::Up) - stick(Axis::LeftY)) + along;
+        let right = TURN * (right - left + stick(Axis::LeftX)) - across;
+        let up = TURN * (up - down - stick(Axis::LeftY)) + along;
         self.orbit.turn(right, up);
         let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
-            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * delta;
+            + (nearer - farther - stick(Axis::RightY)) * ZOOM;
         self.orbit.approach(nearer);
+        if let Some(headlight) = &self.headlight {
+            world.set_light(headlight.id, headlight.seen_from(&self.orbit))?;
+        }
         world.look_from(self.orbit.eye(), self.orbit.at)
+    }
+}
+
+/// The scene's view, with a point to turn around in the middle of the picture. It is the point that
+/// the file names if that is in the scene and not before what one sees there, such as the centre of
+/// a sphere. Otherwise it is what one sees in the middle, and if that is nothing, the point on the
+/// line of sight that is nearest to the middle of the scene.
+fn aimed(scene: &nff::Scene, world: &World) -> View {
+    let view = &scene.view;
+    let sight = view.at - view.from;
+    let named = sight.length();
+    let hit = world.cast_ray(view.from, sight).map(|hit| hit.distance);
+    let (low, high) = bounds(scene);
+    let is_within = low.cmple(view.at).all() && view.at.cmple(high).all();
+    let distance = match hit {
+        Some(hit) if !is_within || named < hit => hit,
+        None if !is_within => {
+            let depth = (low.midpoint(high) - view.from).dot(sight) / named;
+            if depth > 0.0 { depth } else { named }
+        }
+        _ => named,
+    };
+    let aimed = View {
+        at: view.from + sight * (distance / named),
+        ..view.clone()
+    };
+    // A distance that is very small or not finite shows nothing.
+    match aimed.camera(2, 2) {
+        Ok(_) => aimed,
+        Err(_) => view.clone(),
+    }
+}
+
+/// The lower and upper corner of a box around the scene's corners and spheres.
+fn bounds(scene: &nff::Scene) -> (DVec3, DVec3) {
+    let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    let of = |places: &[DVec3], radius: f64| {
+        let places = places.iter();
+        places.fold(nothing, |(low, high), &place| {
+            (low.min(place - radius), high.max(place + radius))
+        })
+    };
+    let objects = scene.objects.iter().map(|object| match &object.shape {
+        Shape::Sphere { centre, radius } => of(&[*centre], radius.abs()),
+        Shape::Cone { base, apex, .. } => of(&[*base, *apex], 0.0),
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => of(vertices, 0.0),
+    });
+    let mesh = scene.mesh.as_ref().and_then(|mesh| mesh.bounds());
+    objects
+        .chain(mesh)
+        .fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)))
+}
+
+/// A light that keeps its direction as seen from the eye.
+struct Headlight {
+    id: LightId,
+    colour: Option<DVec3>,
+    /// The light's direction to the right of the eye, up, and behind it.
+    direction: [f64; 3],
+}
+
+impl Headlight {
+    /// A light of a scene that is seen from here; `None` if it has a place of its own.
+    fn of(id: LightId, light: Light, orbit: &Orbit) -> Option<Self> {
+        let LightKind::Directional { to_light } = light.kind else {
+            return None;
+        };
+        Some(Self {
+            id,
+            colour: light.colour,
+            direction: orbit.axes().map(|axis| axis.dot(to_light)),
+        })
+    }
+
+    fn seen_from(&self, orbit: &Orbit) -> Light {
+        let [right, up, back] = orbit.axes();
+        let [to_right, to_up, to_back] = self.direction;
+        Light {
+            kind: LightKind::Directional {
+                to_light: right * to_right + up * to_up + back * to_back,
+            },
+            colour: self.colour,
+        }
+    }
+}
+
+/// How long the keys that turn the eye have been down.
+#[derive(Default)]
+struct HeldKeys(Vec<(Key, f64)>);
+
+impl HeldKeys {
+    /// The seconds for which a key counts as held in this frame, which took `delta`. A tap counts
+    /// for [`TAP`] in the frame that reports it, and no longer, however long the frames are.
+    fn seconds(&mut self, input: &Input, key: Key, delta: f64) -> f64 {
+        let known = self.0.iter().position(|(held, _)| *held == key);
+        if input.key_pressed(key) {
+            match known {
+                Some(known) => self.0[known].1 = 0.0,
+                None => self.0.push((key, 0.0)),
+            }
+            return TAP;
+        }
+        let Some(known) = known else {
+            return 0.0;
+        };
+        if !input.key_held(key) || input.key_released(key) {
+            self.0.swap_remove(known);
+            return 0.0;
+        }
+        let held = &mut self.0[known].1;
+        *held += delta;
+        (*held - PATIENCE).min(delta).clamp(0.0, LONGEST)
     }
 }
 
@@ -153,6 +309,12 @@ impl Orbit {
 
     fn eye(&self) -> DVec3 {
         self.at + self.towards * self.distance
+    }
+
+    /// The directions to the right of the eye, up in its picture, and back.
+    fn axes(&self) -> [DVec3; 3] {
+        let right = self.up.cross(self.towards).normalize();
+        [right, self.towards.cross(right), self.towards]
     }
 
     /// Moves the eye to its right and up, by approximate angles in radians.
@@ -218,8 +380,12 @@ mod tests {
 
     impl Player {
         fn new() -> Self {
-            let (mut viewer, mut world) =
-                (Viewer::new(scene(), RenderOptions::default()), World::new());
+            Self::of(scene(), false)
+        }
+
+        fn of(scene: nff::Scene, has_headlight: bool) -> Self {
+            let viewer = Viewer::new(scene, RenderOptions::default(), has_headlight);
+            let (mut viewer, mut world) = (viewer, World::new());
             let start = Start {
                 seed: 0,
                 size: (64, 36),
@@ -236,6 +402,11 @@ mod tests {
 
         /// Runs frames with these events in the first one. Returns the eye's position at the end.
         fn play(&mut self, events: &[InputEvent], frames: u64) -> DVec3 {
+            self.play_slowly(events, frames, 0.05)
+        }
+
+        /// The same, with frames that take so many seconds.
+        fn play_slowly(&mut self, events: &[InputEvent], frames: u64, delta: f64) -> DVec3 {
             for number in 0..frames {
                 self.input.begin_frame();
                 if number == 0 {
@@ -244,7 +415,7 @@ mod tests {
                 let frame = Frame {
                     number: self.frame,
                     time: 0.0,
-                    delta: 0.05,
+                    delta,
                     input: &self.input,
                     size: self.size,
                     last: None,
@@ -267,13 +438,158 @@ mod tests {
         let mut player = Player::new();
         let begin = player.play(&[], 1);
         assert_eq!(begin, DVec3::new(0.0, -10.0, 0.0));
-        let right = player.play(&[key(Key::Right, true)], 10);
+        let right = player.play(&[key(Key::Right, true)], 14);
         assert!(right.x > 5.0 && right.y < 0.0 && right.z == 0.0, "{right}");
         assert!((right.length() - 10.0).abs() < 1e-9);
-        let up = player.play(&[key(Key::Right, false), key(Key::Up, true)], 5);
+        let up = player.play(&[key(Key::Right, false), key(Key::Up, true)], 9);
         assert!(up.z > 2.0 && (up.length() - 10.0).abs() < 1e-9, "{up}");
         let home = player.play(&[key(Key::Up, false), key(Key::Home, true)], 1);
         assert_eq!(home, begin);
+    }
+
+    /// The angle between two directions from the origin in degrees.
+    fn degrees(a: DVec3, b: DVec3) -> f64 {
+        a.normalize()
+            .dot(b.normalize())
+            .clamp(-1.0, 1.0)
+            .acos()
+            .to_degrees()
+    }
+
+    #[test]
+    fn a_tap_is_one_small_turn_however_slow_the_machine_is() {
+        let tapped = [key(Key::Right, true), key(Key::Right, false)];
+        for delta in [1.0 / 240.0, 1.0 / 60.0, 0.05, 0.19, 1.0, 30.0] {
+            // Both events in one frame, or the release only in the next.
+            let mut player = Player::new();
+            let begin = player.play_slowly(&[], 1, delta);
+            player.play_slowly(&tapped, 1, delta);
+            let one = degrees(begin, player.play_slowly(&[], 5, delta));
+            player.play_slowly(&tapped[..1], 1, delta);
+            let two = degrees(begin, player.play_slowly(&tapped[1..], 5, delta));
+            assert!((one - 3.0).abs() < 0.01, "{delta}: {one}");
+            assert!((two - 6.0).abs() < 0.02, "{delta}: {two}");
+        }
+    }
+
+    #[test]
+    fn a_held_key_turns_at_the_stated_speed_in_limited_steps() {
+        let speed = TURN.to_degrees();
+        for delta in [1.0 / 240.0, 1.0 / 60.0, 0.05, 0.1, 1.0, 30.0] {
+            let mut player = Player::new();
+            player.play_slowly(&[key(Key::Right, true)], 1, delta);
+            let waits = (PATIENCE / delta) as u64 + 1;
+            let mut before = player.play_slowly(&[], waits, delta);
+            for _ in 0..4 {
+                let now = player.play_slowly(&[], 1, delta);
+                let turned = degrees(before, now);
+                let expected = speed * delta.min(LONGEST);
+                assert!((turned - expected).abs() < 0.1, "{delta}: {turned}");
+                assert!(turned < 12.0, "{delta}: {turned}");
+                before = now;
+            }
+        }
+    }
+
+    /// The scene, seen along a line from the eye.
+    fn seen(from: DVec3, at: DVec3) -> nff::Scene {
+        let mut scene = scene();
+        scene.view = View {
+            from,
+            at,
+            ..scene.view
+        };
+        scene
+    }
+
+    #[test]
+    fn the_eye_turns_around_what_is_in_the_middle_of_the_picture() {
+        let eye = DVec3::new(0.0, -10.0, 0.0);
+        for (name, from, at, target) in [
+            (
+                "the file's point, in the ball",
+                eye,
+                DVec3::ZERO,
+                DVec3::ZERO,
+            ),
+            (
+                "a point close to the eye",
+                eye,
+                eye + DVec3::Y,
+                DVec3::new(0.0, -1.0, 0.0),
+            ),
+            (
+                "a point behind the ball",
+                eye,
+                DVec3::new(0.0, 500.0, 0.0),
+                DVec3::new(0.0, -1.0, 0.0),
+            ),
+            // The ray passes the ball at the side.
+            (
+                "nothing",
+                eye + 3.0 * DVec3::X,
+                eye + 3.0 * DVec3::X + DVec3::Y,
+                3.0 * DVec3::X,
+            ),
+            (
+                "nothing ahead",
+                eye,
+                eye - 7.0 * DVec3::Y,
+                eye - 7.0 * DVec3::Y,
+            ),
+        ] {
+            let mut player = Player::of(seen(from, at), false);
+            let begin = player.play(&[], 1);
+            assert!(begin.distance(from) < 1e-9, "{name}: {begin}");
+            for held in [Key::Right, Key::Up, Key::Left] {
+                player.play(&[key(held, true)], 20);
+                player.play(&[key(held, false)], 1);
+                let view = player.world.view();
+                assert!(view.at.distance(target) < 1e-9, "{name}: {}", view.at);
+                let pixel = player.world.project(target, (65, 37)).expect("ahead");
+                let off = [pixel[0] - 32.0, pixel[1] - 18.0];
+                assert!(off.iter().all(|off| off.abs() < 1e-3), "{name}: {pixel:?}");
+                let distance = view.from.distance(target);
+                assert!((distance - from.distance(target)).abs() < 1e-9, "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_headlight_comes_with_the_eye_and_no_other_light_does() {
+        let lit = |has_headlight: bool| {
+            let mut scene = scene();
+            scene.lights[0].kind = LightKind::Directional {
+                to_light: DVec3::new(-1.0, -2.0, 2.0),
+            };
+            Player::of(scene, has_headlight)
+        };
+        // Where the light is, as the eye has it: to the right, up and back.
+        let from_the_eye = |player: &Player| {
+            let id = player.world.lights().next().expect("a light");
+            let LightKind::Directional { to_light } = player.world.light(id).unwrap().kind else {
+                panic!("it has become another light");
+            };
+            player.viewer.orbit.axes().map(|axis| axis.dot(to_light))
+        };
+        let far = |a: [f64; 3], b: [f64; 3]| DVec3::from(a).distance(DVec3::from(b));
+        for has_headlight in [true, false] {
+            let mut player = lit(has_headlight);
+            player.play(&[], 1);
+            let begin = from_the_eye(&player);
+            assert!(far(begin, [-1.0, 2.0, 2.0]) < 1e-9, "{begin:?}");
+            player.play(&[key(Key::Right, true), key(Key::Up, true)], 20);
+            let moved = far(begin, from_the_eye(&player));
+            assert_eq!(moved < 1e-9, has_headlight, "{moved}");
+        }
+        // A light with a place in the scene stays there.
+        let mut player = Player::of(scene(), true);
+        player.play(&[key(Key::Right, true)], 20);
+        let id = player.world.lights().next().expect("a light");
+        let place = LightKind::Point {
+            position: DVec3::new(5.0, -5.0, 5.0),
+        };
+        assert_eq!(player.world.light(id).unwrap().kind, place);
     }
 
     #[test]
@@ -320,7 +636,7 @@ mod tests {
                 ..scene()
             };
             assert_eq!(
-                Viewer::new(scene, RenderOptions::default()).name(),
+                Viewer::new(scene, RenderOptions::default(), false).name(),
                 "view x.nff"
             );
         }

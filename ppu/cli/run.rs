@@ -180,7 +180,9 @@ impl Options {
 
 /// Loads the scene, and prints notes about what was left out of it.
 pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
-    let meshes::Loaded { mut scene, notes } = meshes::load(&options.scene)?;
+    let meshes::Loaded {
+        mut scene, notes, ..
+    } = meshes::load(&options.scene)?;
     for note in notes {
         talk::say!("cellray: note: {note}");
     }

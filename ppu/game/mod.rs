@@ -8,6 +8,7 @@
 
 mod camera;
 mod input;
+mod label;
 mod random;
 mod run;
 mod turntable;
@@ -19,6 +20,7 @@ pub use nff::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
 
 pub use camera::{OrbitCamera, WalkCamera};
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
+pub use label::{Anchor, Label, PlacedLabel, Side};
 pub use random::Random;
 pub use run::{
     Clock, FixedSteps, FrameRange, FrameRangeError, InputSource, Made, NoInput, Pictures, RealTime,
@@ -72,6 +74,13 @@ pub trait Game {
     /// that the SPUs trace, so pictures and recordings are the same with or without it.
     fn status(&self) -> String {
         String::new()
+    }
+
+    /// Text over the picture, at places of the picture or of the world: names, hints, numbers.
+    /// Asked after each frame. As [`Game::status`], it is drawn on the display only. Labels that
+    /// come first are more important: where two would cover each other, the later one is left out.
+    fn labels(&self) -> Vec<Label> {
+        Vec::new()
     }
 
     /// Whether the game is over. Asked after each frame; if it is, that frame was the last.

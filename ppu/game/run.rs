@@ -27,7 +27,7 @@ use std::time::Duration;
 use image::RgbImage;
 
 use self::recording::{FrameRecord, Header, Recorder};
-use super::{Frame, Game, Input, InputEvent, Start, World};
+use super::{Frame, Game, Input, InputEvent, PlacedLabel, Start, World};
 use crate::engine::{Engine, EngineError, Settings};
 use crate::framebuffer::{Framebuffer, Geometry};
 use crate::report::{LoopTime, Report};
@@ -500,6 +500,15 @@ impl<G: Game> Session<G> {
         &mut self.world
     }
 
+    /// The game's labels that are in the last frame's picture.
+    #[must_use]
+    pub fn labels(&self) -> Vec<PlacedLabel> {
+        let told = self.record.size.unwrap_or(self.size);
+        let labels = self.game.labels().into_iter();
+        let placed = labels.map(|label| label.placed(&self.world, told, self.size));
+        placed.flatten().collect()
+    }
+
     /// The input of the current frame.
     #[must_use]
     pub fn input(&self) -> &Input {
@@ -535,6 +544,10 @@ impl<G: Game + ?Sized> Game for Box<G> {
 
     fn status(&self) -> String {
         (**self).status()
+    }
+
+    fn labels(&self) -> Vec<super::Label> {
+        (**self).labels()
     }
 
     fn is_over(&self) -> bool {

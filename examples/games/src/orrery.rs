@@ -9,6 +9,7 @@
 //! | the next body, the one before | right and left arrow, 0 to 8 | R1, L1 |
 //! | time faster, slower | up and down arrow | up and down |
 //! | stop time, let it go on | Space | Cross |
+//! | hide the names, show them | N | Triangle |
 //! | turn the eye | A D W S, mouse dragged | right stick |
 //! | nearer, farther | page keys, wheel | R2, L2 |
 
@@ -17,14 +18,13 @@ mod bodies;
 use std::f64::consts::TAU;
 
 use cellray::game::{
-    Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, Model, ObjectId, OrbitCamera,
-    RenderOptions, Shader, Start, World, WorldError,
+    Button, DVec3, Entry, Frame, Game, Input, Key, Label, Light, Material, Model, ObjectId,
+    OrbitCamera, RenderOptions, Shader, Side, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
-use crate::camera::follow;
 use crate::steps::{STEP, Steps};
 
 /// The game's name.
@@ -34,6 +34,7 @@ pub const CONTROLS: &[&str] = &[
     "left and right arrow, 0 to 8, L1 and R1: the body to follow",
     "up and down arrow, up and down on the pad: time faster, slower",
     "Space, Cross: stop time, let it go on",
+    "N, Triangle: hide the names, show them",
     "A D W S, mouse dragged, right stick: turn the eye",
     "page keys, wheel, R2 and L2: nearer, farther",
 ];
@@ -62,7 +63,11 @@ const SPEED: f64 = 6.0;
 const SPEEDS: (f64, f64) = (0.25, 400.0);
 /// How fast the eye follows a body, as the approximate share of the remaining distance for each
 /// second.
-const FOLLOWS: f64 = 2.5;
+const FOLLOWS: f64 = 4.0;
+/// What remains of the way when the eye counts as arrived, relative to its distance from the body;
+/// and of its turn, in radians. This is less than a pixel. An eye that only came ever nearer would
+/// keep the picture from its rest, and from its full resolution, for many seconds.
+const ARRIVED: f64 = 5e-4;
 
 /// Radians from the sun's direction to the direction from which a planet looks best, with a part
 /// of it dark.
@@ -96,6 +101,9 @@ pub struct Orrery {
     followed: usize,
     /// The point that it looks at, which moves towards that body.
     at: DVec3,
+    eye: DVec3,
+    /// Whether the bodies have their names beside them.
+    has_names: bool,
     orbit: OrbitCamera,
     /// The wanted distance from the body.
     distance: f64,
@@ -116,6 +124,8 @@ impl Default for Orrery {
             stopped: false,
             followed: 0,
             at: DVec3::ZERO,
+            eye: DVec3::ZERO,
+            has_names: true,
             orbit: OrbitCamera {
                 turn: 0.5,
                 rise: OVERVIEW_RISE,
@@ -263,6 +273,9 @@ impl Orrery {
         if key(Key::Space) || button(Button::Cross) {
             self.stopped = !self.stopped;
         }
+        if key(Key::N) || button(Button::Triangle) {
+            self.has_names = !self.has_names;
+        }
     }
 
     fn look(&mut self, world: &mut World, input: &Input, seconds: f64) -> Result<(), WorldError> {
@@ -271,9 +284,17 @@ impl Orrery {
             .checked_sub(1)
             .map_or(DVec3::ZERO, |planet| self.places[planet]);
         let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
-        self.at = follow(self.at, goal, part);
-        self.orbit.turn += self.swing * part;
-        self.swing -= self.swing * part;
+        let near = ARRIVED * self.orbit.distance;
+        self.at = match self.at.distance(goal) < near {
+            true => goal,
+            false => self.at + (goal - self.at) * part,
+        };
+        let swing = match self.swing.abs() < ARRIVED {
+            true => self.swing,
+            false => self.swing * part,
+        };
+        self.orbit.turn += swing;
+        self.swing -= swing;
         let before = self.orbit.distance;
         let least = match self.followed {
             0 => SUN_DISTANCE,
@@ -285,8 +306,34 @@ impl Orrery {
         self.orbit.steer(input, seconds);
         // The player's changes of the distance also apply to the distance that is approached.
         self.distance = (self.distance * self.orbit.distance / before).clamp(least, DISTANCES.1);
-        self.orbit.distance += (self.distance - self.orbit.distance) * part;
-        world.look_from(self.clear(self.orbit.from(self.at)), self.at)
+        let way = self.distance - self.orbit.distance;
+        self.orbit.distance = match way.abs() < near {
+            true => self.distance,
+            false => self.orbit.distance + way * part,
+        };
+        self.eye = self.clear(self.orbit.from(self.at));
+        world.look_from(self.eye, self.at)
+    }
+
+    /// The name of a body below it, unless another body hides it.
+    fn name(&self, name: &str, centre: DVec3, radius: f64, colour: DVec3) -> Option<Label> {
+        let suns = std::iter::once((DVec3::ZERO, SUN_RADIUS));
+        let radii = PLANETS.iter().map(|planet| planet.radius);
+        let mut others = suns.chain(self.places.iter().copied().zip(radii));
+        let way = centre - self.eye;
+        let is_hidden = others.any(|(other, radius)| {
+            let along = (other - self.eye).dot(way) / way.length_squared();
+            // A body does not hide itself, nor what is before it.
+            let is_between = along > 0.0 && along < 1.0 - 1e-9;
+            is_between && other.distance(self.eye + way * along) < radius
+        });
+        let back = (self.eye - self.at).normalize();
+        let up = back.cross(DVec3::Y.cross(back)).normalize();
+        let DVec3 { x, y, z } = DVec3::splat(0.45) + 0.55 * colour;
+        (!is_hidden).then(|| {
+            let below = Label::at_point(name, centre - up * radius);
+            below.beside(Side::Below).coloured(x, y, z)
+        })
     }
 
     /// The position nearest to a given one that is outside the sun and all planets. The followed
@@ -333,7 +380,8 @@ impl Game for Orrery {
         Self::add_sun(world)?;
         self.add_bodies(world)?;
         self.place_bodies(world)?;
-        world.look_from(self.orbit.from(self.at), self.at)
+        self.eye = self.orbit.from(self.at);
+        world.look_from(self.eye, self.at)
     }
 
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
@@ -345,6 +393,32 @@ impl Game for Orrery {
         }
         self.place_bodies(world)?;
         self.look(world, frame.input, frame.delta)
+    }
+
+    /// The planets' names, and those of the followed planet's moons. The followed planet's is the
+    /// most important.
+    fn labels(&self) -> Vec<Label> {
+        if !self.has_names {
+            return Vec::new();
+        }
+        let followed = self.followed.checked_sub(1);
+        let planet = |number: usize| {
+            let Planet {
+                name,
+                radius,
+                colour,
+                ..
+            } = PLANETS[number];
+            self.name(name, self.places[number], radius, colour.into())
+        };
+        let others = (0..PLANETS.len()).filter(|number| Some(*number) != followed);
+        let planets = followed.into_iter().chain(others).filter_map(planet);
+        let moons = MOONS.iter().filter(|moon| Some(moon.planet) == followed);
+        let moons = moons.filter_map(|moon| {
+            let place = self.places[moon.planet] + moon.place(self.days);
+            self.name(moon.name, place, moon.radius, DVec3::ONE)
+        });
+        planets.chain(moons).collect()
     }
 }
 

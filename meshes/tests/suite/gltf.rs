@@ -2,8 +2,9 @@
 
 use std::fs;
 
+use glam::DVec3;
 use image::{ImageFormat, Rgba, RgbaImage};
-use nff::Shader;
+use nff::{LightKind, Shader};
 use serde_json::{Value, json};
 
 use super::files::container;
@@ -154,6 +155,82 @@ fn gltf_scenes_without_nodes_are_passed_over() {
     }
     let found = refusal(&glb(json!({"scene": 3}), &triangle()));
     assert!(found.ends_with("scene 3 doesn't exist"), "{found}");
+}
+
+/// The triangle with a camera in a node of these members, and without lights.
+fn with_camera(mut node: Value) -> Vec<NamedFile> {
+    node["camera"] = json!(0);
+    let changes = json!({
+        "scenes": [{"nodes": [0, 1]}], "nodes": [{"mesh": 0}, node],
+        "cameras": [{"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1}}]});
+    glb(changes, &triangle())
+}
+
+#[test]
+fn a_camera_looks_at_the_depth_of_the_scene() {
+    for (name, node, at) in [
+        (
+            "far away",
+            json!({"translation": [0, 0, 30]}),
+            DVec3::new(0.0, 0.0, 0.0),
+        ),
+        // Half the radius of the triangle's box ahead.
+        (
+            "with its back to the triangle",
+            json!({"translation": [0, 0, -30]}),
+            DVec3::new(0.0, 0.0, -30.0 - 2.0_f64.sqrt() / 4.0),
+        ),
+        (
+            "in a node of another scale",
+            json!({"translation": [0, 0, 30], "scale": [0.1, 0.1, 0.1]}),
+            DVec3::new(0.0, 0.0, 0.0),
+        ),
+    ] {
+        let view = load(&with_camera(node)).unwrap().scene.view;
+        assert!(view.at.distance(at) < 1e-12, "{name}: {}", view.at);
+    }
+    // A camera that looks down is upright, so that its horizon stays level when one turns. One that
+    // is rolled keeps its own direction up. Both are rotations about one axis, by 0.2.
+    let (sine, cosine) = (0.1_f64.sin(), 0.1_f64.cos());
+    for (rotation, up) in [
+        ([-sine, 0.0, 0.0, cosine], DVec3::Y),
+        (
+            [0.0, 0.0, sine, cosine],
+            DVec3::new(-0.2_f64.sin(), 0.2_f64.cos(), 0.0),
+        ),
+        ([0.0, 0.0, 1.0, 0.0], DVec3::NEG_Y),
+    ] {
+        let node = json!({"translation": [0, 0, 30], "rotation": rotation});
+        let view = load(&with_camera(node)).unwrap().scene.view;
+        assert!(view.up.distance(up) < 1e-12, "{rotation:?}: {}", view.up);
+    }
+    // So far from the origin that half a radius is lost in rounding, but not a unit.
+    let lost = json!({"translation": [0, 0, -8e15]});
+    let view = load(&with_camera(lost)).unwrap().scene.view;
+    assert_eq!(view.from - view.at, DVec3::Z);
+}
+
+#[test]
+fn a_file_without_lights_has_its_sun_over_the_left_shoulder() {
+    let seen = |files: &[NamedFile]| {
+        let loaded = load(files).unwrap();
+        assert!(loaded.added_light);
+        let (view, light) = (&loaded.scene.view, &loaded.scene.lights[0]);
+        let LightKind::Directional { to_light } = light.kind else {
+            panic!("{light:?}");
+        };
+        let camera = view.camera(64, 64).unwrap();
+        let back = (view.from - view.at).normalize();
+        let eye = [camera.right.normalize(), -camera.down.normalize(), back];
+        eye.map(|axis| to_light.dot(axis))
+    };
+    let usual = seen(&plain());
+    assert!(usual[0] < 0.0 && usual[1] > 0.0 && usual[2] > 0.0);
+    // From behind, where a light at a fixed place would be on the other side.
+    let turned = json!({"translation": [0, 0, -5], "rotation": [0, 1, 0, 0]});
+    for (a, b) in seen(&with_camera(turned)).into_iter().zip(usual) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
 }
 
 #[test]

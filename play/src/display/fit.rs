@@ -55,6 +55,12 @@ impl Fit {
         (self.left, self.top)
     }
 
+    /// The picture's width and height on the display.
+    #[must_use]
+    pub fn size(&self) -> (u32, u32) {
+        (self.width, self.height)
+    }
+
     /// The picture's width and height on the display, if it is larger there than its own.
     #[must_use]
     pub fn enlarged(&self) -> Option<(u32, u32)> {

@@ -243,7 +243,7 @@ impl Display for Terminal {
             .map(|size| Enlarged::new(picture, size).all());
         let picture = enlarged.as_ref().unwrap_or(picture);
         let fit = fit.filled_by(picture.dimensions());
-        let texts = texts(overlay, self.cells);
+        let texts = texts(overlay, self.cells, fit);
         let text = self.grid.draw(picture, fit, self.cells, &texts);
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {

@@ -292,7 +292,8 @@ impl Display for Window {
             area: (area.width as usize, area.height as usize),
             format: FORMAT,
         };
-        self.painter.paint(overlay, &mut canvas);
+        let [corner, size] = [fit.corner(), fit.size()].map(|(x, y)| (x as usize, y as usize));
+        self.painter.paint(overlay, (corner, size), &mut canvas);
         window.pre_present_notify();
         buffer.present().map_err(failed)
     }
@@ -484,13 +485,15 @@ mod tests {
         let picture = RgbImage::from_vec(2, 1, vec![0, 40, 80, 100, 140, 180]).expect("two pixels");
         let mut pixels = [7; 24];
         paint(&picture, Fit::new((2, 1), (4, 6)), &mut pixels, 4);
-        let shown = [0x0000_2850, 0x0019_4169, 0x004B_739B, 0x0064_8CB4];
+        // Red is 5.6, 24.1, 75.9 and 94.4 but for the rounding of the weights, and the other
+        // channels are 40 and 80 brighter.
+        let shown = [0x0005_2D55, 0x0018_4068, 0x004C_749C, 0x005F_87AF];
         for (y, row) in pixels.chunks_exact(4).enumerate() {
             assert_eq!(row, if (2..4).contains(&y) { shown } else { [0; 4] });
         }
         // Bars at the sides.
         let mut pixels = [7; 6];
         paint(&picture, Fit::new((2, 1), (6, 1)), &mut pixels, 6);
-        assert_eq!(pixels, [0, 0, shown[0], shown[3], 0, 0]);
+        assert_eq!(pixels, [0, 0, 0x0000_2850, 0x0064_8CB4, 0, 0]);
     }
 }

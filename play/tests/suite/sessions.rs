@@ -183,7 +183,14 @@ fn bad_input_is_told_of() {
     fs::write(&file, "something").expect("a file");
     let there = file.to_str().expect("text");
     for (arguments, words) in [
-        (&["play", "chess", "--display", "none"][..], "billiards"),
+        (
+            &["play", "chess", "--display", "none"][..],
+            "no game \"chess\"; there are: billiards",
+        ),
+        (
+            &["play", "biliards", "--display", "none"],
+            "no game \"biliards\"; did you mean \"billiards\"?",
+        ),
         (&["view", "none.nff", "--display", "none"], "none.nff"),
         (&["play", GAME, "--frames", "3..3"], "3..3"),
         (&["play", GAME, "--frames", "x"], "A..B"),
@@ -309,6 +316,21 @@ fn games_are_listed() {
 }
 
 #[test]
+fn capitals_make_no_difference_to_a_games_name() {
+    let name = GAME.to_uppercase();
+    good(&[
+        "play",
+        &name,
+        "--size",
+        "64x36",
+        "--display",
+        "none",
+        "--frames",
+        "1",
+    ]);
+}
+
+#[test]
 fn a_file_takes_the_framebuffers_place() {
     let folder = tempfile::tempdir().expect("a folder");
     let fb = folder.path().join("fb");
@@ -379,6 +401,8 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     pty.wait_for("\u{2580}");
     assert!(pty.is_taken(), "keys come line by line");
     assert!(pty.seen().contains("\x1b[38;2;") && pty.seen().contains("\x1b[48;2;"));
+    // Statistics come after the first picture.
+    pty.type_in("\x1bOP");
     pty.wait_for("SPUs");
     // The arrow turns the eye, so the picture changes.
     let shown = pty.seen().matches('\u{2580}').count();

@@ -66,6 +66,28 @@ impl World {
         self.cast_ray(camera.eye, direction)
     }
 
+    /// The pixel of a picture of this size at which a point is seen, or would be if nothing hid it.
+    /// It may lie outside of the picture. The inverse of [`World::pick`].
+    ///
+    /// `None` if the point is not before the eye, or if the size is not in range.
+    #[must_use]
+    pub fn project(&self, point: impl Into<DVec3>, size: (u32, u32)) -> Option<[f32; 2]> {
+        let camera = self.view.camera(size.0, size.1).ok()?;
+        let to_middle = [size.0, size.1].map(|side| f64::from(side - 1) / 2.0);
+        let sight = unit(self.view.at - self.view.from)?;
+        let away = point.into() - camera.eye;
+        let depth = away.dot(sight);
+        let along = |step: DVec3, middle: f64| {
+            let steps = away.dot(step) / (step.length_squared() * depth);
+            (steps + middle) as f32
+        };
+        let pixel = [
+            along(camera.right, to_middle[0]),
+            along(camera.down, to_middle[1]),
+        ];
+        (depth > 0.0 && pixel.iter().all(|at| at.is_finite())).then_some(pixel)
+    }
+
     /// The visible object or mesh that a ray meets first. The direction may have any length but 0.
     ///
     /// Surfaces are met where Whitted's model shows them: an opaque polygon or sphere from its

@@ -267,7 +267,7 @@ fn a_box_and_a_plane_are_where_they_were_put() {
         .add_plane([0.0, 0.0, -50.0], [1.0, 1.0, 1.0], 2.0, red)
         .unwrap();
     assert_eq!(world.object_count(), 8);
-    let mut met = |from: DVec3, towards: DVec3| {
+    let met = |from: DVec3, towards: DVec3| {
         let pick = world.cast_ray(from, towards).unwrap();
         (pick.target.object().unwrap(), pick.point)
     };

@@ -9,6 +9,7 @@ pub(super) const SUN_RADIUS: f64 = 1.4;
 
 /// A planet.
 pub(super) struct Planet {
+    pub name: &'static str,
     pub radius: f64,
     /// The semi-major axis of its ellipse.
     pub distance: f64,
@@ -24,9 +25,10 @@ pub(super) struct Planet {
 }
 
 macro_rules! planets {
-    ($($radius:literal $distance:literal $period:literal $eccentricity:literal $inclination:literal
-        $start:literal $colour:expr, $shine:literal;)*) => {
+    ($($name:literal $radius:literal $distance:literal $period:literal $eccentricity:literal
+        $inclination:literal $start:literal $colour:expr, $shine:literal;)*) => {
         &[$(Planet {
+            name: $name,
             radius: $radius,
             distance: $distance,
             period: $period,
@@ -39,20 +41,21 @@ macro_rules! planets {
     };
 }
 
-/// The planets from the sun outwards, Mercury to Neptune.
+/// The planets from the sun outwards.
 pub(super) const PLANETS: &[Planet; 8] = planets! {
-    0.24  2.28    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
-    0.38  3.42   224.70 0.007 3.4 0.74 [0.93, 0.8, 0.52], 0.0;
-    0.40  4.57   365.26 0.017 0.0 0.02 [0.24, 0.48, 0.95], 0.35;
-    0.32  6.42   686.98 0.093 1.8 0.40 [0.86, 0.36, 0.2], 0.0;
-    0.90 10.18  4332.59 0.049 1.3 0.43 [0.87, 0.7, 0.52], 0.0;
-    0.72 14.70 10759.22 0.057 2.5 0.20 [0.92, 0.82, 0.58], 0.0;
-    0.50 18.76 30688.50 0.046 0.8 0.62 [0.58, 0.86, 0.9], 0.0;
-    0.48 21.38 60182.00 0.010 1.8 0.06 [0.3, 0.42, 0.95], 0.0;
+    "Mercury" 0.24  2.28    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
+    "Venus"   0.38  3.42   224.70 0.007 3.4 0.74 [0.93, 0.8, 0.52], 0.0;
+    "Earth"   0.40  4.57   365.26 0.017 0.0 0.02 [0.24, 0.48, 0.95], 0.35;
+    "Mars"    0.32  6.42   686.98 0.093 1.8 0.40 [0.86, 0.36, 0.2], 0.0;
+    "Jupiter" 0.90 10.18  4332.59 0.049 1.3 0.43 [0.87, 0.7, 0.52], 0.0;
+    "Saturn"  0.72 14.70 10759.22 0.057 2.5 0.20 [0.92, 0.82, 0.58], 0.0;
+    "Uranus"  0.50 18.76 30688.50 0.046 0.8 0.62 [0.58, 0.86, 0.9], 0.0;
+    "Neptune" 0.48 21.38 60182.00 0.010 1.8 0.06 [0.3, 0.42, 0.95], 0.0;
 };
 
 /// A moon.
 pub(super) struct Moon {
+    pub name: &'static str,
     /// The index of its planet.
     pub planet: usize,
     pub radius: f64,
@@ -62,8 +65,10 @@ pub(super) struct Moon {
 }
 
 macro_rules! moons {
-    ($($planet:literal $radius:literal $distance:literal $period:literal $start:literal;)*) => {
+    ($($name:literal $planet:literal $radius:literal $distance:literal $period:literal
+        $start:literal;)*) => {
         &[$(Moon {
+            name: $name,
             planet: $planet,
             radius: $radius,
             distance: $distance,
@@ -73,18 +78,17 @@ macro_rules! moons {
     };
 }
 
-/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; and Triton, whose orbit is
-/// retrograde.
+/// The largest moons. The orbit of Triton is retrograde.
 pub(super) const MOONS: &[Moon; 9] = moons! {
-    2 0.07  0.56  27.32 0.9;
-    3 0.03  0.39   0.32 0.0;
-    3 0.03  0.47   1.26 0.4;
-    4 0.06  1.04   1.77 0.1;
-    4 0.055 1.17   3.55 0.6;
-    4 0.075 1.33   7.15 0.3;
-    4 0.07  1.50  16.69 0.8;
-    5 0.085 1.45  15.95 0.2;
-    7 0.07  0.66  -5.88 0.5;
+    "Moon"     2 0.07  0.56  27.32 0.9;
+    "Phobos"   3 0.03  0.39   0.32 0.0;
+    "Deimos"   3 0.03  0.47   1.26 0.4;
+    "Io"       4 0.06  1.04   1.77 0.1;
+    "Europa"   4 0.055 1.17   3.55 0.6;
+    "Ganymede" 4 0.075 1.33   7.15 0.3;
+    "Callisto" 4 0.07  1.50  16.69 0.8;
+    "Titan"    5 0.085 1.45  15.95 0.2;
+    "Triton"   7 0.07  0.66  -5.88 0.5;
 };
 
 /// A ring of stones.

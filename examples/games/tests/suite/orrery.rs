@@ -1,6 +1,10 @@
 //! What is visible of the orrery.
 
-use cellray::game::{DVec3, Frame, Game, Input, InputEvent, Key, ObjectId, Shape, Start, World};
+use std::collections::BTreeSet;
+
+use cellray::game::{
+    Anchor, DVec3, Frame, Game, Input, InputEvent, Key, ObjectId, Shape, Start, World,
+};
 use games::orrery::Orrery;
 use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
@@ -173,6 +177,101 @@ fn the_eye_keeps_its_distance_from_the_sun() {
     assert_eq!(played.game.followed(), 1);
     let view = played.world.view();
     assert!(view.from.distance(view.at) < 1.3);
+}
+
+/// Where the eye is and looks, which changes the whole picture.
+fn view(played: &Played) -> (DVec3, DVec3) {
+    let view = played.world.view();
+    (view.from, view.at)
+}
+
+#[test]
+fn the_eye_comes_to_rest_within_three_seconds() {
+    for key in [Key::Digit1, Key::Digit6, Key::Digit8, Key::Digit0] {
+        let mut played = Played::new();
+        played.press(Key::Digit3);
+        (0..50).for_each(|_| played.frame(0.04, &[]));
+        played.press(Key::Space);
+        played.press(key);
+        (0..75).for_each(|_| played.frame(0.04, &[]));
+        let rest = view(&played);
+        for step in [0.04, 0.1, 0.013] {
+            played.frame(step, &[]);
+            assert_eq!(view(&played), rest, "{key:?}");
+        }
+    }
+}
+
+#[test]
+fn planets_have_their_names_unless_the_player_hides_them() {
+    let mut played = Played::new();
+    played.frame(0.04, &[]);
+    let names = |played: &Played| {
+        let labels = played.game.labels().into_iter();
+        labels.map(|label| label.text).collect::<Vec<_>>()
+    };
+    let planets = [
+        "Mercury", "Venus", "Earth", "Mars", "Jupiter", "Saturn", "Uranus", "Neptune",
+    ];
+    assert_eq!(names(&played), planets);
+    // The name is just below its planet.
+    for (label, place) in played.game.labels().iter().zip(played.game.places()) {
+        let Anchor::Point(point) = label.anchor else {
+            panic!("{label:?}");
+        };
+        let [below, planet] = [point, *place].map(|it| played.world.project(it, SIZE).unwrap());
+        assert!((below[0] - planet[0]).abs() < 2.0, "{}", label.text);
+        assert!(
+            (3.0..30.0).contains(&(below[1] - planet[1])),
+            "{}",
+            label.text
+        );
+    }
+    played.press(Key::N);
+    assert!(names(&played).is_empty());
+    played.press(Key::N);
+    // Whoever follows a planet sees the names of its moons, after its own, unless it hides them.
+    played.press(Key::Digit5);
+    let mut seen = BTreeSet::new();
+    for _ in 0..100 {
+        played.frame(0.04, &[]);
+        let names = names(&played);
+        assert_eq!(names[0], "Jupiter");
+        seen.extend(
+            names
+                .into_iter()
+                .filter(|name| !planets.contains(&name.as_str())),
+        );
+    }
+    let moons = ["Callisto", "Europa", "Ganymede", "Io"];
+    assert!(seen.iter().eq(moons), "{seen:?}");
+}
+
+#[test]
+fn what_the_sun_hides_has_no_name() {
+    let mut played = Played::new();
+    played.press(Key::Space);
+    let shown = |played: &Played, name| {
+        let labels = played.game.labels();
+        labels.iter().any(|label| label.text == name)
+    };
+    // The eye comes down to the planets, and turns about the sun, so that each of them is behind it
+    // once.
+    let mut hidden = false;
+    played.frame(0.0, &[(Key::S, true)]);
+    (0..6).for_each(|_| played.frame(0.04, &[]));
+    played.frame(0.0, &[(Key::S, false), (Key::D, true)]);
+    for _ in 0..300 {
+        played.frame(0.04, &[]);
+        let (from, _) = view(&played);
+        let to_sun = -from.normalize();
+        let earth = played.game.places()[2] - from;
+        let is_behind = earth.length() > from.length() && earth.normalize().dot(to_sun) > 0.9999;
+        hidden |= is_behind;
+        assert!(!is_behind || !shown(&played, "Earth"));
+        assert!(shown(&played, "Neptune") || played.game.places()[7].dot(from) < 0.0);
+    }
+    assert!(hidden);
 }
 
 #[test]

@@ -13,7 +13,6 @@ use super::super::Fit;
 use super::texts::Text;
 
 const HALF: &str = "\u{2580}";
-const WHITE: [u8; 3] = [255; 3];
 /// The colour of emphasised text.
 const EMPHASIS: [u8; 3] = [255, 215, 135];
 
@@ -135,7 +134,11 @@ impl Grid {
         for text in texts.iter().filter(|text| text.row < usize::from(rows)) {
             let across = text.column..usize::from(columns);
             for (x, letter) in across.zip(text.letters.chars()) {
-                let ink = if x < text.emphasised { EMPHASIS } else { WHITE };
+                let ink = if x < text.emphasised {
+                    EMPHASIS
+                } else {
+                    text.colour
+                };
                 self.letters[text.row * usize::from(columns) + x] = Some((letter, ink));
             }
         }
@@ -246,6 +249,7 @@ mod tests {
             row: 1,
             letters: line.to_owned(),
             emphasised: 0,
+            colour: [255; 3],
         });
         let texts: Vec<_> = texts.into_iter().collect();
         let text = grid.draw(picture, fit, (2, 2), &texts);

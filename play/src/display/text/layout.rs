@@ -1,8 +1,10 @@
 //! Places the overlay's parts on a display. The unit is whatever the display is made of: pixels, or
 //! the characters of a terminal.
 //!
-//! Invariant: a part that doesn't fit is moved inwards and cut off, never placed outside.
+//! Invariants: a part that doesn't fit is moved inwards and cut off, never placed outside. Labels
+//! cover neither a panel nor one another.
 
+use cellray::game::{PlacedLabel, Side};
 use textwrap::Options;
 
 use crate::overlay::{Line, Overlay};
@@ -51,6 +53,8 @@ pub struct Grid {
     pub margin: (usize, usize),
     /// The width and height of the bar for a load; the width includes the space beside it.
     pub bar: (usize, usize),
+    /// The left and top of the picture, and its width and height.
+    pub picture: Rectangle,
 }
 
 impl Grid {
@@ -86,12 +90,79 @@ pub struct Placed {
 
 impl Placed {
     fn overlaps(&self, other: &Self) -> bool {
-        let meets = |from: usize, length: usize, other: usize, others: usize| {
-            from < other + others && other < from + length
-        };
-        meets(self.corner.0, self.size.0, other.corner.0, other.size.0)
-            && meets(self.corner.1, self.size.1, other.corner.1, other.size.1)
+        overlap((self.corner, self.size), (other.corner, other.size))
     }
+}
+
+/// A left and a top, and a width and a height.
+pub type Rectangle = ((usize, usize), (usize, usize));
+
+fn overlap((corner, size): Rectangle, (other, others): Rectangle) -> bool {
+    let meets = |from: usize, length: usize, other: usize, others: usize| {
+        from < other + others && other < from + length
+    };
+    meets(corner.0, size.0, other.0, others.0) && meets(corner.1, size.1, other.1, others.1)
+}
+
+/// A label and its place on a display.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LabelAt {
+    /// The text, no longer than there is room.
+    pub text: String,
+    /// Red, green and blue.
+    pub colour: [u8; 3],
+    /// The left and the top of the first character.
+    pub corner: (usize, usize),
+    /// The width and height of the text.
+    pub size: (usize, usize),
+}
+
+/// Places labels where they cover neither panels nor earlier labels, and leaves out the others.
+pub fn place_labels(labels: &[PlacedLabel], panels: &[Placed], grid: Grid) -> Vec<LabelAt> {
+    let mut all: Vec<LabelAt> = Vec::new();
+    let ((left, top), (width, height)) = grid.picture;
+    for label in labels {
+        let most = grid.area.0 / grid.cell.0;
+        let text: String = label.text.chars().take(most).collect();
+        let size = (text.chars().count() * grid.cell.0, grid.cell.1);
+        if text.is_empty() || size.1 > grid.area.1 {
+            continue;
+        }
+        let along = |part: f32, from: usize, length: usize| from + (part * length as f32) as usize;
+        let (x, y) = (
+            along(label.place[0], left, width),
+            along(label.place[1], top, height),
+        );
+        // Half a character is free between a text and its place.
+        let gap = grid.cell.0 / 2;
+        let (across, down) = (x.saturating_sub(size.0 / 2), y.saturating_sub(size.1 / 2));
+        let corner = match label.side {
+            Side::Over => (across, down),
+            Side::Left => (x.saturating_sub(size.0 + gap), down),
+            Side::Right => (x + gap, down),
+            Side::Above => (across, y.saturating_sub(size.1)),
+            // In a terminal the place itself is as large as a character.
+            Side::Below => (across, y + 1),
+        };
+        let corner = (
+            corner.0.min(grid.area.0 - size.0),
+            corner.1.min(grid.area.1 - size.1),
+        );
+        let is_free = panels
+            .iter()
+            .map(|panel| (panel.corner, panel.size))
+            .chain(all.iter().map(|label| (label.corner, label.size)))
+            .all(|other| !overlap((corner, size), other));
+        if is_free {
+            all.push(LabelAt {
+                text,
+                colour: label.colour,
+                corner,
+                size,
+            });
+        }
+    }
+    all
 }
 
 /// The panels of the overlay's words: status, help, and why nothing moves.
@@ -224,6 +295,7 @@ mod tests {
         cell: (6, 12),
         margin: (6, 4),
         bar: (18, 30),
+        picture: ((0, 0), (640, 360)),
     };
 
     fn overlay() -> Overlay {
@@ -231,6 +303,7 @@ mod tests {
             speeds: vec!["60 frames/s are shown here".into(); 5],
             loads: vec![0.5; 6],
             status: vec!["Blue's turn".into(), "3 of 7".into()],
+            labels: Vec::new(),
             help: vec!["H: help".into(); 4],
             notice: Some("Paused".into()),
             message: Some(("news".into(), 0.5)),
@@ -296,6 +369,79 @@ mod tests {
             }
         }
         assert_eq!(place(panels(&Overlay::default()), GRID), []);
+    }
+
+    fn label(text: &str, place: [f32; 2], side: Side) -> PlacedLabel {
+        PlacedLabel {
+            text: text.into(),
+            place,
+            side,
+            colour: [255, 0, 0],
+        }
+    }
+
+    #[test]
+    fn labels_are_beside_their_places_in_the_picture() {
+        let grid = Grid {
+            // Bars at both sides.
+            picture: ((100, 0), (440, 360)),
+            ..GRID
+        };
+        let corner = |place, side| {
+            let labels = place_labels(&[label("Mars", place, side)], &[], grid);
+            labels[0].corner
+        };
+        // The letters are 24 pixels wide and 12 high.
+        for (side, expected) in [
+            (Side::Over, (308, 174)),
+            (Side::Left, (293, 174)),
+            (Side::Right, (323, 174)),
+            (Side::Above, (308, 168)),
+            (Side::Below, (308, 181)),
+        ] {
+            assert_eq!(corner([0.5; 2], side), expected, "{side:?}");
+        }
+        // What doesn't fit is moved inwards.
+        assert_eq!(corner([1.0, 1.0], Side::Below), (528, 348));
+        assert_eq!(corner([0.0, 0.0], Side::Above), (88, 0));
+    }
+
+    #[test]
+    fn what_a_label_would_cover_is_more_important() {
+        let labels = [
+            label("Jupiter", [0.5, 0.5], Side::Over),
+            label("Saturn", [0.52, 0.51], Side::Over),
+            label("Uranus", [0.8, 0.5], Side::Over),
+        ];
+        let texts = |panels: &[Placed]| {
+            let labels = place_labels(&labels, panels, GRID);
+            labels
+                .into_iter()
+                .map(|label| label.text)
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(texts(&[]), ["Jupiter", "Uranus"]);
+        let help = Overlay {
+            notice: Some("Paused".into()),
+            ..Overlay::default()
+        };
+        let panels = place(panels(&help), GRID);
+        assert_eq!(texts(&panels), ["Uranus"]);
+    }
+
+    #[test]
+    fn labels_stay_on_the_smallest_displays() {
+        let labels = [label("Mercury", [0.9, 0.9], Side::Right)];
+        for area in [(1, 1), (5, 12), (7, 40), (64, 36)] {
+            let grid = Grid {
+                area,
+                picture: ((0, 0), area),
+                ..GRID
+            };
+            for LabelAt { corner, size, .. } in place_labels(&labels, &[], grid) {
+                assert!(corner.0 + size.0 <= area.0 && corner.1 + size.1 <= area.1);
+            }
+        }
     }
 
     #[test]

@@ -8,5 +8,5 @@ mod layout;
 pub mod paint;
 mod printed;
 
-pub use layout::{Grid, Placed, place, words};
+pub use layout::{Grid, Placed, place, place_labels, words};
 pub use printed::Printed;

@@ -3,7 +3,7 @@
 use cellray::framebuffer::PixelFormat;
 
 use super::font::{Font, WHOLE};
-use super::layout::{Grid, Placed, panels, place};
+use super::layout::{Grid, LabelAt, Placed, Rectangle, panels, place, place_labels};
 use crate::overlay::{Line, Overlay};
 
 /// The colour of letters.
@@ -16,6 +16,8 @@ pub const LOAD: [u8; 3] = [0x40, 0xE0, 0x60];
 pub const ROOM: [u8; 3] = [0x30; 3];
 /// The share of black behind text, in parts of [`WHOLE`].
 const SHADE: u32 = 191;
+/// The width of the dark edge around the letters of labels, which have nothing behind them.
+const EDGE: usize = 1;
 /// This many lines of text fill the height of a display, and as many characters its width: enough
 /// for the help, and large enough to be read from afar.
 const LINES: usize = 40;
@@ -52,6 +54,25 @@ impl Canvas<'_> {
     }
 }
 
+/// Where the parts of an overlay are drawn.
+pub struct Layout {
+    panels: Vec<Placed>,
+    labels: Vec<LabelAt>,
+}
+
+impl Layout {
+    /// The pixels that are drawn on.
+    pub fn rectangles(&self) -> impl Iterator<Item = Rectangle> {
+        let panels = self.panels.iter().map(|panel| (panel.corner, panel.size));
+        let labels = self.labels.iter().map(|label| {
+            let ((left, top), (width, height)) = (label.corner, label.size);
+            let corner = (left.saturating_sub(EDGE), top.saturating_sub(EDGE));
+            (corner, (width + 2 * EDGE, height + 2 * EDGE))
+        });
+        panels.chain(labels)
+    }
+}
+
 /// Draws overlays, and keeps the letters of the last size.
 #[derive(Default)]
 pub struct Painter {
@@ -59,23 +80,30 @@ pub struct Painter {
 }
 
 impl Painter {
-    /// Where the parts of an overlay are drawn on a display of this size.
-    pub fn place(&mut self, overlay: &Overlay, area: (usize, usize)) -> Vec<Placed> {
+    /// Where the parts of an overlay are drawn on a display of this size, with a picture that
+    /// fills this part of it.
+    pub fn place(&mut self, overlay: &Overlay, area: (usize, usize), picture: Rectangle) -> Layout {
         let (width, height) = self.font(area).cell;
         let grid = Grid {
             area,
             cell: (width, height),
             margin: (width, height / 3),
             bar: (2 * width, 5 * height / 2),
+            picture,
         };
-        place(panels(overlay), grid)
+        let panels = place(panels(overlay), grid);
+        Layout {
+            labels: place_labels(&overlay.labels, &panels, grid),
+            panels,
+        }
     }
 
-    /// Draws an overlay.
-    pub fn paint(&mut self, overlay: &Overlay, canvas: &mut Canvas<'_>) {
-        let placed = self.place(overlay, canvas.area);
+    /// Draws an overlay over a picture that fills this part of the canvas.
+    pub fn paint(&mut self, overlay: &Overlay, picture: Rectangle, canvas: &mut Canvas<'_>) {
+        let Layout { panels, labels } = self.place(overlay, canvas.area, picture);
         let font = self.font(canvas.area);
-        placed.iter().for_each(|panel| draw(panel, font, canvas));
+        labels.iter().for_each(|label| name(label, font, canvas));
+        panels.iter().for_each(|panel| draw(panel, font, canvas));
     }
 
     /// The letters for a display of this size.
@@ -120,18 +148,44 @@ fn draw(placed: &Placed, font: &mut Font, canvas: &mut Canvas<'_>) {
 
 fn write(
     line: &Line,
-    (left, top): (usize, usize),
+    corner: (usize, usize),
     font: &mut Font,
     opacity: u32,
     canvas: &mut Canvas<'_>,
 ) {
+    let emphasised = line.emphasised;
+    letters(&line.text, corner, font, |number, place, part| {
+        let colour = if number < emphasised { EMPHASIS } else { INK };
+        canvas.mix(place, colour, part * opacity / WHOLE);
+    });
+}
+
+/// Draws a label: its letters, over the same letters in black at all sides.
+fn name(label: &LabelAt, font: &mut Font, canvas: &mut Canvas<'_>) {
+    let LabelAt { text, corner, .. } = label;
+    for side in [(0, EDGE), (2 * EDGE, EDGE), (EDGE, 0), (EDGE, 2 * EDGE)] {
+        letters(text, *corner, font, |_, (x, y), part| {
+            let place = (x + side.0).checked_sub(EDGE);
+            if let Some(place) = place.zip((y + side.1).checked_sub(EDGE)) {
+                canvas.mix(place, [0; 3], part * SHADE / WHOLE);
+            }
+        });
+    }
+    letters(text, *corner, font, |_, place, part| {
+        canvas.mix(place, label.colour, part);
+    });
+}
+
+/// Calls `ink` with each pixel of a text's letters: the letter's number, the pixel's place, and the
+/// letter's share of it in parts of [`WHOLE`].
+fn letters(
+    text: &str,
+    (left, top): (usize, usize),
+    font: &mut Font,
+    mut ink: impl FnMut(usize, (usize, usize), u32),
+) {
     let width = font.cell.0;
-    for (number, letter) in line.text.chars().enumerate() {
-        let colour = if number < line.emphasised {
-            EMPHASIS
-        } else {
-            INK
-        };
+    for (number, letter) in text.chars().enumerate() {
         let glyph = font.glyph(letter);
         let (x, y) = (left + number * width, top);
         for (row, parts) in glyph.coverage.chunks(glyph.width).enumerate() {
@@ -139,7 +193,7 @@ fn write(
                 let place = (x + column).checked_add_signed(glyph.corner.0 as isize);
                 let place = place.zip((y + row).checked_add_signed(glyph.corner.1 as isize));
                 if let Some(place) = place {
-                    canvas.mix(place, colour, u32::from(part) * opacity / WHOLE);
+                    ink(number, place, u32::from(part));
                 }
             }
         }
@@ -149,6 +203,7 @@ fn write(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cellray::game::{PlacedLabel, Side};
 
     const GREY: [u8; 3] = [0x80; 3];
 
@@ -161,7 +216,7 @@ mod tests {
             area,
             format: PixelFormat::ARGB,
         };
-        Painter::default().paint(overlay, &mut canvas);
+        Painter::default().paint(overlay, ((0, 0), area), &mut canvas);
         let colours = words.iter().map(|word| u32::from_be(*word));
         colours
             .map(|word| PixelFormat::ARGB.channels(word))
@@ -203,6 +258,42 @@ mod tests {
         assert!(brightest(1.0) > Some(0xE0) && brightest(0.3) < brightest(1.0));
         assert!(darkest(0.3) > darkest(1.0));
         assert_eq!(count(&painted(&message(0.0), (400, 400)), GREY), 400 * 400);
+    }
+
+    #[test]
+    fn a_label_is_drawn_in_its_colour_where_the_layout_says() {
+        let area = (640, 800);
+        let overlay = Overlay {
+            labels: vec![PlacedLabel {
+                text: "Neptune".into(),
+                place: [0.5, 0.25],
+                side: Side::Over,
+                colour: [255, 0, 0],
+            }],
+            ..Overlay::default()
+        };
+        let layout = Painter::default().place(&overlay, area, ((0, 0), area));
+        let rectangles: Vec<_> = layout.rectangles().collect();
+        let [((left, top), (width, height))] = rectangles[..] else {
+            panic!("{rectangles:?}");
+        };
+        assert!((left + width / 2).abs_diff(320) <= 1 && (top + height / 2).abs_diff(200) <= 1);
+        let pixels = painted(&overlay, area);
+        let drawn: Vec<_> = (0..pixels.len())
+            .filter(|&at| pixels[at] != GREY)
+            .map(|at| (at % area.0, at / area.0))
+            .collect();
+        let within = |&(x, y): &(usize, usize)| {
+            (left..left + width).contains(&x) && (top..top + height).contains(&y)
+        };
+        assert!(drawn.len() > 100 && drawn.iter().all(within));
+        let red = pixels
+            .iter()
+            .filter(|pixel| pixel[0] > 200 && pixel[1] < 60);
+        let dark = pixels
+            .iter()
+            .filter(|pixel| pixel.iter().all(|it| *it < 0x50));
+        assert!(red.count() > 30 && dark.count() > 30);
     }
 
     #[test]

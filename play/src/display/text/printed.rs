@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Target};
 
-use super::layout::Placed;
+use super::layout::Rectangle;
 use super::paint::{Canvas, Painter};
 use crate::overlay::Overlay;
 
@@ -65,8 +65,9 @@ impl Printed {
     fn print(&mut self, target: Target) {
         let overlay = self.overlay.lock().unwrap_or_else(PoisonError::into_inner);
         let area = (self.geometry.width as usize, self.geometry.height as usize);
-        let placed = self.painter.place(&overlay, area);
-        if placed.is_empty() {
+        let picture = ((0, 0), area);
+        let layout = self.painter.place(&overlay, area, picture);
+        if layout.rectangles().next().is_none() {
             return;
         }
         // SAFETY: The target is the one that was returned last; the SPUs have ended their transfers
@@ -75,7 +76,7 @@ impl Printed {
         let stride = target.stride as usize / 4;
         self.pages.push(Page {
             address: target.base.as_ptr().addr(),
-            under: saved(&placed, words, stride),
+            under: saved(layout.rectangles(), area, words, stride),
         });
         let mut canvas = Canvas {
             words,
@@ -83,17 +84,22 @@ impl Printed {
             area,
             format: target.format,
         };
-        self.painter.paint(&overlay, &mut canvas);
+        self.painter.paint(&overlay, picture, &mut canvas);
     }
 }
 
-/// The pixels of the panels, row by row.
-fn saved(placed: &[Placed], words: &[u32], stride: usize) -> Vec<(usize, Vec<u32>)> {
-    let rows = placed.iter().flat_map(|panel| {
-        let ((left, top), (width, height)) = (panel.corner, panel.size);
-        (top..top + height).map(move |y| (y * stride + left, width))
+/// The pixels in rectangles, as far as they are in the area, row by row.
+fn saved(
+    rectangles: impl Iterator<Item = Rectangle>,
+    area: (usize, usize),
+    words: &[u32],
+    stride: usize,
+) -> Vec<(usize, Vec<u32>)> {
+    let rows = rectangles.flat_map(|((left, top), (width, height))| {
+        let (right, bottom) = ((left + width).min(area.0), (top + height).min(area.1));
+        (top..bottom).map(move |y| y * stride + left..y * stride + right.max(left))
     });
-    rows.filter_map(|(first, width)| Some((first, words.get(first..first + width)?.to_vec())))
+    rows.filter_map(|row| Some((row.start, words.get(row)?.to_vec())))
         .collect()
 }
 
@@ -142,6 +148,7 @@ impl Framebuffer for Printed {
 mod tests {
     use super::*;
     use cellray::framebuffer::{File, PixelFormat};
+    use cellray::game::{PlacedLabel, Side};
 
     /// Fills the pixels that `changes` selects with a colour, as the SPUs would, and presents.
     fn frame(framebuffer: &mut Printed, colour: [u8; 3], changes: impl Fn(usize) -> bool) {
@@ -169,8 +176,14 @@ mod tests {
         let grey = [90; 3];
         frame(&mut printed, grey, |_| true);
         let plain = shown();
-        // Panels that cover one another, because there is no room.
+        // Panels that cover one another, because there is no room, and a label at the corner.
         *overlay.lock().expect("the text") = Overlay {
+            labels: vec![PlacedLabel {
+                text: "a label".into(),
+                place: [1.0, 1.0],
+                side: Side::Over,
+                colour: [255; 3],
+            }],
             help: vec!["the keys are listed here".into(); 12],
             notice: Some("Paused".into()),
             ..Overlay::default()

@@ -109,7 +109,7 @@ fn a_stopped_program_leaves_the_terminal_and_takes_it_again() {
 fn a_terminal_of_another_size_for_a_moment_is_drawn_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_terminal(&folder.path().join("session"));
-    pty.wait_for("SPUs");
+    pty.wait_for(&HALF.to_string());
     let shown = pty.seen().matches(HALF).count();
     // Between two frames.
     pty::signal(pty.process(), libc::SIGSTOP);
@@ -126,7 +126,7 @@ fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
-    pty.wait_for("SPUs");
+    pty.wait_for(&HALF.to_string());
     // No button is held.
     pty.type_in("\x1b[<35;10;5M\x1b[<35;12;4M");
     // Of the kitty protocol: a pressed and released, b pressed; the focus goes and comes; b
@@ -178,7 +178,10 @@ fn a_terminal_says_the_keys_and_that_it_is_paused() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
-    pty.wait_until_shown("H: help", true);
+    pty.wait_until_shown("H lists the keys", true);
+    pty.wait_until_shown("frames/s", false);
+    pty.type_in("\x1bOP");
+    pty.wait_until_shown("frames/s", true);
     pty.press('h');
     pty.wait_until_shown("turn the camera", true);
     // The keys of the player come after the game's.
