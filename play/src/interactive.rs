@@ -32,6 +32,11 @@ const LEAST_SIDE: u32 = 8;
 /// tracing a tile or two.
 const REFINED_EVERY: Duration = Duration::from_millis(80);
 
+/// What the screen says in a pause.
+const PAUSED: &str = "Paused. P: go on";
+/// What it says at the end of a game.
+const OVER: &str = "The game is over. Q: close";
+
 /// The result of a session.
 #[derive(Debug)]
 pub struct Played {
@@ -117,6 +122,9 @@ struct Show<'a> {
     stem: String,
     /// What is loaded again when its files change.
     reload: Option<Reload<'a>>,
+    /// Whether the game is over. Its last picture and what it says stay until the player has seen
+    /// them.
+    is_over: bool,
 }
 
 impl<'a> Show<'a> {
@@ -161,6 +169,7 @@ impl<'a> Show<'a> {
             picture: None,
             stem,
             reload: None,
+            is_over: false,
         })
     }
 
@@ -168,8 +177,8 @@ impl<'a> Show<'a> {
     /// with the overlay, and handles the player's requests.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
         self.reload()?;
-        let is_paused = self.is_paused();
-        let step = if is_paused {
+        let stands_still = self.notice().is_some();
+        let step = if stands_still {
             // The game's time stands still.
             clock.tick();
             Some(Duration::ZERO)
@@ -179,8 +188,10 @@ impl<'a> Show<'a> {
         let heard = self.front.poll(&mut self.events);
         let heard = heard.map_err(SessionError::Input)?;
         let began = Instant::now();
-        let flow = match step.filter(|_| heard.is_continue()) {
-            Some(_) if is_paused => {
+        let mut flow = match step.filter(|_| heard.is_continue()) {
+            Some(_) if stands_still => {
+                // Nobody takes them any more.
+                self.events.clear();
                 self.trace_again()?;
                 Some(ControlFlow::Continue(()))
             }
@@ -188,6 +199,11 @@ impl<'a> Show<'a> {
             None => None,
         };
         let requests = self.front.take_requests();
+        let is_watched = self.options.frames.is_none() && self.options.replay.is_none();
+        if flow == Some(ControlFlow::Break(())) && is_watched && self.session.game().is_over() {
+            self.is_over = true;
+            flow = Some(ControlFlow::Continue(()));
+        }
         if flow.is_some() {
             let is_said = self.change_texts(requests);
             self.show(is_said || requests.screenshot)?;
@@ -248,6 +264,15 @@ impl<'a> Show<'a> {
         self.front.is_paused() && self.session.next_frame() > 0
     }
 
+    /// What the screen says of a game whose time stands still.
+    fn notice(&self) -> Option<&'static str> {
+        if self.is_over {
+            Some(OVER)
+        } else {
+            self.is_paused().then_some(PAUSED)
+        }
+    }
+
     /// Shows other texts if the player wants them. Returns whether they have changed.
     fn change_texts(&mut self, requests: Requests) -> bool {
         if requests.overlay {
@@ -258,7 +283,7 @@ impl<'a> Show<'a> {
         if requests.help {
             self.texts.change_help();
         }
-        requests.overlay || requests.help || self.overlay.notice.is_some() != self.is_paused()
+        requests.overlay || requests.help || self.overlay.notice.as_deref() != self.notice()
     }
 
     /// Ends the refinement of a picture.
@@ -338,7 +363,7 @@ impl<'a> Show<'a> {
     /// Shows the frame on the display, if it is drawn to. While a picture is refined, not every
     /// frame is shown unless `must` is set.
     fn show(&mut self, must: bool) -> Result<(), PlayError> {
-        let is_paused = self.is_paused();
+        let notice = self.notice();
         let Geometry { width, height } = self.front.display.area();
         let look = self.look_now();
         let quality = Quality {
@@ -359,7 +384,7 @@ impl<'a> Show<'a> {
         let game = self.session.game().as_ref();
         let labels = self.session.labels();
         let texts = &mut self.texts;
-        self.overlay = texts.overlay(measured, game, labels, is_paused, now);
+        self.overlay = texts.overlay(measured, game, labels, notice, now);
         let display = &mut self.front.display;
         display.print(&self.overlay);
         let is_recent = |drawn| now.duration_since(drawn) < REFINED_EVERY;
@@ -501,7 +526,105 @@ fn file_stem(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::io;
+
+    use cellray::framebuffer::FramebufferError;
+    use cellray::game::{FixedSteps, Frame, Start, World, WorldError};
+    use clap::Parser as _;
+
     use super::*;
+    use crate::arguments::OneGame;
+    use crate::display::DisplayEvent;
+
+    /// A game that is over after three frames.
+    #[derive(Default)]
+    struct Short(u32);
+
+    impl Game for Short {
+        fn set_up(&mut self, _: &mut World, _: &Start) -> Result<(), WorldError> {
+            Ok(())
+        }
+        fn update(&mut self, _: &mut World, _: &Frame<'_>) -> Result<(), WorldError> {
+            self.0 += 1;
+            Ok(())
+        }
+        fn status(&self) -> String {
+            format!("{} points", self.0)
+        }
+        fn is_over(&self) -> bool {
+            self.0 == 3
+        }
+    }
+
+    /// A display that is closed once it has shown the end of the game twice.
+    struct Watched {
+        ends: u32,
+    }
+
+    impl Display for Watched {
+        fn area(&self) -> Geometry {
+            Geometry {
+                width: 32,
+                height: 18,
+            }
+        }
+        fn scales(&self) -> bool {
+            false
+        }
+        fn measure_in(&mut self, _: Geometry) {}
+        fn framebuffer(
+            &mut self,
+            size: Geometry,
+        ) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+            Ok(Box::new(Memory::new(size)?))
+        }
+        fn poll(&mut self, events: &mut Vec<DisplayEvent>) -> io::Result<()> {
+            if self.ends == 2 {
+                events.push(DisplayEvent::Closed);
+            }
+            Ok(())
+        }
+        fn draws(&self) -> bool {
+            true
+        }
+        fn show(&mut self, _: &RgbImage, overlay: &Overlay) -> io::Result<()> {
+            if overlay.notice.as_deref() == Some(OVER) {
+                assert_eq!(overlay.status, ["3 points"]);
+                self.ends += 1;
+            }
+            Ok(())
+        }
+    }
+
+    fn played(arguments: &[&str]) -> Played {
+        let options = OneGame::parse_from([&["game"], arguments].concat()).options;
+        let player = Player {
+            display: Box::new(Watched { ends: 0 }),
+            devices: None,
+            keys: None,
+            may_talk: false,
+            look: Look::default(),
+        };
+        let clock = Box::new(FixedSteps(Duration::from_millis(20)));
+        play(
+            Box::new(Short::default()),
+            0,
+            &options.session,
+            clock,
+            player,
+            None,
+        )
+        .expect("a session")
+    }
+
+    /// Else nobody could read the score.
+    #[test]
+    fn the_end_of_a_game_stays_until_the_display_is_closed() {
+        let watched = played(&[]);
+        assert_eq!(watched.ending, Ending::Closed);
+        // Nobody waits for a reader where a number of frames was asked for.
+        assert_eq!(played(&["--frames", "9"]).ending, Ending::Over);
+    }
 
     #[test]
     fn names_of_games_become_names_of_files() {

@@ -1,12 +1,13 @@
-//! Shows games and scenes in a window, in a terminal, on the console's framebuffer, or as
-//! pictures.
-//!
-//! Owns displays, input devices and the command line of `cellray-play`. The games come from the
-//! caller, as a table of [`Entry`]s. A program with a single game needs only that game:
+//! [`main_of`] is the `main` of a game: it shows the game in a window, in a terminal, on the
+//! console's framebuffer, or as pictures.
 //!
 //! ```no_run
 #![doc = include_str!("ball.rs")]
 //! ```
+//!
+//! [`main`] is that of a program with a table of games, as `cellray-play` itself. A game's models
+//! come from files by [`meshes::load`], and into its world by `World::add_model`. The crate owns
+//! displays, input devices and the command line.
 
 mod arguments;
 mod display;
@@ -32,6 +33,8 @@ use std::io::{self, IsTerminal as _};
 use std::path::Path;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
+
+pub use meshes;
 
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};

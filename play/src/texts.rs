@@ -1,6 +1,7 @@
 //! Chooses what the screen says: speeds, the game's status, help, a pause, and a hint at the start.
 //!
-//! Invariant: a pause is always told of, because nothing else says why the picture stands still.
+//! Invariant: the notice of a pause or of the end is always shown, because nothing else says why the
+//! picture stands still.
 
 use std::time::{Duration, Instant};
 
@@ -17,8 +18,6 @@ const HINT_SECONDS: f32 = 6.0;
 const FADE_SECONDS: f32 = 1.5;
 /// How long a message is visible.
 const MESSAGE: Duration = Duration::from_secs(5);
-/// What the screen says while nothing moves.
-const PAUSED: &str = "Paused. P: go on";
 
 /// How much the screen says besides help and notices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +83,12 @@ impl Texts {
         (speeds, loads): (&[String], &[f32]),
         game: &dyn Game,
         labels: Vec<PlacedLabel>,
-        is_paused: bool,
+        notice: Option<&str>,
         now: Instant,
     ) -> Overlay {
         self.began.get_or_insert(now);
         let mut overlay = Overlay {
-            notice: is_paused.then(|| PAUSED.to_owned()),
+            notice: notice.map(str::to_owned),
             ..Overlay::default()
         };
         if self.has_help {
@@ -183,7 +182,7 @@ mod tests {
 
     fn shown(texts: &mut Texts, now: Instant) -> Overlay {
         let speeds = ["60 frames/s".to_owned()];
-        texts.overlay((&speeds, &[0.5]), &WHITE, labels(), false, now)
+        texts.overlay((&speeds, &[0.5]), &WHITE, labels(), None, now)
     }
 
     #[test]
@@ -217,7 +216,7 @@ mod tests {
         let now = Instant::now();
         let speeds = ["60 frames/s".to_owned()];
         let mut texts = Texts::new(true);
-        let begun = texts.overlay((&speeds, &[0.5]), &silent, Vec::new(), false, now);
+        let begun = texts.overlay((&speeds, &[0.5]), &silent, Vec::new(), None, now);
         let only_the_hint = Overlay {
             message: Some((HINT.to_owned(), 1.0)),
             ..Overlay::default()
@@ -233,8 +232,8 @@ mod tests {
         let now = Instant::now();
         let mut texts = Texts::new(false);
         assert_eq!(shown(&mut texts, now), Overlay::default());
-        let paused = texts.overlay((&[], &[]), &WHITE, labels(), true, now);
-        assert_eq!(paused.notice.as_deref(), Some(PAUSED));
+        let paused = texts.overlay((&[], &[]), &WHITE, labels(), Some("Paused"), now);
+        assert_eq!(paused.notice.as_deref(), Some("Paused"));
         texts.change_help();
         let help = shown(&mut texts, now).help;
         assert_eq!(help[0], Line::heading("chess"));

@@ -155,6 +155,31 @@ impl World {
         }))
     }
 
+    /// Adds the mesh of a loaded file, with its materials, at a place.
+    ///
+    /// ```no_run
+    /// use cellray::prelude::*;
+    ///
+    /// fn add_chess(world: &mut World) -> Result<MeshId, WorldError> {
+    ///     // In a game: cellray_play::meshes::load.
+    ///     let file = meshes::load("chess.glb".as_ref()).map_err(WorldError::game)?;
+    ///     world.add_model(&file.scene, DAffine3::from_scale(DVec3::splat(0.1)))
+    /// }
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`World::add_mesh`] and [`World::add_material`], or the scene has no mesh.
+    #[track_caller]
+    pub fn add_model(&mut self, model: &nff::Scene, place: DAffine3) -> Result<MeshId, WorldError> {
+        let mesh = model.mesh.clone();
+        let mesh = mesh.ok_or(WorldErrorKind::NoSurface("the model has no triangles"))?;
+        let mut materials = Vec::new();
+        for material in &model.materials {
+            materials.push(self.add_material(material.into())?);
+        }
+        self.add_mesh(mesh, &materials, place)
+    }
+
     /// Puts a mesh at another place.
     ///
     /// # Errors
