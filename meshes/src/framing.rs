@@ -83,8 +83,8 @@ pub(crate) fn aimed(view: View, low: DVec3, high: DVec3, up: Up) -> View {
 }
 
 /// A sun and the ambient light. For the view of a box the sun is to the left above. Any other view
-/// has it at the same place as seen from the eye, because one that comes from behind the scene would
-/// leave what is seen of it in the dark.
+/// has it at the same place as seen from the eye: one behind the scene would leave what is seen of
+/// it in the dark.
 pub(crate) fn lights(up: Up, view: Option<&View>) -> (Vec<Light>, DVec3) {
     let sun = up.direction(TO_SUN);
     let usual = axes(up.direction(TO_EYE), up.direction([0.0, 1.0, 0.0]));

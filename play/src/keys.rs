@@ -6,7 +6,7 @@ pub const KEYS: &[(&str, &str)] = &[
     ("Escape, Q, a pad's PS button", "end"),
     ("H", "show or hide the keys"),
     ("P", "pause, go on"),
-    ("F1", "statistics as well, no text, the game's text"),
+    ("F1", "statistics too, no text, only the game's text"),
     ("F11", "full screen, in a window"),
     ("F12", "take a picture"),
 ];

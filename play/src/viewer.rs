@@ -447,13 +447,9 @@ mod tests {
         assert_eq!(home, begin);
     }
 
-    /// The angle between two directions from the origin in degrees.
+    /// The angle between two directions from the origin in degrees, if it is small: the chord's.
     fn degrees(a: DVec3, b: DVec3) -> f64 {
-        a.normalize()
-            .dot(b.normalize())
-            .clamp(-1.0, 1.0)
-            .acos()
-            .to_degrees()
+        a.normalize().distance(b.normalize()).to_degrees()
     }
 
     #[test]

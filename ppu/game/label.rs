@@ -58,7 +58,8 @@ pub enum Side {
 }
 
 impl Label {
-    /// A white label with its middle at a pixel of a picture of [`Frame::size`](super::Frame::size).
+    /// A white label with its middle at a pixel of a picture of
+    /// [`Frame::size`](super::Frame::size).
     pub fn at_pixel(text: impl Into<String>, pixel: [f32; 2]) -> Self {
         Self::new(text.into(), Anchor::Pixel(pixel))
     }

@@ -191,12 +191,12 @@ fn a_camera_looks_at_the_depth_of_the_scene() {
     }
     // A camera that looks down is upright, so that its horizon stays level when one turns. One that
     // is rolled keeps its own direction up. Both are rotations about one axis, by 0.2.
-    let (sine, cosine) = (0.1_f64.sin(), 0.1_f64.cos());
+    let (sine, cosine) = (libm::sin(0.1), libm::cos(0.1));
     for (rotation, up) in [
         ([-sine, 0.0, 0.0, cosine], DVec3::Y),
         (
             [0.0, 0.0, sine, cosine],
-            DVec3::new(-0.2_f64.sin(), 0.2_f64.cos(), 0.0),
+            DVec3::new(-libm::sin(0.2), libm::cos(0.2), 0.0),
         ),
         ([0.0, 0.0, 1.0, 0.0], DVec3::NEG_Y),
     ] {
