@@ -10,6 +10,8 @@ ppc64=powerpc64-unknown-linux-gnu
 ppc=powerpc-unknown-linux-gnu
 # build.rs looks for the SPU tools here, too, after the variables and PATH.
 spu_binutils=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-binutils
+# The SPU compiler that ci/spu-gcc builds.
+spu_gcc=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-gcc
 # The distribution's kernel, unpacked, for the machine that ci/fbdev runs.
 linux=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/linux
 out=$top/target/ci

@@ -15,6 +15,18 @@ use crate::lock::{read_lock, write_lock};
 /// Bytes of a line, the unit of reservations and atomic commands.
 pub const LINE: usize = 128;
 
+/// Addresses of one [`Place`] differ by a multiple of this.
+pub const PLACE_PAGE: u64 = 4096;
+
+/// Where bytes are that may have several addresses, because a program maps them more than once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The device and the number of the file that is mapped.
+    pub file: (u64, u64),
+    /// Where in the file.
+    pub offset: u64,
+}
+
 /// An effective address that does not exist, or does not allow this access.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("no main memory for this access at effective address {ea:#x}")]
@@ -48,6 +60,10 @@ pub trait MainMemory: Send + Sync {
     /// does not know.
     fn accepts_write(&self, _ea: u64, _length: usize) -> bool {
         false
+    }
+    /// Where the byte at `ea` is, if it may have other addresses, too.
+    fn place(&self, _ea: u64) -> Option<Place> {
+        None
     }
     /// Writes `new` to the line at `ea` (a multiple of [`LINE`]) if the line equals `expected`.
     /// Returns whether it did.

@@ -1,4 +1,5 @@
-/* An SPU program that prints by printf. The library serves its calls on the thread that runs it. */
+/* Runs an SPU program that prints by printf: hello_spu.s, or hello_spu.c for an SPU compiler. The
+ * library serves its calls on the thread that runs it. embedspu gives the program its name here. */
 #include <libspe2.h>
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-# Calls dot on two arrays of 64 floats, and exits with the truncated result as its status.
+# Calls dot on two arrays of 64 floats. The truncated result is in $3 when it exits, with status 0.
         .text
         .align  3
         .global _start

@@ -5,6 +5,9 @@
 #ifndef LIBSPE2_TYPES_H
 #define LIBSPE2_TYPES_H
 
+/* As in IBM's header: programs use its constants without including it. */
+#include <limits.h>
+
 #include "cbea_map.h"
 
 #ifdef __cplusplus

@@ -7,6 +7,10 @@
 #ifndef LIBSPE2_H
 #define LIBSPE2_H
 
+/* As in IBM's header: programs use what these declare without including them. */
+#include <errno.h>
+#include <stdio.h>
+
 #include "libspe2-types.h"
 
 #ifdef __cplusplus

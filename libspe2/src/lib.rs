@@ -29,9 +29,12 @@
 //!   is 6, or on spufs the kernel's number.
 //! - `LIBSPE2_MFC` is `at-once` (the default) or `at-last`. `at-last` carries out DMA commands as
 //!   late and in as unexpected an order as the architecture allows, which exposes missing waits.
+//! - `LIBSPE2_ENGINE` is `compiler` (the default, where the host has one) or `interpreter`.
 //! - `LIBSPE2_TIMING=1` counts cycles. SPEs then run in simulated time (see
 //!   [`spu_emulator::simulated`]), which decrementers and the time-outs of events count too.
 //!   Creating contexts and loading programs takes no simulated time.
+//! - `LIBSPE2_MACHINE` is the path of a file with the latencies and rates of simulated time. It
+//!   needs `LIBSPE2_TIMING=1`.
 //! - `LIBSPE2_REPORT` is the path of the JSON report, which is written when a context is destroyed
 //!   and when the process ends. It needs `LIBSPE2_TIMING=1`.
 //! - `LIBSPE2_PROFILE` is the path of the profile, which records the instructions that the cycles
@@ -42,8 +45,9 @@
 //!   `cellray render --inspect` draws it.
 //! - `LIBSPE2_GDB` is a port of the loopback interface, or 0 for any free one. The emulated SPEs
 //!   wait there for a debugger and obey it ([`spu_debugger`]).
-//! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
-//!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
+//! - `LIBSPE2_CHECK=1` compares the compiled code with the interpreter as it runs. In simulated
+//!   time it also counts the cycles a second time, instruction by instruction. At the first
+//!   difference, the run reports it and fails.
 
 mod backend;
 mod builtin;
@@ -64,6 +68,7 @@ mod process_memory;
 mod report;
 pub mod run;
 mod scratch;
+mod shared_mappings;
 mod spufs;
 mod stop_record;
 pub mod types;

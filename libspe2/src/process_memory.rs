@@ -9,10 +9,11 @@ use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::{Mutex, PoisonError};
 
-use spu_emulator::memory::{LINE, MainMemory, MemoryFault};
+use spu_emulator::memory::{LINE, MainMemory, MemoryFault, Place};
 
 use crate::futex::{Writable, probe_write};
 use crate::scratch::Pool;
+use crate::shared_mappings;
 
 /// Of the smallest pages that Linux has.
 const PAGE: usize = 4096;
@@ -65,6 +66,10 @@ impl MainMemory for ProcessMemory {
             }
             writable
         })
+    }
+
+    fn place(&self, ea: u64) -> Option<Place> {
+        shared_mappings::place(ea)
     }
 
     /// Atomic with respect to the PPE's own atomic instructions if the change is within one

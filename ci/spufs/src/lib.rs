@@ -28,6 +28,8 @@ mod readiness;
 mod run;
 #[path = "../../../libspe2/src/scratch.rs"]
 mod scratch;
+#[path = "../../../libspe2/src/shared_mappings.rs"]
+mod shared_mappings;
 mod system_call;
 mod table;
 

@@ -1,21 +1,29 @@
 //! The interconnect that SPEs share: main memory, reservations, and the addresses of signal
 //! registers and local stores.
 //!
-//! Invariant: an atomic command excludes every transfer, because it holds the lock alone. So it
-//! sees a line before or after another unit's `put`, never in between. A unit that writes a line
-//! ends every reservation on it before it releases the lock. Plain transfers run concurrently. If
-//! the PPE itself writes a line, no reservation ends, but the conditional put still fails, because
-//! it compares the line with the bytes that were read under the reservation.
+//! Invariant: a plain transfer and an atomic command see a line before or after another unit's
+//! write, never in between, because all of them hold its lock. A unit that writes a line ends every
+//! reservation on it before it releases the lock. If the PPE itself writes a line, no reservation
+//! ends, but the conditional put still fails, because it compares the line with the bytes that were
+//! read under the reservation. The PPE's own loads and stores take no lock.
+//!
+//! A line that is mapped twice has two addresses. A reservation is of the line, whatever the
+//! address by which it is written, and a write by one address excludes an atomic command by the
+//! other. Plain transfers by different addresses don't exclude each other.
+//!
+//! Locks are taken in this order: the members, of which transfers only read, then the lines.
 
+use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::SeqCst;
-use std::sync::{Arc, RwLock, Weak};
+use std::sync::{Arc, Mutex, RwLock, Weak};
 
 use portable_atomic::AtomicU64;
 
+use super::line_locks::{Held, LineLocks};
 use super::timing::{InFlight, Peer, PendingWrite};
 use crate::local_store::{LocalStore, SIZE};
-use crate::lock::{read_lock, write_lock};
-use crate::memory::{LINE, MainMemory, MemoryFault};
+use crate::lock::{lock, read_lock, write_lock};
+use crate::memory::{LINE, MainMemory, MemoryFault, PLACE_PAGE, Place};
 use crate::signal::SignalRegister;
 
 /// Stands for "no line". It is not a multiple of 128, so no line has this address.
@@ -23,45 +31,71 @@ const NO_LINE: u64 = u64::MAX;
 
 /// The line that a unit has reserved.
 #[derive(Debug)]
-pub(crate) struct Reservation(AtomicU64);
+pub(crate) struct Reservation {
+    line: AtomicU64,
+    /// Where the line is, if it may have other addresses.
+    place: Mutex<Option<Place>>,
+}
 
 impl Reservation {
     pub(crate) fn new() -> Self {
-        Self(AtomicU64::new(NO_LINE))
+        Self {
+            line: AtomicU64::new(NO_LINE),
+            place: Mutex::default(),
+        }
     }
 
     fn holds(&self, line: u64) -> bool {
-        self.0.load(SeqCst) == line
+        self.line.load(SeqCst) == line
     }
 
-    fn set(&self, line: u64) {
-        self.0.store(line, SeqCst);
+    fn set(&self, line: u64, place: Option<Place>) {
+        *lock(&self.place) = place;
+        self.line.store(line, SeqCst);
     }
 
     pub(crate) fn clear(&self) {
-        self.0.store(NO_LINE, SeqCst);
+        self.line.store(NO_LINE, SeqCst);
     }
 
     /// Ends the reservation if it is on a line of `first..=last`. Returns whether it was.
     fn break_within(&self, first: u64, last: u64) -> bool {
-        let held = self.0.load(SeqCst);
+        let held = self.line.load(SeqCst);
         (first..=last).contains(&held)
             && self
-                .0
+                .line
                 .compare_exchange(held, NO_LINE, SeqCst, SeqCst)
                 .is_ok()
     }
 
     /// The address of the reserved line, if any.
     pub(crate) fn line(&self) -> Option<u64> {
-        let held = self.0.load(SeqCst);
+        let held = self.line.load(SeqCst);
         (held != NO_LINE).then_some(held)
+    }
+
+    /// The address of the reserved line if it is among these bytes, of which this is not the
+    /// address.
+    fn line_at_other_address(
+        &self,
+        (ea, length): (u64, usize),
+        memory: &dyn MainMemory,
+    ) -> Option<u64> {
+        let held = self.line().filter(|_| length > 0)?;
+        let place = (*lock(&self.place))?;
+        let start = ea & !(LINE as u64 - 1);
+        let to_first = held.wrapping_sub(start) % PLACE_PAGE;
+        let span = ea.saturating_add(length as u64) - start;
+        let mut candidates = (to_first..span).step_by(PLACE_PAGE as usize);
+        candidates
+            .any(|at| start + at != held && memory.place(start + at) == Some(place))
+            .then_some(held)
     }
 }
 
 /// A unit on the interconnect, as the other units see it.
 pub(crate) trait Unit: Send + Sync {
-    fn reservation(&self) -> &Reservation;
+    fn reservation(&self) -> &Arc<Reservation>;
     /// Another unit wrote the reserved line. The reservation has already ended.
     fn reservation_lost(&self);
     fn signal(&self, register: SignalRegister, word: u32);
@@ -71,7 +105,7 @@ pub(crate) trait Unit: Send + Sync {
 
 #[derive(Default)]
 struct Members {
-    units: Vec<Weak<dyn Unit>>,
+    units: Vec<(Arc<Reservation>, Weak<dyn Unit>)>,
     signals: Vec<(u64, Weak<dyn Unit>, SignalRegister)>,
     local_stores: Vec<(u64, Weak<LocalStore>)>,
 }
@@ -87,25 +121,38 @@ impl Members {
         })
     }
 
-    fn broken(&self, ea: u64, length: usize, except: Option<&Reservation>) {
-        self.broken_by_pieces(&[(ea, length)], except);
-    }
-
-    fn broken_by_pieces(&self, pieces: &[(u64, usize)], except: Option<&Reservation>) {
+    /// Ends the reservations on these bytes, and tells their units.
+    fn broken(&self, pieces: &[(u64, usize)], except: Option<&Reservation>) {
         let line = !(LINE as u64 - 1);
-        for unit in self.units.iter().filter_map(Weak::upgrade) {
-            let reservation = unit.reservation();
-            if except.is_some_and(|own| std::ptr::eq(own, reservation)) {
-                continue;
-            }
-            let is_broken = |&(ea, length): &(u64, usize)| {
+        self.break_where(except, |reservation| {
+            pieces.iter().any(|&(ea, length)| {
                 let last = ea.saturating_add(length as u64).wrapping_sub(1) & line;
                 length > 0 && reservation.break_within(ea & line, last)
-            };
-            if pieces.iter().any(is_broken) {
+            })
+        });
+    }
+
+    fn break_where(&self, except: Option<&Reservation>, ends: impl Fn(&Reservation) -> bool) {
+        for (reservation, unit) in &self.units {
+            let is_excepted = except.is_some_and(|own| std::ptr::eq(own, &**reservation));
+            if !is_excepted
+                && ends(reservation)
+                && let Some(unit) = unit.upgrade()
+            {
                 unit.reservation_lost();
             }
         }
+    }
+
+    /// The addresses of the reserved lines that are among these bytes, but by another address.
+    fn at_other_addresses(&self, pieces: &[(u64, usize)], memory: &dyn MainMemory) -> Vec<u64> {
+        let reservations = self.units.iter().map(|(reservation, _)| reservation);
+        reservations
+            .filter_map(|reservation| {
+                let mut pieces = pieces.iter();
+                pieces.find_map(|&piece| reservation.line_at_other_address(piece, memory))
+            })
+            .collect()
     }
 }
 
@@ -115,6 +162,9 @@ pub(crate) struct Interconnect {
     /// Data in flight between local stores, in simulated time.
     in_flight: Option<Arc<dyn InFlight>>,
     members: RwLock<Members>,
+    lines: LineLocks,
+    /// A line that may have several addresses was reserved. Without that, no write looks for them.
+    reserves_places: AtomicBool,
 }
 
 impl Interconnect {
@@ -123,6 +173,8 @@ impl Interconnect {
             memory,
             in_flight,
             members: RwLock::default(),
+            lines: LineLocks::default(),
+            reserves_places: AtomicBool::new(false),
         }
     }
 
@@ -131,16 +183,17 @@ impl Interconnect {
         &*self.memory
     }
 
-    pub(crate) fn attach(&self, unit: Weak<dyn Unit>) {
+    pub(crate) fn attach(&self, unit: &Arc<dyn Unit>) {
         let mut members = write_lock(&self.members);
-        members.units.retain(|unit| unit.strong_count() > 0);
+        members.units.retain(|(_, unit)| unit.strong_count() > 0);
         members
             .signals
             .retain(|(_, unit, _)| unit.strong_count() > 0);
         members
             .local_stores
             .retain(|(_, store)| store.strong_count() > 0);
-        members.units.push(unit);
+        let reservation = Arc::clone(unit.reservation());
+        members.units.push((reservation, Arc::downgrade(unit)));
     }
 
     /// From now on, a word that an MFC writes to `ea` is a signal.
@@ -160,7 +213,7 @@ impl Interconnect {
     pub(crate) fn send_to_local_store(&self, ea: u64, from: &[u8]) -> Option<PendingWrite> {
         let members = read_lock(&self.members);
         let (store, address) = members.local_store(ea, from.len())?;
-        members.broken(ea, from.len(), None);
+        self.written(&members, &[(ea, from.len())], None);
         let bytes = from.into();
         Some(PendingWrite {
             store,
@@ -176,6 +229,29 @@ impl Interconnect {
             && let Some((store, address)) = members.local_store(ea, length)
         {
             in_flight.deliver_early(&store, address, length);
+        }
+    }
+
+    /// Waits until these pieces may be written.
+    fn lock_for_write(&self, members: &Members, pieces: &[(u64, usize)]) -> Held<'_> {
+        let others = self.at_other_addresses(members, pieces);
+        let others = others.into_iter().map(|line| (line, LINE));
+        self.lines.write(pieces.iter().copied().chain(others))
+    }
+
+    /// Ends the reservations on bytes that have just been written.
+    fn written(&self, members: &Members, pieces: &[(u64, usize)], except: Option<&Reservation>) {
+        members.broken(pieces, except);
+        for line in self.at_other_addresses(members, pieces) {
+            members.broken(&[(line, LINE)], except);
+        }
+    }
+
+    fn at_other_addresses(&self, members: &Members, pieces: &[(u64, usize)]) -> Vec<u64> {
+        if self.reserves_places.load(SeqCst) {
+            members.at_other_addresses(pieces, self.memory())
+        } else {
+            Vec::new()
         }
     }
 
@@ -204,8 +280,9 @@ impl Interconnect {
     }
 
     pub(crate) fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
-        let side_by_side = read_lock(&self.members);
-        self.await_parcels(&side_by_side, ea, into.len());
+        let members = read_lock(&self.members);
+        self.await_parcels(&members, ea, into.len());
+        let _whole = self.lines.read(ea, into.len());
         self.memory.read(ea, into)
     }
 
@@ -219,8 +296,10 @@ impl Interconnect {
                 return Ok(());
             }
         }
+        let piece = [(ea, from.len())];
+        let _whole = self.lock_for_write(&members, &piece);
         let written = self.memory.write(ea, from);
-        members.broken(ea, from.len(), None);
+        self.written(&members, &piece, None);
         written
     }
 
@@ -246,20 +325,28 @@ impl Interconnect {
         from: &[u8],
     ) -> Result<(), MemoryFault> {
         let members = read_lock(&self.members);
+        let _whole = self.lock_for_write(&members, pieces);
         let written = self.memory.write_pieces(pieces, from);
-        members.broken_by_pieces(pieces, None);
+        self.written(&members, pieces, None);
         written
     }
 
     /// `getllar`: reads the line and reserves it for `own`.
     pub(crate) fn get_line(&self, ea: u64, own: &Reservation) -> Result<[u8; LINE], MemoryFault> {
-        let alone = write_lock(&self.members);
+        let members = read_lock(&self.members);
         own.clear();
-        self.await_parcels(&alone, ea, LINE);
+        self.await_parcels(&members, ea, LINE);
+        let place = self.memory.place(ea);
+        if place.is_some() {
+            self.reserves_places.store(true, SeqCst);
+        }
+        let _whole = self.lines.read(ea, LINE);
+        // Set before the line is read, because who writes it by another address holds another lock:
+        // a write that comes too late to be read must find the reservation.
+        own.set(ea, place);
         let mut line = [0; LINE];
-        self.memory.read(ea, &mut line)?;
-        own.set(ea);
-        Ok(line)
+        let read = self.memory.read(ea, &mut line);
+        read.inspect_err(|_| own.clear()).map(|()| line)
     }
 
     /// `putllc`: writes the line if it is still reserved and equal to `seen`. Returns whether it
@@ -271,15 +358,21 @@ impl Interconnect {
         seen: &[u8; LINE],
         new: &[u8; LINE],
     ) -> Result<bool, MemoryFault> {
-        let members = write_lock(&self.members);
-        let held = own.holds(ea);
-        own.clear();
+        let members = read_lock(&self.members);
         self.await_parcels(&members, ea, LINE);
-        if !held || !self.memory.compare_exchange_line(ea, seen, new)? {
-            return Ok(false);
+        let line = [(ea, LINE)];
+        let _whole = self.lock_for_write(&members, &line);
+        // The reservation lasts until the line is written, so that who writes it by another address
+        // finds it and waits.
+        let held = own.holds(ea);
+        let exchange = || self.memory.compare_exchange_line(ea, seen, new);
+        let exchanged = held.then(exchange).unwrap_or(Ok(false));
+        own.clear();
+        if exchanged? {
+            self.written(&members, &line, Some(own));
+            return Ok(true);
         }
-        members.broken(ea, LINE, Some(own));
-        Ok(true)
+        Ok(false)
     }
 
     /// `putlluc` and `putqlluc`: writes the line. An own reservation on it ends without an event.
@@ -289,13 +382,15 @@ impl Interconnect {
         own: &Reservation,
         new: &[u8; LINE],
     ) -> Result<(), MemoryFault> {
-        let members = write_lock(&self.members);
+        let members = read_lock(&self.members);
+        self.await_parcels(&members, ea, LINE);
+        let line = [(ea, LINE)];
+        let _whole = self.lock_for_write(&members, &line);
         if own.holds(ea) {
             own.clear();
         }
-        self.await_parcels(&members, ea, LINE);
         let written = self.memory.write(ea, new);
-        members.broken(ea, LINE, Some(own));
+        self.written(&members, &line, Some(own));
         written
     }
 }

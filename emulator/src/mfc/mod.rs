@@ -6,6 +6,7 @@
 pub(crate) mod command;
 mod error;
 pub(crate) mod interconnect;
+mod line_locks;
 pub(crate) mod queue;
 pub(crate) mod spu_side;
 pub(crate) mod timing;

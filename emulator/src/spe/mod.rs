@@ -97,7 +97,7 @@ impl Spe {
         let transfers = simulated.as_ref().map(SpeSide::new_transfers);
         let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
-        machine.interconnect().attach(Arc::downgrade(&unit));
+        machine.interconnect().attach(&unit);
         Arc::new(Self {
             local_store: Arc::new(LocalStore::new()),
             machine: Arc::clone(machine),

@@ -53,7 +53,7 @@ pub(crate) struct ProblemState {
     sleeping: AtomicUsize,
     stop: AtomicBool,
     watchers: Mutex<Vec<Arc<dyn Watcher>>>,
-    reservation: Reservation,
+    reservation: Arc<Reservation>,
     /// In simulated time: the key on which other actors sleep.
     sleepers: Option<(Arc<Simulation>, WaitKey)>,
 }
@@ -78,7 +78,7 @@ impl ProblemState {
             sleeping: AtomicUsize::new(0),
             stop: AtomicBool::new(false),
             watchers: Mutex::default(),
-            reservation: Reservation::new(),
+            reservation: Arc::new(Reservation::new()),
             sleepers,
         }
     }
@@ -204,7 +204,7 @@ impl ProblemState {
 }
 
 impl Unit for ProblemState {
-    fn reservation(&self) -> &Reservation {
+    fn reservation(&self) -> &Arc<Reservation> {
         &self.reservation
     }
 

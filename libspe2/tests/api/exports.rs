@@ -1,4 +1,5 @@
-//! The shared library exports the 38 public names and nothing else, under the console's soname.
+//! The shared library exports the 38 public names and nothing else, under the console's soname. The
+//! documents list its variables.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -24,4 +25,52 @@ fn the_shared_library_is_a_drop_in() {
     assert_eq!(exported, public);
     let soname = b"\0libspe2.so.2\0";
     assert!(bytes.windows(soname.len()).any(|window| window == soname));
+}
+
+/// The names of variables in a text.
+fn variables(text: &str) -> BTreeSet<String> {
+    let is_part = |letter: char| letter.is_ascii_uppercase() || letter.is_ascii_digit();
+    text.match_indices("LIBSPE2_")
+        .map(|(at, _)| {
+            let name = &text[at..];
+            let end = name.find(|letter| letter != '_' && !is_part(letter));
+            name[..end.unwrap_or(name.len())].to_owned()
+        })
+        .collect()
+}
+
+/// All files of Rust below a folder, one after the other.
+fn sources(folder: &Path) -> String {
+    let entries = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    entries
+        .map(|path| {
+            if path.is_dir() {
+                sources(&path)
+            } else {
+                fs::read_to_string(path).unwrap()
+            }
+        })
+        .collect()
+}
+
+#[test]
+fn the_documents_list_each_variable() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let code = sources(&root.join("src"));
+    let strings = code.split('"').filter(|text| text.starts_with("LIBSPE2_"));
+    let read = variables(&strings.collect::<Vec<_>>().join(" "));
+    assert!(read.contains("LIBSPE2_TIMING"), "{read:?}");
+    let comments = code
+        .lines()
+        .filter(|line| line.starts_with("//! - `LIBSPE2_"));
+    let comments: Vec<_> = comments.collect();
+    assert_eq!(variables(&comments.join(" ")), read, "lib.rs");
+    for document in ["libspe2.md", "build-options.md"] {
+        let text = fs::read_to_string(root.join("../docs").join(document)).unwrap();
+        let rows = text.lines().filter(|line| line.starts_with("| `LIBSPE2_"));
+        let first_cells: Vec<_> = rows.filter_map(|row| row.split('|').nth(1)).collect();
+        assert_eq!(variables(&first_cells.join(" ")), read, "{document}");
+    }
 }

@@ -10,6 +10,7 @@ mod basic;
 mod event;
 mod exports;
 mod images;
+mod lines;
 mod machine;
 mod mfc;
 mod problem_state;
