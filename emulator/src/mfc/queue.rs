@@ -52,6 +52,7 @@ impl Path<'_> {
 
     fn piece(&self, command: &Command, pending: Option<PendingWrite>) -> Piece {
         Piece {
+            lsa: command.lsa,
             ea: command.ea,
             size: command.size,
             peer: self.interconnect.peer(command.ea),
@@ -164,6 +165,11 @@ impl Queue {
             bytes: self.buffer[..length as usize].into(),
             elements,
         })
+    }
+
+    /// The commands in the queue, oldest first.
+    pub(crate) fn commands(&self) -> impl Iterator<Item = &Command> {
+        self.entries.iter().map(|entry| &entry.command)
     }
 
     /// Appends a command. There must be room.
@@ -286,6 +292,7 @@ impl Put {
             return Err(failed.unwrap_or(&self.command).storage(fault.ea));
         }
         let piece = |element: &Command| Piece {
+            lsa: element.lsa,
             ea: element.ea,
             size: element.size,
             peer: Peer::Memory,

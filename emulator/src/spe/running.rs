@@ -17,7 +17,7 @@ use crate::mfc::queue::Path;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::timing::TransferTimes;
 use crate::mfc::{DmaError, Policy};
-use crate::simulated::{self, SpeSide, SpuClock, Wait};
+use crate::simulated::{self, Races, SpeSide, SpuClock, Wait};
 use crate::stop::Stop;
 
 /// With [`Policy::AtLast`], how long commands of both sides stay undone while the SPU sleeps. It
@@ -58,6 +58,8 @@ pub(crate) struct RunningChannels<'a> {
     pub(super) spe: &'a Spe,
     /// Used only in simulated time.
     pub(super) clock: &'a RefCell<SpuClock>,
+    /// Used only in simulated time.
+    pub(super) races: &'a RefCell<Races>,
 }
 
 impl<'a> RunningChannels<'a> {
@@ -103,6 +105,14 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
+    /// The program has read something that may tell it which commands are complete.
+    pub(super) fn learn(&self) {
+        let mut races = self.races.borrow_mut();
+        if races.are_possible() {
+            races.learn(self.clock.borrow().now());
+        }
+    }
+
     /// In simulated time: 1 if the result that the MFC delivers at `time` has arrived, else 0.
     pub(super) fn arrived(&self, time: impl FnOnce(&dyn TransferTimes) -> u64) -> u32 {
         let transfers = self.own.mfc.transfers();
@@ -131,7 +141,9 @@ impl<'a> RunningChannels<'a> {
         let result = body(&mut self.own.mfc, path);
         if let Some(side) = self.simulated() {
             let now = self.clock.borrow().now();
-            side.time_movements(&mut self.own.mfc, now, self.spe.machine.interconnect());
+            let interconnect = self.spe.machine.interconnect();
+            let races = &mut *self.races.borrow_mut();
+            side.time_movements(&mut self.own.mfc, now, interconnect, races);
         }
         self.problem_state().raise(self.own.mfc.take_events());
         result.map_err(Stop::Dma)
@@ -268,6 +280,7 @@ impl<'a> RunningChannels<'a> {
     /// Sleeps until `give` finds room, then notifies the threads that wait for the data.
     pub(super) fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
         self.sleep(Wait::Mailbox, |_, state| give(state).then_some(()))?;
+        self.learn();
         self.problem_state().announce();
         Ok(())
     }
