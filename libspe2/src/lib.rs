@@ -31,7 +31,8 @@
 //!   late and in as unexpected an order as the architecture allows, which exposes missing waits.
 //! - `LIBSPE2_TIMING=1` counts cycles. SPEs then run in simulated time (see
 //!   [`spu_emulator::simulated`]), which decrementers and the time-outs of events count too.
-//!   Creating contexts and loading programs takes no simulated time.
+//!   Creating contexts and loading programs takes no simulated time. A warning on standard error
+//!   names each use of local store that races with the SPU's own DMA.
 //! - `LIBSPE2_REPORT` is the path of the JSON report, which is written when a context is destroyed
 //!   and when the process ends. It needs `LIBSPE2_TIMING=1`.
 //! - `LIBSPE2_PROFILE` is the path of the profile, which records the instructions that the cycles

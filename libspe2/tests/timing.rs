@@ -232,12 +232,11 @@ fn a_barrier_is_no_time_out(folder: &Path) {
 }
 
 /// A program that uses data before it waits for it: all SPEs together get one warning.
-fn a_race_is_told(folder: &Path) {
-    let folder = folder.join("race");
-    fs::create_dir(&folder).unwrap();
+fn a_race_is_told() {
+    let folder = tempfile::tempdir().unwrap();
     let wait = "        wait_tags 1<<4\n";
     let source = PROGRAM.replace(wait, &format!("        lqa     $23,0x11000\n{wait}"));
-    let image = assemble(&folder, &source);
+    let image = assemble(folder.path(), &source);
     let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new("0")];
     let output = child(&arguments, &[("LIBSPE2_TIMING", OsStr::new("1"))]);
     assert!(output.status.success(), "{output:?}");
@@ -470,7 +469,7 @@ fn main() {
     }
     let folder = tempfile::tempdir().unwrap();
     let image = assemble(folder.path(), PROGRAM);
-    a_race_is_told(folder.path());
+    a_race_is_told();
 
     let first = report(&image, folder.path(), "0");
     check_report(&first);

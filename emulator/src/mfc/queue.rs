@@ -281,6 +281,23 @@ impl Put {
         self.command.tag_bit()
     }
 
+    /// What it moves.
+    pub(crate) fn movement(&self) -> Movement {
+        let piece = |element: &Command| Piece {
+            lsa: element.lsa,
+            ea: element.ea,
+            size: element.size,
+            peer: Peer::Memory,
+            pending: None,
+        };
+        Movement {
+            command: self.command,
+            pieces: self.elements.iter().map(piece).collect(),
+            stalled: false,
+            atomic: None,
+        }
+    }
+
     /// Writes the bytes. Returns what was moved.
     pub(crate) fn write(self, interconnect: &Interconnect) -> Result<Movement, DmaError> {
         let (pieces, _) = addresses(&self.elements);
@@ -291,19 +308,7 @@ impl Put {
             let failed = self.elements.iter().find(has_fault);
             return Err(failed.unwrap_or(&self.command).storage(fault.ea));
         }
-        let piece = |element: &Command| Piece {
-            lsa: element.lsa,
-            ea: element.ea,
-            size: element.size,
-            peer: Peer::Memory,
-            pending: None,
-        };
-        Ok(Movement {
-            command: self.command,
-            pieces: self.elements.iter().map(piece).collect(),
-            stalled: false,
-            atomic: None,
-        })
+        Ok(self.movement())
     }
 }
 

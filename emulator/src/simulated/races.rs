@@ -16,8 +16,10 @@
 
 use std::fmt;
 use std::sync::atomic::AtomicU8;
-use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::{Arc, Mutex, OnceLock};
+
+use portable_atomic::AtomicU64;
 
 use super::simulation::Simulation;
 use crate::interp::Spu;
@@ -229,12 +231,32 @@ impl fmt::Display for Race {
     }
 }
 
+/// When a command is complete.
+#[derive(Debug)]
+enum Completion {
+    At(u64),
+    /// Another thread will write it here. Until then it is [`UNKNOWN`].
+    Deferred(Arc<AtomicU64>),
+}
+
+/// The completion of a command whose time has not been counted yet.
+const UNKNOWN: u64 = u64::MAX;
+
+impl Completion {
+    fn cycle(&self) -> u64 {
+        match self {
+            Self::At(cycle) => *cycle,
+            Self::Deferred(cycle) => cycle.load(SeqCst),
+        }
+    }
+}
+
 /// A command that the program does not know to be complete.
 #[derive(Debug)]
 struct InFlight {
     command: CommandInFlight,
     ranges: Vec<Range>,
-    complete: u64,
+    complete: Completion,
     /// The tags whose further commands follow it.
     followed_by: u32,
 }
@@ -262,7 +284,7 @@ impl InFlight {
                 writes: false,
             },
             ranges: ranges(movement, operation),
-            complete: 0,
+            complete: Completion::At(0),
             followed_by: 0,
         }
     }
@@ -362,7 +384,7 @@ impl Races {
     /// The commands that are not complete at `now`, oldest first.
     pub fn in_flight(&self, now: u64) -> impl Iterator<Item = CommandInFlight> {
         let commands = self.in_flight.iter();
-        let incomplete = commands.filter(move |command| command.complete > now);
+        let incomplete = commands.filter(move |command| command.complete.cycle() > now);
         incomplete.map(|command| command.command)
     }
 
@@ -373,12 +395,13 @@ impl Races {
     }
 
     /// The program reads a channel, or local store that is accessed from outside: it may know now
-    /// that the commands that are complete at `now` are.
+    /// that the commands that are complete at `now` are. No completion may be
+    /// [awaited](Self::await_another_thread) any more.
     pub fn learn(&mut self, now: u64) {
         let before = self.in_flight.len();
         let marks = Arc::clone(&self.marks);
         self.in_flight.retain(|command| {
-            let stays = command.complete > now;
+            let stays = command.complete.cycle() > now;
             if !stays {
                 let quadwords = command
                     .ranges
@@ -435,6 +458,24 @@ impl Races {
 
     /// The command will be complete at this cycle.
     pub fn is_complete_at(&mut self, given: Given, complete: u64) {
+        self.add(given, Completion::At(complete));
+    }
+
+    /// Another thread will count the command's time. Returns where it writes the cycle in which the
+    /// command is complete.
+    pub fn is_deferred(&mut self, given: Given) -> Arc<AtomicU64> {
+        let cycle = Arc::new(AtomicU64::new(UNKNOWN));
+        self.add(given, Completion::Deferred(Arc::clone(&cycle)));
+        cycle
+    }
+
+    /// Whether the completion of a command is not known yet.
+    pub fn await_another_thread(&self) -> bool {
+        let mut commands = self.in_flight.iter();
+        commands.any(|command| command.complete.cycle() == UNKNOWN)
+    }
+
+    fn add(&mut self, given: Given, complete: Completion) {
         let Given(mut command) = given;
         if command.ranges.iter().any(|range| range.length > 0) {
             command.complete = complete;

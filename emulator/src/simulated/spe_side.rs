@@ -120,11 +120,10 @@ impl SpeSide {
         self.actor.turn(now);
     }
 
-    /// Whether puts may be deferred: not if SPUs run one at a time, not if a timeline records them
-    /// in their order, and not if races are looked for, which needs to know when they are complete.
+    /// Whether puts may be deferred: not if SPUs run one at a time, and not if a timeline records
+    /// them in their order.
     pub fn may_defer(&self) -> bool {
-        let options = self.simulation.options();
-        !self.actor.is_serial() && !options.timeline && !options.races
+        !self.actor.is_serial() && !self.simulation.options().timeline
     }
 
     /// Waits until this SPE's deferred puts of these tags have been carried out.

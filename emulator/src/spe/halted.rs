@@ -84,6 +84,7 @@ impl<'a> Halted<'a> {
         let (tag_status, atomic_status, stalled_tags) = mfc.statuses();
         let queued = mfc.queued().map(QueuedCommand::from);
         let now = self.cycles().unwrap_or_default();
+        self.channels.await_completions();
         let races = self.channels.races.borrow();
         let moved = races.in_flight(now).map(|command| QueuedCommand {
             opcode: command.opcode,

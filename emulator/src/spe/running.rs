@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 use std::sync::Arc;
+use std::sync::atomic::Ordering::SeqCst;
 use std::time::Duration;
 
 use super::Spe;
@@ -107,9 +108,18 @@ impl<'a> RunningChannels<'a> {
 
     /// The program has read something that may tell it which commands are complete.
     pub(super) fn learn(&self) {
-        let mut races = self.races.borrow_mut();
-        if races.are_possible() {
-            races.learn(self.clock.borrow().now());
+        if self.races.borrow().are_possible() {
+            self.await_completions();
+            self.races.borrow_mut().learn(self.clock.borrow().now());
+        }
+    }
+
+    /// Waits until it is known when each command is complete.
+    pub(super) fn await_completions(&self) {
+        if let Some(side) = self.simulated()
+            && self.races.borrow().await_another_thread()
+        {
+            side.await_deferred(self.clock, u32::MAX);
         }
     }
 
@@ -174,9 +184,18 @@ impl<'a> RunningChannels<'a> {
         );
         let mut transfers = transfers.shared();
         let tag = put.tag_bit();
+        let told = {
+            let mut races = self.races.borrow_mut();
+            let movement = races.are_watched().then(|| put.movement());
+            let given = movement.and_then(|movement| races.give(&movement));
+            given.map(|given| races.is_deferred(given))
+        };
         let act = move || match put.write(machine.interconnect()) {
             Ok(movement) => {
-                transfers.add(movement, now);
+                let complete = transfers.add(movement, now);
+                if let Some(told) = told {
+                    told.store(complete, SeqCst);
+                }
             }
             Err(fault) => problem_state.request_stop(Some(fault)),
         };

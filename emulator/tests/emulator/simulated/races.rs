@@ -249,6 +249,26 @@ fn compiled_code_finds_races() {
     assert_eq!(uses(&both), [(Use::Store, 0x9000), (Use::Load, 0x9000)]);
 }
 
+/// A put is timed by another thread when its turn comes. The mail that follows tells nothing before
+/// it is complete, and everything after.
+#[test]
+fn a_put_races_until_it_is_complete() {
+    let source = |delay: u32| {
+        format!(
+            "
+        command PUT, 0x1000, $3, 16, 5
+        ila     $9,{delay}
+1:      ai      $9,$9,-1
+        brnz    $9,1b
+        rchcnt  $8,$ch28
+        stqa    $3,0x1000
+        wait_tags 0x20"
+        )
+    };
+    assert_eq!(uses(&source(1)), [(Use::Store, 0x1000)]);
+    assert_eq!(uses(&source(5000)), []);
+}
+
 #[test]
 fn each_pair_of_instructions_is_told_once() {
     let source = "
