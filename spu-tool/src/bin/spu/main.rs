@@ -18,7 +18,7 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 
 use failure::{Failure, USAGE, fail};
 
-/// Runs, traces, times and disassembles programs of the Cell Broadband Engine's SPU.
+/// Runs, debugs, times and disassembles programs of the Cell Broadband Engine's SPU.
 #[derive(Parser)]
 #[command(name = "spu", version, max_term_width = 100)]
 struct CommandLine {
