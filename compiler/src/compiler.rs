@@ -120,12 +120,21 @@ impl Unit {
     }
 }
 
+/// What units do besides the work of their instructions.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct UnitOptions {
+    /// Whether [`Cpu::log`] tells which instructions have run.
+    pub logs: bool,
+    /// Whether units leave accesses to [watched](crate::Storage::watched) quadwords to the
+    /// interpreter.
+    pub watches: bool,
+}
+
 /// Compiles traces to units.
 pub struct Compiler {
     code: Arc<CodeCache>,
     estimates: Estimates,
-    /// Whether units log each passage through them.
-    logs: bool,
+    options: UnitOptions,
     units: u32,
     /// Whether the code cache had no room for a unit. Then no other is tried.
     full: bool,
@@ -135,16 +144,16 @@ pub struct Compiler {
 
 impl Compiler {
     /// Creates a compiler for this host. Returns `None` if the host lacks AVX2 or FMA, or provides
-    /// no memory for code. With `logs`, [`Cpu::log`] tells which instructions have run.
+    /// no memory for code.
     #[must_use]
-    pub fn new(estimates: Estimates, logs: bool) -> Option<Self> {
+    pub fn new(estimates: Estimates, options: UnitOptions) -> Option<Self> {
         if !host::supported() {
             return None;
         }
-        Self::build(estimates, logs).ok()
+        Self::build(estimates, options).ok()
     }
 
-    fn build(estimates: Estimates, logs: bool) -> BuildResult<Self> {
+    fn build(estimates: Estimates, options: UnitOptions) -> BuildResult<Self> {
         // No optimisation: the optimiser might move float operations past the reads of their
         // exception flags.
         let flags = [
@@ -172,7 +181,7 @@ impl Compiler {
         Ok(Self {
             code: Arc::new(code),
             estimates,
-            logs,
+            options,
             units: 0,
             full: false,
             context,
@@ -183,7 +192,7 @@ impl Compiler {
     /// Creates an SPU that can run units of this compiler.
     #[must_use]
     pub fn new_cpu(&self) -> Cpu {
-        Cpu::new(Arc::clone(&self.code), MAX_UNITS, self.logs)
+        Cpu::new(Arc::clone(&self.code), MAX_UNITS, self.options.logs)
     }
 
     /// Compiles a trace. Returns `None` if there is no room for another unit.
@@ -205,7 +214,7 @@ impl Compiler {
             mode,
             self.estimates,
             self.units,
-            self.logs,
+            self.options,
         )
         .emit(&trace, module.target_config());
         let entry = define(module, &mut self.context);

@@ -18,6 +18,8 @@ pub enum Exit {
     Interpret,
     /// The unit with this number can't continue at the program counter: the interpreter must.
     Failed(u32),
+    /// The next instructions access a watched quadword. The interpreter must run them.
+    Watched,
     /// Local store no longer holds the code of the unit with this number. The unit did nothing.
     Stale(u32),
 }
@@ -27,6 +29,7 @@ impl Exit {
     pub(crate) const INTERPRET: u32 = 1;
     pub(crate) const FAILED: u32 = 2;
     pub(crate) const STALE: u32 = 3;
+    pub(crate) const WATCHED: u32 = 4;
 }
 
 /// A passage through a unit: how many of its instructions ran until it was left, or until its
@@ -71,7 +74,15 @@ pub struct Storage {
     pub registers: *mut u8,
     /// 256 KB, aligned to 16 bytes, in the SPU's byte order.
     pub local_store: *mut u8,
+    /// For each quadword of local store, a byte with [`WATCH_LOADS`] and [`WATCH_STORES`]. Only
+    /// units that [watch](crate::UnitOptions::watches) read them.
+    pub watched: *const u8,
 }
+
+/// Units leave loads of the quadword to the interpreter.
+pub const WATCH_LOADS: u8 = 1;
+/// Units leave stores to the quadword to the interpreter.
+pub const WATCH_STORES: u8 = 2;
 
 /// The units that one SPU runs, and its state between them.
 pub struct Cpu {
@@ -98,6 +109,7 @@ impl Cpu {
             table: table.as_mut_ptr().cast_const(),
             entries: entries.as_mut_ptr(),
             log: ptr::null_mut(),
+            watched: ptr::null(),
             budget: 0,
             pc: 0,
             unit: 0,
@@ -171,6 +183,7 @@ impl Cpu {
         context.fpscr = *fpscr;
         context.pc = pc;
         context.budget = i64::from(budget);
+        context.watched = storage.watched;
         if self.logs {
             // A passage takes one word, and one more for each hint. It runs at least one
             // instruction, and hints are instructions too, so 2 words an instruction suffice.
@@ -202,6 +215,7 @@ impl Cpu {
             Exit::LEFT => Exit::Left,
             Exit::INTERPRET => Exit::Interpret,
             Exit::FAILED => Exit::Failed(context.unit),
+            Exit::WATCHED => Exit::Watched,
             _ => Exit::Stale(context.unit),
         };
         let executed = i64::from(budget) - context.budget;

@@ -29,6 +29,9 @@ pub(crate) struct Context {
     pub entries: *mut u32,
     /// Where the next passage through a unit is logged, if passages are logged.
     pub log: *mut u32,
+    /// For each quadword of local store, the accesses that compiled code leaves to the interpreter,
+    /// if the compiler's units look for that.
+    pub watched: *const u8,
     /// The number of instructions that may still run.
     pub budget: i64,
     /// The SPU's program counter.

@@ -25,8 +25,8 @@ mod host;
 mod tables;
 mod trace;
 
-pub use compiler::{Compiler, Unit};
-pub use cpu::{Cpu, Exit, Passage, Storage};
+pub use compiler::{Compiler, Unit, UnitOptions};
+pub use cpu::{Cpu, Exit, Passage, Storage, WATCH_LOADS, WATCH_STORES};
 pub use float_mode::{FloatMode, Steps};
 pub use tables::Estimates;
 pub use trace::{MAX_STEPS, Step, Trace, can_compile};

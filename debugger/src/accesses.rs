@@ -54,41 +54,28 @@ impl Parameters {
         let Some(instruction) = Instruction::decode(store.load_word(spu.pc())) else {
             return Accesses::default();
         };
-        let quadword = |address: u32| {
-            Some(Range {
-                start: address & (SIZE - QUADWORD),
-                length: QUADWORD,
-            })
+        if instruction.op == Op::Wrch {
+            let value = spu.register(instruction.rt).preferred();
+            let read = self.write(instruction.ra, value, store);
+            return Accesses { read, stored: None };
+        }
+        let Some(access) = spu.access(instruction) else {
+            return Accesses::default();
         };
-        let preferred = |register| spu.register(register).preferred();
-        let Instruction {
-            op,
-            rt,
-            ra,
-            rb,
-            immediate,
-            ..
-        } = instruction;
-        let address = match op {
-            Op::Lqd | Op::Stqd => preferred(ra).wrapping_add_signed(immediate),
-            Op::Lqx | Op::Stqx => preferred(ra).wrapping_add(preferred(rb)),
-            Op::Lqr | Op::Stqr => spu.pc().wrapping_add_signed(immediate),
-            Op::Lqa | Op::Stqa => immediate as u32,
-            Op::Wrch => {
-                let read = self.write(ra, preferred(rt), store);
-                return Accesses { read, stored: None };
-            }
-            _ => return Accesses::default(),
-        };
-        match op {
-            Op::Lqd | Op::Lqx | Op::Lqr | Op::Lqa => Accesses {
-                read: quadword(address),
-                stored: None,
-            },
-            _ => Accesses {
+        let quadword = Some(Range {
+            start: access.address,
+            length: QUADWORD,
+        });
+        if access.is_store {
+            Accesses {
                 read: None,
-                stored: quadword(address),
-            },
+                stored: quadword,
+            }
+        } else {
+            Accesses {
+                read: quadword,
+                stored: None,
+            }
         }
     }
 

@@ -11,6 +11,7 @@
 
 mod accesses;
 pub mod client;
+pub mod console;
 mod registers;
 mod server;
 mod state;

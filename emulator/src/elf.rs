@@ -202,11 +202,27 @@ impl<'data> Image<'data> {
         self.by_name.get(name).copied()
     }
 
+    /// The names and values of all symbols.
+    pub fn symbols(&self) -> impl Iterator<Item = (u32, &'data str)> {
+        self.by_name.iter().map(|(&name, &value)| (value, name))
+    }
+
     /// The last symbol at or before `address`, and the distance from it in bytes.
     #[must_use]
     pub fn nearest_symbol(&self, address: u32) -> Option<(&'data str, u32)> {
         let (&at, &name) = self.by_address.range(..=address).next_back()?;
         Some((name, address - at))
+    }
+
+    /// `0x00104 <main+0x10>`: an address with its nearest symbol.
+    #[must_use]
+    pub fn place(&self, address: u32) -> String {
+        let name = match self.nearest_symbol(address) {
+            Some((name, 0)) => format!(" <{name}>"),
+            Some((name, distance)) => format!(" <{name}+{distance:#x}>"),
+            None => String::new(),
+        };
+        format!("{address:#07x}{name}")
     }
 }
 

@@ -55,6 +55,11 @@ impl Events {
         self.count |= self.pending & self.mask != 0;
     }
 
+    /// The events that have occurred, whether they are enabled or not.
+    pub(crate) fn pending(&self) -> u32 {
+        self.pending
+    }
+
     /// The count of channel 0.
     pub(crate) fn count(&self) -> bool {
         self.count

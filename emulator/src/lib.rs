@@ -12,6 +12,7 @@
 //! | watch each instruction | [`interp::Observer`] |
 //! | count the cycles of one SPU's code | [`timer::Timer`] |
 //! | count the cycles of whole programs, DMA and SPEs | [`machine::Machine::simulated`] |
+//! | find DMA that a program does not wait for | [`simulated::Simulation::on_race`] |
 //! | compute as an SPU computes | [`float`] |
 //! | choose whether code is interpreted or compiled | [`engine::Engine`] |
 //! | serve an SPU program's PPE-assisted calls | [`ppe_call`] |

@@ -18,11 +18,11 @@ pub struct Machine {
     translations: Option<Arc<Translations>>,
 }
 
-fn translations(engine: Engine, timed: bool) -> Option<Arc<Translations>> {
+fn translations(engine: Engine, timed: bool, watches: bool) -> Option<Arc<Translations>> {
     match engine {
         Engine::Interpreter => None,
-        Engine::Compiler => Translations::new(false, timed),
-        Engine::Check => Translations::new(true, timed),
+        Engine::Compiler => Translations::with(false, timed, watches),
+        Engine::Check => Translations::with(true, timed, watches),
     }
 }
 
@@ -55,7 +55,7 @@ impl Machine {
             interconnect: Interconnect::new(memory, None),
             clock,
             simulation: None,
-            translations: translations(engine, false),
+            translations: translations(engine, false, false),
         })
     }
 
@@ -101,7 +101,7 @@ impl Machine {
             interconnect: Interconnect::new(memory, Some(in_flight)),
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
-            translations: translations(options.engine, true),
+            translations: translations(options.engine, true, options.races),
         })
     }
 

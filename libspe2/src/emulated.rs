@@ -7,7 +7,6 @@ use libc::{c_int, c_uint, c_void};
 use spu_debugger::{Attached, signal_of};
 use spu_emulator::interp::Spu;
 use spu_emulator::mfc::{DmaError, MAX_TRANSFER};
-use spu_emulator::profile::ProgramId;
 use spu_emulator::signal::{SignalMode, SignalRegister};
 use spu_emulator::simulated::Simulation;
 use spu_emulator::spe::{Config, ProxyCommand, Spe, TagWait, Watcher};
@@ -187,7 +186,10 @@ impl Backend for Emulated {
     }
 
     fn loaded(&self, image: &[u8]) {
-        self.spe.profile_as(ProgramId::of(image));
+        // The SPE was created on it.
+        if let Ok(machine) = machine() {
+            machine.loaded(&self.spe, image);
+        }
         self.spe.expect_run();
     }
 

@@ -32,7 +32,8 @@
 //! - `LIBSPE2_ENGINE` is `compiler` (the default, where the host has one) or `interpreter`.
 //! - `LIBSPE2_TIMING=1` counts cycles. SPEs then run in simulated time (see
 //!   [`spu_emulator::simulated`]), which decrementers and the time-outs of events count too.
-//!   Creating contexts and loading programs takes no simulated time.
+//!   Creating contexts and loading programs takes no simulated time. A warning on standard error
+//!   names each use of local store that races with the SPU's own DMA.
 //! - `LIBSPE2_MACHINE` is the path of a file with the latencies and rates of simulated time. It
 //!   needs `LIBSPE2_TIMING=1`.
 //! - `LIBSPE2_REPORT` is the path of the JSON report, which is written when a context is destroyed

@@ -3,17 +3,21 @@
 //! Invariant: the environment is read when the first context is created, and its settings hold for
 //! the whole process.
 
+use std::collections::HashMap;
 use std::env;
 use std::ffi::OsString;
 use std::io;
 use std::path::PathBuf;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use spu_debugger::Debugger;
+use spu_emulator::elf::Image;
 use spu_emulator::engine::Engine;
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
+use spu_emulator::profile::ProgramId;
 use spu_emulator::simulated::{Method, SimulationOptions, Timing};
+use spu_emulator::spe::Spe;
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -37,6 +41,7 @@ pub(crate) struct Machine {
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
     timeline: Option<ReportFile>,
+    programs: Arc<Programs>,
     /// Obeys a debugger, if the environment asks for one.
     pub(crate) debugger: Option<Arc<Debugger>>,
 }
@@ -45,7 +50,7 @@ pub(crate) struct Machine {
 pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     // One thread makes the machine, because the debugger's port is to be had only once.
     static MAKING: Mutex<()> = Mutex::new(());
-    let _making = MAKING.lock().unwrap_or_else(PoisonError::into_inner);
+    let _making = lock(&MAKING);
     if let Some(machine) = MACHINE.get() {
         return Ok(machine);
     }
@@ -218,7 +223,24 @@ fn description(timing: bool) -> Result<Timing, Errno> {
     })
 }
 
+/// The files of the programs that were loaded, which name the places of a race.
+type Programs = Mutex<HashMap<ProgramId, Box<[u8]>>>;
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 impl Machine {
+    /// A program is loaded onto an SPE. In simulated time its file is kept.
+    pub(crate) fn loaded(&self, spe: &Spe, image: &[u8]) {
+        let program = ProgramId::of(image);
+        spe.profile_as(program);
+        if self.emulated.simulation().is_some() {
+            let mut programs = lock(&self.programs);
+            programs.entry(program).or_insert_with(|| image.into());
+        }
+    }
+
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
         let timing = timing()?;
@@ -230,6 +252,7 @@ impl Machine {
         let options = SimulationOptions {
             profile: profile.is_some(),
             timeline: timeline.is_some(),
+            races: timing,
             method: method()?,
             engine,
         };
@@ -239,8 +262,23 @@ impl Machine {
             machine::Machine::with_engine(memory, engine)
         };
         emulated.compile_in_background();
+        let programs: Arc<Programs> = Arc::default();
+        if let Some(simulation) = emulated.simulation() {
+            let programs = Arc::clone(&programs);
+            simulation.on_race(move |race| {
+                let programs = lock(&programs);
+                let bytes = race.program.and_then(|program| programs.get(&program));
+                let image = bytes.and_then(|bytes| Image::parse(bytes).ok());
+                let place = |address| match &image {
+                    Some(image) => image.place(address),
+                    None => format!("{address:#07x}"),
+                };
+                talk::say!("libspe2: warning: DMA race: {}", race.describe(place));
+            });
+        }
         Ok(Self {
             emulated,
+            programs,
             debugger: debugger()?,
             report,
             profile,

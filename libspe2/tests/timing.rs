@@ -231,6 +231,27 @@ fn a_barrier_is_no_time_out(folder: &Path) {
     }
 }
 
+/// A program that uses data before it waits for it: all SPEs together get one warning.
+fn a_race_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let wait = "        wait_tags 1<<4\n";
+    let source = PROGRAM.replace(wait, &format!("        lqa     $23,0x11000\n{wait}"));
+    let image = assemble(folder.path(), &source);
+    let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new("0")];
+    let output = child(&arguments, &[("LIBSPE2_TIMING", OsStr::new("1"))]);
+    assert!(output.status.success(), "{output:?}");
+    let told = String::from_utf8(output.stderr).unwrap();
+    let parts = [
+        "libspe2: warning: DMA race: at ",
+        "<answer+0x",
+        "a load reads local store at 0x11000",
+        "get still writes (128 bytes, local store 0x11000",
+        "tag 4",
+    ];
+    assert!(parts.iter().all(|part| told.contains(part)), "{told}");
+    assert_eq!(told.matches("warning").count(), 1, "{told}");
+}
+
 fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     let mut command = Command::new(std::env::current_exe().unwrap());
     command.args(arguments).env_remove("LIBSPE2_TIMING");
@@ -409,11 +430,11 @@ fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
     );
 }
 
-fn assemble(folder: &Path) -> std::path::PathBuf {
+fn assemble(folder: &Path, source: &str) -> std::path::PathBuf {
     let sources = folder.join("sources");
     fs::create_dir(&sources).unwrap();
     let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{PROGRAM}\n");
+        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
     fs::write(sources.join("program.s"), text).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let image = folder.join("program");
@@ -447,7 +468,8 @@ fn main() {
         _ => {}
     }
     let folder = tempfile::tempdir().unwrap();
-    let image = assemble(folder.path());
+    let image = assemble(folder.path(), PROGRAM);
+    a_race_is_told();
 
     let first = report(&image, folder.path(), "0");
     check_report(&first);

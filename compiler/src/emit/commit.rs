@@ -59,6 +59,8 @@ pub(super) struct Unverified {
     pub above: Option<[Value; 2]>,
     /// Further flags, at their positions in the FPSCR.
     pub flags: Option<Value>,
+    /// Not 0 if a watched quadword was accessed.
+    pub watched: Option<Value>,
     /// In doubles: a mask of lanes in which an estimate's operand was zero.
     pub zeros: Option<Value>,
 }
@@ -79,7 +81,9 @@ impl Emitter<'_> {
             failures.extend(uncertain);
         }
         self.find_stores_into_code(&mut failures);
-        self.fail_if(&failures);
+        self.exit_if(&failures, Exit::FAILED);
+        let watched: Vec<Value> = self.unverified.watched.into_iter().collect();
+        self.exit_if(&watched, Exit::WATCHED);
         for n in 0..self.pending.len() {
             let Pending { address, bytes, .. } = self.pending[n];
             self.b.ins().store(
@@ -103,7 +107,8 @@ impl Emitter<'_> {
         }
     }
 
-    fn fail_if(&mut self, failures: &[Value]) {
+    /// Exits with the state of the last commit if one of these values isn't 0.
+    fn exit_if(&mut self, failures: &[Value], status: u32) {
         if failures.is_empty() {
             return;
         }
@@ -122,7 +127,7 @@ impl Emitter<'_> {
         let changed = std::mem::take(&mut self.committed.changed);
         self.write(&changed);
         self.committed.changed = changed;
-        self.exit(Exit::FAILED);
+        self.exit(status);
         self.in_side_exit = aside;
         self.b.switch_to_block(continuation);
     }

@@ -3,9 +3,10 @@
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use spu_isa::{Instruction, LIMIT_MASK};
 
-use super::Emitter;
 use super::commit::Pending;
 use super::registers::Id;
+use super::{Emitter, field};
+use crate::cpu::{WATCH_LOADS, WATCH_STORES};
 use crate::tables::TABLES;
 
 const QUADWORD_MASK: u32 = LIMIT_MASK & !15;
@@ -122,7 +123,29 @@ impl Emitter<'_> {
         self.at(Key::Constant(at), self.registers)
     }
 
+    /// If the quadword is watched for such accesses, the next commit exits.
+    fn watch(&mut self, address: Address, accesses: u8) {
+        const QUADWORD_SHIFT: u32 = 4;
+        if !self.watches {
+            return;
+        }
+        let table = self.load_field(types::I64, field::WATCHED);
+        let (place, offset) = match address.key {
+            Key::Constant(at) => (table, (at >> QUADWORD_SHIFT) as i32),
+            _ => {
+                let wide = self.b.ins().uextend(types::I64, address.masked);
+                let number = self.b.ins().ushr_imm_u(wide, i64::from(QUADWORD_SHIFT));
+                (self.b.ins().iadd(table, number), 0)
+            }
+        };
+        let flags = MemFlagsData::trusted();
+        let watched = self.b.ins().load(types::I8, flags, place, offset);
+        let hit = self.b.ins().band_imm_u(watched, i64::from(accesses));
+        self.unverified.watched = Some(self.or(self.unverified.watched, hit));
+    }
+
     pub(super) fn load(&mut self, i: Instruction, address: Address) {
+        self.watch(address, WATCH_LOADS);
         let mut forwarded = None;
         for held in self.pending.iter().rev() {
             match held.address.key.overlap(address.key) {
@@ -150,6 +173,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn store(&mut self, i: Instruction, address: Address) {
+        self.watch(address, WATCH_STORES);
         let id = self.get(i.rt);
         let words = self.words(id);
         self.node(id).computed = true;

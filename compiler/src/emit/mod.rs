@@ -36,6 +36,7 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
 use cranelift_frontend::FunctionBuilder;
 
+use crate::compiler::UnitOptions;
 use crate::cpu::Exit;
 use crate::float_mode::FloatMode;
 use crate::tables::Estimates;
@@ -55,6 +56,7 @@ pub(crate) mod field {
     pub const TABLE: i32 = offset_of!(Context, table) as i32;
     pub const ENTRIES: i32 = offset_of!(Context, entries) as i32;
     pub const LOG: i32 = offset_of!(Context, log) as i32;
+    pub const WATCHED: i32 = offset_of!(Context, watched) as i32;
     pub const BUDGET: i32 = offset_of!(Context, budget) as i32;
     pub const PC: i32 = offset_of!(Context, pc) as i32;
     pub const UNIT: i32 = offset_of!(Context, unit) as i32;
@@ -86,6 +88,8 @@ pub(crate) struct Emitter<'a> {
     number: u32,
     /// Whether each passage through the unit is logged.
     logs: bool,
+    /// Whether accesses to watched quadwords are left to the interpreter.
+    watches: bool,
     /// The targets of hints by register, each with the number of instructions up to the hint.
     hints: Vec<(u32, Value)>,
     /// The code of the trace, as ranges of consecutive words.
@@ -119,7 +123,7 @@ impl<'a> Emitter<'a> {
         mode: FloatMode,
         estimates: Estimates,
         number: u32,
-        logs: bool,
+        options: UnitOptions,
     ) -> Self {
         let first = b.create_block();
         b.append_block_params_for_function_params(first);
@@ -141,7 +145,8 @@ impl<'a> Emitter<'a> {
             loop_rounds_to_nearest: false,
             estimates,
             number,
-            logs,
+            logs: options.logs,
+            watches: options.watches,
             hints: Vec::new(),
             code: trace.ranges().to_vec(),
             registers,

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use crate::channel::Channels;
 use crate::interp::{Observer, Spu};
 use crate::local_store::LocalStore;
-use crate::simulated::SpuClock;
+use crate::simulated::{Marks, SpuClock};
 use crate::stop::Stopped;
 use spu_isa::Instruction;
 
@@ -23,6 +23,10 @@ impl Translations {
     /// Returns `None`, because there is no compiler.
     #[must_use]
     pub fn new(_: bool, _: bool) -> Option<Arc<Self>> {
+        None
+    }
+
+    pub(crate) fn with(_: bool, _: bool, _: bool) -> Option<Arc<Self>> {
         None
     }
 
@@ -89,6 +93,10 @@ impl Runner {
         _: &mut C,
         _: u64,
     ) -> Option<Stopped> {
+        match *self {}
+    }
+
+    pub(crate) fn watch(&mut self, _: &Arc<Marks>) {
         match *self {}
     }
 

@@ -11,6 +11,7 @@ use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Quad, Spu};
 use crate::local_store::{DIFFERENCE_LINE, LocalStore};
+use crate::simulated::Marks;
 use crate::stop::{Stop, Stopped};
 
 const QUADWORD: usize = 16;
@@ -196,7 +197,7 @@ fn quadwords(chunks: &[u32]) -> impl Iterator<Item = u32> {
 /// and compares the results. The SPU keeps the interpreter's results. Where many instructions give
 /// a difference, fewer are run, so that it names the unit.
 pub(super) fn check<C: Channels>(
-    cpu: &mut Cpu,
+    (cpu, marks): (&mut Cpu, &Marks),
     spu: &mut Spu,
     local_store: &LocalStore,
     copies: &mut Copies,
@@ -207,14 +208,14 @@ pub(super) fn check<C: Channels>(
     let (before, executed) = (State::of(spu), spu.executed());
     copies.update(local_store);
     let few = MAX_STEPS as u32;
-    let (mut result, mut changed) = compare(cpu, spu, copies, channels, left);
+    let (mut result, mut changed) = compare((cpu, marks), spu, copies, channels, left);
     if result.is_err() && left > few {
         spu.registers = before.registers;
         spu.fpscr = Fpscr::from_words(before.fpscr);
         spu.set_pc(before.pc);
         spu.executed = executed;
         copies.restore(&changed);
-        (result, changed) = compare(cpu, spu, copies, channels, few);
+        (result, changed) = compare((cpu, marks), spu, copies, channels, few);
     }
     copies.write_changes(&changed, local_store);
     result
@@ -223,7 +224,7 @@ pub(super) fn check<C: Channels>(
 /// Runs at most `budget` instructions by both, each on its copy. The second value tells where they
 /// have changed their copies.
 fn compare<C: Channels>(
-    cpu: &mut Cpu,
+    (cpu, marks): (&mut Cpu, &Marks),
     spu: &mut Spu,
     copies: &mut Copies,
     channels: &mut C,
@@ -234,9 +235,10 @@ fn compare<C: Channels>(
     let storage = Storage {
         registers: compiled.registers.as_mut_ptr().cast(),
         local_store: copies.compiled.as_ptr(),
+        watched: marks.as_ptr(),
     };
     // SAFETY: the registers belong to this function and the local store to `copies`, and both have
-    // the required size and alignment.
+    // the required size and alignment. The marks have a byte for each quadword of local store.
     let (exit, pc, instructions) =
         unsafe { cpu.enter(storage, &mut compiled.fpscr, before.pc, budget) };
     compiled.fpscr = Fpscr::from_words(compiled.fpscr).words();
@@ -268,7 +270,7 @@ mod tests {
     use super::*;
     use crate::channel::NoChannels;
     use crate::float::estimate::reciprocal_root_words;
-    use spu_compiler::{Compiler, Estimates, FloatMode, Step, Trace};
+    use spu_compiler::{Compiler, Estimates, FloatMode, Step, Trace, UnitOptions};
     use spu_isa::{Instruction, Op};
 
     /// A store by one run alone is found wherever it is. Only the interpreter's stores reach local
@@ -311,8 +313,8 @@ mod tests {
             reciprocal: &[0; 32],
             reciprocal_root: reciprocal_root_words(),
         };
-        let mut compiler =
-            Compiler::new(estimates, false).expect("the hosts of the tests have AVX2 and FMA");
+        let mut compiler = Compiler::new(estimates, UnitOptions::default())
+            .expect("the hosts of the tests have AVX2 and FMA");
         let instruction = Instruction {
             op: Op::Frest,
             rt: 5,
@@ -341,7 +343,7 @@ mod tests {
         spu.set_register(4, Quad::splat(0x3f80_0000));
         let mut copies = Copies::new();
         let difference = check(
-            &mut cpu,
+            (&mut cpu, &Marks::default()),
             &mut spu,
             &local_store,
             &mut copies,

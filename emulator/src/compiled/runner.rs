@@ -15,7 +15,7 @@ use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Ended, Observer, Spu};
 use crate::local_store::LocalStore;
-use crate::simulated::{Path, SpuClock};
+use crate::simulated::{Marks, Path, SpuClock};
 use crate::stop::{Stop, Stopped};
 
 /// The number of entries after which the runner looks for a unit that another SPE had compiled.
@@ -60,6 +60,8 @@ pub struct Runner {
     /// In simulated time: the paths through units by their numbers, each with the value of
     /// [`Spu::code_changes`] at its last comparison.
     paths: Vec<Option<(Arc<Path>, u64)>>,
+    /// The quadwords whose accesses are left to the interpreter, if the units look for that.
+    marks: Arc<Marks>,
 }
 
 fn requested(pc: u32) -> Stopped {
@@ -116,7 +118,13 @@ impl Runner {
             compiled: 0,
             recorder: None,
             paths: Vec::new(),
+            marks: Arc::default(),
         }
+    }
+
+    /// From now on compiled code leaves accesses to these quadwords to the interpreter.
+    pub(crate) fn watch(&mut self, marks: &Arc<Marks>) {
+        self.marks = Arc::clone(marks);
     }
 
     /// The number of instructions that ran in compiled code.
@@ -336,7 +344,8 @@ impl Runner {
         let before = spu.executed();
         let exit = if self.translations.checks() {
             let copies = self.copies.get_or_insert_with(|| Box::new(Copies::new()));
-            match check(&mut self.cpu, spu, local_store, copies, channels, left) {
+            let cpu = (&mut self.cpu, &*self.marks);
+            match check(cpu, spu, local_store, copies, channels, left) {
                 Ok(exit) => exit,
                 Err(difference) => {
                     self.translations.report(*difference);
@@ -360,6 +369,7 @@ impl Runner {
                 self.failed(number, spu, local_store);
                 Dispatch::InterpretBlock
             }
+            Exit::Watched => Dispatch::InterpretBlock,
             Exit::Stale(number) => {
                 self.stale(number, local_store);
                 Dispatch::Any
@@ -372,10 +382,12 @@ impl Runner {
         let storage = Storage {
             registers: spu.registers.as_mut_ptr().cast(),
             local_store: local_store.as_ptr(),
+            watched: self.marks.as_ptr(),
         };
         let mut fpscr = spu.fpscr.words();
         // SAFETY: the registers are 128 aligned quadwords that only this thread accesses. Local
         // store has the required size and alignment, and others may write to it as the PPE does.
+        // The marks have a byte for each of its quadwords.
         let (exit, pc, executed) =
             unsafe { self.cpu.enter(storage, &mut fpscr, spu.pc(), budget as u32) };
         spu.fpscr = Fpscr::from_words(fpscr);

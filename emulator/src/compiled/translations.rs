@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use spu_compiler::{Compiler, Cpu, Estimates, FloatMode, Trace, Unit};
+use spu_compiler::{Compiler, Cpu, Estimates, FloatMode, Trace, Unit, UnitOptions};
 
 use super::check::Difference;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
@@ -86,11 +86,21 @@ impl Translations {
     /// the machine runs in simulated time.
     #[must_use]
     pub fn new(check: bool, timed: bool) -> Option<Arc<Self>> {
+        Self::with(check, timed, false)
+    }
+
+    /// As [`new`](Self::new). With `watches`, compiled code leaves accesses to the quadwords that
+    /// are [marked](crate::simulated::Marks) to the interpreter.
+    pub(crate) fn with(check: bool, timed: bool, watches: bool) -> Option<Arc<Self>> {
+        let options = UnitOptions {
+            logs: timed,
+            watches,
+        };
         let estimates = Estimates {
             reciprocal: reciprocal_words(),
             reciprocal_root: reciprocal_root_words(),
         };
-        let compiler = Compiler::new(estimates, timed)?;
+        let compiler = Compiler::new(estimates, options)?;
         Some(Arc::new(Self {
             shared: Arc::new(Shared {
                 compiler: Mutex::new(compiler),

@@ -29,7 +29,7 @@ pub(crate) use flow::next;
 pub use quad::Quad;
 pub(crate) use run::Ended;
 pub use run::Observer;
-pub use spu::Spu;
+pub use spu::{QuadwordAccess, Spu};
 
 #[cfg(doc)]
 use crate::channel::Channels;

@@ -5,6 +5,19 @@ use super::flow::code_address;
 use super::quad::Quad;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
+use crate::local_store::SIZE;
+use spu_isa::{Instruction, Op};
+
+const QUADWORD: u32 = 16;
+
+/// A load or store of an instruction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct QuadwordAccess {
+    /// The quadword's address in local store.
+    pub address: u32,
+    /// Whether it is stored.
+    pub is_store: bool,
+}
 
 /// One SPU, without the units behind its channels.
 ///
@@ -85,6 +98,28 @@ impl Spu {
     pub fn set_interrupts_enabled(&mut self, enabled: bool, channels: &mut impl Channels) {
         self.interrupts_enabled = enabled;
         channels.set_interrupts_enabled(enabled);
+    }
+
+    /// The quadword of local store that this instruction, at the program counter, loads or stores.
+    #[inline]
+    #[must_use]
+    pub fn access(&self, i: Instruction) -> Option<QuadwordAccess> {
+        let preferred = |register| self.register(register).preferred();
+        let (address, is_store) = match i.op {
+            Op::Lqd | Op::Stqd => (
+                preferred(i.ra).wrapping_add_signed(i.immediate),
+                i.op == Op::Stqd,
+            ),
+            Op::Lqx | Op::Stqx => (
+                preferred(i.ra).wrapping_add(preferred(i.rb)),
+                i.op == Op::Stqx,
+            ),
+            Op::Lqr | Op::Stqr => (self.pc.wrapping_add_signed(i.immediate), i.op == Op::Stqr),
+            Op::Lqa | Op::Stqa => (i.immediate as u32, i.op == Op::Stqa),
+            _ => return None,
+        };
+        let address = address & (SIZE - QUADWORD);
+        Some(QuadwordAccess { address, is_store })
     }
 
     /// How many instructions have run since the SPU was created. The instruction that stopped the

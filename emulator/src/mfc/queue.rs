@@ -52,6 +52,7 @@ impl Path<'_> {
 
     fn piece(&self, command: &Command, pending: Option<PendingWrite>) -> Piece {
         Piece {
+            lsa: command.lsa,
             ea: command.ea,
             size: command.size,
             peer: self.interconnect.peer(command.ea),
@@ -166,6 +167,11 @@ impl Queue {
         })
     }
 
+    /// The commands in the queue, oldest first.
+    pub(crate) fn commands(&self) -> impl Iterator<Item = &Command> {
+        self.entries.iter().map(|entry| &entry.command)
+    }
+
     /// Appends a command. There must be room.
     pub(crate) fn push(&mut self, command: Command) {
         debug_assert!(self.room() > 0);
@@ -275,6 +281,23 @@ impl Put {
         self.command.tag_bit()
     }
 
+    /// What it moves.
+    pub(crate) fn movement(&self) -> Movement {
+        let piece = |element: &Command| Piece {
+            lsa: element.lsa,
+            ea: element.ea,
+            size: element.size,
+            peer: Peer::Memory,
+            pending: None,
+        };
+        Movement {
+            command: self.command,
+            pieces: self.elements.iter().map(piece).collect(),
+            stalled: false,
+            atomic: None,
+        }
+    }
+
     /// Writes the bytes. Returns what was moved.
     pub(crate) fn write(self, interconnect: &Interconnect) -> Result<Movement, DmaError> {
         let (pieces, _) = addresses(&self.elements);
@@ -285,18 +308,7 @@ impl Put {
             let failed = self.elements.iter().find(has_fault);
             return Err(failed.unwrap_or(&self.command).storage(fault.ea));
         }
-        let piece = |element: &Command| Piece {
-            ea: element.ea,
-            size: element.size,
-            peer: Peer::Memory,
-            pending: None,
-        };
-        Ok(Movement {
-            command: self.command,
-            pieces: self.elements.iter().map(piece).collect(),
-            stalled: false,
-            atomic: None,
-        })
+        Ok(self.movement())
     }
 }
 

@@ -211,6 +211,17 @@ impl SpuSide {
         self.queue.policy()
     }
 
+    /// The commands that wait in the queue, oldest first.
+    pub(crate) fn queued(&self) -> impl Iterator<Item = &Command> {
+        self.queue.commands()
+    }
+
+    /// What channels 24, 25 and 27 hold: the tag status and the atomic command's, if there are any,
+    /// and the tags of stalled lists.
+    pub(crate) fn statuses(&self) -> (Option<u32>, Option<u32>, u32) {
+        (self.tag_status, self.atomic_status, self.stalled_tags)
+    }
+
     /// Channel 21's count.
     pub(crate) fn room(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
         let room = self.free_places();

@@ -40,6 +40,7 @@ impl PendingWrite {
 
 /// One contiguous piece of the data that a command moved.
 pub(crate) struct Piece {
+    pub lsa: u32,
     pub ea: u64,
     pub size: u32,
     pub peer: Peer,

@@ -127,6 +127,9 @@ pub struct SimulationOptions {
     pub profile: bool,
     /// Whether the SPEs keep a [timeline](super::Simulation::timeline).
     pub timeline: bool,
+    /// Whether uses of local store that race with the SPU's own DMA commands are
+    /// [reported](super::Simulation::on_race).
+    pub races: bool,
     /// How the SPUs' cycles are counted.
     pub method: Method,
     /// What runs their instructions. Where cycles are counted by instruction, that is the

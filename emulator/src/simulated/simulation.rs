@@ -8,6 +8,7 @@ use super::check::Difference;
 use super::figures::{SimulationOptions, Timing};
 use super::memory_system::MemorySystem;
 use super::published::Published;
+use super::races::{Race, RaceReports};
 use super::report::Report;
 use super::scheduler::Scheduler;
 use super::time::NEVER;
@@ -27,6 +28,7 @@ pub struct Simulation {
     spes: Mutex<Vec<Arc<Mutex<Published>>>>,
     options: SimulationOptions,
     difference: Mutex<Option<Difference>>,
+    races: RaceReports,
 }
 
 impl Simulation {
@@ -40,6 +42,7 @@ impl Simulation {
             spes: Mutex::default(),
             options,
             difference: Mutex::default(),
+            races: RaceReports::default(),
         })
     }
 
@@ -64,6 +67,17 @@ impl Simulation {
 
     pub(super) fn report_difference(&self, difference: &Difference) {
         lock(&self.difference).get_or_insert_with(|| difference.clone());
+    }
+
+    /// Has `report` called for each race between an SPU and its own DMA commands, once for each
+    /// pair of instructions, if the [options](SimulationOptions::races) ask for it. The thread that
+    /// runs the SPU calls it. Only the first receiver of a machine is called.
+    pub fn on_race(&self, report: impl Fn(&Race) + Send + Sync + 'static) {
+        self.races.set(Box::new(report));
+    }
+
+    pub(super) fn report_race(&self, race: &Race) {
+        self.races.report(race);
     }
 
     pub(super) fn scheduler(&self) -> &Arc<Scheduler> {

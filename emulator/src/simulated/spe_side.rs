@@ -9,6 +9,7 @@ use portable_atomic::AtomicU64;
 
 use super::actor_table::{Rank, WaitKey};
 use super::published::Published;
+use super::races::{LoadedProgram, Races};
 use super::scheduler::Actor;
 use super::simulation::Simulation;
 use super::spu_clock::{SpuClock, Wait};
@@ -35,6 +36,7 @@ pub(crate) struct SpeSide {
     /// The data that MFC commands have moved since the last timing.
     pub moved: Mutex<Vec<Movement>>,
     published: Arc<Mutex<Published>>,
+    program: LoadedProgram,
 }
 
 impl SpeSide {
@@ -48,12 +50,18 @@ impl SpeSide {
             key: simulation.new_key(),
             moved: Mutex::default(),
             published,
+            program: LoadedProgram::default(),
         }
     }
 
     /// A new clock for the SPU.
     pub fn new_clock(&self) -> SpuClock {
         SpuClock::new(self.simulation.timing().rules, self.simulation.options())
+    }
+
+    /// Looks for races between the SPU and its commands.
+    pub fn new_races(&self) -> Races {
+        Races::new(&self.simulation, &self.program)
     }
 
     /// The timing of the SPU's MFC commands.
@@ -152,7 +160,13 @@ impl SpeSide {
     }
 
     /// Times the commands that were just carried out.
-    pub fn time_movements(&self, mfc: &mut SpuSide, now: u64, interconnect: &Interconnect) {
+    pub fn time_movements(
+        &self,
+        mfc: &mut SpuSide,
+        now: u64,
+        interconnect: &Interconnect,
+        races: &mut Races,
+    ) {
         let moved = std::mem::take(&mut *lock(&self.moved));
         if !moved.is_empty() {
             mfc.change_transfers(|transfers| {
@@ -162,7 +176,11 @@ impl SpeSide {
                     let only_memory = peers.all(|peer| peer == Peer::Memory);
                     let bytes = movement.pieces.iter().map(|piece| u64::from(piece.size));
                     let bytes = bytes.sum();
+                    let given = races.give(&movement);
                     let complete = transfers.add(movement, now);
+                    if let Some(given) = given {
+                        races.is_complete_at(given, complete);
+                    }
                     self.record(|timeline| {
                         timeline.transfer((now, complete), operation, ea, bytes);
                     });
@@ -187,5 +205,6 @@ impl SpeSide {
     /// From now on, figures belong to this program.
     pub fn load(&self, program: ProgramId) {
         lock(&self.published).load(program);
+        *lock(&self.program) = Some(program);
     }
 }

@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use super::figures::Method;
+use super::races::Races;
 use super::scheduler::Actor;
 use super::spu_clock::{SpuClock, TimedBlock};
 use crate::channel::Channels;
@@ -10,7 +11,7 @@ use crate::compiled::{Dispatch, Runner};
 use crate::interp::{Ended, Observer, Spu, ends_block};
 use crate::local_store::LocalStore;
 use crate::stop::{Stop, Stopped};
-use spu_isa::Instruction;
+use spu_isa::{Class, Instruction, LIMIT_MASK};
 
 fn requested(pc: u32) -> Stopped {
     Stopped {
@@ -33,6 +34,7 @@ fn requested(pc: u32) -> Stopped {
 /// from outside.
 pub(crate) struct Timed<'a> {
     clock: &'a RefCell<SpuClock>,
+    races: &'a RefCell<Races>,
     actor: &'a Actor,
     method: Method,
     /// Runs compiled code, if there may be any.
@@ -41,13 +43,14 @@ pub(crate) struct Timed<'a> {
 
 impl<'a> Timed<'a> {
     pub fn new(
-        clock: &'a RefCell<SpuClock>,
+        (clock, races): (&'a RefCell<SpuClock>, &'a RefCell<Races>),
         actor: &'a Actor,
         method: Method,
         runner: Option<&'a mut Runner>,
     ) -> Self {
         Self {
             clock,
+            races,
             actor,
             method,
             runner: runner.filter(|_| method != Method::ByInstruction),
@@ -84,6 +87,7 @@ impl<'a> Timed<'a> {
         let mut by_instruction = true;
         let mut next = Dispatch::Any;
         while left > 0 {
+            self.learn_from_local_store();
             let may_compile = !by_instruction && !spu.interrupts_enabled();
             if may_compile
                 && matches!(next, Dispatch::Any)
@@ -125,8 +129,10 @@ impl<'a> Timed<'a> {
                 continue;
             };
             let (start, before) = (spu.pc(), spu.executed());
+            let may_race = self.is_at_channel(block.end.wrapping_sub(4) & LIMIT_MASK);
             let ended = match self.method {
                 Method::Checked => self.run_with_check(spu, local_store, channels, block, observer),
+                _ if may_race => self.run_watched(spu, local_store, channels, block, observer),
                 _ => spu.run_decoded(local_store, channels, block.length, false, observer),
             };
             let ran = spu.executed() - before;
@@ -174,6 +180,54 @@ impl<'a> Timed<'a> {
         }
     }
 
+    /// Where local store is accessed from outside, what the program loads may tell it that commands
+    /// are complete.
+    #[inline]
+    fn learn_from_local_store(&self) {
+        if self.actor.is_serial() {
+            let mut races = self.races.borrow_mut();
+            if races.are_possible() {
+                races.learn(self.clock.borrow().now());
+            }
+        }
+    }
+
+    /// If a channel instruction comes next, it is at this address. Returns whether an instruction
+    /// before it may race with a command.
+    #[inline]
+    fn is_at_channel(&self, pc: u32) -> bool {
+        let mut races = self.races.borrow_mut();
+        if !races.are_watched() {
+            return false;
+        }
+        races.channel_instruction_at(pc);
+        races.are_possible()
+    }
+
+    /// Runs a block, and looks for races at each load and store.
+    fn run_watched<C: Channels, O: Observer>(
+        &self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        channels: &mut C,
+        timed: TimedBlock,
+        observer: &mut O,
+    ) -> Ended {
+        let block = self.clock.borrow().block(timed);
+        let mut count = 0;
+        for (_, instruction) in block.instructions().skip(timed.ran as usize) {
+            if instruction.op.row().class == Class::Ls {
+                match spu.run_decoded(local_store, channels, count, false, observer) {
+                    Ended::AtLimit => count = 0,
+                    ended => return ended,
+                }
+                self.races.borrow().look(spu, local_store, instruction);
+            }
+            count += 1;
+        }
+        spu.run_decoded(local_store, channels, count, false, observer)
+    }
+
     #[inline]
     fn begin(&self, spu: &mut Spu, local_store: &LocalStore, left: u64) -> Option<TimedBlock> {
         let may_pass = |clock| !self.actor.is_due(clock) || !self.actor.is_serial();
@@ -198,6 +252,9 @@ impl<'a> Timed<'a> {
             // arrived by now.
             self.actor.run_up_to(clock.now());
             drop(clock);
+            if self.is_at_channel(spu.pc()) {
+                self.races.borrow().look(spu, local_store, instruction);
+            }
             observer.before_instruction(spu, instruction);
         }
         (instruction, spu.step(local_store, channels))
@@ -218,6 +275,7 @@ impl<'a> Timed<'a> {
                 && let Some(instruction) = Instruction::decode(local_store.load_word(spu.pc()))
             {
                 self.clock.borrow_mut().issue_in_check(spu, instruction);
+                self.races.borrow().look(spu, local_store, instruction);
             }
             match spu.run_decoded(local_store, channels, 1, false, observer) {
                 Ended::AtLimit | Ended::Branched => {}

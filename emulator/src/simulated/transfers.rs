@@ -230,6 +230,7 @@ mod tests {
         Movement {
             command: Command::new(word, parameters, Side::Spu).unwrap(),
             pieces: vec![Piece {
+                lsa: 0,
                 ea: 0,
                 size: 128,
                 peer: Peer::Memory,

@@ -41,36 +41,11 @@ const WR_OUT_INTR_MBOX: u8 = 30;
 
 impl Channels for RunningChannels<'_> {
     fn read(&mut self, channel: u8) -> Result<u32, Stop> {
-        match channel {
-            RD_EVENT_STAT => self.read_events(),
-            RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
-                self.receive_signal(usize::from(channel - RD_SIG_NOTIFY_1))
-            }
-            RD_DEC => Ok(self.own.decrementer.value(self.now())),
-            RD_EVENT_MASK => Ok(self.event_mask()),
-            RD_TAG_MASK => Ok(self.own.mfc.tag_mask()),
-            RD_MACH_STAT => Ok(u32::from(self.own.interrupts_enabled)),
-            RD_SRR0 => Ok(self.own.srr0),
-            RD_TAG_STAT => self.sleep_for_mfc(Wait::Tag, SpuSide::read_tag_status),
-            RD_LIST_STALL_STAT => {
-                let tags = self.sleep_for_mfc(Wait::List, SpuSide::read_stalled)?;
-                if let Some(transfers) = self.own.mfc.transfers() {
-                    self.sleep_until(transfers.stalled_at(), Wait::List);
-                }
-                Ok(tags)
-            }
-            RD_ATOMIC_STAT => match self.own.mfc.read_atomic_status() {
-                Some(status) => {
-                    if let Some(transfers) = self.own.mfc.transfers() {
-                        self.sleep_until(transfers.atomic_at(), Wait::Atomic);
-                    }
-                    Ok(status)
-                }
-                None => self.sleep_for_ever(Wait::Atomic),
-            },
-            RD_IN_MBOX => self.receive(Wait::Mailbox, |state| state.inbound.read()),
-            _ => Err(Stop::InvalidChannel(channel, ChannelAccess::Read)),
+        let value = self.read_channel(channel)?;
+        if tells_of_others(channel) {
+            self.learn();
         }
+        Ok(value)
     }
 
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop> {
@@ -140,6 +115,78 @@ impl Channels for RunningChannels<'_> {
     }
 
     fn count(&mut self, channel: u8) -> Result<u32, Stop> {
+        let count = self.count_channel(channel)?;
+        if tells_of_others(channel) {
+            self.learn();
+        }
+        Ok(count)
+    }
+
+    fn external_condition(&mut self) -> bool {
+        self.event_count()
+    }
+
+    fn stop_requested(&self) -> bool {
+        self.problem_state().stop_requested()
+    }
+
+    fn set_interrupts_enabled(&mut self, enabled: bool) {
+        self.own.interrupts_enabled = enabled;
+    }
+
+    fn srr0(&self) -> u32 {
+        self.own.srr0
+    }
+
+    fn set_srr0(&mut self, address: u32) {
+        self.own.srr0 = address & spu_isa::LIMIT_MASK & !3;
+    }
+}
+
+/// Whether the channel's value or count depends on the MFC or on another unit, so that the program
+/// may conclude from it that a command is complete.
+fn tells_of_others(channel: u8) -> bool {
+    !matches!(
+        channel,
+        RD_DEC | RD_EVENT_MASK | RD_TAG_MASK | RD_MACH_STAT | RD_SRR0
+    )
+}
+
+impl RunningChannels<'_> {
+    fn read_channel(&mut self, channel: u8) -> Result<u32, Stop> {
+        match channel {
+            RD_EVENT_STAT => self.read_events(),
+            RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
+                self.receive_signal(usize::from(channel - RD_SIG_NOTIFY_1))
+            }
+            RD_DEC => Ok(self.own.decrementer.value(self.now())),
+            RD_EVENT_MASK => Ok(self.event_mask()),
+            RD_TAG_MASK => Ok(self.own.mfc.tag_mask()),
+            RD_MACH_STAT => Ok(u32::from(self.own.interrupts_enabled)),
+            RD_SRR0 => Ok(self.own.srr0),
+            RD_TAG_STAT => self.sleep_for_mfc(Wait::Tag, SpuSide::read_tag_status),
+            RD_LIST_STALL_STAT => {
+                let tags = self.sleep_for_mfc(Wait::List, SpuSide::read_stalled)?;
+                if let Some(transfers) = self.own.mfc.transfers() {
+                    self.sleep_until(transfers.stalled_at(), Wait::List);
+                }
+                Ok(tags)
+            }
+            RD_ATOMIC_STAT => match self.own.mfc.read_atomic_status() {
+                Some(status) => {
+                    if let Some(transfers) = self.own.mfc.transfers() {
+                        self.sleep_until(transfers.atomic_at(), Wait::Atomic);
+                    }
+                    Ok(status)
+                }
+                None => self.sleep_for_ever(Wait::Atomic),
+            },
+            RD_IN_MBOX => self.receive(Wait::Mailbox, |state| state.inbound.read()),
+            _ => Err(Stop::InvalidChannel(channel, ChannelAccess::Read)),
+        }
+    }
+
+    fn count_channel(&mut self, channel: u8) -> Result<u32, Stop> {
         let count = |waiting: usize| waiting as u32;
         if matches!(
             channel,
@@ -184,25 +231,5 @@ impl Channels for RunningChannels<'_> {
             // For every other channel the architecture defines the count 0, and allows the query.
             _ => Ok(0),
         }
-    }
-
-    fn external_condition(&mut self) -> bool {
-        self.event_count()
-    }
-
-    fn stop_requested(&self) -> bool {
-        self.problem_state().stop_requested()
-    }
-
-    fn set_interrupts_enabled(&mut self, enabled: bool) {
-        self.own.interrupts_enabled = enabled;
-    }
-
-    fn srr0(&self) -> u32 {
-        self.own.srr0
-    }
-
-    fn set_srr0(&mut self, address: u32) {
-        self.own.srr0 = address & spu_isa::LIMIT_MASK & !3;
     }
 }

@@ -10,6 +10,7 @@
 //! `running` and `proxy` borrow the whole SPE while they work.
 
 mod channels;
+mod halted;
 mod problem_state;
 mod proxy;
 mod running;
@@ -29,12 +30,13 @@ use crate::mfc::interconnect::Unit;
 use crate::mfc::{DmaError, Policy};
 use crate::profile::ProgramId;
 use crate::signal::{SignalMode, SignalRegister};
-use crate::simulated::{Simulation, SpeSide, SpuClock, Timed};
+use crate::simulated::{Races, Simulation, SpeSide, SpuClock, Timed};
 use crate::stop::{Stop, Stopped};
 use problem_state::{ProblemState, State};
 use proxy::Proxy;
 use running::{RunningChannels, SpuState};
 
+pub use halted::{ChannelState, Halted, QueuedCommand};
 pub use problem_state::Watcher;
 pub use proxy::{ProxyCommand, TagWait};
 
@@ -51,6 +53,7 @@ struct Engine {
     spu: Spu,
     state: SpuState,
     clock: RefCell<SpuClock>,
+    races: RefCell<Races>,
     /// Runs compiled code, if the machine compiles.
     runner: Option<Runner>,
 }
@@ -61,6 +64,7 @@ struct Parts<'a, 'b> {
     channels: &'a mut RunningChannels<'b>,
     runner: Option<&'a mut Runner>,
     clock: &'a RefCell<SpuClock>,
+    races: &'a RefCell<Races>,
 }
 
 fn stop_at(pc: u32, reason: Stop) -> Stopped {
@@ -95,6 +99,12 @@ impl Spe {
         };
         let clock = simulated.as_ref().map(SpeSide::new_clock);
         let transfers = simulated.as_ref().map(SpeSide::new_transfers);
+        let races = simulated.as_ref().map(SpeSide::new_races);
+        let races = races.unwrap_or_default();
+        let mut runner = machine.translations().map(Runner::new);
+        if let Some(runner) = &mut runner {
+            runner.watch(races.marks());
+        }
         let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
         machine.interconnect().attach(&unit);
@@ -106,7 +116,8 @@ impl Spe {
                 spu: Spu::default(),
                 state: SpuState::new(policy, transfers),
                 clock: RefCell::new(clock.unwrap_or_default()),
-                runner: machine.translations().map(Runner::new),
+                races: RefCell::new(races),
+                runner,
             }),
             proxy: Mutex::new(Proxy::new(policy)),
             simulated,
@@ -152,6 +163,7 @@ impl Spe {
                 channels,
                 runner,
                 clock,
+                races,
             } = parts;
             let runner = runner.filter(|_| !observer.wants_all());
             let store = &self.local_store;
@@ -160,7 +172,7 @@ impl Spe {
                 (None, None) => spu.run_observed(store, channels, limit, observer),
                 (Some(side), runner) => {
                     let method = side.simulation.options().method;
-                    let mut timed = Timed::new(clock, &side.actor, method, runner);
+                    let mut timed = Timed::new((clock, races), &side.actor, method, runner);
                     timed.run(spu, store, channels, limit, observer)
                 }
             }
@@ -177,25 +189,35 @@ impl Spe {
         mut look: impl FnMut(&mut Spu, Option<u64>) -> ControlFlow<()>,
         prepare: impl FnOnce(&mut Spu),
     ) -> Option<Stopped> {
+        self.run_halting(entry, |spu, halted| look(spu, halted.cycles()), prepare)
+    }
+
+    /// As [`run_stepwise`](Self::run_stepwise), where `look` also sees the channels.
+    pub fn run_halting(
+        &self,
+        entry: u32,
+        mut look: impl FnMut(&mut Spu, &Halted<'_>) -> ControlFlow<()>,
+        prepare: impl FnOnce(&mut Spu),
+    ) -> Option<Stopped> {
         const ONE: u64 = 1;
         self.run_by(entry, prepare, |parts| {
             let Parts {
                 spu,
                 channels,
                 clock,
+                races,
                 ..
             } = parts;
             let store = &self.local_store;
             loop {
-                let now = self.simulated.as_ref().map(|_| clock.borrow().now());
-                if look(spu, now).is_break() {
+                if look(spu, &Halted::new(channels)).is_break() {
                     return None;
                 }
                 let stopped = match &self.simulated {
                     None => spu.step(store, channels),
                     Some(side) => {
                         let method = side.simulation.options().method;
-                        let mut timed = Timed::new(clock, &side.actor, method, None);
+                        let mut timed = Timed::new((clock, races), &side.actor, method, None);
                         timed.run(spu, store, channels, ONE, &mut ())
                     }
                 };
@@ -218,9 +240,10 @@ impl Spe {
             spu,
             state,
             clock,
+            races,
             runner,
         } = &mut *engine;
-        let clock: &RefCell<SpuClock> = clock;
+        let (clock, races): (&RefCell<SpuClock>, &RefCell<Races>) = (clock, races);
         spu.set_pc(entry);
         prepare(spu);
         if let Some(side) = &self.simulated {
@@ -230,6 +253,7 @@ impl Spe {
             own: state,
             spe: self,
             clock,
+            races,
         };
         let mut stopped = if self.problem_state.stop_requested() {
             Some(stop_at(spu.pc(), Stop::Requested))
@@ -239,6 +263,7 @@ impl Spe {
                 channels: &mut channels,
                 runner: runner.as_mut(),
                 clock,
+                races,
             };
             run(parts)
         };

@@ -5,6 +5,7 @@
 
 use std::cell::RefCell;
 use std::sync::Arc;
+use std::sync::atomic::Ordering::SeqCst;
 use std::time::Duration;
 
 use super::Spe;
@@ -17,7 +18,7 @@ use crate::mfc::queue::Path;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::timing::TransferTimes;
 use crate::mfc::{DmaError, Policy};
-use crate::simulated::{self, SpeSide, SpuClock, Wait};
+use crate::simulated::{self, Races, SpeSide, SpuClock, Wait};
 use crate::stop::Stop;
 
 /// With [`Policy::AtLast`], how long commands of both sides stay undone while the SPU sleeps. It
@@ -58,6 +59,8 @@ pub(crate) struct RunningChannels<'a> {
     pub(super) spe: &'a Spe,
     /// Used only in simulated time.
     pub(super) clock: &'a RefCell<SpuClock>,
+    /// Used only in simulated time.
+    pub(super) races: &'a RefCell<Races>,
 }
 
 impl<'a> RunningChannels<'a> {
@@ -103,6 +106,23 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
+    /// The program has read something that may tell it which commands are complete.
+    pub(super) fn learn(&self) {
+        if self.races.borrow().are_possible() {
+            self.await_completions();
+            self.races.borrow_mut().learn(self.clock.borrow().now());
+        }
+    }
+
+    /// Waits until it is known when each command is complete.
+    pub(super) fn await_completions(&self) {
+        if let Some(side) = self.simulated()
+            && self.races.borrow().await_another_thread()
+        {
+            side.await_deferred(self.clock, u32::MAX);
+        }
+    }
+
     /// In simulated time: 1 if the result that the MFC delivers at `time` has arrived, else 0.
     pub(super) fn arrived(&self, time: impl FnOnce(&dyn TransferTimes) -> u64) -> u32 {
         let transfers = self.own.mfc.transfers();
@@ -131,7 +151,9 @@ impl<'a> RunningChannels<'a> {
         let result = body(&mut self.own.mfc, path);
         if let Some(side) = self.simulated() {
             let now = self.clock.borrow().now();
-            side.time_movements(&mut self.own.mfc, now, self.spe.machine.interconnect());
+            let interconnect = self.spe.machine.interconnect();
+            let races = &mut *self.races.borrow_mut();
+            side.time_movements(&mut self.own.mfc, now, interconnect, races);
         }
         self.problem_state().raise(self.own.mfc.take_events());
         result.map_err(Stop::Dma)
@@ -162,9 +184,18 @@ impl<'a> RunningChannels<'a> {
         );
         let mut transfers = transfers.shared();
         let tag = put.tag_bit();
+        let told = {
+            let mut races = self.races.borrow_mut();
+            let movement = races.are_watched().then(|| put.movement());
+            let given = movement.and_then(|movement| races.give(&movement));
+            given.map(|given| races.is_deferred(given))
+        };
         let act = move || match put.write(machine.interconnect()) {
             Ok(movement) => {
-                transfers.add(movement, now);
+                let complete = transfers.add(movement, now);
+                if let Some(told) = told {
+                    told.store(complete, SeqCst);
+                }
             }
             Err(fault) => problem_state.request_stop(Some(fault)),
         };
@@ -268,6 +299,7 @@ impl<'a> RunningChannels<'a> {
     /// Sleeps until `give` finds room, then notifies the threads that wait for the data.
     pub(super) fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
         self.sleep(Wait::Mailbox, |_, state| give(state).then_some(()))?;
+        self.learn();
         self.problem_state().announce();
         Ok(())
     }

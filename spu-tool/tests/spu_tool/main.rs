@@ -10,6 +10,7 @@
 )]
 
 mod charges;
+mod debug;
 mod dump;
 mod faults;
 mod gdb;
@@ -17,9 +18,11 @@ mod hour;
 mod observe;
 mod page;
 mod profile;
+mod races;
 mod random;
 mod report;
 mod run;
 mod schedule;
 mod support;
 mod time;
+mod typed;

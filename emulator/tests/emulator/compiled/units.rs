@@ -1,6 +1,6 @@
 //! Compares one unit with the interpreter.
 
-use spu_compiler::{Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Trace};
+use spu_compiler::{Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Trace, UnitOptions};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::float::estimate;
 use spu_emulator::float::fpscr::Fpscr;
@@ -52,7 +52,8 @@ pub fn compiler() -> Compiler {
         reciprocal: estimate::reciprocal_words(),
         reciprocal_root: estimate::reciprocal_root_words(),
     };
-    Compiler::new(estimates, false).expect("the hosts of the tests have AVX2 and FMA")
+    Compiler::new(estimates, UnitOptions::default())
+        .expect("the hosts of the tests have AVX2 and FMA")
 }
 
 /// A trace of the path that the interpreter takes through `code`, at [`START`], from `state`.
@@ -103,8 +104,9 @@ impl Compiled {
         let storage = Storage {
             registers: registers.as_mut_ptr().cast(),
             local_store: local_store.as_ptr(),
+            watched: std::ptr::null(),
         };
-        // SAFETY: registers and local store belong to this function.
+        // SAFETY: registers and local store belong to this function. The units watch nothing.
         let (exit, pc, executed) =
             unsafe { self.cpu.enter(storage, &mut fpscr, START, self.length) };
 

@@ -1,7 +1,7 @@
 //! Compares memoised timing with the definition, which goes instruction by instruction. For any
 //! program, clock, account, waits and profile must be the same.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use proptest::prelude::*;
 use spu_emulator::engine::Engine;
@@ -9,7 +9,7 @@ use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine::Machine;
 use spu_emulator::memory::{Access, RegisteredMemory};
 use spu_emulator::profile::SpeProfile;
-use spu_emulator::simulated::{Method, Report, SimulationOptions, Timing};
+use spu_emulator::simulated::{Method, Race, Report, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::Stop;
 use spu_isa::timing::Rules;
@@ -235,6 +235,7 @@ struct Seen {
     registers: [Quad; 128],
     report: Report,
     profile: Vec<SpeProfile>,
+    races: Vec<Race>,
 }
 
 /// The ways to run and count, each against the first.
@@ -271,11 +272,16 @@ fn run(
     };
     let options = SimulationOptions {
         profile: true,
+        races: true,
         method,
         engine,
         ..SimulationOptions::default()
     };
     let machine = Machine::simulated_with(memory, timing, options);
+    let races: Arc<Mutex<Vec<Race>>> = Arc::default();
+    let found = Arc::clone(&races);
+    let simulation = machine.simulation().unwrap();
+    simulation.on_race(move |race| found.lock().unwrap().push(*race));
     machine.compile_after(HOT);
     let spe = Spe::new(&machine, Config::default());
     spe.local_store().write(0, &bytes(&code));
@@ -310,13 +316,14 @@ fn run(
         };
         ends.push((stopped.map(|stopped| stopped.reason), pc));
     }
-    let simulation = machine.simulation().unwrap();
+    let races = races.lock().unwrap().clone();
     assert_eq!(spe.difference(), None, "{method:?} {engine:?}");
     Seen {
         ends,
         registers: spe.with_spu(|spu| spu.registers),
         report: simulation.report(),
         profile: simulation.profile().unwrap(),
+        races,
     }
 }
 

@@ -7,5 +7,6 @@ mod figures;
 mod hops;
 mod memoised;
 mod ppe;
+mod races;
 mod support;
 mod throughput;

@@ -54,6 +54,11 @@ impl Machine {
         Self::simulated_with(Timing::default(), options)
     }
 
+    /// A machine that records nothing, with other options.
+    pub fn with_options(options: SimulationOptions) -> Self {
+        Self::simulated_with(Timing::default(), options)
+    }
+
     fn simulated_with(timing: Timing, options: SimulationOptions) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory

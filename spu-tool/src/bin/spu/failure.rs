@@ -18,12 +18,20 @@ pub const USAGE: u8 = 127;
 pub enum Failure {
     #[error("{path}: {error}")]
     File { path: PathBuf, error: io::Error },
-    #[error("{path}: {error}")]
-    Elf { path: PathBuf, error: ElfError },
+    #[error("{path}: {error}{advice}")]
+    Elf {
+        path: PathBuf,
+        error: ElfError,
+        /// What to do, if that is known.
+        advice: String,
+    },
     #[error("{path}: {what}")]
     Contents { path: PathBuf, what: String },
     #[error(transparent)]
     Output(io::Error),
+    /// What was typed makes no sense, and what would.
+    #[error("{0}")]
+    Usage(String),
     /// An error that only one subcommand has.
     #[error(transparent)]
     Command(Box<dyn Error>),

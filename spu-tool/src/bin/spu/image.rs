@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use spu_emulator::elf::Image;
-use spu_isa::{Instruction, Op, disassemble};
+use object::elf::{EM_386, EM_AARCH64, EM_ARM, EM_PPC, EM_PPC64, EM_X86_64, ET_REL};
+use spu_emulator::elf::{ElfError, Image};
 
 use crate::failure::Failure;
 
@@ -13,34 +13,59 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
 }
 
 pub fn parse<'data>(path: &Path, bytes: &'data [u8]) -> Result<Image<'data>, Failure> {
-    Image::parse(bytes).map_err(|error| Failure::Elf {
+    Image::parse(bytes).map_err(|error| refused(path, bytes, error))
+}
+
+/// The file is no SPU program for this reason.
+pub fn refused(path: &Path, bytes: &[u8], error: ElfError) -> Failure {
+    Failure::Elf {
         path: path.to_path_buf(),
+        advice: advice(path, bytes, &error),
         error,
-    })
-}
-
-/// `0x00104 <main+0x10>`: an address with its nearest symbol.
-pub fn place(image: &Image<'_>, address: u32) -> String {
-    let name = match image.nearest_symbol(address) {
-        Some((name, 0)) => format!(" <{name}>"),
-        Some((name, distance)) => format!(" <{name}+{distance:#x}>"),
-        None => String::new(),
-    };
-    format!("{address:#07x}{name}")
-}
-
-/// An instruction's text. A stop includes its code, which objdump leaves out.
-pub fn instruction_text(word: u32, address: u32) -> String {
-    if let Some(Instruction {
-        op: Op::Stop,
-        immediate,
-        ..
-    }) = Instruction::decode(word)
-    {
-        return format!("stop {immediate:#06x}");
     }
-    let text = disassemble(word, address).to_string();
-    // The comment only repeats a constant from the operands.
-    let text = text.split("\t#").next().unwrap_or(&text);
-    text.replace('\t', " ")
+}
+
+/// What to do with a file that is no SPU program.
+fn advice(path: &Path, bytes: &[u8], error: &ElfError) -> String {
+    let (path, stem) = (path.display(), path.with_extension(""));
+    let stem = stem.display();
+    match error {
+        ElfError::NotElf if !bytes.is_empty() && !bytes.contains(&0) => {
+            let link = format!("spu-elf-ld {stem}.o -o {stem}.elf");
+            format!(
+                ", but text. Assembly is first made a program: spu-elf-as {path} -o {stem}.o && {link}"
+            )
+        }
+        ElfError::Type(kind) if *kind == ET_REL.0 => format!(
+            ": it is an object. A program has _start, too, and is linked: spu-elf-ld {path} -o \
+             {stem}.elf. spu time and spu schedule take objects"
+        ),
+        ElfError::Identification { .. } | ElfError::Machine(_) => match machine(bytes) {
+            Some(name) => format!(": it is for {name}, and not for the SPU"),
+            None => String::new(),
+        },
+        _ => String::new(),
+    }
+}
+
+/// The machine of an ELF file for another one than the SPU.
+fn machine(bytes: &[u8]) -> Option<&'static str> {
+    const DATA: usize = 5;
+    const BIG_ENDIAN: u8 = 2;
+    const MACHINE: std::ops::Range<usize> = 18..20;
+    let field = <[u8; 2]>::try_from(bytes.get(MACHINE)?).ok()?;
+    let number = match bytes[DATA] {
+        BIG_ENDIAN => u16::from_be_bytes(field),
+        _ => u16::from_le_bytes(field),
+    };
+    let names = [
+        (EM_386.0, "32-bit x86"),
+        (EM_X86_64.0, "x86-64"),
+        (EM_ARM.0, "32-bit ARM"),
+        (EM_AARCH64.0, "AArch64"),
+        (EM_PPC.0, "32-bit PowerPC, as PPE programs are"),
+        (EM_PPC64.0, "64-bit PowerPC, as PPE programs are"),
+    ];
+    let (_, name) = names.into_iter().find(|(machine, _)| *machine == number)?;
+    Some(name)
 }

@@ -10,7 +10,7 @@ use spu_isa::LIMIT_MASK;
 use spu_isa::{Instruction, Operand};
 use spu_scheduler::code::{Code, CodeError};
 
-use crate::image::{instruction_text, place};
+use spu_debugger::console::instruction_text;
 
 /// Column of the instruction's text.
 const TEXT: usize = 32;
@@ -52,7 +52,7 @@ pub fn write(bytes: &[u8], image: &Image<'_>, text: &mut String) -> Result<(), S
             format!(
                 "{:width$} {}",
                 "",
-                place(image, target),
+                image.place(target),
                 width = TEXT.saturating_sub(code.len())
             )
         });

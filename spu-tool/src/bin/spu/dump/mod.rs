@@ -9,7 +9,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::failure::Failure;
-use crate::image::{parse, place, read};
+use crate::image::{parse, read, refused};
 use map::Map;
 
 const EXAMPLES: &str = "\
@@ -34,11 +34,8 @@ pub struct Options {
 pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
     let bytes = read(&options.program)?;
     let image = parse(&options.program, &bytes)?;
-    let map = Map::of(&bytes).map_err(|error| Failure::Elf {
-        path: options.program.clone(),
-        error,
-    })?;
-    let mut text = format!("entry  {}\n", place(&image, image.entry()));
+    let map = Map::of(&bytes).map_err(|error| refused(&options.program, &bytes, error))?;
+    let mut text = format!("entry  {}\n", image.place(image.entry()));
     map.write(&mut text);
     if !options.map {
         let listed = listing::write(&bytes, &image, &mut text);

@@ -1,12 +1,13 @@
 //! The machine of `spu run`: one SPE, main memory, and the code that answers the program.
 
 use std::fs;
-use std::io;
+use std::io::{self, BufRead, Write};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use spu_debugger::console::Console;
 use spu_debugger::{Attached, Debugger, signal_of};
 use spu_emulator::elf::Image;
 use spu_emulator::interp::{Observer as _, Quad, Spu};
@@ -17,11 +18,14 @@ use spu_emulator::ppe_call::{
     Arena, CALL_WORD, CallError, Class, Library, Process, SYSTEM_CALL, system_call_name,
     system_call_number,
 };
-use spu_emulator::simulated::{Method, SimulationOptions, Timing};
-use spu_emulator::spe::{Config, Spe};
+use spu_emulator::profile::ProgramId;
+use spu_emulator::simulated::{CYCLES_PER_SECOND, Method, Simulation, SimulationOptions, Timing};
+use spu_emulator::spe::{Config, Halted, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::{Instruction, LIMIT_MASK};
-use spu_reports::Figures;
+use spu_reports::{Figures, ProfileFile};
+use spu_scheduler::code::Code;
+use spu_tool::profile::View;
 
 use super::arguments;
 use super::bench::Bench;
@@ -32,7 +36,7 @@ use super::output::{json, write_file, write_text};
 use super::sandbox;
 use super::status::Status;
 use crate::failure::Failure;
-use crate::image::{instruction_text, place};
+use spu_debugger::console::instruction_text;
 
 /// Where libspe2 puts the zero back chain: the initial stack pointer.
 const STACK_TOP: u32 = SIZE - 16;
@@ -52,6 +56,8 @@ pub enum End {
     Killed(u32),
     /// The program sleeps at this address, and nothing will wake it.
     Asleep(u32, &'static str),
+    /// The user of `spu debug` ended it.
+    Quit,
     /// The two ways of running it, or of counting its cycles, differ, and where.
     Differs(String, u32),
 }
@@ -59,6 +65,8 @@ pub enum End {
 pub struct Machine {
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
+    /// The program's file.
+    bytes: Box<[u8]>,
     library: Library,
     /// Where the program continues.
     at: u32,
@@ -81,9 +89,9 @@ impl Machine {
             bytes.to_vec(),
             Access::ReadOnly,
         )?;
-        let machine = match options.timing {
-            None => machine::Machine::with_engine(memory.clone(), options.engine()),
-            Some(_) => {
+        let machine = match options.is_simulated() {
+            false => machine::Machine::with_engine(memory.clone(), options.engine()),
+            true => {
                 let method = if options.check {
                     Method::Checked
                 } else {
@@ -92,6 +100,8 @@ impl Machine {
                 let simulation = SimulationOptions {
                     method,
                     engine: options.engine(),
+                    profile: options.profile.is_some(),
+                    races: true,
                     ..SimulationOptions::default()
                 };
                 let timing = match &options.machine {
@@ -101,7 +111,15 @@ impl Machine {
                 machine::Machine::simulated_with(memory.clone(), timing, simulation)
             }
         };
-        let spe = Spe::new(&machine, Config::default());
+        if let Some(simulation) = machine.simulation() {
+            warn_of_races(simulation, bytes);
+        }
+        let config = Config {
+            policy: options.policy(),
+            ..Config::default()
+        };
+        let spe = Spe::new(&machine, config);
+        spe.profile_as(ProgramId::of(bytes));
         memory
             .register_local_store(LOCAL_STORE_EA, Arc::clone(spe.local_store()))
             .map_err(|error| RunError::Region {
@@ -124,6 +142,7 @@ impl Machine {
         let machine = Self {
             spe,
             memory,
+            bytes: bytes.into(),
             library: Library::new(Box::new(Process), Box::new(heap)),
             at: image.entry(),
             arguments: Some(arguments),
@@ -179,9 +198,7 @@ impl Machine {
         let end = sandbox::within(options.root.as_deref(), || {
             self.run_with(options, &mut bench)
         })??;
-        let flushed = self.library.flush();
-        let flushed = flushed.map_err(|errno| io::Error::from_raw_os_error(errno.0));
-        talk::unless_closed(flushed).map_err(Failure::file(Path::new("standard output")))?;
+        self.flush()?;
         bench.finish()?;
         Ok(end)
     }
@@ -245,6 +262,75 @@ impl Machine {
             (_, None) => {}
         }
         Ok(end)
+    }
+
+    /// Runs the program, and obeys the commands that a console reads.
+    pub fn run_in_console<R: BufRead + Send, W: Write + Send>(
+        &mut self,
+        options: &Options,
+        image: &Image<'_>,
+        console: &mut Console<'_, R, W>,
+    ) -> Result<End, Failure> {
+        let spe = Arc::clone(&self.spe);
+        let mut bench = Bench::new(options, image, &spe)?;
+        let end = sandbox::within(options.root.as_deref(), || {
+            self.obey_console(console, &mut bench)
+        })?;
+        self.flush()?;
+        bench.finish()?;
+        Ok(end)
+    }
+
+    fn obey_console<R: BufRead, W: Write>(
+        &mut self,
+        console: &mut Console<'_, R, W>,
+        bench: &mut Bench<'_>,
+    ) -> End {
+        let spe = Arc::clone(&self.spe);
+        let store = spe.local_store();
+        loop {
+            let arguments = self.arguments.take();
+            let look = |spu: &mut Spu, halted: &Halted<'_>| {
+                console.before_instruction(spu, store, halted)?;
+                if let Some(instruction) = Instruction::decode(store.load_word(spu.pc())) {
+                    bench.before_instruction(spu, instruction);
+                }
+                ControlFlow::Continue(())
+            };
+            let stopped = spe.run_halting(self.at, look, |spu| {
+                if let Some(arguments) = &arguments {
+                    self.prepare(spu, arguments);
+                }
+            });
+            if console.has_quit() {
+                return End::Quit;
+            }
+            let Some(end) = self.after(stopped, bench) else {
+                // What the program has printed comes before the console's next answer. What can't
+                // be written is reported at the end.
+                let _ = self.library.flush();
+                continue;
+            };
+            match (&end, end.fault()) {
+                (End::Exit(status), _) => console.ended(*status),
+                (_, Some((what, at, _))) => {
+                    let look = |spu: &mut Spu, halted: &Halted<'_>| {
+                        console.after_fault(spu, store, halted, &what);
+                        ControlFlow::Break(())
+                    };
+                    spe.run_halting(at, look, |_| ());
+                }
+                (_, None) => {}
+            }
+            return end;
+        }
+    }
+
+    /// Writes what the program has printed.
+    fn flush(&mut self) -> Result<(), Failure> {
+        let flushed = self.library.flush();
+        let flushed = flushed.map_err(|errno| io::Error::from_raw_os_error(errno.0));
+        talk::unless_closed(flushed).map_err(Failure::file(Path::new("standard output")))
     }
 
     /// Runs the program until it stops, and obeys the debugger before each instruction.
@@ -317,6 +403,18 @@ impl Machine {
             .serve(number, spe.local_store().as_ref(), address)
     }
 
+    /// Writes the profile to a file, or which functions the cycles went to.
+    fn write_profile(&self, path: Option<&Path>, simulation: &Simulation) -> Result<(), Failure> {
+        let spes = simulation.profile().unwrap_or_default();
+        let profile = ProfileFile::new(CYCLES_PER_SECOND, &spes);
+        let Some(path) = path else {
+            let code = Code::parse(&self.bytes).map_err(Failure::command)?;
+            let view = View::new(&code, &self.bytes, &profile).map_err(Failure::command)?;
+            return write_text(None, &view.functions_text());
+        };
+        write_file(path, json(&profile).as_bytes())
+    }
+
     /// Writes the output that the options ask for at the end.
     pub fn dump(&self, options: &Options) -> Result<(), Failure> {
         if let Some(path) = &options.dump_ls {
@@ -340,6 +438,9 @@ impl Machine {
             };
             write_text(path.as_deref(), &text)?;
         }
+        if let (Some(path), Some(simulation)) = (&options.profile, self.spe.simulation()) {
+            self.write_profile(path.as_deref(), simulation)?;
+        }
         for file in &options.dump_mem {
             let mut bytes = vec![0; file.size.0];
             let read = self.memory.read(file.ea, &mut bytes);
@@ -351,6 +452,27 @@ impl Machine {
         }
         Ok(())
     }
+}
+
+/// Warns of each race between the program and its own DMA commands.
+fn warn_of_races(simulation: &Simulation, bytes: &[u8]) {
+    let bytes: Box<[u8]> = bytes.into();
+    simulation.on_race(move |race| {
+        let image = Image::parse(&bytes);
+        let code = Code::parse(&bytes);
+        let place = |address| {
+            let place = match &image {
+                Ok(image) => image.place(address),
+                Err(_) => format!("{address:#07x}"),
+            };
+            let sources = code.as_ref().map_or_else(|_| Vec::new(), Code::sources);
+            match sources.iter().find(|(at, _)| *at == address) {
+                Some((_, source)) => format!("{place} ({}:{})", source.file.display(), source.line),
+                None => place,
+            }
+        };
+        talk::say!("spu: warning: DMA race: {}", race.describe(place));
+    });
 }
 
 /// The program counter, the FPSCR, and the four words of each register.
@@ -372,14 +494,14 @@ impl End {
             Self::Fault(stopped) => Some(signal_of(&stopped.reason).unwrap_or(SIGABRT)),
             Self::Call(..) => Some(SIGSYS),
             Self::Limit(_) | Self::Asleep(..) | Self::Differs(..) => Some(SIGABRT),
-            Self::Exit(_) | Self::Killed(_) => None,
+            Self::Exit(_) | Self::Killed(_) | Self::Quit => None,
         }
     }
 
-    /// Reports a fault on standard error and returns the exit status.
-    pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
-        let (message, at, status) = match self {
-            Self::Exit(code) => return (*code).into(),
+    /// What went wrong, where, and the exit status for it.
+    fn fault(&self) -> Option<(String, u32, Status)> {
+        Some(match self {
+            Self::Exit(_) | Self::Quit => return None,
             Self::Fault(stopped) => (
                 stopped.to_string(),
                 stopped.pc,
@@ -390,9 +512,25 @@ impl End {
             Self::Differs(difference, at) => (difference.clone(), *at, Status::Differs),
             Self::Killed(at) => ("killed by the debugger".into(), *at, Status::Limit),
             Self::Asleep(at, why) => (format!("sleeps for ever: {why}"), *at, Status::Limit),
+        })
+    }
+
+    /// The exit status.
+    pub fn status(&self) -> ExitCode {
+        match (self, self.fault()) {
+            (Self::Exit(code), _) => (*code).into(),
+            (_, Some((_, _, status))) => status.into(),
+            (_, None) => ExitCode::SUCCESS,
+        }
+    }
+
+    /// Reports a fault on standard error and returns the exit status.
+    pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
+        let Some((message, at, status)) = self.fault() else {
+            return self.status();
         };
         let instruction = instruction_text(store.load_word(at), at);
-        let place = place(image, at);
+        let place = image.place(at);
         talk::say!("spu: {message}\n     at {place}: {instruction}");
         status.into()
     }

@@ -73,7 +73,7 @@ impl Mailboxes {
             outbound: output(&options.out_mbox)?,
             interrupt: output(&options.out_intr_mbox)?,
             stuck: None,
-            closed: options.timing.is_some(),
+            closed: options.is_simulated(),
             debugged: options.gdb.is_some(),
         })
     }

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 use clap::{ArgGroup, Args, ValueEnum};
 use spu_emulator::engine::Engine;
+use spu_emulator::mfc::Policy;
 
 use super::{map, status};
 
@@ -15,7 +16,8 @@ Examples:
   spu run hello.elf                      run; the exit status is the program's
   spu run --start elfspe tool.elf a b    a program with main(argc, argv) (linked with crt2.o)
   spu run --trace --max-instructions 100 loop.elf
-  spu run --timing --json loop.elf       where the cycles went
+  spu run --timing --json loop.elf       cycles, and warnings about DMA that nobody waits for
+  spu run --profile loop.elf             which functions the cycles went to
   spu run --in-mbox commands.txt --out-mbox answers.txt server.elf
   spu run --main-memory 1M@0x60000000 --load-mem scene.bin@0x60000000 --arg 0x60000000:64 \\
           --dump-mem picture.bin@0x60080000:64K tracer.elf
@@ -32,7 +34,7 @@ Effective addresses:";
 /// Standard output belongs to the program, so traces, statistics and registers go to standard
 /// error unless a file is named.
 #[derive(Args)]
-#[command(after_help = after_help(), group(ArgGroup::new("report").multiple(true)))]
+#[command(after_help = after_help(), group(ArgGroup::new("report").multiple(true)), group(ArgGroup::new("simulated").multiple(true)))]
 pub struct Options {
     /// SPU ELF executable
     pub program: PathBuf,
@@ -83,6 +85,10 @@ pub struct Options {
     /// the interpreter
     #[arg(long, value_enum, default_value_t = EngineName::Compiler, help_heading = "Engine")]
     pub engine: EngineName,
+    /// When DMA commands are carried out. at-last delays each one until the program waits for it, and
+    /// takes the newest first, so that a missing wait, fence or barrier shows
+    #[arg(long, value_enum, default_value_t = Mfc::AtOnce, conflicts_with = "simulated", help_heading = "Engine")]
+    pub mfc: Mfc,
     /// Run the program compiled and interpreted, block by block, and fail at the first difference;
     /// in simulated time, count the cycles a second time, instruction by instruction
     #[arg(long, conflicts_with_all = ["engine", "trace", "stats"], help_heading = "Engine")]
@@ -121,14 +127,19 @@ pub struct Options {
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub stats: Option<Option<PathBuf>>,
     /// Run in simulated time, which the decrementer also counts, and report cycles, dual issue and
-    /// stalls by cause. Only for programs that use no mailboxes
-    #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
+    /// stalls by cause. Warns where the program uses local store that a DMA command in flight reads
+    /// or writes. Only for programs that use no mailboxes
+    #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, groups = ["report", "simulated"], help_heading = "Output")]
     pub timing: Option<Option<PathBuf>>,
+    /// Run in simulated time, and show which functions the cycles went to; in a file, everything
+    /// that `spu profile` shows. Only for programs that use no mailboxes
+    #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "simulated", help_heading = "Output")]
+    pub profile: Option<Option<PathBuf>>,
     /// Take latencies and rates from a file instead of the console's; see docs/timing.md
     #[arg(
         long,
         value_name = "FILE",
-        requires = "timing",
+        requires = "simulated",
         help_heading = "Output"
     )]
     pub machine: Option<PathBuf>,
@@ -147,6 +158,15 @@ fn after_help() -> String {
     format!("{EXAMPLES}\n{}\n\n{}", map::MAP_HELP, status::help())
 }
 
+/// When DMA commands are carried out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Mfc {
+    /// As soon as their order allows
+    AtOnce,
+    /// As late as possible
+    AtLast,
+}
+
 /// What can run the instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EngineName {
@@ -160,6 +180,18 @@ impl Options {
             _ if self.check => Engine::Check,
             EngineName::Interpreter => Engine::Interpreter,
             EngineName::Compiler => Engine::Compiler,
+        }
+    }
+
+    /// Whether the program runs in simulated time.
+    pub fn is_simulated(&self) -> bool {
+        self.timing.is_some() || self.profile.is_some()
+    }
+
+    pub fn policy(&self) -> Policy {
+        match self.mfc {
+            Mfc::AtOnce => Policy::AtOnce,
+            Mfc::AtLast => Policy::AtLast,
         }
     }
 

@@ -10,7 +10,7 @@ use spu_emulator::interp::Spu;
 use spu_isa::Instruction;
 
 use crate::failure::Failure;
-use crate::image::{instruction_text, place};
+use spu_debugger::console::instruction_text;
 
 /// Columns of the instruction's text and of the register.
 const PLACE: usize = 28;
@@ -50,7 +50,7 @@ impl<'a> Trace<'a> {
     pub fn begin_line(&mut self, spu: &Spu, instruction: Instruction) {
         let pc = spu.pc();
         let text = instruction_text(instruction.encode(), pc);
-        let place = place(self.image, pc);
+        let place = self.image.place(pc);
         self.line = Some((format!("{place:PLACE$} {text:TEXT$}"), instruction));
     }
 
