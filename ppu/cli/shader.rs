@@ -1,10 +1,14 @@
-//! `cellray shader build`: shaders of one's own in an SPU program.
+//! `cellray shader`: shaders of one's own, in an SPU program, as an object, or scheduled.
 
+use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use cellray::spe::Program;
 use clap::{Args, Subcommand};
+use spu_isa::timing::{Loop, Rules, find_loops, straight_line};
+use spu_scheduler::code::{Code, Function};
+use spu_scheduler::{LoopReport, Outcome as Form, ScheduleError};
 
 use super::Outcome;
 
@@ -35,6 +39,16 @@ enum Command {
         #[arg(long, value_name = "F.o")]
         out: Option<PathBuf>,
     },
+    /// Schedule one shader for both pipes of the SPU, and tell its cycles before and after
+    Schedule {
+        /// Source in SPU assembly, its functions between `function` and `endfunction`, or with
+        /// `.type` and `.size`; docs/schedule.md has the rules
+        #[arg(value_name = "F.s")]
+        source: PathBuf,
+        /// Scheduled source to write [default: the source's name with .scheduled.s, in this folder]
+        #[arg(short, long, value_name = "F.s")]
+        out: Option<PathBuf>,
+    },
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -44,6 +58,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
             let out = named(source, out.as_deref(), "o");
             Ok(spu_build::assemble_shader(source, &out)?)
         }
+        Command::Schedule { source, out } => schedule(source, out.as_deref()),
     }
 }
 
@@ -60,4 +75,104 @@ fn build(sources: &[PathBuf], out: Option<&Path>) -> Outcome {
 fn named(source: &Path, out: Option<&Path>, extension: &str) -> PathBuf {
     let stem = Path::new(source.file_stem().unwrap_or_default());
     out.map_or_else(|| stem.with_extension(extension), Path::to_path_buf)
+}
+
+fn schedule(source: &Path, out: Option<&Path>) -> Outcome {
+    let out = named(source, out, "scheduled.s");
+    let same =
+        |one: &Path, other: &Path| Some(one.canonicalize().ok()? == other.canonicalize().ok()?);
+    if same(source, &out) == Some(true) {
+        let out = out.display();
+        return Err(format!(
+            "{out}: the schedule would replace its plain source; choose another file with --out"
+        )
+        .into());
+    }
+    let text =
+        fs::read_to_string(source).map_err(|error| format!("{}: {error}", source.display()))?;
+    let work = tempfile::tempdir()?;
+    let assemble = |source: &Path| -> Result<Vec<u8>, Box<dyn Error + Send + Sync>> {
+        let object = work.path().join("shader.o");
+        spu_build::assemble_shader(source, &object)?;
+        Ok(fs::read(object)?)
+    };
+    let plain = assemble(source).map_err(|error| error.to_string())?;
+    let mut object = Vec::new();
+    let scheduled = spu_scheduler::schedule(&plain, &source.to_string_lossy(), &text, |text| {
+        let copy = work.path().join("scheduled.s");
+        fs::write(&copy, text)?;
+        object = assemble(&copy)?;
+        Ok::<_, Box<dyn Error + Send + Sync>>(object.clone())
+    });
+    let scheduled = scheduled.map_err(|error| match error {
+        ScheduleError::At { .. } | ScheduleError::Assembler(_) => error.to_string(),
+        ScheduleError::NoFunction => format!(
+            "{}: {error}; write the function out after `shader_entry NAME`, as docs/shaders.md \
+             shows, where the macro `shader` has begun it",
+            source.display()
+        ),
+        _ => format!("{}: {error}", source.display()),
+    })?;
+    fs::write(&out, &scheduled.text).map_err(|error| format!("{}: {error}", out.display()))?;
+    let (plain, made) = (Code::parse(&plain)?, Code::parse(&object)?);
+    talk::say!("cellray: {}: {} scheduled", out.display(), source.display());
+    for line in cycles(&plain, &made, &scheduled.loops) {
+        talk::say!("cellray: {line}");
+    }
+    Ok(())
+}
+
+/// For each function without loops, its cycles in both forms, and for each loop those of a pass.
+fn cycles(plain: &Code, scheduled: &Code, reports: &[LoopReport]) -> Vec<String> {
+    let rules = Rules::default();
+    let words = |code: &Code, function: &Function| code.words(function.start, function.end);
+    let straight = |code: &Code, function: &Function| {
+        let account = straight_line(&words(code, function), rules).account?;
+        Some(account.cycles())
+    };
+    let mut lines = Vec::new();
+    for function in plain.functions() {
+        let loops = find_loops(&words(plain, function), rules);
+        let name = &function.name;
+        let mut made = scheduled.functions().iter();
+        let made = made.find(|made| made.name == *name);
+        let both =
+            made.and_then(|made| Some((straight(plain, function)?, straight(scheduled, made)?)));
+        if let (true, Some((before, after))) = (loops.is_empty(), both) {
+            lines.push(format!(
+                "{name}: {before} cycles straight on, {after} scheduled"
+            ));
+        }
+        lines.extend(loops.iter().filter_map(|found| {
+            let line = line_of(plain, found)?;
+            let report = reports.iter().find(|report| report.line == line)?;
+            Some(pass(found, report))
+        }));
+    }
+    lines
+}
+
+/// The source line of a loop's branch.
+fn line_of(code: &Code, found: &Loop) -> Option<u64> {
+    let sources = code.sources();
+    let at = sources.iter().find(|(address, _)| *address == found.branch);
+    at.map(|(_, source)| source.line)
+}
+
+fn pass(found: &Loop, report: &LoopReport) -> String {
+    let before = found
+        .steady
+        .as_ref()
+        .map(|steady| steady.cycles_a_pass().ceil());
+    let before = before.map_or_else(|| "unknown".to_owned(), |cycles| cycles.to_string());
+    let name = &report.name;
+    match &report.outcome {
+        Form::Pipelined(figures) => {
+            format!(
+                "loop {name}: {before} cycles a pass, {} scheduled",
+                figures.interval
+            )
+        }
+        Form::Plain(why) => format!("loop {name}: {before} cycles a pass; not pipelined: {why}"),
+    }
 }

@@ -283,7 +283,7 @@ next_four:
         ai      $a_vertex,$a_vertex,4*MESH_VERTEX_SIZE
         ai      $a_again,$a_again,4*MESH_VERTEX_SIZE
         ai      $left,$left,-1
-        brnz    $left,next_four
+        brnz    $left,next_four                 # one pass: the room for this code is full
         # No index is above the largest one.
 faces:  ai      $vertices,$vertices,-1
         load_constant $t,0x03030313

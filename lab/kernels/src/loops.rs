@@ -58,6 +58,8 @@ pub struct Cycles {
     pub interval: u64,
     /// The number of passes that overlap.
     pub stages: u64,
+    /// The number of passes that the scheduled loop's code contains.
+    pub passes: u64,
 }
 
 impl Cycles {
@@ -76,6 +78,7 @@ impl From<&Figures> for Cycles {
             bound: figures.minimum,
             interval: figures.interval,
             stages: figures.stages,
+            passes: figures.passes,
         }
     }
 }
@@ -114,6 +117,7 @@ fn straight_cycles(kernels: &Kernels, kernel: &str, count: usize) -> Vec<Cycles>
                 bound: plain.bound(),
                 interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
                 stages: 1,
+                passes: 1,
             })
         });
     cycles.collect()

@@ -3,8 +3,8 @@
 //! A register holds a value until the next pass makes its own. A later reader therefore gets a
 //! copy, made by an instruction that is scheduled like any other.
 
-use super::dependence::{Edge, cyclic};
-use super::function::Node;
+use super::dependence::{Edge, Freedom, cyclic};
+use super::function::{Node, Registers};
 use super::layout::plain;
 use super::modulo::{impossible, longest};
 use super::values::{Source, Values};
@@ -13,12 +13,18 @@ use spu_isa::{Op, Pipe};
 /// The first number that is not a register of the machine.
 const FIRST_VIRTUAL: u8 = 128;
 
-/// The body with copies, so that no value lives longer than `life`. `None` if copies don't help,
-/// or if no pipe has room for them in `interval` cycles.
-pub(super) fn insert(body: &[Node], interval: i64, life: i64) -> Option<Vec<Node>> {
+/// The body with copies, so that no value lives longer than `life` for each pass that the kernel
+/// contains. `None` if copies don't help, or if no pipe has room for them in `interval` cycles.
+pub(super) fn insert(
+    body: &[Node],
+    interval: i64,
+    life: i64,
+    live: Registers,
+    freedom: Freedom,
+) -> Option<Vec<Node>> {
     let mut nodes = body.to_vec();
     for register in FIRST_VIRTUAL..=u8::MAX {
-        let mut edges = cyclic(&nodes);
+        let mut edges = cyclic(&nodes, live, freedom);
         let Some(cycle) = impossible(nodes.len(), &edges, life) else {
             return Some(nodes);
         };

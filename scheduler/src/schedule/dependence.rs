@@ -5,10 +5,27 @@
 //! gives correct results, because the pipelines wait by themselves. The latencies only make a
 //! schedule fast.
 
+use super::displacement::Movable;
 use super::function::{Node, Reference, Registers};
 use super::memory::Memory;
 use super::values::{Source, Values};
 use spu_isa::{Class, Field, Op, Pipe};
+
+/// What a kernel may do so that passes overlap more freely.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Freedom {
+    /// Whether accesses may move across the increments of their address.
+    pub moves: bool,
+    /// How many passes the kernel's code contains, in each of which values have other registers.
+    pub passes: i64,
+}
+
+impl Freedom {
+    pub const NONE: Self = Self {
+        moves: false,
+        passes: 1,
+    };
+}
 
 /// A pair of instructions of which one must issue before the other.
 #[derive(Clone, Copy, Debug)]
@@ -141,19 +158,30 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
     graph.edges
 }
 
-/// The edges of a loop's body, without the branch back, for passes that overlap.
+/// The edges of a loop's body, without the branch back, for passes that overlap. `live` are the
+/// registers that are live at the start of the loop or after it.
 ///
-/// Each register holds a value until the next pass makes its own. The edges with
-/// [`keeps`](Edge::keeps) ensure this.
-pub(super) fn cyclic(nodes: &[Node]) -> Vec<Edge> {
+/// Each register holds a value until the next pass that uses the register makes its own. The edges
+/// with [`keeps`](Edge::keeps) ensure this.
+pub(super) fn cyclic(nodes: &[Node], live: Registers, freedom: Freedom) -> Vec<Edge> {
     let values = Values::of(nodes);
     let memory = Memory::of(nodes, &values);
     let mut graph = Graph {
         nodes,
         edges: Vec::new(),
     };
-    for at in 0..nodes.len() {
-        for &(_, source) in &values.reads[at] {
+    for (at, movable) in Movable::of_loop(nodes, freedom).into_iter().enumerate() {
+        if let Some(Movable {
+            increment, ahead, ..
+        }) = movable
+        {
+            graph.flow(increment, at, 1 - ahead.0);
+            graph.order(at, increment, ahead.1);
+        }
+        for &(field, source) in &values.reads[at] {
+            if movable.is_some() && field == Field::Ra {
+                continue;
+            }
             let (from, distance) = match source {
                 Source::Node(from) => (from, 0),
                 Source::Entry(register) => match values.last[usize::from(register)] {
@@ -162,7 +190,12 @@ pub(super) fn cyclic(nodes: &[Node]) -> Vec<Edge> {
                 },
             };
             graph.flow(from, at, distance);
-            graph.keep(at, from, 1 - distance, Some(source));
+            let passes = if values.hands_on(nodes, from, live) {
+                1
+            } else {
+                freedom.passes
+            };
+            graph.keep(at, from, passes - distance, Some(source));
         }
     }
     graph.memory(&memory, true);

@@ -5,6 +5,8 @@
 
 use std::collections::BTreeMap;
 
+use super::displacement::Moved;
+
 use spu_isa::{Class, Field, Instruction, Op, Pipe, Target};
 
 /// Identifies a block independently of its position.
@@ -79,11 +81,15 @@ pub(super) struct Node {
     pub origin: Option<u32>,
     /// A store whose line says that it may overlap any other access.
     pub may_alias: bool,
+    /// The branch of a loop whose line says that its kernel may contain only one pass.
+    pub one_pass: bool,
     /// A memory access that stays in order with all other accesses. The passes of a loop may
     /// access the same memory in ways that can't be seen from registers any more.
     pub in_order: bool,
     /// In a pipelined loop: how many passes earlier than the current one it started.
     pub stage: u32,
+    /// In a pipelined loop: how its displacement depends on the increments before it, if it does.
+    pub moved: Option<Moved>,
     /// Why the scheduler added it.
     pub reason: &'static str,
 }
@@ -98,8 +104,10 @@ impl Node {
             line: 0,
             origin: None,
             may_alias: false,
+            one_pass: false,
             in_order: false,
             stage: 0,
+            moved: None,
             reason,
         }
     }
@@ -294,10 +302,10 @@ impl Function {
         }
     }
 
-    /// Records that an instruction occurs `times` as often in the schedule as before.
+    /// Records that an instruction occurs so many times more in the schedule than before.
     pub fn copied(&mut self, node: &Node, times: usize) {
         if let Some(origin) = node.origin {
-            *self.copies.entry(origin).or_insert(1) *= times;
+            *self.copies.entry(origin).or_insert(1) += times;
         }
     }
 

@@ -13,7 +13,7 @@ const QUADWORD: i64 = 16;
 
 /// The value that an address is computed from.
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Root {
+pub(super) enum Root {
     /// A register at the start of the block.
     Entry(u8),
     /// The result of a node.
@@ -196,7 +196,7 @@ fn access(nodes: &[Node], values: &Values, at: usize, node: &Node) -> Option<Acc
 }
 
 /// Expresses a value as another value plus a constant.
-fn trace(nodes: &[Node], values: &Values, source: Source) -> (Root, i64) {
+pub(super) fn trace(nodes: &[Node], values: &Values, source: Source) -> (Root, i64) {
     let mut source = source;
     let mut offset = 0;
     loop {
@@ -212,7 +212,7 @@ fn trace(nodes: &[Node], values: &Values, source: Source) -> (Root, i64) {
             (Op::Ila, Some(Reference::Symbol(symbol))) => {
                 return (Root::Place(symbol.place.clone()), offset + symbol.offset);
             }
-            (Op::Ai, _) => offset += immediate,
+            (Op::Ai, None) => offset += immediate,
             _ if moves => {}
             _ => return (Root::Node(at), offset),
         }

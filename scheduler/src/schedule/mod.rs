@@ -10,6 +10,7 @@ mod allocate;
 mod colour;
 mod copies;
 mod dependence;
+mod displacement;
 mod error;
 mod function;
 mod layout;
@@ -81,8 +82,12 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
         // Without an `Out` line, every register may be a result.
         function.results = source.results(lines).unwrap_or(!0);
         for block in &mut function.blocks {
-            for node in block.nodes.iter_mut().filter(|node| node.is_store()) {
-                node.may_alias = source.comment(node.line).contains("may alias");
+            for node in &mut block.nodes {
+                let marked = |mark| source.comment(node.line).contains(mark);
+                (node.may_alias, node.one_pass) = (
+                    node.is_store() && marked("may alias"),
+                    node.ends_block() && marked("one pass"),
+                );
             }
         }
         function.fuse();

@@ -4,10 +4,11 @@
 //! Instructions are placed in the order of the length of the chain that they head. An instruction
 //! that finds no free place takes one by force and removes the instructions that conflict. These
 //! are placed again, until all are placed or the budget is used up. Invariant of a result: all
-//! edges hold, no pipe is used twice in a cycle, no FP6 is in the cycle after an FP7, and the
-//! branch is in the last cycle of its pass.
+//! edges hold, no pipe is used twice in a cycle, no FP6 is in the cycle after an FP7, no access
+//! waits for an increment of its address, and the branch is in the last cycle of its pass.
 
 use super::dependence::Edge;
+use super::displacement::Movable;
 use super::function::Node;
 use super::random::Random;
 use spu_isa::timing::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE};
@@ -20,11 +21,41 @@ const BUDGET: usize = 24;
 pub(super) struct Problem<'a> {
     nodes: &'a [Node],
     interval: i64,
+    apart: Vec<Vec<Apart>>,
     predecessors: Vec<Vec<Edge>>,
     successors: Vec<Vec<Edge>>,
     heights: Vec<i64>,
     /// The earliest and latest cycles that leave the branch in its place.
     bounds: Vec<(i64, i64)>,
+}
+
+/// Two instructions of which one must not issue within a latency after the other, whatever passes
+/// they belong to: an increment of an address and an access that may move across it.
+#[derive(Clone, Copy, Debug)]
+struct Apart {
+    other: usize,
+    /// The cycles after the other's issue that are forbidden: from the first to before the second.
+    forbidden: (i64, i64),
+}
+
+/// What each node must be apart from.
+fn apart(nodes: &[Node], movable: &[Option<Movable>]) -> Vec<Vec<Apart>> {
+    let mut apart = vec![Vec::new(); nodes.len()];
+    for (access, movable) in movable.iter().enumerate() {
+        let Some(Movable { increment, .. }) = *movable else {
+            continue;
+        };
+        let latency = i64::from(nodes[increment].class().latency());
+        apart[access].push(Apart {
+            other: increment,
+            forbidden: (0, latency),
+        });
+        apart[increment].push(Apart {
+            other: access,
+            forbidden: (1 - latency, 1),
+        });
+    }
+    apart
 }
 
 /// A cycle of edges that no schedule with this interval can satisfy, or `None` if there is none.
@@ -89,8 +120,14 @@ pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: b
 const UNREACHED: i64 = i64::MIN / 2;
 
 impl<'a> Problem<'a> {
-    /// The edges must have no [`impossible`] cycle at this interval.
-    pub fn new(nodes: &'a [Node], edges: &[Edge], interval: i64) -> Self {
+    /// The edges must have no [`impossible`] cycle at this interval. `movable` are the accesses that
+    /// may move across the increments of their address.
+    pub fn new(
+        nodes: &'a [Node],
+        edges: &[Edge],
+        movable: &[Option<Movable>],
+        interval: i64,
+    ) -> Self {
         let count = nodes.len();
         let mut predecessors = vec![Vec::new(); count];
         let mut successors = vec![Vec::new(); count];
@@ -113,6 +150,7 @@ impl<'a> Problem<'a> {
         Self {
             nodes,
             interval,
+            apart: apart(nodes, movable),
             heights: longest(edges, interval, vec![0; count], false),
             bounds: (0..count).map(bound).collect(),
             predecessors,
@@ -137,7 +175,7 @@ impl<'a> Problem<'a> {
             .iter()
             .map(|height| height + random.below(noise) as i64)
             .collect();
-        let mut table = Table::new(self.nodes, self.interval);
+        let mut table = Table::new(self);
         table.put(count - 1, self.interval - 1);
         let mut last: Vec<Option<i64>> = vec![None; count];
         let mut left: Vec<usize> = (0..count - 1).collect();
@@ -206,7 +244,7 @@ impl<'a> Problem<'a> {
     /// Moves loads and constants later, to where their values are first needed, so that they
     /// occupy their registers for a shorter time.
     pub fn sink(&self, times: &mut [i64]) {
-        let mut table = Table::new(self.nodes, self.interval);
+        let mut table = Table::new(self);
         for (at, &cycle) in times.iter().enumerate() {
             table.put(at, cycle);
         }
@@ -240,16 +278,19 @@ impl<'a> Problem<'a> {
 /// Which instruction uses which pipe in which cycle of the interval.
 struct Table<'a> {
     nodes: &'a [Node],
+    apart: &'a [Vec<Apart>],
     times: Vec<Option<i64>>,
     rows: Vec<[Option<usize>; 2]>,
 }
 
 impl<'a> Table<'a> {
-    fn new(nodes: &'a [Node], interval: i64) -> Self {
+    fn new(problem: &'a Problem<'_>) -> Self {
+        let nodes = problem.nodes;
         Self {
             nodes,
+            apart: &problem.apart,
             times: vec![None; nodes.len()],
-            rows: vec![[None; 2]; interval as usize],
+            rows: vec![[None; 2]; problem.interval as usize],
         }
     }
 
@@ -273,6 +314,15 @@ impl<'a> Table<'a> {
         let mut others: Vec<usize> = cells
             .filter_map(|(row, pipe)| self.rows[row][pipe])
             .collect();
+        for &Apart { other, forbidden } in &self.apart[at] {
+            let clash = |time: i64| {
+                let (first, end) = forbidden;
+                (self.row(cycle - time - first) as i64) < end - first
+            };
+            if self.times[other].is_some_and(clash) {
+                others.push(other);
+            }
+        }
         let distance = FLOAT_CONFLICT_DISTANCE as i64;
         let (neighbour, class) = match self.nodes[at].class() {
             Class::Fp6 => (cycle - distance, Class::Fp7),

@@ -190,8 +190,10 @@ impl<'data> Plain<'data> {
                 line: *line,
                 origin: Some(*address),
                 may_alias: false,
+                one_pass: false,
                 in_order: false,
                 stage: 0,
+                moved: None,
                 reason: "",
             };
             if node.ends_block() {

@@ -1,15 +1,19 @@
 //! Software pipelining, which turns a loop of one block into a fill, a kernel, a drain and a short
 //! form.
 //!
-//! The kernel starts a pass every `interval` cycles, so that `stages` passes overlap. The fill and
-//! the drain are the kernel's instructions of the first and last passes. If the trip count is
-//! below the number of stages, the short form runs, which is the plain loop. Invariant: for every
-//! trip count, memory and the registers that are live after the loop have the same contents as
-//! after the plain loop.
+//! The kernel starts a pass every `interval` cycles, so that `stages` passes overlap. If values live
+//! longer than an interval, it may contain several passes that differ in registers (Lam 1988), each
+//! with an exit and a drain of its own. The fill and the drain are the kernel's instructions of the
+//! first and last passes. If the trip count is below the number of stages, the short form runs,
+//! which is the plain loop. Invariant: for every trip count, memory and the registers that are live
+//! after the loop have the same contents as after the plain loop.
+
+use std::ops::RangeInclusive;
 
 use super::colour::colour;
 use super::copies;
-use super::dependence::{Edge, counter, cyclic, obstacle};
+use super::dependence::{Edge, Freedom, counter, cyclic, obstacle};
+use super::displacement::{Movable, Moved};
 use super::function::{
     Block, BlockId, Flow, Function, Leaves, Node, POOL, Reference, Registers, bit,
 };
@@ -34,6 +38,11 @@ const LIFE_PARTS: i64 = 12;
 const HINT_REACH: usize = 200;
 /// A kernel with more cycles or instructions than this contains its own hint.
 const OWN_HINT: usize = 150;
+/// The largest number of passes that a kernel contains, and the largest number of its cycles if it
+/// contains several. A value lives at least as long as its instruction takes, which are 7 cycles at
+/// most but for double precision. Where the interval is longer, copies cost little.
+const MAX_PASSES: i64 = 4;
+const EXPANDED: i64 = 24;
 /// The longest body that is pipelined, in instructions.
 const MAX_BODY: usize = 1000;
 /// The longest code after the loop, in instructions, that is copied to the short form, so that the
@@ -77,12 +86,15 @@ pub struct Figures {
     pub registers: u32,
     /// The number of instructions added to copy values.
     pub copies: usize,
+    /// The number of passes that the kernel contains, each with registers of its own.
+    pub passes: u64,
 }
 
 /// A scheduled kernel.
 struct Kernel {
-    /// The nodes in the order of the code, the branch last, each with its stage.
-    nodes: Vec<Node>,
+    /// For each pass that it contains: the nodes in the order of the code, the branch last, each
+    /// with its stage.
+    passes: Vec<Vec<Node>>,
     rows: Vec<u64>,
     figures: Figures,
 }
@@ -104,7 +116,7 @@ pub(super) fn pipeline(function: &mut Function) -> Vec<LoopReport> {
         let outcome = match kernel(function, at, first) {
             Ok(kernel) => {
                 let figures = kernel.figures;
-                match replace(function, at, kernel) {
+                match replace(function, at, &kernel) {
                     Ok(()) => Outcome::Pipelined(figures),
                     Err(why) => Outcome::Plain(why.into()),
                 }
@@ -173,7 +185,7 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
             .filter(|edge| edge.keeps.is_none())
             .collect()
     };
-    let true_edges = flow(cyclic(body));
+    let true_edges = flow(cyclic(body, live, Freedom::NONE));
     let resources = even.max(odd) as i64;
     let recurrence = |&interval: &i64| impossible(body.len(), &true_edges, interval).is_none();
     let unbounded = (resources.max(3)..).find(recurrence);
@@ -210,18 +222,21 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     };
     for interval in minimum..plain_cycles.max(minimum + 1) {
         let hinted = with_hint(body, interval, block.id);
-        let mut tried = Vec::new();
-        for life in lives(interval) {
-            let copied = copies::insert(&hinted, interval, life);
-            let Some(nodes) = copied.filter(|nodes| !tried.contains(&nodes.len())) else {
-                continue;
-            };
-            tried.push(nodes.len());
-            let mut edges = cyclic(&nodes);
-            edges.extend(hint_edges(&nodes));
-            let Some(found) = search(&nodes, &edges, interval, live) else {
-                continue;
-            };
+        let first = |freedom: Freedom| {
+            let mut tried = Vec::new();
+            lives(interval).find_map(|life| {
+                let nodes = copies::insert(&hinted, interval, life, live, freedom)?;
+                if tried.contains(&nodes.len()) {
+                    return None;
+                }
+                tried.push(nodes.len());
+                let mut edges = cyclic(&nodes, live, freedom);
+                edges.extend(hint_edges(&nodes));
+                search(&nodes, &edges, interval, live, freedom)
+            })
+        };
+        let found = freedoms(body, interval).find_map(first);
+        if let Some(found) = found {
             let figures = Figures {
                 even,
                 odd,
@@ -229,7 +244,8 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
                 interval: interval as u64,
                 stages: found.stages,
                 registers: found.registers,
-                copies: nodes.len() - hinted.len(),
+                copies: found.times.len() - hinted.len(),
+                passes: found.nodes.len() as u64,
             };
             return Ok(in_rows(&found.nodes, &found.times, interval, figures));
         }
@@ -237,27 +253,59 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     Err("no schedule with overlapping passes is shorter, or registers are too few".into())
 }
 
+/// What a kernel of this interval may do, the simplest form of code first.
+fn freedoms(body: &[Node], interval: i64) -> impl Iterator<Item = Freedom> {
+    let moves = Freedom {
+        moves: true,
+        ..Freedom::NONE
+    };
+    let any_moves = Movable::of_loop(body, moves).iter().any(Option::is_some);
+    let most = if body[body.len() - 1].one_pass {
+        1
+    } else {
+        MAX_PASSES
+    };
+    let passes = (1..=most).filter(move |&passes| passes == 1 || passes * interval <= EXPANDED);
+    let each = [false, true]
+        .into_iter()
+        .filter(move |&moves| any_moves || !moves);
+    passes.flat_map(move |passes| each.clone().map(move |moves| Freedom { moves, passes }))
+}
+
 /// A schedule of a loop's body.
 struct Found {
     stages: u64,
     registers: u32,
-    /// The nodes with their registers.
-    nodes: Vec<Node>,
+    /// For each pass that the kernel contains: the nodes with their registers.
+    nodes: Vec<Vec<Node>>,
     times: Vec<i64>,
 }
 
 /// Of some schedules of this interval, returns the one with the fewest stages, and among these the
 /// one with the fewest registers.
-fn search(nodes: &[Node], edges: &[Edge], interval: i64, live: Registers) -> Option<Found> {
-    let problem = Problem::new(nodes, edges, interval);
+fn search(
+    nodes: &[Node],
+    edges: &[Edge],
+    interval: i64,
+    live: Registers,
+    freedom: Freedom,
+) -> Option<Found> {
+    let movable = Movable::of_loop(nodes, freedom);
+    let problem = Problem::new(nodes, edges, &movable, interval);
     let attempts = (PLACED / nodes.len()).clamp(ATTEMPTS.0, ATTEMPTS.1) as u64;
+    let passes = freedom.passes as usize;
     let schedules = (0..attempts).filter_map(|attempt| {
         let mut times = problem.attempt(attempt)?;
         problem.sink(&mut times);
-        let (nodes, registers) = colour(nodes, &times, interval, live)?;
+        let (mut nodes, registers) = colour(nodes, &movable, &times, interval, live, passes)?;
+        for nodes in &mut nodes {
+            move_accesses(nodes, &movable, &times, interval);
+        }
         let last = times.iter().max().copied().unwrap_or(0);
-        Some(Found {
-            stages: (last / interval + 1) as u64,
+        let stages = (last / interval + 1) as u64;
+        // Passes that do not overlap need no registers of their own.
+        (stages > 1 || passes == 1).then_some(Found {
+            stages,
             registers,
             nodes,
             times,
@@ -266,6 +314,26 @@ fn search(nodes: &[Node], edges: &[Edge], interval: i64, live: Registers) -> Opt
     schedules
         .take(KEPT)
         .min_by_key(|found| (found.stages, found.registers))
+}
+
+/// Gives the accesses that may move the displacements for their places in the kernel.
+fn move_accesses(nodes: &mut [Node], movable: &[Option<Movable>], times: &[i64], interval: i64) {
+    let place = |nodes: &[Node], at: usize| row_order(&nodes[at], times[at], interval);
+    for (at, movable) in movable.iter().enumerate() {
+        let Some(access) = *movable else {
+            continue;
+        };
+        let before = place(nodes, access.increment) < place(nodes, at);
+        let stages = times[at] / interval - times[access.increment] / interval;
+        let moved = Moved::new(access, stages + i64::from(before));
+        nodes[at].i.immediate = moved.in_kernel();
+        nodes[at].moved = Some(moved);
+    }
+}
+
+/// What the code of a kernel is sorted by.
+fn row_order(node: &Node, time: i64, interval: i64) -> (i64, bool) {
+    (time % interval, node.pipe() == Pipe::Odd)
 }
 
 /// The cycles of the longest chain within a pass.
@@ -299,16 +367,19 @@ pub(super) fn hint(id: BlockId, late: bool) -> Node {
     Node::added(plain(Op::Hbrr, 0, 0, 0), Some(reference), "hint")
 }
 
-fn in_rows(nodes: &[Node], times: &[i64], interval: i64, figures: Figures) -> Kernel {
-    let mut order: Vec<usize> = (0..nodes.len()).collect();
-    order.sort_by_key(|&at| (times[at] % interval, nodes[at].pipe() == Pipe::Odd));
-    let placed = |&at: &usize| {
-        let mut node = nodes[at].clone();
-        node.stage = (times[at] / interval) as u32;
-        node
+fn in_rows(nodes: &[Vec<Node>], times: &[i64], interval: i64, figures: Figures) -> Kernel {
+    let mut order: Vec<usize> = (0..times.len()).collect();
+    order.sort_by_key(|&at| row_order(&nodes[0][at], times[at], interval));
+    let placed = |nodes: &Vec<Node>| {
+        let placed = order.iter().map(|&at| {
+            let mut node = nodes[at].clone();
+            node.stage = (times[at] / interval) as u32;
+            node
+        });
+        placed.collect()
     };
     Kernel {
-        nodes: order.iter().map(placed).collect(),
+        passes: nodes.iter().map(placed).collect(),
         rows: order
             .iter()
             .map(|&at| (times[at] % interval) as u64)
@@ -317,21 +388,91 @@ fn in_rows(nodes: &[Node], times: &[i64], interval: i64, figures: Figures) -> Ke
     }
 }
 
+impl Kernel {
+    fn nodes(&self) -> &[Node] {
+        &self.passes[0]
+    }
+
+    fn stages(&self) -> u32 {
+        self.figures.stages as u32
+    }
+
+    /// The nodes of these stages in the order of the code, where the pass that is in stage 0 has
+    /// this number.
+    fn part(&self, number: u32, stages: RangeInclusive<u32>) -> impl Iterator<Item = &Node> {
+        let count = self.passes.len() as i64;
+        (0..self.rows.len()).filter_map(move |at| {
+            let stage = self.nodes()[at].stage;
+            let pass = (i64::from(number) - i64::from(stage)).rem_euclid(count);
+            let node = &self.passes[pass as usize][at];
+            stages.contains(&stage).then_some(node)
+        })
+    }
+
+    /// Such nodes outside the kernel, where neither its branch nor its hint belongs.
+    /// `displacement` is that of an access which has moved, in the pass of a stage.
+    fn outside(
+        &self,
+        number: u32,
+        stages: RangeInclusive<u32>,
+        displacement: impl Fn(Moved, i64) -> i32,
+    ) -> Vec<Node> {
+        let runs = |node: &&Node| !node.ends_block() && node.class() != Class::Hb;
+        let nodes = self.part(number, stages).filter(runs).cloned();
+        nodes
+            .map(|mut node| {
+                if let Some(moved) = node.moved {
+                    node.i.immediate = displacement(moved, node.stage.into());
+                }
+                node.stage = 0;
+                node.in_order = true;
+                node
+            })
+            .collect()
+    }
+
+    /// The first passes, up to where all stages run.
+    fn fill(&self) -> Vec<Node> {
+        let first_passes = |last: u32| {
+            self.outside(last, 0..=last, |moved, stage| {
+                moved.in_fill(i64::from(last) - stage)
+            })
+        };
+        (0..self.stages() - 1).flat_map(first_passes).collect()
+    }
+
+    /// The last passes, where the last one to start in the kernel is that of part `part` of its
+    /// code.
+    fn drain(&self, part: u32) -> Vec<Node> {
+        let end = self.stages() - 1;
+        let last_passes = |first: u32| {
+            self.outside(end + part + first, first..=end, |moved, stage| {
+                moved.in_drain(stage - i64::from(first))
+            })
+        };
+        (1..=end).flat_map(last_passes).collect()
+    }
+}
+
 /// Replaces the loop by its fill, kernel, drain and short form.
-fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'static str> {
-    let Kernel {
-        nodes,
-        rows,
-        figures,
-    } = kernel;
+fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'static str> {
     let live = function.liveness().start[at];
     let plain_loop = function.blocks[at].clone();
     let name = plain_loop
         .name
         .clone()
         .unwrap_or_else(|| format!("{}_loop", function.name));
-    let kernel_id = function.new_id();
-    let short_id = kernel_id + 1;
+    let mut next_id = function.new_id();
+    let mut new_id = || {
+        next_id += 1;
+        next_id - 1
+    };
+    let stages = kernel.stages();
+    let parts = kernel.passes.len() as u32;
+    let kernel_ids: Vec<BlockId> = (0..parts).map(|_| new_id()).collect();
+    let drain_ids: Vec<BlockId> = (0..parts).map(|_| new_id()).collect();
+    let (first_id, last_id) = (kernel_ids[0], kernel_ids[kernel_ids.len() - 1]);
+    let short_id = new_id();
     let named = |id, suffix: &str, nodes| Block {
         id,
         name: (!suffix.is_empty()).then(|| format!("{name}{suffix}")),
@@ -339,70 +480,74 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
         cycles: None,
     };
 
-    let stages = figures.stages as u32;
-    if stages > 1 {
-        for node in &plain_loop.nodes {
-            // The branch ends the kernel and the short form. The fill and the drain together
-            // contain every stage once less than passes overlap.
-            let times = if node.ends_block() {
-                2
-            } else {
-                figures.stages as usize + 1
-            };
-            function.copied(node, times);
-        }
-    }
-    let own_hint = nodes.iter().any(|node| node.class() == Class::Hb);
+    let own_hint = kernel.nodes().iter().any(|node| node.class() == Class::Hb);
+    let branch = &plain_loop.nodes[plain_loop.nodes.len() - 1];
+    // A branch out that is taken if `test` is 0, for which the source has the loop's count.
+    let leave = |test: u8, id: BlockId, reason| {
+        let brz = plain(Op::Brz, test, 0, 0);
+        let mut node = Node::added(brz, Some(Reference::Block(id)), reason);
+        node.plain.rt = branch.i.rt;
+        node
+    };
     let mut entry = Vec::new();
     if stages > 1 {
-        let branch = &plain_loop.nodes[plain_loop.nodes.len() - 1];
         let free = POOL.rev().find(|&register| live & bit(register) == 0);
         let test = free.ok_or("no register is free for the test of its trip count")?;
         let enough = plain(Op::Clgti, test, branch.i.rt, stages as i32 - 1);
         let mut enough = Node::added(enough, None, "at least as many passes as overlap");
         enough.plain.rt = branch.i.rt;
-        let mut skip = plain(Op::Brz, test, 0, 0);
-        let reference = Some(Reference::Block(short_id));
-        let mut skip_node = Node::added(skip, reference, "too few passes");
-        skip.rt = branch.i.rt;
-        skip_node.plain = skip;
-        entry.extend([enough, skip_node]);
-    }
-    let pass = |stages: std::ops::RangeInclusive<u32>| {
-        let runs = |node: &&Node| {
-            stages.contains(&node.stage) && !node.ends_block() && node.class() != Class::Hb
-        };
-        let nodes = nodes.iter().filter(runs).cloned();
-        nodes
-            .map(|mut node| {
-                node.stage = 0;
-                node.in_order = true;
-                node
-            })
-            .collect::<Vec<_>>()
-    };
-    let mut fill: Vec<Node> = (0..stages - 1).flat_map(|last| pass(0..=last)).collect();
-    if !own_hint {
-        let late = fill
-            .len()
-            .saturating_sub(HINT_REACH.saturating_sub(nodes.len()) / 2);
-        fill.insert(late, hint(kernel_id, late > 0));
-    }
-    let mut drain: Vec<Node> = (1..stages)
-        .flat_map(|first| pass(first..=stages - 1))
-        .collect();
-
-    let mut kernel_nodes = nodes.clone();
-    let mut short_nodes = plain_loop.nodes.clone();
-    for node in &mut kernel_nodes {
-        match &mut node.reference {
-            Some(Reference::Block(id)) if *id == plain_loop.id => *id = kernel_id,
-            Some(Reference::Hint { branch, target, .. }) => {
-                (*branch, *target) = (kernel_id, Some(kernel_id));
-            }
-            _ => {}
+        entry.extend([enough, leave(test, short_id, "too few passes")]);
+        for node in kernel.nodes() {
+            // Besides the short form: each part of the kernel contains every stage, and a drain of
+            // its own contains a stage as often as there are stages before it. The fill contains it
+            // as often as there are stages behind it. The branch back closes only the last part.
+            let more = if node.ends_block() {
+                1
+            } else {
+                parts * (1 + node.stage) + (stages - 1 - node.stage)
+            };
+            function.copied(node, more as usize);
         }
     }
+    let mut fill = kernel.fill();
+    if !own_hint {
+        let length = kernel.rows.len() * kernel.passes.len();
+        let late = fill
+            .len()
+            .saturating_sub(HINT_REACH.saturating_sub(length) / 2);
+        let mut hint = hint(last_id, late > 0);
+        if let Some(Reference::Hint { target, .. }) = &mut hint.reference {
+            *target = Some(first_id);
+        }
+        fill.insert(late, hint);
+    }
+
+    let part = |part: u32| {
+        let mut nodes: Vec<Node> = kernel
+            .part(stages - 1 + part, 0..=stages - 1)
+            .cloned()
+            .collect();
+        for node in &mut nodes {
+            match &mut node.reference {
+                Some(Reference::Block(id)) if *id == plain_loop.id => {
+                    if part + 1 == parts {
+                        *id = first_id;
+                    } else {
+                        *node = leave(node.i.rt, drain_ids[part as usize], "the last pass");
+                    }
+                }
+                Some(Reference::Hint { branch, target, .. }) => {
+                    (*branch, *target) = (last_id, Some(first_id));
+                }
+                _ => {}
+            }
+        }
+        let mut block = named(kernel_ids[part as usize], "", nodes);
+        block.name = (part == 0).then(|| name.clone());
+        block.cycles = Some(kernel.rows.clone());
+        block
+    };
+    let mut short_nodes = plain_loop.nodes.clone();
     for node in &mut short_nodes {
         if let Some(Reference::Block(id)) = &mut node.reference
             && *id == plain_loop.id
@@ -410,13 +555,11 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
             *id = short_id;
         }
     }
-    let mut kernel_block = named(kernel_id, "", kernel_nodes);
-    kernel_block.name = Some(name.clone());
-    kernel_block.cycles = Some(rows);
 
-    // If the next block ends the function's path, it becomes part of the drain, and a copy follows
-    // the short form.
-    let mut after_short = Vec::new();
+    // If the next block ends the function's path, it becomes part of the drain, and copies follow
+    // the short form and the other drains.
+    let mut after = Vec::new();
+    let mut drain = kernel.drain(parts - 1);
     if let Some(next) = function.blocks.get(at + 1) {
         let alone = function.branches_to(next.id) == 0
             && !next.flow().falls_through
@@ -425,13 +568,13 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
         if alone && stages > 1 {
             let next = function.blocks.remove(at + 1);
             for node in &next.nodes {
-                function.copied(node, 2);
+                function.copied(node, parts as usize);
             }
             drain.extend(next.nodes.iter().cloned());
-            after_short = next.nodes;
+            after = next.nodes;
         } else if stages > 1 {
             let reference = Some(Reference::Block(next.id));
-            after_short.push(Node::added(plain(Op::Br, 0, 0, 0), reference, ""));
+            after.push(Node::added(plain(Op::Br, 0, 0, 0), reference, ""));
         }
     }
     let outer = function.branches_to(plain_loop.id) > 1;
@@ -440,15 +583,21 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
         if outer { "_entry" } else { "" },
         entry,
     )];
-    blocks.push(named(short_id + 1, "", fill));
-    blocks.push(kernel_block);
+    blocks.push(named(new_id(), "", fill));
+    blocks.extend((0..parts).map(part));
     if !drain.is_empty() {
-        blocks.push(named(short_id + 2, "_drain", drain));
+        blocks.push(named(drain_ids[drain_ids.len() - 1], "_drain", drain));
     }
     function.blocks.splice(at..=at, blocks);
+    for part in 0..parts - 1 {
+        let mut drain = kernel.drain(part);
+        drain.extend(after.iter().cloned());
+        let block = named(drain_ids[part as usize], "_drain", drain);
+        function.blocks.push(block);
+    }
     if stages > 1 {
         function.blocks.push(named(short_id, "_short", short_nodes));
-        function.blocks.push(named(short_id + 3, "", after_short));
+        function.blocks.push(named(new_id(), "", after));
     }
     Ok(())
 }

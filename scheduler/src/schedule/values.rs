@@ -46,6 +46,15 @@ impl Values {
             .map(|read| read.1)
     }
 
+    /// Whether a node of a loop makes the last value of a register that is in `live`, which is live
+    /// at the start of the loop or after it. Such values keep the source's register.
+    pub fn hands_on(&self, nodes: &[Node], at: usize, live: Registers) -> bool {
+        nodes[at].writes().is_some_and(|register| {
+            let last = self.last[usize::from(register)] == Some(at);
+            register < 128 && live & bit(register) != 0 && last
+        })
+    }
+
     /// The previous value of its register that a node replaces, if it reads its own target.
     pub fn replaced(&self, nodes: &[Node], at: usize) -> Option<Source> {
         nodes[at].writes()?;

@@ -3,8 +3,9 @@
 //! Each function is checked in two steps. First, the words that the scheduler laid out must be
 //! those of the plain code, each as often as copies of loops need it, plus what a schedule adds.
 //! Second, the words that the assembler makes of the text must be those that were laid out.
-//! Registers and branch targets differ from the plain code's. Whether values and jumps are right
-//! is not checked here.
+//! Registers and branch targets differ from the plain code's, and so may displacements, by whole
+//! steps of an address that the loop advances. Whether values and jumps are right is not checked
+//! here.
 
 use std::collections::BTreeMap;
 
@@ -76,11 +77,15 @@ fn is_addition(node: &Node) -> bool {
     }
 }
 
-/// Whether both are the same except for registers and the blocks that branches go to.
+/// Whether both are the same except for registers, the blocks that branches go to, and the steps
+/// that a displacement makes up for.
 fn is_alike(plain: &Placed, node: &Node) -> bool {
+    let moved = node
+        .moved
+        .is_some_and(|moved| moved.allows(node.i.immediate));
     let bare = |i: Instruction, reference: &Option<Reference>| {
         let mut i = i.without_registers();
-        if matches!(reference, Some(Reference::Block(_))) {
+        if moved || matches!(reference, Some(Reference::Block(_))) {
             i.immediate = 0;
         }
         i.encode()

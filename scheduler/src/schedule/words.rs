@@ -36,7 +36,7 @@ pub(super) fn lay_out(
 
     let mut labels = BTreeMap::new();
     let mut branches = BTreeMap::new();
-    let hinted: BTreeSet<BlockId> = hinted(function).collect();
+    let hinted: BTreeMap<BlockId, Option<BlockId>> = hinted(function).collect();
     for (at, block) in function.blocks.iter().enumerate() {
         let referenced = function.branches_to(block.id) > 0;
         let label = match &block.name {
@@ -45,9 +45,11 @@ pub(super) fn lay_out(
             None if referenced => function.name.clone(),
             None => String::new(),
         };
-        if hinted.contains(&block.id) {
+        if let Some(target) = hinted.get(&block.id) {
             let returns = block.nodes.last().is_some_and(Node::is_return);
-            let branch = match (returns, label.as_str()) {
+            // The loop may begin in an earlier block than its last one.
+            let target = target.and_then(|target| labels.get(&target));
+            let branch = match (returns, target.unwrap_or(&label).as_str()) {
                 (true, _) => format!("{}_return", function.name),
                 (false, "") => format!("{}_back", function.name),
                 (false, label) => format!("{label}_back"),
@@ -120,11 +122,11 @@ fn hint_loops(function: &mut Function) {
     }
 }
 
-/// The blocks whose branches have hints.
-fn hinted(function: &Function) -> impl Iterator<Item = BlockId> {
+/// The blocks whose branches have hints, and the targets of these.
+fn hinted(function: &Function) -> impl Iterator<Item = (BlockId, Option<BlockId>)> {
     let nodes = function.blocks.iter().flat_map(|block| &block.nodes);
     nodes.filter_map(|node| match node.reference {
-        Some(Reference::Hint { branch, .. }) => Some(branch),
+        Some(Reference::Hint { branch, target, .. }) => Some((branch, target)),
         _ => None,
     })
 }

@@ -29,10 +29,10 @@
         registers outside,step
 
 function frustum_spheres
-        .set count_2,79; .set a_sphere_2,2; .set a_sphere_3,6; .set quad_2,7; .set more_2,8
-        .set quad_3,9; .set s_2,17; .set cx_2,18; .set s_3,8; .set cy_2,19; .set a_sphere_4,18
-        .set cz_2,22; .set cx_3,7; .set a_sphere_5,17; .set cz_3,18; .set s_4,23; .set s_5,19
-        .set s_6,7; .set cz_4,9
+        .set count_2,79; .set more_2,2; .set quad_2,6; .set more_3,7; .set s_2,8; .set s_3,2
+        .set cx_2,9; .set cy_2,17; .set quad_3,18; .set cz_2,6; .set cz_3,9; .set s_4,7
+        .set cz_4,19; .set s_5,17; .set s_6,6; .set s_7,9; .set cz_5,8; .set a_sphere_2,5
+        .set a_sphere_3,2
         ilhu    $m_x,1                                  # 0e
         lqd     $nx,0($a_frustum)                       # 0o
         ilhu    $m_y,0x405                              # 1e
@@ -49,126 +49,112 @@ function frustum_spheres
         biz     $count,$lr                              # 8o
         clgti   $count_2,$count,4                       # 9e at least as many passes as overlap
         brz     $count_2,next_sphere_short              # 11o too few passes
-        ai      $a_sphere_2,$a_sphere,48                # 12e
-        lqd     $quad,0($a_sphere)                      # 12o
-        ai      $count,$count,-1                        # 13e
-        lqd     $more,16($a_sphere)                     # 13o
-        ai      $a_sphere_3,$a_sphere_2,48              # 14e
-        lqd     $quad_2,0($a_sphere_2)                  # 14o
-        ai      $count,$count,-1                        # 15e
-        lqd     $more_2,16($a_sphere_2)                 # 15o
-        nop     $127                                    # 16e pairing
+        ai      $count,$count,-1                        # 12e
+        lqd     $more,16($a_sphere)                     # 12o
+        nop     $127                                    # 13e pairing
+        lqd     $quad,0($a_sphere)                      # 13o
+        ai      $count,$count,-1                        # 14e
+        lqd     $more_2,64($a_sphere)                   # 14o
+        nop     $127                                    # 15e pairing
+        lqd     $quad_2,48($a_sphere)                   # 15o
+        ai      $count,$count,-1                        # 16e
         hbrr    next_sphere_back,next_sphere            # 16o hint
-        ai      $count,$count,-1                        # 17e
-        lqd     $quad_3,0($a_sphere_3)                  # 17o
-        nop     $127                                    # 18e pairing
-        shufb   $cx,$quad,$quad,$m_x                    # 18o
-        ai      $count,$count,-1                        # 19e
-        shufb   $s_2,$more,$more,$m_reach               # 19o
+        nop     $127                                    # 17e pairing
+        lqd     $more_3,112($a_sphere)                  # 17o
+        ai      $count,$count,-1                        # 18e
+        shufb   $s_2,$more,$more,$m_reach               # 18o
+        shufb   $cx,$quad,$quad,$m_x                    # 19o
         shufb   $cy,$quad,$quad,$m_y                    # 20o
-        shufb   $cx_2,$quad_2,$quad_2,$m_x              # 21o
-        nop     $127                                    # 22e pairing
-        shufb   $s_3,$more_2,$more_2,$m_reach           # 22o
+        shufb   $s_3,$more_2,$more_2,$m_reach           # 21o
+        shufb   $cx_2,$quad_2,$quad_2,$m_x              # 22o
         fma     $s_2,$cx,$nx,$s_2                       # 23e
         shufb   $cz,$quad,$quad,$m_z                    # 23o
         shufb   $cy_2,$quad_2,$quad_2,$m_y              # 24o
-        lqd     $more,16($a_sphere_3)                   # 25o
+        lqd     $quad_3,96($a_sphere)                   # 25o
         fma     $s_3,$cx_2,$nx,$s_3                     # 26e
-        shlqbyi $a_sphere_4,$a_sphere,0                 # 26o copy
-        ori     $cz_2,$cz,0                             # 27e copy
-        shufb   $cz,$quad_2,$quad_2,$m_z                # 27o
-        ai      $a_sphere,$a_sphere_3,48                # 28e
-        shufb   $cx_3,$quad_3,$quad_3,$m_x              # 28o
+        shufb   $cz_2,$quad_2,$quad_2,$m_z              # 26o
+        ori     $cz_3,$cz,0                             # 27e copy
+        shufb   $s_4,$more_3,$more_3,$m_reach           # 27o
+        nop     $127                                    # 28e pairing
+        lqd     $more,160($a_sphere)                    # 28o
         fma     $s,$cy,$ny,$s_2                         # 29e
-        shlqbyi $a_sphere_2,$a_sphere_2,0               # 29o copy
-        ori     $a_sphere_5,$a_sphere_4,0               # 30e copy
-        lqd     $quad,0($a_sphere)                      # 30o
-        ori     $cz_3,$cz,0                             # 31e copy
-        shufb   $s_4,$more,$more,$m_reach               # 31o
-        fma     $s_3,$cy_2,$ny,$s_3                     # 32e
-        lqd     $more,16($a_sphere)                     # 32o
-        ori     $a_sphere_5,$a_sphere_5,0               # 33e copy
-        shufb   $cz,$quad_3,$quad_3,$m_z                # 33o
-        ori     $a_sphere_2,$a_sphere_2,0               # 34e copy
-        shlqbyi $a_sphere_3,$a_sphere_3,0               # 34o copy
-        fma     $s_5,$cz_2,$nz,$s                       # 35e
-        stqd    $a_sphere_5,0($a_frustum)               # 35o
-        fma     $s_6,$cx_3,$nx,$s_4                     # 36e
-        shufb   $cy,$quad_3,$quad_3,$m_y                # 36o
-        ori     $cz_4,$cz,0                             # 37e copy
-        fma     $s_3,$cz_3,$nz,$s_3                     # 38e
-        ori     $a_sphere_5,$a_sphere_2,0               # 39e copy
-        rotqbii $outside,$s_5,1                         # 41o signs to the words' last bits
-        nop     $127                                    # 42e pairing
+        lqd     $quad,144($a_sphere)                    # 29o
+        ori     $cz_4,$cz_2,0                           # 30e copy
+        stqd    $a_sphere,0($a_frustum)                 # 30o
+        nop     $127                                    # 31e pairing
+        shufb   $cx,$quad_3,$quad_3,$m_x                # 31o
+        fma     $s_5,$cy_2,$ny,$s_3                     # 32e
+        shufb   $cz,$quad_3,$quad_3,$m_z                # 32o
+        shufb   $cy,$quad_3,$quad_3,$m_y                # 33o
+        shufb   $s_6,$more,$more,$m_reach               # 34o
+        fma     $s_7,$cz_3,$nz,$s                       # 35e
+        fma     $s_3,$cx,$nx,$s_4                       # 36e
+        ori     $cz_5,$cz,0                             # 37e copy
+        fma     $s_4,$cz_4,$nz,$s_5                     # 38e
+        rotqbii $outside,$s_7,1                         # 41o signs to the words' last bits
         gb      $outside,$outside                       # 45o
 next_sphere:
-            ori     $a_sphere_2,$a_sphere_3,0           # 0e copy
-            shlqbyi $a_sphere_3,$a_sphere,0             # 0o copy
-            fma     $s,$cy,$ny,$s_6                     # 1e
+        ai      $count,$count,-1                        # 0e
+        lqd     $more,208($a_sphere)                    # 0o
+            fma     $s,$cy,$ny,$s_3                     # 1e
             shufb   $cx,$quad,$quad,$m_x                # 1o
             ceqi    $step,$outside,0                    # 2e
-            shufb   $s_6,$more,$more,$m_reach           # 2o
+            shufb   $cz,$quad,$quad,$m_z                # 2o
             ai      $a_sphere,$a_sphere,48              # 3e
-            rotqbii $outside,$s_3,1                     # 3o signs to the words' last bits
+            rotqbii $outside,$s_4,1                     # 3o signs to the words' last bits
             andi    $step,$step,16                      # 4e
             shufb   $cy,$quad,$quad,$m_y                # 4o
-        ai      $count,$count,-1                        # 5e
-            shufb   $cz,$quad,$quad,$m_z                # 5o
-            fma     $s_6,$cx,$nx,$s_6                   # 6e
-        lqd     $quad,0($a_sphere)                      # 6o
-            a       $a_frustum,$a_frustum,$step         # 7e
-        lqd     $more,16($a_sphere)                     # 7o
-            fma     $s_3,$cz_4,$nz,$s                   # 8e
-            gb      $outside,$outside                   # 8o
-            ori     $cz_4,$cz,0                         # 9e copy
-            stqd    $a_sphere_5,0($a_frustum)           # 9o
-            ori     $a_sphere_5,$a_sphere_2,0           # 10e copy
+            fma     $s_3,$cx,$nx,$s_6                   # 5e
+        lqd     $quad,144($a_sphere)                    # 5o
+            a       $a_frustum,$a_frustum,$step         # 6e
+        shufb   $s_6,$more,$more,$m_reach               # 6o
+            fma     $s_4,$cz_5,$nz,$s                   # 7e
+            gb      $outside,$outside                   # 7o
+            ori     $cz_5,$cz,0                         # 8e copy
+            stqd    $a_sphere,0($a_frustum)             # 8o
+        nop     $127                                    # 9e pairing
 next_sphere_back:
-        brnz    $count,next_sphere                      # 10o
+        brnz    $count,next_sphere                      # 9o
 next_sphere_drain:
-        fma     $s,$cy,$ny,$s_6                         # 0e
+        fma     $s,$cy,$ny,$s_3                         # 0e
         shufb   $cx,$quad,$quad,$m_x                    # 0o
         ceqi    $step,$outside,0                        # 1e
-        shufb   $s_6,$more,$more,$m_reach               # 1o
-        ori     $a_sphere_2,$a_sphere_3,0               # 2e copy
-        shufb   $cy,$quad,$quad,$m_y                    # 2o
+        shufb   $cy,$quad,$quad,$m_y                    # 1o
+        ai      $a_sphere,$a_sphere,48                  # 2e
+        shufb   $cz,$quad,$quad,$m_z                    # 2o
         andi    $step,$step,16                          # 3e
-        shufb   $cz,$quad,$quad,$m_z                    # 3o
-        ori     $a_sphere_2,$a_sphere_2,0               # 4e copy
-        rotqbii $outside,$s_3,1                         # 4o signs to the words' last bits
-        fma     $s_6,$cx,$nx,$s_6                       # 5e
-        hbr     frustum_spheres_return,$lr              # 5o hint
-        fma     $s_3,$cz_4,$nz,$s                       # 6e
-        shlqbyi $a_sphere_3,$a_sphere,0                 # 6o copy
-        ori     $cz_4,$cz,0                             # 7e copy
-        lnop                                            # 7o pairing
-        a       $a_frustum,$a_frustum,$step             # 8e
-        gb      $outside,$outside                       # 8o
-        ai      $a_sphere,$a_sphere,48                  # 9e
-        lnop                                            # 9o pairing
-        ori     $a_sphere,$a_sphere_3,0                 # 10e copy
-        stqd    $a_sphere_5,0($a_frustum)               # 10o
-        fma     $s,$cy,$ny,$s_6                         # 11e
-        lnop                                            # 11o pairing
-        ceqi    $step,$outside,0                        # 12e
-        rotqbii $outside,$s_3,1                         # 12o signs to the words' last bits
-        ori     $a_sphere_5,$a_sphere,0                 # 13e copy
-        andi    $step,$step,16                          # 14e
-        a       $a_frustum,$a_frustum,$step             # 16e
+        rotqbii $outside,$s_4,1                         # 3o signs to the words' last bits
+        fma     $s_3,$cx,$nx,$s_6                       # 4e
+        hbr     frustum_spheres_return,$lr              # 4o hint
+        a       $a_frustum,$a_frustum,$step             # 5e
+        fma     $s_4,$cz_5,$nz,$s                       # 6e
+        ori     $cz_5,$cz,0                             # 7e copy
+        gb      $outside,$outside                       # 7o
+        ai      $a_sphere_2,$a_sphere,48                # 8e
+        stqd    $a_sphere,0($a_frustum)                 # 8o
+        fma     $s,$cy,$ny,$s_3                         # 10e
+        ceqi    $step,$outside,0                        # 11e
+        ai      $a_sphere,$a_sphere_2,48                # 12e
+        rotqbii $outside,$s_4,1                         # 12o signs to the words' last bits
+        andi    $step,$step,16                          # 13e
+        ai      $a_sphere_3,$a_sphere,48                # 14e
+        a       $a_frustum,$a_frustum,$step             # 15e
+        lnop                                            # 15o pairing
+        fma     $s_4,$cz_5,$nz,$s                       # 16e
         gb      $outside,$outside                       # 16o
-        fma     $s_3,$cz_4,$nz,$s                       # 17e
-        stqd    $a_sphere_2,0($a_frustum)               # 18o
+        stqd    $a_sphere_2,0($a_frustum)               # 17o
         ceqi    $step,$outside,0                        # 20e
         andi    $step,$step,16                          # 22e
-        rotqbii $outside,$s_3,1                         # 23o signs to the words' last bits
+        rotqbii $outside,$s_4,1                         # 22o signs to the words' last bits
         a       $a_frustum,$a_frustum,$step             # 24e
-        stqd    $a_sphere_5,0($a_frustum)               # 26o
-        gb      $outside,$outside                       # 27o
-        ceqi    $step,$outside,0                        # 31e
-        andi    $step,$step,16                          # 33e
-        a       $a_frustum,$a_frustum,$step             # 35e
+        gb      $outside,$outside                       # 26o
+        stqd    $a_sphere,0($a_frustum)                 # 27o
+        ceqi    $step,$outside,0                        # 30e
+        andi    $step,$step,16                          # 32e
+        lnop                                            # 32o pairing
+        a       $a_frustum,$a_frustum,$step             # 34e
 frustum_spheres_return:
-        bi      $lr                                     # 35o
+        bi      $lr                                     # 34o
 next_sphere_short:
         ai      $count,$count,-1                        # 0e
         lqd     $quad,0($a_sphere)                      # 0o

@@ -26,9 +26,10 @@
         .set    step,23
 
 function hidden_pairs_r16
-        .set count_2,79; .set a_pair_2,2; .set a_pair_3,5; .set pair_2,2; .set pair_3,5
-        .set pair_4,6; .set a_packet_2,7; .set near_2,8; .set t2_2,9; .set t3_2,12; .set pair_5,3
-        .set step_2,2
+        .set count_2,79; .set a_pair_2,2; .set a_pair_3,5; .set pair_2,6; .set pair_3,5
+        .set near_2,2; .set near_3,7; .set a_packet_2,8; .set pair_4,9; .set t1_2,12; .set t3_2,19
+        .set t2_2,21; .set t_2,8; .set farther2_2,13; .set farther_2,14; .set farther2_3,9
+        .set farther_3,9; .set step_2,2
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $m_near,1                               # 1e
@@ -48,106 +49,160 @@ function hidden_pairs_r16
         ai      $a_pair,$a_pair_3,16                    # 9e
         lqd     $pair_3,0($a_pair_3)                    # 9o
         ai      $count,$count,-1                        # 10e
-        rotqbyi $a_packet,$pair,4                       # 11o
-        lqd     $near,16($pair)                         # 12o
-        shlqbyi $pair_4,$pair,0                         # 13o copy
+        lqd     $near_2,16($pair)                       # 11o
+        rotqbyi $a_packet,$pair,4                       # 12o
+        lqd     $near_3,16($pair_2)                     # 13o
         rotqbyi $a_packet_2,$pair_2,4                   # 14o
-        lqd     $t,192($a_packet)                       # 15o
-        lqd     $t+2,224($a_packet)                     # 16o
+        shlqbyi $pair_4,$pair,0                         # 15o copy
+        lqd     $t+1,208($a_packet)                     # 16o
         lqd     $t+3,240($a_packet)                     # 17o
-        lqd     $t+1,208($a_packet)                     # 18o
-        shufb   $near,$near,$near,$m_near               # 19o
-        lqd     $near_2,16($pair_2)                     # 20o
-        shlqbyi $pair_4,$pair_4,0                       # 21o copy
-        nop     $127                                    # 22e pairing
-        lqd     $t2_2,224($a_packet_2)                  # 22o
-        fcgt    $farther,$t,$near                       # 23e
-        lqd     $t3_2,240($a_packet_2)                  # 23o
-        fcgt    $farther+2,$t+2,$near                   # 24e
-        shlqbyi $pair_2,$pair_2,0                       # 24o copy
-        fcgt    $farther+3,$t+3,$near                   # 25e
-        lqd     $t,192($a_packet_2)                     # 25o
-        fcgt    $farther+1,$t+1,$near                   # 26e
-        shufb   $near_2,$near_2,$near_2,$m_near         # 26o
-        or      $farther+2,$farther+2,$farther+3        # 27e
-        lqd     $t+1,208($a_packet_2)                   # 27o
-        or      $farther,$farther,$farther+1            # 28e
-        stqd    $pair_4,0($a_out)                       # 28o never ahead of the reading
-        nop     $127                                    # 29e pairing
-        lqd     $near,16($pair_3)                       # 29o
-        or      $farther,$farther,$farther+2            # 30e
-        shlqbyi $pair_2,$pair_2,0                       # 30o copy
-        fcgt    $farther+2,$t2_2,$near_2                # 31e
-        rotqbyi $a_packet,$pair_3,4                     # 31o
-        fcgt    $farther+3,$t3_2,$near_2                # 32e
-        gb      $step,$farther                          # 32o
-        fcgt    $farther,$t,$near_2                     # 33e
-        shlqbyi $pair_3,$pair_3,0                       # 33o copy
-        fcgt    $farther+1,$t+1,$near_2                 # 34e
-        or      $farther+2,$farther+2,$farther+3        # 35e
+        lqd     $t+2,224($a_packet)                     # 18o
+        lqd     $t,192($a_packet)                       # 19o
+        shufb   $near,$near_2,$near_2,$m_near           # 20o
+        lqd     $t1_2,208($a_packet_2)                  # 21o
+        lqd     $t3_2,240($a_packet_2)                  # 22o
+        lqd     $t2_2,224($a_packet_2)                  # 23o
+        fcgt    $farther+1,$t+1,$near                   # 24e
+        lqd     $t_2,192($a_packet_2)                   # 24o
+        fcgt    $farther2_2,$t+2,$near                  # 25e
+        lqd     $near_2,16($pair_3)                     # 25o
+        fcgt    $farther+3,$t+3,$near                   # 26e
+        shufb   $near_3,$near_3,$near_3,$m_near         # 26o
+        fcgt    $farther_2,$t,$near                     # 27e
+        stqd    $pair_4,0($a_out)                       # 27o never ahead of the reading
+        or      $farther2_3,$farther2_2,$farther+3      # 28e
+        shlqbyi $pair_2,$pair_2,0                       # 28o copy
+        or      $farther_2,$farther_2,$farther+1        # 29e
+        rotqbyi $a_packet,$pair_3,4                     # 29o
+        fcgt    $farther+1,$t1_2,$near_3                # 30e
+        shlqbyi $pair_3,$pair_3,0                       # 30o copy
+        or      $farther_3,$farther_2,$farther2_3       # 31e
+        fcgt    $farther+2,$t2_2,$near_3                # 32e
+        fcgt    $farther+3,$t3_2,$near_3                # 33e
+        gb      $step,$farther_3                        # 33o
+        fcgt    $farther,$t_2,$near_3                   # 34e
+        lnop                                            # 34o pairing
 next_pair:
-            or      $farther,$farther,$farther+1        # 0e
-            lqd     $t,192($a_packet)                   # 0o
-            clgti   $step,$step,0                       # 1e
-        lqd     $pair,0($a_pair)                        # 1o
-            or      $farther,$farther,$farther+2        # 2e
-            lqd     $t+2,224($a_packet)                 # 2o
-            andi    $step,$step,16                      # 3e
-            lqd     $t+3,240($a_packet)                 # 3o
-        ai      $a_pair,$a_pair,16                      # 4e
-            shufb   $near,$near,$near,$m_near           # 4o
-            a       $a_out,$a_out,$step                 # 5e
-            lqd     $t+1,208($a_packet)                 # 5o
+            or      $farther+2,$farther+2,$farther+3    # 0e
+        lqd     $pair,0($a_pair)                        # 0o
+        ai      $a_pair,$a_pair,16                      # 1e
+            lqd     $t+1,208($a_packet)                 # 1o
+            or      $farther,$farther,$farther+1        # 2e
+            lqd     $t+3,240($a_packet)                 # 2o
+            clgti   $step,$step,0                       # 3e
+            lqd     $t+2,224($a_packet)                 # 3o
+            or      $farther,$farther,$farther+2        # 4e
+            shufb   $near,$near_2,$near_2,$m_near       # 4o
+            andi    $step,$step,16                      # 5e
+            lqd     $t,192($a_packet)                   # 5o
         ai      $count,$count,-1                        # 6e
-            gb      $step,$farther                      # 6o
-            nop     $127                                # 7e pairing
-            stqd    $pair_2,0($a_out)                   # 7o never ahead of the reading
-            fcgt    $farther,$t,$near                   # 8e
-            shlqbyi $pair_2,$pair_3,0                   # 8o copy
+        lqd     $near_2,16($pair)                       # 6o
+            a       $a_out,$a_out,$step                 # 7e
+        rotqbyi $a_packet,$pair,4                       # 7o
+            fcgt    $farther+1,$t+1,$near               # 8e
+            gb      $step,$farther                      # 8o
             fcgt    $farther+2,$t+2,$near               # 9e
-        rotqbyi $a_packet,$pair,4                       # 9o
+            stqd    $pair_2,0($a_out)                   # 9o never ahead of the reading
             fcgt    $farther+3,$t+3,$near               # 10e
-        shlqbyi $pair_3,$pair,0                         # 10o copy
-            fcgt    $farther+1,$t+1,$near               # 11e
-        lqd     $near,16($pair)                         # 11o
+        shlqbyi $pair_2,$pair,0                         # 10o copy
+            fcgt    $farther,$t,$near                   # 11e
+        brz     $count,next_pair_drain_2                # 11o the last pass
             or      $farther+2,$farther+2,$farther+3    # 12e
+        lqd     $pair,0($a_pair)                        # 12o
+        ai      $a_pair,$a_pair,16                      # 13e
+            lqd     $t+1,208($a_packet)                 # 13o
+            or      $farther,$farther,$farther+1        # 14e
+            lqd     $t+3,240($a_packet)                 # 14o
+            clgti   $step,$step,0                       # 15e
+            lqd     $t+2,224($a_packet)                 # 15o
+            or      $farther,$farther,$farther+2        # 16e
+            shufb   $near,$near_2,$near_2,$m_near       # 16o
+            andi    $step,$step,16                      # 17e
+            lqd     $t,192($a_packet)                   # 17o
+        ai      $count,$count,-1                        # 18e
+        lqd     $near_2,16($pair)                       # 18o
+            a       $a_out,$a_out,$step                 # 19e
+        rotqbyi $a_packet,$pair,4                       # 19o
+            fcgt    $farther+1,$t+1,$near               # 20e
+            gb      $step,$farther                      # 20o
+            fcgt    $farther+2,$t+2,$near               # 21e
+            stqd    $pair_3,0($a_out)                   # 21o never ahead of the reading
+            fcgt    $farther+3,$t+3,$near               # 22e
+        shlqbyi $pair_3,$pair,0                         # 22o copy
+            fcgt    $farther,$t,$near                   # 23e
 next_pair_back:
-        brnz    $count,next_pair                        # 12o
+        brnz    $count,next_pair                        # 23o
 next_pair_drain:
         or      $farther,$farther,$farther+1            # 0e
-        shufb   $near,$near,$near,$m_near               # 0o
-        clgti   $step,$step,0                           # 1e
-        lqd     $t+2,224($a_packet)                     # 1o
-        or      $farther,$farther,$farther+2            # 2e
-        lqd     $t+3,240($a_packet)                     # 2o
-        andi    $step,$step,16                          # 3e
-        lqd     $t+1,208($a_packet)                     # 3o
-        nop     $127                                    # 4e pairing
-        lqd     $t,192($a_packet)                       # 4o
-        a       $a_out,$a_out,$step                     # 5e
+        shufb   $near,$near_2,$near_2,$m_near           # 0o
+        or      $farther+2,$farther+2,$farther+3        # 1e
+        lqd     $t,192($a_packet)                       # 1o
+        clgti   $step,$step,0                           # 2e
+        lqd     $t+1,208($a_packet)                     # 2o
+        or      $farther,$farther,$farther+2            # 3e
+        lqd     $t+3,240($a_packet)                     # 3o
+        andi    $step,$step,16                          # 4e
+        lqd     $t+2,224($a_packet)                     # 4o
+        nop     $127                                    # 5e pairing
         hbr     hidden_pairs_r16_return,$lr             # 5o hint
-        nop     $127                                    # 6e pairing
+        a       $a_out,$a_out,$step                     # 6e
         gb      $step,$farther                          # 6o
-        fcgt    $farther+2,$t+2,$near                   # 7e
-        shlqbyi $pair_5,$pair_3,0                       # 7o copy
-        fcgt    $farther+3,$t+3,$near                   # 8e
+        fcgt    $farther,$t,$near                       # 7e
+        lnop                                            # 7o pairing
+        fcgt    $farther+1,$t+1,$near                   # 8e
         stqd    $pair_2,0($a_out)                       # 8o never ahead of the reading
-        fcgt    $farther+1,$t+1,$near                   # 9e
-        fcgt    $farther,$t,$near                       # 10e
-        or      $farther+2,$farther+2,$farther+3        # 11e
-        or      $farther,$farther,$farther+1            # 12e
+        fcgt    $farther+3,$t+3,$near                   # 9e
+        fcgt    $farther+2,$t+2,$near                   # 10e
+        or      $farther,$farther,$farther+1            # 11e
+        or      $farther+2,$farther+2,$farther+3        # 12e
         clgti   $step,$step,0                           # 13e
         or      $farther,$farther,$farther+2            # 14e
         andi    $step,$step,16                          # 15e
         gb      $step_2,$farther                        # 16o
         a       $a_out,$a_out,$step                     # 17e
-        stqd    $pair_5,0($a_out)                       # 19o never ahead of the reading
+        stqd    $pair_3,0($a_out)                       # 19o never ahead of the reading
         clgti   $step,$step_2,0                         # 20e
         andi    $step,$step,16                          # 22e
         a       $a_out,$a_out,$step                     # 24e
         lnop                                            # 24o pairing
         ori     $a_pair,$a_out,0                        # 26e
 hidden_pairs_r16_return:
+        bi      $lr                                     # 26o
+next_pair_drain_2:
+        or      $farther,$farther,$farther+1            # 0e
+        shufb   $near,$near_2,$near_2,$m_near           # 0o
+        or      $farther+2,$farther+2,$farther+3        # 1e
+        lqd     $t,192($a_packet)                       # 1o
+        clgti   $step,$step,0                           # 2e
+        lqd     $t+1,208($a_packet)                     # 2o
+        or      $farther,$farther,$farther+2            # 3e
+        lqd     $t+3,240($a_packet)                     # 3o
+        andi    $step,$step,16                          # 4e
+        lqd     $t+2,224($a_packet)                     # 4o
+        nop     $127                                    # 5e pairing
+        hbr     hidden_pairs_r16_return_2,$lr           # 5o hint
+        a       $a_out,$a_out,$step                     # 6e
+        gb      $step,$farther                          # 6o
+        fcgt    $farther,$t,$near                       # 7e
+        lnop                                            # 7o pairing
+        fcgt    $farther+1,$t+1,$near                   # 8e
+        stqd    $pair_3,0($a_out)                       # 8o never ahead of the reading
+        fcgt    $farther+3,$t+3,$near                   # 9e
+        fcgt    $farther+2,$t+2,$near                   # 10e
+        or      $farther,$farther,$farther+1            # 11e
+        or      $farther+2,$farther+2,$farther+3        # 12e
+        clgti   $step,$step,0                           # 13e
+        or      $farther,$farther,$farther+2            # 14e
+        andi    $step,$step,16                          # 15e
+        gb      $step_2,$farther                        # 16o
+        a       $a_out,$a_out,$step                     # 17e
+        stqd    $pair_2,0($a_out)                       # 19o never ahead of the reading
+        clgti   $step,$step_2,0                         # 20e
+        andi    $step,$step,16                          # 22e
+        a       $a_out,$a_out,$step                     # 24e
+        lnop                                            # 24o pairing
+        ori     $a_pair,$a_out,0                        # 26e
+hidden_pairs_r16_return_2:
         bi      $lr                                     # 26o
 next_pair_short:
         ai      $count,$count,-1                        # 0e

@@ -57,18 +57,19 @@ vertex_indices:                                         # three bytes to the end
         .int    0x80808000,0x80808001,0x80808002,0x80808080
 
 function isect_mesh_pairs_r16
-        .set count_2,79; .set candidate_2,2; .set triangles_2,79; .set at_2,4; .set a_packet_2,78
-        .set t_best_2,35; .set t_best_3,32; .set axis_2,63; .set object_2,79; .set axis_3,50
-        .set axis_4,34; .set axis_5,29; .set origin_2,38; .set vertex_c_2,2; .set vertex_b_2,33
-        .set vertex_a_2,9; .set origin_3,51; .set vertex_c_3,8; .set vertex_b_3,27; .set axis_6,2
-        .set axis_7,30; .set axis_8,7; .set axis_9,45; .set origin_4,68; .set xb_2,71; .set ya_2,48
-        .set yc_2,4; .set xc_2,69; .set origin_5,36; .set zc_2,55; .set zb_2,64; .set origin_6,65
-        .set za_2,50; .set origin_7,44; .set xc_3,5; .set slope_2,72; .set zc_3,6; .set za_3,76
-        .set yc_3,21; .set zb_3,24; .set origin_8,25; .set za_4,51; .set origin_9,31; .set xc_4,46
-        .set xb_3,28; .set zc_4,49; .set xb_4,7; .set ya_3,75; .set za_5,33; .set zb_4,56
-        .set ya_4,47; .set za_6,29; .set xb_5,53; .set slope_3,67; .set xa_2,25; .set slope_4,33
-        .set slope_5,76; .set slope_6,37; .set yb_2,41; .set slope_7,34; .set xa_3,30; .set yb_3,42
-        .set xa_4,38; .set yb_4,39; .set xa_5,2; .set axis_10,66; .set xa_6,43; .set axis_11,38
+        .set count_2,79; .set a_run_2,2; .set candidate_2,6; .set candidate_3,7; .set candidate_4,2
+        .set triangles_2,79; .set at_2,4; .set a_packet_2,78; .set t_best_2,35; .set t_best_3,32
+        .set axis_2,63; .set object_2,79; .set axis_3,50; .set axis_4,34; .set axis_5,29
+        .set origin_2,38; .set vertex_c_2,2; .set vertex_b_2,33; .set vertex_a_2,9
+        .set origin_3,51; .set vertex_c_3,8; .set vertex_b_3,27; .set axis_6,2; .set axis_7,30
+        .set axis_8,7; .set axis_9,45; .set origin_4,68; .set xb_2,71; .set ya_2,48; .set yc_2,4
+        .set xc_2,69; .set origin_5,36; .set zc_2,55; .set zb_2,64; .set origin_6,65; .set za_2,50
+        .set origin_7,44; .set xc_3,5; .set slope_2,72; .set zc_3,6; .set za_3,76; .set yc_3,21
+        .set zb_3,24; .set origin_8,25; .set za_4,51; .set origin_9,31; .set xc_4,46; .set xb_3,28
+        .set zc_4,49; .set xb_4,7; .set ya_3,75; .set za_5,33; .set zb_4,56; .set ya_4,47
+        .set za_6,29; .set xb_5,53; .set slope_3,67; .set xa_2,25; .set slope_4,33; .set slope_5,76
+        .set slope_6,37; .set yb_2,41; .set slope_7,34; .set xa_3,30; .set yb_3,42; .set xa_4,38
+        .set yb_4,39; .set xa_5,2; .set axis_10,66; .set xa_6,43; .set axis_11,38
         .set origin_10,73; .set yb_5,31; .set origin_11,54; .set ya_5,44; .set xb_6,42
         .set yc_4,62; .set zb_5,52; .set zc_5,57; .set sum_2,58; .set ya_6,70; .set za_7,74
         .set xc_5,8; .set sum_3,38; .set yb_6,27; .set slope_8,63; .set slope_9,59; .set sum_4,30
@@ -129,23 +130,35 @@ function isect_mesh_pairs_r16
         ori     $a_run,$a_first,0                       # 1e
         il      $a_first,0                              # 2e
         biz     $count,$lr                              # 2o
-        clgti   $count_2,$count,1                       # 3e at least as many passes as overlap
+        clgti   $count_2,$count,2                       # 3e at least as many passes as overlap
         brz     $count_2,next_run_short                 # 5o too few passes
-        ai      $count,$count,-1                        # 6e
-        lqd     $candidate_2,0($a_run)                  # 6o
-        ai      $a_run,$a_run,16                        # 7e
+        ai      $a_run_2,$a_run,16                      # 6e
+        lqd     $candidate,0($a_run)                    # 6o
+        ai      $count,$count,-1                        # 7e
         hbrr    next_run_back,next_run                  # 7o hint
+        ai      $a_run,$a_run_2,16                      # 8e
+        lqd     $candidate_2,0($a_run_2)                # 8o
+        ai      $count,$count,-1                        # 9e
+        rotmi   $candidate_3,$candidate,-16             # 12e
 next_run:
-            rotmi   $candidate,$candidate_2,-16         # 1e
-        lqd     $candidate_2,0($a_run)                  # 1o
-        ai      $a_run,$a_run,16                        # 2e
-        ai      $count,$count,-1                        # 3e
-            a       $a_first,$a_first,$candidate        # 5e
+        ai      $count,$count,-1                        # 0e
+        lqd     $candidate,0($a_run)                    # 0o
+        ai      $a_run,$a_run,16                        # 1e
+            rotmi   $candidate_4,$candidate_2,-16       # 2e
+            a       $a_first,$a_first,$candidate_3      # 3e
+        brz     $count,next_run_drain_2                 # 3o the last pass
+        ai      $count,$count,-1                        # 4e
+        lqd     $candidate_2,0($a_run)                  # 4o
+        ai      $a_run,$a_run,16                        # 5e
+            rotmi   $candidate_3,$candidate,-16         # 6e
+            a       $a_first,$a_first,$candidate_4      # 7e
 next_run_back:
-        brnz    $count,next_run                         # 5o
+        brnz    $count,next_run                         # 7o
 next_run_drain:
-        rotmi   $candidate,$candidate_2,-16             # 0e
-        a       $a_first,$a_first,$candidate            # 4e
+        rotmi   $candidate_4,$candidate_2,-16           # 0e
+        a       $a_first,$a_first,$candidate_3          # 1e
+        a       $a_first,$a_first,$candidate_4          # 4e
+        lnop                                            # 4o pairing
 isect_mesh_pairs_r16_block:
         ilhu    $k_sign,0x8000                          # 0e
         lqd     $header,0($a_block)                     # 0o
@@ -885,6 +898,11 @@ next_triangle_drain:
         stqd    $nearest_2,480($a_packet_2)             # 61o
 isect_mesh_pairs_r16_return:
         bi      $lr                                     # 62o
+next_run_drain_2:
+        rotmi   $candidate_3,$candidate,-16             # 0e
+        a       $a_first,$a_first,$candidate_4          # 1e
+        a       $a_first,$a_first,$candidate_3          # 4e
+        br      isect_mesh_pairs_r16_block              # 4o
 next_run_short:
         ai      $count,$count,-1                        # 0e
         lqd     $candidate,0($a_run)                    # 0o

@@ -434,7 +434,7 @@ next_four:
         fs      $moved+3,$vertex3_2,$eye                # 10e
             ai      $a_again,$a_again,64                # 11e
 next_four_back:
-        brnz    $left,next_four                         # 11o
+        brnz    $left,next_four                         # 11o one pass: the room for this code is
 next_four_drain:
         selb    $vertex,$vertex_2,$moved,$m_xyz         # 0e
         selb    $vertex+1,$vertex1_2,$moved+1,$m_xyz    # 1e
@@ -775,7 +775,7 @@ next_four_short:
         stqd    $vertex+2,32($a_again)                  # 16o
         stqd    $vertex+3,48($a_again)                  # 17o
         ai      $a_again,$a_again,64                    # 18e
-        brnz    $left,next_four_short                   # 18o
+        brnz    $left,next_four_short                   # 18o one pass: the room for this code is
         nop     $127                                    # 19e pairing
         br      faces                                   # 19o
 next_faces_short:

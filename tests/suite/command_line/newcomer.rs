@@ -155,3 +155,79 @@ fn a_shader_that_is_wrong_is_told_by_its_line() {
     );
     bad(&["shader", "build", "no-such.s"], &["no-such.s"]);
 }
+
+#[test]
+fn a_shader_is_scheduled_where_the_game_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let game = folder.path().join("game");
+    good(&["new", game.to_str().unwrap(), "--template", "stripes"]);
+    let typed = |command: &str| {
+        let words: Vec<&str> = command.split_whitespace().collect();
+        let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
+            .args(&words[1..])
+            .current_dir(&game)
+            .output()
+            .unwrap();
+        let stderr = text(&output.stderr);
+        assert!(output.status.success(), "{command}: {stderr}");
+        stderr
+    };
+    // The tutorial's own command and what it says of the result.
+    let tutorial = fs::read_to_string("docs/tutorial.md").unwrap();
+    let mut lines = tutorial.lines().map(str::trim);
+    let command = lines.find(|line| line.starts_with("cellray shader schedule"));
+    let stderr = typed(command.unwrap());
+    let told = lines
+        .find(|line| line.starts_with("cellray: shader_stripes:"))
+        .unwrap();
+    assert!(stderr.lines().any(|line| line == told), "{stderr}");
+    // The rings are written by the macro `shader`, whose code the scheduler can't replace.
+    let rings = "examples/shader/shaders/rings.s";
+    let out = folder.path().join("rings.s");
+    bad(
+        &["shader", "schedule", rings, "-o", out.to_str().unwrap()],
+        &["rings.s: no function", "shader_entry"],
+    );
+    assert!(!out.exists());
+
+    // The schedule shades as the plain source does.
+    fs::write(
+        game.join("striped.nff"),
+        "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 64 36\nl 1 2 3\n\
+         f 1 0.5 0.2 0.8 0 1 0 1\n#cellray shader stripes 1.6 0.9\ns 0 0 0 1\n",
+    )
+    .unwrap();
+    typed("cellray render striped.nff --shader shaders/stripes.s --out plain.png");
+    typed("cellray render striped.nff --shader scheduled.s --check-shaders --out scheduled.png");
+    let picture = |name| fs::read(game.join(name)).unwrap();
+    assert_eq!(picture("plain.png"), picture("scheduled.png"));
+}
+
+#[test]
+fn a_schedule_does_not_replace_its_plain_source() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("stripes.s");
+    fs::copy(STRIPES, &source).unwrap();
+    let path = source.to_str().unwrap();
+    bad(
+        &["shader", "schedule", path, "--out", path],
+        &["stripes.s", "would replace its plain source"],
+    );
+    assert_eq!(fs::read(&source).unwrap(), fs::read(STRIPES).unwrap());
+}
+
+#[test]
+fn the_loop_of_a_shader_is_told_by_its_pass() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("faster.s");
+    let out = out.to_str().unwrap();
+    let (_, stderr) = good(&["shader", "schedule", "examples/spu/dot.s", "-o", out]);
+    assert!(
+        stderr.contains("loop next: 31 cycles a pass, 6 scheduled"),
+        "{stderr}"
+    );
+    bad(
+        &["shader", "schedule", "no-such.s", "-o", out],
+        &["no-such.s"],
+    );
+}

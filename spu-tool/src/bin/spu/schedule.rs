@@ -30,6 +30,8 @@ index may overlap every access through their first register.
 Registers: $2 to $79 are used where they are not live. At a return, $0, $1, $80 to $127 and the
 registers that `Out` in the source's header lists are live. Without such a line, all are.
 
+Short loops may get a kernel of several passes, unless the comment on the loop's branch contains `one pass`.
+
 Assembler: the one that SPU_AS names, or else spu-elf-as or spu-as.
 
 Example:
@@ -129,13 +131,14 @@ fn assemble(
 
 fn describe(figures: &Figures) -> String {
     format!(
-        "even {}, odd {}, minimum {}, interval {}, stages {}, registers {}, copies {}",
+        "even {}, odd {}, minimum {}, interval {}, stages {}, registers {}, copies {}, passes {}",
         figures.even,
         figures.odd,
         figures.minimum,
         figures.interval,
         figures.stages,
         figures.registers,
-        figures.copies
+        figures.copies,
+        figures.passes
     )
 }

@@ -127,6 +127,9 @@ pass:
         lqd $9,0($3)
         fm $9,$9,$9
         fm $9,$9,$9
+        fm $9,$9,$9
+        fm $9,$9,$9
+        fm $9,$9,$9
         stqd $9,0($4)
         ai $3,$3,16
         ai $4,$4,32
@@ -137,6 +140,7 @@ endfunction f
     );
     let shop = Workshop::new(&source);
     let message = shop.schedule();
+    assert!(message.contains("copies 0, passes 1"), "{message}");
     let stages = message
         .split("stages ")
         .nth(1)

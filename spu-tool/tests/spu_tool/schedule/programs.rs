@@ -297,7 +297,7 @@ fn random_straight_code_does_the_same() {
 #[test]
 fn random_loops_do_the_same_for_every_trip_count() {
     let mut random = Random::new("loops");
-    let (mut pipelined, mut deep) = (0, 0);
+    let (mut pipelined, mut deep, mut several) = (0, 0, 0);
     for round in 0..2 {
         let mut source = start();
         let names: Vec<String> = (0..FUNCTIONS).map(|at| format!("f{at}")).collect();
@@ -311,6 +311,8 @@ fn random_loops_do_the_same_for_every_trip_count() {
         let shop = Workshop::new(&source);
         let messages = shop.schedule();
         pipelined += messages.matches("interval").count();
+        let passes = messages.matches("passes ").count();
+        several += passes - messages.matches("passes 1\n").count();
         let overlapping = |line: &&str| {
             !["stages 1,", "stages 2,"]
                 .iter()
@@ -336,6 +338,7 @@ fn random_loops_do_the_same_for_every_trip_count() {
         deep > FUNCTIONS / 4,
         "only {deep} loops overlap three passes"
     );
+    assert!(several > 2, "only {several} kernels contain several passes");
     assert!(
         pipelined > FUNCTIONS,
         "only {pipelined} loops were pipelined"
