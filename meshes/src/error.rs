@@ -13,6 +13,14 @@ pub enum Error {
     /// A scene that is not a mesh file.
     #[error(transparent)]
     Nff(#[from] nff::Error),
+    /// There is neither a file nor a generated scene of this name.
+    #[error("{name}: there is no such file{hint}")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// What may have been meant, after a separator; empty if nothing is like it.
+        hint: String,
+    },
     /// A mesh file.
     #[error("{file}: {fault}")]
     Mesh {

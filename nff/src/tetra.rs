@@ -8,6 +8,7 @@
 
 use glam::DVec3;
 
+use crate::names::greatest;
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// The prefix of generated tetrahedra's name: `tetra:LEVEL`.
@@ -36,7 +37,10 @@ pub enum Error {
     #[error("tetra level {0} is not a whole number from 0")]
     Level(Excerpt),
     /// The scene exceeds the default [`Limits`].
-    #[error("tetra of level {level} has {count} polygons, more than {limit} objects")]
+    #[error(
+        "tetra of level {level} has {count} polygons, more than {limit} objects; the greatest level is {}",
+        greatest(*limit, polygon_count)
+    )]
     TooMany {
         /// The requested level.
         level: u32,
