@@ -280,10 +280,7 @@ fn compare(
         ("the picture says", said.without(&given).followed()),
         ("options say", given.followed()),
         ("assumed", assumed.followed()),
-        (
-            "any kernel is right, whatever the picture says of",
-            said.of_kernels(),
-        ),
+        ("of no use to the reference", said.of_kernels()),
         ("note: ignored, since unknown here", said.unknown()),
     ] {
         if !options.is_empty() {

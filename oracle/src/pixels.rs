@@ -166,21 +166,36 @@ pub(crate) fn paint(
         _ => differing(&points, columns, pixels.contrast),
     };
     if pixels.samples != Samples::One {
-        let chosen = refined.chunks(columns);
+        // Where a first ray decides otherwise than the reference's, other neighbours are chosen. So
+        // it is also known of those whether their samples are on a silhouette.
+        let beside = silhouette::mask(&refined, columns);
+        let chosen = refined.chunks(columns).zip(beside.chunks(columns));
         let items = points.chunks_mut(columns).zip(&mut counts).zip(chosen);
-        rows::each(items.enumerate(), |(y, ((points, counts), chosen))| {
-            if !chosen.contains(&true) {
-                return;
-            }
-            let samples = pixels.samples.places();
-            let looks: Vec<_> = samples
-                .map(|(dx, dy)| (dx, model.row(at(y) + dy)))
-                .collect();
-            for (x, point) in points.iter_mut().enumerate().filter(|&(x, _)| chosen[x]) {
-                let seen = looks.iter().map(|(dx, look)| look(at(x) + dx, counts));
-                *point = pixels.point(&seen.collect::<Vec<_>>());
-            }
-        });
+        rows::each(
+            items.enumerate(),
+            |(y, ((points, counts), (chosen, beside)))| {
+                if !chosen.contains(&true) && !beside.contains(&true) {
+                    return;
+                }
+                let samples = pixels.samples.places();
+                let looks: Vec<_> = samples
+                    .map(|(dx, dy)| (dx, model.row(at(y) + dy)))
+                    .collect();
+                let mut not_counted = Counts::default();
+                for (x, point) in points.iter_mut().enumerate() {
+                    let sampled = |counts: &mut Counts| {
+                        let seen = looks.iter().map(|(dx, look)| look(at(x) + dx, counts));
+                        pixels.point(&seen.collect::<Vec<_>>())
+                    };
+                    if chosen[x] {
+                        *point = sampled(counts);
+                    } else if beside[x] {
+                        let sampled = sampled(&mut not_counted);
+                        point.on_edge |= sampled.on_edge || sampled.way != point.way;
+                    }
+                }
+            },
+        );
     }
     let counts = counts.into_iter().fold(Counts::default(), |mut sum, row| {
         sum += row;
@@ -353,6 +368,44 @@ mod tests {
         assert_eq!(
             (everywhere, reference.refined, counts.eye),
             (smooth, 80, 80 * 4)
+        );
+    }
+
+    /// An edge at 10.45, and a thing that only the last sample of pixel 9 sees.
+    struct Thin;
+
+    impl Model for Thin {
+        fn row(&self, _: f64) -> impl Fn(f64, &mut Counts) -> Seen {
+            |x, counts| {
+                counts.eye += 1;
+                let way = match x {
+                    9.3..9.4 => 2,
+                    10.45.. => 1,
+                    _ => 0,
+                };
+                Seen {
+                    light: DVec3::splat(f64::from(u8::from(way > 0))),
+                    way,
+                    on_edge: false,
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_pixel_beside_others_with_samples_is_on_the_silhouette_that_its_own_would_see() {
+        let four = Pixels {
+            samples: Samples::Four,
+            contrast: 32,
+            ..Pixels::PLAIN
+        };
+        let (reference, counts) = paint((80, 1), &four, &Thin).expect("a picture");
+        assert_eq!((reference.refined, counts.eye), (2, 80 + 2 * 4));
+        assert_eq!(reference.picture.pixels()[9], [0; 3]);
+        let silhouette = |x: usize| reference.silhouette[x];
+        assert_eq!(
+            [8, 9, 10, 11, 12].map(silhouette),
+            [false, true, true, true, false]
         );
     }
 

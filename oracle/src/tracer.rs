@@ -24,7 +24,7 @@ pub struct Reference {
     /// one of its eight neighbours shows another sphere, or its ray passes a sphere's edge within
     /// 1e-5 of the radius. With Whitted's model: its rays hit other objects, or see other lights,
     /// than those of a neighbour. With several samples a pixel: also if its samples hit other
-    /// objects than each other, or see other lights.
+    /// objects than each other, or see other lights, and it or a neighbour has these samples.
     pub silhouette: Vec<bool>,
     /// The share of the primary rays that hit an object, from 0 to 1.
     pub covered: f64,

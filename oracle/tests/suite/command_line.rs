@@ -396,7 +396,7 @@ fn settings_that_mean_nothing_are_named() {
         "{stderr}"
     );
     assert!(
-        stderr.contains("whatever the picture says of: --quality fast\n"),
+        stderr.contains("of no use to the reference: --quality fast\n"),
         "{stderr}"
     );
     settings.set("contrast", "much");
