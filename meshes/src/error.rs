@@ -14,12 +14,12 @@ pub enum Error {
     #[error(transparent)]
     Nff(#[from] nff::Error),
     /// There is neither a file nor a generated scene of this name.
-    #[error("{name}: there is no such file{hint}")]
+    #[error("{name}: {what}")]
     Unknown {
         /// The name.
         name: String,
-        /// What may have been meant, after a separator; empty if nothing is like it.
-        hint: String,
+        /// What is wrong with it, and what may have been meant.
+        what: String,
     },
     /// A mesh file.
     #[error("{file}: {fault}")]

@@ -63,9 +63,9 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
     }
     let found = name.symlink_metadata();
     if found.is_err_and(|error| error.kind() == ErrorKind::NotFound)
-        && let Some(hint) = likely::hint(name)
+        && let Some(what) = likely::told(name)
     {
-        return Err(Error::Unknown { name: file, hint });
+        return Err(Error::Unknown { name: file, what });
     }
     let Some(format) = Format::of(name).map_err(wrong)? else {
         let scene = nff::load(name)?;

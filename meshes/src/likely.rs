@@ -9,9 +9,10 @@ use crate::terrain;
 /// The endings of files with scenes.
 const ENDINGS: [&str; 7] = ["nff", "obj", "ply", "stl", "gltf", "glb", "vrm"];
 
-/// What is told about a name that is no file, after a separator; `None` for generated scenes'
-/// names.
-pub(crate) fn hint(name: &Path) -> Option<String> {
+const MISSING: &str = "there is no such file";
+
+/// What is told about a name that is no file; `None` for names of generated scenes.
+pub(crate) fn told(name: &Path) -> Option<String> {
     let text = name.to_str().unwrap_or_default();
     let (kind, level) = match text.split_once(':') {
         Some((kind, level)) => (kind, Some(level)),
@@ -28,7 +29,7 @@ pub(crate) fn hint(name: &Path) -> Option<String> {
     };
     if let Some(of) = all.iter().find(|of| of.name == kind) {
         let needs_level = of.level.is_some() && level.is_none();
-        return needs_level.then(|| format!("; {kind} needs a level, as in {}", example(of)));
+        return needs_level.then(|| format!("this scene needs a level, as in {}", example(of)));
     }
     let file = nearest_file(name);
     let likely = || {
@@ -41,14 +42,14 @@ pub(crate) fn hint(name: &Path) -> Option<String> {
         })
     };
     if let Some(meant) = file.or_else(likely) {
-        return Some(format!("; did you mean {meant}?"));
+        return Some(format!("{MISSING}; did you mean {meant}?"));
     }
     // Where a folder or an ending is named, a file is meant.
     let is_file = name.extension().is_some() || text.contains('/');
     let names = all.iter().map(example).collect::<Vec<_>>().join(", ");
     Some(match is_file {
-        true => String::new(),
-        false => format!("; scenes without a file are {names}"),
+        true => MISSING.to_owned(),
+        false => format!("{MISSING}; scenes without a file are {names}"),
     })
 }
 

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 
 use glam::{DQuat, DVec3};
 
-use crate::names::greatest;
+use crate::names::{Count, greatest};
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// The prefix of a generated sphereflake's name: `sphereflake:LEVEL`.
@@ -35,12 +35,15 @@ const LIGHTS: [DVec3; 3] = [
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The level is not a number.
-    #[error("sphereflake level {0} is not a whole number from 0")]
+    #[error(
+        "sphereflake level {0} is not a whole number from 0 to {most}, as in sphereflake:2",
+        most = greatest_level(Limits::default().objects)
+    )]
     Level(Excerpt),
     /// The scene exceeds the default [`Limits`].
     #[error(
-        "a sphereflake of level {level} has {count} spheres and a polygon, more than {limit} objects; the \
-         greatest level is {}", greatest_level(*limit)
+        "a sphereflake of level {level} has {} spheres and a polygon, more than {limit} objects; the \
+         greatest level is {}", Count(*count), greatest_level(*limit)
     )]
     TooMany {
         /// The requested level.

@@ -16,7 +16,7 @@ mod sombrero;
 mod teapot;
 mod tree;
 
-use crate::names::greatest;
+use crate::names::{Count, greatest};
 use crate::{Excerpt, Limits, Scene};
 use builder::Builder;
 
@@ -71,7 +71,7 @@ pub enum Error {
     },
     /// The scene exceeds the default [`Limits`].
     #[error(
-        "{name} of size {size} has {count} objects, more than {limit}; the greatest size is {greatest}"
+        "{name} of size {size} has {} objects, more than {limit}; the greatest size is {greatest}", Count(*count)
     )]
     TooMany {
         /// The kind of scene.
