@@ -1,5 +1,5 @@
-//! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON, and a
-//! run prints it at its end.
+//! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON. A run
+//! prints its summary at its end, and all of it with `--verbose`.
 
 mod generations;
 mod loop_time;

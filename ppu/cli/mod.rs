@@ -85,8 +85,13 @@ fn whole<N: TryFrom<u64>>(
         number
             .and_then(|number| N::try_from(number).ok())
             .ok_or_else(|| {
-                let (least, most) = (range.start(), range.end());
-                format!("it is not a whole number from {least} to {most}")
+                let least = range.start();
+                match *range.end() {
+                    most if most >= u64::from(u32::MAX) => {
+                        format!("it is not a whole number from {least}")
+                    }
+                    most => format!("it is not a whole number from {least} to {most}"),
+                }
             })
     }
 }

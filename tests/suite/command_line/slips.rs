@@ -95,10 +95,10 @@ fn numbers_that_are_out_of_range() {
         ("--timeout", "-1", "1 to 86400"),
         ("--timeout", "0", "1 to 86400"),
         ("--timeout", "1.5", "1 to 86400"),
-        ("--spus", "six", "0 to "),
+        ("--spus", "six", "0\n"),
         ("--ray-depth", "17", "1 to 16"),
         ("--contrast", "256", "0 to 255"),
-        ("--turn", "0", "1 to "),
+        ("--turn", "0", "1\n"),
     ] {
         let message = format!("it is not a whole number from {range}");
         bad(
