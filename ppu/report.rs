@@ -1,5 +1,5 @@
-//! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON, and a
-//! run prints it at its end.
+//! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON. A run
+//! prints its summary at its end, and all of it with `--verbose`.
 
 mod generations;
 mod loop_time;
@@ -230,6 +230,30 @@ impl Report {
         self.loop_seconds / f64::from(self.frames.max(1))
     }
 
+    /// The run in one line: the size, the frames, the rays, and the time.
+    #[must_use]
+    pub fn summary(&self) -> String {
+        let Rays {
+            eye,
+            reflected,
+            refracted,
+            shadow,
+            ..
+        } = self.rays;
+        let rays = match eye + reflected + refracted + shadow {
+            few @ ..100_000 => few.to_string(),
+            many => format!("{:.2} million", many as f64 / 1e6),
+        };
+        let frames = match (self.frames, self.frames_traced) {
+            (1, 1) => String::new(),
+            (frames, traced) => format!("{frames} frame(s), {traced} traced, "),
+        };
+        format!(
+            "{}x{}, {frames}{rays} rays in {:.2} s on {} SPUs; by the SPUs' clock {:.2} frames/s",
+            self.width, self.height, self.host_seconds, self.spus, self.frames_per_second
+        )
+    }
+
     /// Adds a frame's statistics.
     pub fn add(&mut self, frame: &FrameStatistics) {
         self.frames += 1;
@@ -337,17 +361,7 @@ impl fmt::Display for Report {
             rays,
             ..
         } = self;
-        writeln!(
-            f,
-            "{}x{}, {} frame(s), {} traced, on {} SPUs in {:.2} s; by the SPUs' clock {:.2} frames/s",
-            self.width,
-            self.height,
-            self.frames,
-            self.frames_traced,
-            self.spus,
-            self.host_seconds,
-            self.frames_per_second
-        )?;
+        writeln!(f, "{}", self.summary())?;
         let all = tests.made + tests.skipped + tests.unseen;
         if rays.reflected + rays.refracted + rays.shadow > 0 {
             writeln!(

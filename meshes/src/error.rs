@@ -13,6 +13,14 @@ pub enum Error {
     /// A scene that is not a mesh file.
     #[error(transparent)]
     Nff(#[from] nff::Error),
+    /// There is neither a file nor a generated scene of this name.
+    #[error("{name}: {what}")]
+    Unknown {
+        /// The name.
+        name: String,
+        /// What is wrong with it, and what may have been meant.
+        what: String,
+    },
     /// A mesh file.
     #[error("{file}: {fault}")]
     Mesh {

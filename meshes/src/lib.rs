@@ -11,6 +11,7 @@ mod error;
 mod foreign;
 mod framing;
 mod gltf;
+mod likely;
 mod mask;
 mod notes;
 mod obj;
@@ -21,7 +22,7 @@ mod text;
 mod texture;
 
 use std::fs::File;
-use std::io::Read as _;
+use std::io::{ErrorKind, Read as _};
 use std::path::Path;
 
 use nff::Scene;
@@ -53,7 +54,8 @@ pub struct Loaded {
 /// [`nff::load`] knows.
 ///
 /// # Errors
-/// The file can't be read, or isn't what its name says; any error of [`nff::load`].
+/// There is no such file or generated scene, the file can't be read, or isn't what its name says;
+/// any error of [`nff::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
     let file = name.display().to_string();
     let wrong = |fault| Error::of(&file, fault);
@@ -61,6 +63,12 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         let mut builder = Builder::default();
         let done = terrain::generate(level, &mut builder);
         return done.and_then(|()| builder.finish(&file)).map_err(wrong);
+    }
+    let found = name.symlink_metadata();
+    if found.is_err_and(|error| error.kind() == ErrorKind::NotFound)
+        && let Some(what) = likely::told(name)
+    {
+        return Err(Error::Unknown { name: file, what });
     }
     let Some(format) = Format::of(name).map_err(wrong)? else {
         let scene = nff::load(name)?;

@@ -8,6 +8,7 @@
 
 use glam::DVec3;
 
+use crate::names::{Count, greatest};
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// The prefix of generated tetrahedra's name: `tetra:LEVEL`.
@@ -33,10 +34,17 @@ const LINES_EACH: u32 = 4;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The level is not a number.
-    #[error("tetra level {0} is not a whole number from 0")]
+    #[error(
+        "tetra level {0} is not a whole number from 0 to {most}, as in tetra:3",
+        most = greatest(Limits::default().objects, polygon_count)
+    )]
     Level(Excerpt),
     /// The scene exceeds the default [`Limits`].
-    #[error("tetra of level {level} has {count} polygons, more than {limit} objects")]
+    #[error(
+        "tetra of level {level} has {} polygons, more than {limit} objects; the greatest level is {}",
+        Count(*count),
+        greatest(*limit, polygon_count)
+    )]
     TooMany {
         /// The requested level.
         level: u32,

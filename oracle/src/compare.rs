@@ -106,6 +106,7 @@ mod tests {
                 picture: black,
                 silhouette,
                 covered: 0.0,
+                refined: 0,
             },
         )
     }

@@ -6,25 +6,42 @@
 //! data, the camera and the model's shading.
 
 mod bvh;
+mod colour;
 mod compare;
 mod picture;
+mod pixels;
 #[cfg(test)]
 mod random;
 mod ray;
 mod rows;
+mod settings;
 mod shapes;
 mod silhouette;
 mod sphere;
 mod tracer;
 pub mod whitted;
 
+pub use colour::Colour;
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
 pub use picture::Picture;
-pub use tracer::{DepthProbe, Reference, render, trace};
+pub use pixels::{Pixels, Samples};
+pub use settings::{Model, Settings};
+pub use tracer::{DepthProbe, Reference, render, trace, trace_with};
 
 use std::path::PathBuf;
 
+use nff::{Camera, Scene};
 use thiserror::Error;
+
+/// The camera of a scene's view for a picture of this size, which must be one.
+fn camera(scene: &Scene, width: u32, height: u32) -> Result<Camera, Error> {
+    nff::check_size(width, height)?;
+    let camera = scene.view.camera(width, height);
+    camera.map_err(|source| Error::View {
+        scene: scene.name.clone(),
+        source,
+    })
+}
 
 /// Why a picture can't be rendered or compared.
 #[derive(Debug, Error)]
@@ -92,6 +109,18 @@ pub enum Error {
         path: PathBuf,
         /// The kind of its pixels.
         kind: String,
+    },
+    /// A picture has a setting that means nothing.
+    #[error("{}: its setting {name} is {value:?}, which is not {expected}", path.display())]
+    Setting {
+        /// The file.
+        path: PathBuf,
+        /// The setting's name.
+        name: &'static str,
+        /// Its value.
+        value: String,
+        /// What it should be.
+        expected: &'static str,
     },
     /// The pictures have different sizes.
     #[error("the picture has {}x{} pixels, the reference {}x{}", picture.0, picture.1, reference.0, reference.1)]

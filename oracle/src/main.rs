@@ -9,20 +9,21 @@ use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use nff::depth::not_drawn;
 use nff::{Scene, ViewError, check_size};
-use oracle::whitted::{self, Counts};
-use oracle::{Comparison, DIFFERENCE_SCALE, Picture, Reference};
+use oracle::{Comparison, DIFFERENCE_SCALE, Model, Picture, Samples, Settings, whitted};
 
 const EXAMPLES: &str = "Examples:
-  oracle render scenes/paper16.nff --size 1280x720 --out paper16.png
-  oracle render sphereflake:2 --out flake.png
-  oracle compare frame.png scenes/paper16.nff
+  oracle compare whitted16.png
+  oracle compare frame.png scenes/paper16.nff --max-wrong 0.001
   oracle compare frame.png sphereflake:2 --json --diff difference.png
-  oracle render scenes/whitted16.nff --model whitted --out whitted16.png
-  oracle render gears --model whitted --corners --spd-rays --stats --out gears.png
+  oracle render scenes/paper16.nff --size 1280x720 --out paper16.png
+  oracle render gears --corners --spd-rays --stats --out gears.png
 
 SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEVEL or terrain:LEVEL
 for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons), or gears, mount, rings,
-teapot, tree, lattice, jacks, shells or sombrero, with :SIZE if it is not to have SPD's (gears:2).";
+teapot, tree, lattice, jacks, shells or sombrero, with :SIZE if it is not to have SPD's (gears:2).
+
+A picture by cellray carries the settings that it was made with. They are followed, unless an option
+says otherwise. What neither says is as cellray render has it without options.";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]
@@ -43,15 +44,18 @@ enum Verb {
     Compare {
         /// PNG picture to compare; the reference is rendered at its size
         picture: PathBuf,
-        /// Scene of the picture
-        scene: PathBuf,
+        /// Scene of the picture [default: the one that it names]
+        scene: Option<PathBuf>,
         /// Prints the errors as JSON
         #[arg(long)]
         json: bool,
         #[arg(long, value_name = "PNG", help = difference_help())]
         diff: Option<PathBuf>,
+        /// Exits with 1 if more than this share of the pixels is wrong, 0 to 1
+        #[arg(long, value_name = "FRACTION", allow_hyphen_values = true, value_parser = share)]
+        max_wrong: Option<f64>,
         #[command(flatten)]
-        model: Model,
+        options: Options,
     },
     /// Renders a scene.
     #[command(after_help = EXAMPLES)]
@@ -68,35 +72,61 @@ enum Verb {
         #[arg(long)]
         stats: bool,
         #[command(flatten)]
-        model: Model,
+        options: Options,
     },
     /// Write man pages and shell completions.
     #[command(hide = true)]
     Pages(pages::Arguments),
 }
 
-/// The options of the model.
+/// How the picture is made: the options of `cellray render` that determine it. A flag can be turned
+/// off where the picture has it on: --fresnel=false.
 #[derive(Args)]
-struct Model {
-    /// Model to render with
-    #[arg(long = "model", value_enum, default_value_t = Name::Depth)]
-    name: Name,
+struct Options {
+    /// Model to render with [default: whitted if the scene has lights, otherwise depth]
+    #[arg(long, value_enum)]
+    model: Option<Name>,
+    /// Position of the eye [default: the scene's own]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    from: Option<String>,
+    /// Point that the eye looks at [default: the scene's own]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    look_at: Option<String>,
+    /// Direction that is up in the picture [default: the scene's own]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
+    up: Option<String>,
+    /// Degrees between the top and the bottom of the picture [default: the scene's own]
+    #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
+    angle: Option<f64>,
+    /// Samples of a pixel that differs from a neighbour: 1, 4 or 16 [default: 4; 1 with --corners]
+    #[arg(long, value_name = "N", value_parser = ["1", "4", "16"])]
+    antialias: Option<String>,
+    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
+    /// [default: 32]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    contrast: Option<u8>,
+    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
+    /// linear by depth shading and with --corners]
+    #[arg(long, value_enum)]
+    colour: Option<Colour>,
+    /// Limits light that is nearly white or brighter without a step
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    roll_off: Option<bool>,
+    /// Traces primary rays through the corners of pixels and averages four, as SPD does
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    corners: Option<bool>,
     /// Longest chain of rays, including the primary ray [default: 5] (whitted)
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = ray_depth())]
     ray_depth: Option<u32>,
     /// Lets glass reflect by Schlick's approximation (whitted)
-    #[arg(long)]
-    fresnel: bool,
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    fresnel: Option<bool>,
     /// Traces all rays that SPD counts, even those that add nothing to the picture (whitted)
-    #[arg(long)]
-    spd_rays: bool,
-    /// Traces primary rays through the corners of pixels and averages four, as SPD does (whitted)
-    #[arg(long)]
-    corners: bool,
-    /// What the channels of the scene's colours and of pixels say about light [default: linear]
-    /// (whitted)
-    #[arg(long, value_enum)]
-    colour: Option<Colour>,
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    spd_rays: Option<bool>,
+    /// Traces no shadows (whitted)
+    #[arg(long, num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    no_shadows: Option<bool>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -107,16 +137,7 @@ enum Colour {
     Srgb,
 }
 
-impl From<Colour> for whitted::Colour {
-    fn from(colour: Colour) -> Self {
-        match colour {
-            Colour::Linear => Self::Linear,
-            Colour::Srgb => Self::Srgb,
-        }
-    }
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, ValueEnum)]
 enum Name {
     /// The paper's depth shading, in which nearer spheres are brighter; only spheres
     Depth,
@@ -124,62 +145,58 @@ enum Name {
     Whitted,
 }
 
-impl Model {
+impl Options {
+    /// Those that are given.
+    fn settings(&self) -> Settings {
+        let word = |value: &dyn Fn() -> Option<clap::builder::PossibleValue>| {
+            value().map(|value| value.get_name().to_owned())
+        };
+        let flag = |flag: Option<bool>| flag.map(|flag| flag.to_string());
+        let given = [
+            ("model", word(&|| self.model?.to_possible_value())),
+            ("from", self.from.clone()),
+            ("look-at", self.look_at.clone()),
+            ("up", self.up.clone()),
+            ("angle", self.angle.map(|angle| angle.to_string())),
+            ("antialias", self.antialias.clone()),
+            (
+                "contrast",
+                self.contrast.map(|contrast| contrast.to_string()),
+            ),
+            ("colour", word(&|| self.colour?.to_possible_value())),
+            ("roll-off", flag(self.roll_off)),
+            ("corners", flag(self.corners)),
+            ("ray-depth", self.ray_depth.map(|depth| depth.to_string())),
+            ("fresnel", flag(self.fresnel)),
+            ("spd-rays", flag(self.spd_rays)),
+            ("no-shadows", flag(self.no_shadows)),
+        ];
+        let mut settings = Settings::default();
+        for (name, value) in given {
+            if let Some(value) = value {
+                settings.set(name, value);
+            }
+        }
+        settings
+    }
+
     /// Refuses options that depth shading doesn't have. `stats` is an option of the command.
-    fn check(&self, stats: bool) {
+    fn check(&self, model: &Model, stats: bool) {
         let given = [
             (self.ray_depth.is_some(), "--ray-depth"),
-            (self.fresnel, "--fresnel"),
-            (self.spd_rays, "--spd-rays"),
-            (self.corners, "--corners"),
-            (self.colour.is_some(), "--colour"),
+            (self.fresnel.is_some(), "--fresnel"),
+            (self.spd_rays.is_some(), "--spd-rays"),
+            (self.no_shadows.is_some(), "--no-shadows"),
             (stats, "--stats"),
         ];
         let stray = given.into_iter().find(|&(given, _)| given);
-        if let (Name::Depth, Some((_, option))) = (self.name, stray) {
+        if let (Model::Depth(_), Some((_, option))) = (model, stray) {
             let message = format!("{option} needs --model whitted");
             Cli::command()
                 .error(ErrorKind::ArgumentConflict, message)
                 .exit();
         }
     }
-
-    /// Renders a scene, and prints the parts that the model leaves out.
-    fn trace(&self, scene: &Scene, (width, height): (u32, u32)) -> Result<Traced, oracle::Error> {
-        match self.name {
-            Name::Depth => {
-                for left_out in not_drawn(scene) {
-                    talk::say!("{left_out}");
-                }
-                let reference = oracle::trace(scene, width, height)?;
-                Ok(Traced {
-                    reference,
-                    counts: None,
-                })
-            }
-            Name::Whitted => {
-                let options = whitted::Options {
-                    depth: self.ray_depth.unwrap_or(whitted::Options::default().depth),
-                    fresnel: self.fresnel,
-                    spd_rays: self.spd_rays,
-                    corners: self.corners,
-                    colour: self.colour.map_or(whitted::Colour::Linear, Into::into),
-                };
-                let (reference, counts) = whitted::trace(scene, width, height, &options)?;
-                Ok(Traced {
-                    reference,
-                    counts: Some(counts),
-                })
-            }
-        }
-    }
-}
-
-/// A rendered scene.
-struct Traced {
-    reference: Reference,
-    /// The numbers of rays, if the model counts them.
-    counts: Option<Counts>,
 }
 
 fn main() -> ExitCode {
@@ -189,21 +206,19 @@ fn main() -> ExitCode {
             scene,
             json,
             diff,
-            model,
+            max_wrong,
+            options,
         } => {
-            model.check(false);
-            compare(&picture, &scene, &model, json, diff.as_deref())
+            let compared = compare(&picture, scene.as_deref(), &options, json, diff.as_deref());
+            compared.and_then(|result| check_share(&result, max_wrong))
         }
         Verb::Render {
             scene,
             size,
             out,
             stats,
-            model,
-        } => {
-            model.check(stats);
-            render(&scene, &model, size, &out, stats)
-        }
+            options,
+        } => render(&scene, &options, size, &out, stats),
         Verb::Pages(arguments) => pages::write(Cli::command(), &arguments).map_err(Into::into),
     };
     match done {
@@ -215,16 +230,79 @@ fn main() -> ExitCode {
     }
 }
 
-type Done = Result<(), Box<dyn std::error::Error>>;
+type Done<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
-fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option<&Path>) -> Done {
+fn compare(
+    path: &Path,
+    scene: Option<&Path>,
+    options: &Options,
+    json: bool,
+    diff: Option<&Path>,
+) -> Done<Comparison> {
     if diff == Some(Path::new("-")) {
         return Err("--diff -: standard output has the errors; name a file".into());
     }
-    let picture = Picture::read_png(picture)?;
-    let scene = load(scene)?;
+    let picture = Picture::read_png(path)?;
+    let said = Settings::of_png(path)?;
+    let name = match (scene, said.scene()) {
+        (Some(scene), _) => scene,
+        (None, Some(scene)) => Path::new(scene),
+        (None, None) => {
+            let shown = path.display();
+            return Err(format!("{shown} does not say what it shows: name its scene, too").into());
+        }
+    };
+    let mut scene = load(name)?;
+    let given = options.settings();
+    let known = given.over(&said);
+    let assumed = known.assumed(&scene);
+    let settings = known.over(&assumed);
+    settings.place(&mut scene.view, path)?;
+    let model = settings.model(path)?;
+    options.check(&model, false);
+
     let size = (picture.width(), picture.height());
-    let reference = model.trace(&scene, size)?.reference;
+    // What a file says can't control the terminal.
+    let by = said.software().map_or(String::new(), |software| {
+        format!(" by {}", software.escape_debug())
+    });
+    talk::say!(
+        "oracle: {}{by}, {}x{}, is compared with {} in double precision",
+        path.display(),
+        size.0,
+        size.1,
+        name.display()
+    );
+    if let Some(other) = said.scene().filter(|&other| Path::new(other) != name) {
+        talk::say!("oracle: note: the picture is of {}", other.escape_debug());
+    }
+    for (who, options) in [
+        ("the picture says", said.without(&given).followed()),
+        ("options say", given.followed()),
+        ("assumed", assumed.followed()),
+        ("of no use to the reference", said.of_kernels()),
+        ("note: ignored, since unknown here", said.unknown()),
+    ] {
+        if !options.is_empty() {
+            talk::say!("oracle: {who}: {}", options.join(" "));
+        }
+    }
+
+    tell_left_out(&model, &scene);
+    let (reference, _) = model.trace(&scene, size)?;
+    let pixels = model.pixels();
+    let count = match pixels.samples {
+        Samples::One => 1,
+        Samples::Four => 4,
+        Samples::Sixteen => 16,
+    };
+    if count > 1 {
+        talk::say!(
+            "oracle: the reference has {count} samples in {} pixels, where its own pixels of one sample \
+             differ",
+            reference.refined
+        );
+    }
     let result = oracle::compare(&picture, &reference)?;
     if let Some(diff) = diff {
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
@@ -239,7 +317,28 @@ fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option
         report(&result, &picture)
     };
     text.push('\n');
-    Ok(talk::print(text)?)
+    talk::print(text)?;
+    Ok(result)
+}
+
+/// Fails if more than a share of a picture's pixels is wrong.
+fn check_share(result: &Comparison, most: Option<f64>) -> Done {
+    let wrong = result.wrong_fraction;
+    match most.filter(|&most| wrong > most) {
+        Some(most) => {
+            Err(format!("{wrong} of the pixels are wrong, more than --max-wrong {most}").into())
+        }
+        None => Ok(()),
+    }
+}
+
+/// Prints the parts of a scene that a model leaves out.
+fn tell_left_out(model: &Model, scene: &Scene) {
+    if let Model::Depth(_) = model {
+        for left_out in not_drawn(scene) {
+            talk::say!("{left_out}");
+        }
+    }
 }
 
 fn report(result: &Comparison, picture: &Picture) -> String {
@@ -259,22 +358,39 @@ fn report(result: &Comparison, picture: &Picture) -> String {
     )
 }
 
-fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, stats: bool) -> Done {
+fn render(
+    name: &Path,
+    options: &Options,
+    size: Option<(u32, u32)>,
+    out: &Path,
+    stats: bool,
+) -> Done {
     if stats && out == Path::new("-") {
         return Err("--out - and --stats can't both have standard output".into());
     }
-    let scene = load(scene)?;
+    let mut scene = load(name)?;
+    let given = options.settings();
+    let mut settings = given.over(&given.assumed(&scene));
+    settings.place(&mut scene.view, out)?;
+    let model = settings.model(out)?;
+    options.check(&model, stats);
     let (width, height) = size.unwrap_or(scene.view.resolution);
-    let Traced { reference, counts } = model.trace(&scene, (width, height))?;
-    reference.picture.write_png(out)?;
+    tell_left_out(&model, &scene);
+    let (reference, counts) = model.trace(&scene, (width, height))?;
+    settings.set_scene(
+        &name.to_string_lossy(),
+        concat!("oracle ", env!("CARGO_PKG_VERSION")),
+    );
+    reference.picture.write_png_with(out, &settings)?;
     let covered = reference.covered * 100.0;
-    let what = match model.name {
-        Name::Depth => "spheres",
-        Name::Whitted => "objects",
+    let what = match model {
+        Model::Depth(_) => "spheres",
+        Model::Whitted(_) => "objects",
     };
     talk::say!(
-        "{}: {width}x{height}, {what} cover {covered:.1} %",
-        out.display()
+        "{}: {width}x{height}, {what} cover {covered:.1} %; made with {}",
+        out.display(),
+        settings.followed().join(" ")
     );
     if let Some(counts) = counts.filter(|_| stats) {
         let mut text = serde_json::to_string(&counts)?;
@@ -296,6 +412,25 @@ fn load(name: &Path) -> Result<Scene, meshes::Error> {
 /// The help of `--diff`.
 fn difference_help() -> String {
     format!("Writes the absolute difference, {DIFFERENCE_SCALE} times amplified")
+}
+
+/// Checks that a text is a point or a direction, such as 1,2.5,-3.
+fn point(text: &str) -> Result<String, String> {
+    let is_number = |word: &str| word.trim().parse().is_ok_and(f64::is_finite);
+    if text.split(',').count() == 3 && text.split(',').all(is_number) {
+        Ok(text.to_owned())
+    } else {
+        Err("three finite numbers with commas between, such as 1,2.5,-3".into())
+    }
+}
+
+/// Parses a share, from 0 to 1.
+fn share(text: &str) -> Result<f64, String> {
+    let share = text
+        .parse()
+        .ok()
+        .filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "a share of all pixels is a number from 0 to 1, such as 0.001".into())
 }
 
 /// Parses a ray depth.

@@ -3,14 +3,14 @@
 //! Invariant: the number of pixels is width times height, and [`nff::check_size`] accepts the
 //! size.
 
-use std::fs::File;
-use std::io::{BufReader, Cursor};
+use std::fs::{self, File};
+use std::io::BufReader;
 use std::path::Path;
 
 use image::{ImageFormat, ImageReader, RgbImage};
 use nff::check_size;
 
-use crate::Error;
+use crate::{Error, Settings};
 
 /// A picture of 8-bit red, green and blue.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,15 +58,23 @@ impl Picture {
     /// # Errors
     /// The name has the extension of another format, or the file can't be written.
     pub fn write_png(&self, path: &Path) -> Result<(), Error> {
-        let failed = |source| Error::Png {
+        self.write_png_with(path, &Settings::default())
+    }
+
+    /// The same with the settings that the picture was made with.
+    ///
+    /// # Errors
+    /// As for [`Self::write_png`].
+    pub fn write_png_with(&self, path: &Path, settings: &Settings) -> Result<(), Error> {
+        let failed = |error: std::io::Error| Error::Png {
             path: path.to_owned(),
-            source,
+            source: error.into(),
         };
         if path == Path::new("-") {
-            let mut bytes = Cursor::new(Vec::new());
-            let encoded = self.image.write_to(&mut bytes, ImageFormat::Png);
-            encoded.map_err(failed)?;
-            return talk::print(bytes.into_inner()).map_err(|error| failed(error.into()));
+            let bytes = self
+                .encode(settings)
+                .map_err(|error| failed(error.into()))?;
+            return talk::print(bytes).map_err(failed);
         }
         if path
             .extension()
@@ -76,9 +84,29 @@ impl Picture {
                 path: path.to_owned(),
             });
         }
-        self.image
-            .save_with_format(path, ImageFormat::Png)
-            .map_err(failed)
+        let bytes = self
+            .encode(settings)
+            .map_err(|error| failed(error.into()))?;
+        fs::write(path, bytes).map_err(failed)
+    }
+
+    fn encode(&self, settings: &Settings) -> Result<Vec<u8>, png::EncodingError> {
+        let mut bytes = Vec::new();
+        let mut encoder = png::Encoder::new(&mut bytes, self.width(), self.height());
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_compression(png::Compression::Fast);
+        for (keyword, text) in settings.texts() {
+            // Text of other characters than Latin-1's has a kind of its own.
+            if text.is_ascii() {
+                encoder.add_text_chunk(keyword, text)?;
+            } else {
+                encoder.add_itxt_chunk(keyword, text)?;
+            }
+        }
+        let mut writer = encoder.write_header()?;
+        writer.write_image_data(self.image.as_raw())?;
+        writer.finish()?;
+        Ok(bytes)
     }
 
     /// The width in pixels.

@@ -6,8 +6,10 @@ use glam::DVec3;
 use nff::depth::{self, DepthShading};
 use nff::{Camera, Scene};
 
+use crate::pixels::{Model, Seen, paint};
 use crate::sphere::Sphere;
-use crate::{Error, Picture, rows, silhouette};
+use crate::whitted::Counts;
+use crate::{Colour, Error, Picture, Pixels};
 
 /// A ray within this distance of a sphere's edge, in radii, counts as on the edge. This is about a
 /// hundred rounding errors of single precision, with which a kernel may decide differently.
@@ -21,10 +23,13 @@ pub struct Reference {
     /// For each pixel, in the picture's order, whether it is on a silhouette. With depth shading:
     /// one of its eight neighbours shows another sphere, or its ray passes a sphere's edge within
     /// 1e-5 of the radius. With Whitted's model: its rays hit other objects, or see other lights,
-    /// than those of a neighbour.
+    /// than those of a neighbour. With several samples a pixel: also if its samples hit other
+    /// objects than each other, or see other lights, and it or a neighbour has these samples.
     pub silhouette: Vec<bool>,
     /// The share of the primary rays that hit an object, from 0 to 1.
     pub covered: f64,
+    /// The number of pixels with several samples. With corners: of corners.
+    pub refined: u64,
 }
 
 /// What the ray of a pixel hits.
@@ -49,33 +54,22 @@ pub fn render(scene: &Scene, width: u32, height: u32) -> Result<Picture, Error> 
 /// # Errors
 /// The view has no camera for this size, or the size is out of range.
 pub fn trace(scene: &Scene, width: u32, height: u32) -> Result<Reference, Error> {
-    let mut picture = Picture::black(width, height)?;
-    let camera = scene
-        .view
-        .camera(width, height)
-        .map_err(|source| Error::View {
-            scene: scene.name.clone(),
-            source,
-        })?;
-    let stage = Stage::new(scene, camera);
-    let mut sights = vec![Sight::default(); picture.pixels().len()];
-    let row = width as usize;
-    let rows = picture
-        .pixels_mut()
-        .chunks_mut(row)
-        .zip(sights.chunks_mut(row));
-    rows::each((0..height).zip(rows), |(y, (pixels, sights))| {
-        stage.row(y, pixels, sights);
-    });
-    let hits = sights
-        .iter()
-        .filter(|sight| sight.nearest.is_some())
-        .count();
-    Ok(Reference {
-        picture,
-        silhouette: silhouette(&sights, row),
-        covered: hits as f64 / sights.len() as f64,
-    })
+    trace_with(scene, width, height, &Pixels::PLAIN)
+}
+
+/// The same with other pixels than those of one sample in linear light.
+///
+/// # Errors
+/// As for [`trace`].
+pub fn trace_with(
+    scene: &Scene,
+    width: u32,
+    height: u32,
+    pixels: &Pixels,
+) -> Result<Reference, Error> {
+    let camera = crate::camera(scene, width, height)?;
+    let stage = Stage::new(scene, camera, pixels.colour);
+    Ok(paint((width, height), pixels, &stage)?.0)
 }
 
 /// A scene and its camera, to trace single primary rays by depth shading.
@@ -90,14 +84,8 @@ impl DepthProbe {
     /// # Errors
     /// As for [`trace`].
     pub fn new(scene: &Scene, width: u32, height: u32) -> Result<Self, Error> {
-        let camera = scene
-            .view
-            .camera(width, height)
-            .map_err(|source| Error::View {
-                scene: scene.name.clone(),
-                source,
-            })?;
-        let stage = Stage::new(scene, camera);
+        let camera = crate::camera(scene, width, height)?;
+        let stage = Stage::new(scene, camera, Colour::Linear);
         let all = (0..stage.spheres.len()).collect();
         Ok(Self { stage, all })
     }
@@ -106,9 +94,7 @@ impl DepthProbe {
     /// centre of the top left pixel is (0, 0).
     #[must_use]
     pub fn colour(&self, x: f64, y: f64) -> DVec3 {
-        let camera = &self.stage.camera;
-        let direction = camera.corner + x * camera.right + y * camera.down;
-        let (met, distance) = self.stage.look(direction.normalize(), &self.all);
+        let (met, distance) = self.stage.look(self.stage.direction(x, y), &self.all);
         self.stage.colour(met, distance)
     }
 }
@@ -122,36 +108,24 @@ struct Stage {
 }
 
 impl Stage {
-    fn new(scene: &Scene, camera: Camera) -> Self {
+    fn new(scene: &Scene, camera: Camera, meaning: Colour) -> Self {
         let spheres = depth::drawn(scene).map(|drawn| {
             let material = scene.materials.get(drawn.material as usize);
-            let colour = material.map_or(DVec3::ZERO, |material| material.colour);
+            let colour = material.map_or(DVec3::ZERO, |material| meaning.light(material.colour));
             (Sphere::new(camera.eye, drawn.centre, drawn.radius), colour)
         });
         Self {
             camera,
             spheres: spheres.collect(),
             shading: DepthShading::of(scene),
-            background: scene.background,
+            background: meaning.light(scene.background),
         }
     }
 
-    fn row(&self, y: u32, pixels: &mut [[u8; 3]], sights: &mut [Sight]) {
-        // All rays of a row are in one plane, which most spheres of a large scene don't touch.
-        let normal = self
-            .camera
-            .direction(0, y)
-            .cross(self.camera.right)
-            .normalize();
-        let reached: Vec<usize> = (0..self.spheres.len())
-            .filter(|&index| !self.spheres[index].0.is_off_plane(normal, 1.0 + 2.0 * EDGE))
-            .collect();
-        for ((x, pixel), sight) in (0..).zip(pixels).zip(sights) {
-            let direction = self.camera.direction(x, y).normalize();
-            let (met, distance) = self.look(direction, &reached);
-            *sight = met;
-            *pixel = depth::bytes(self.colour(met, distance));
-        }
+    /// The direction through a point of the picture.
+    fn direction(&self, x: f64, y: f64) -> DVec3 {
+        let camera = &self.camera;
+        (camera.corner + x * camera.right + y * camera.down).normalize()
     }
 
     /// The colour of what a ray hits at this distance.
@@ -180,16 +154,25 @@ impl Stage {
     }
 }
 
-/// The mask of [`Reference::silhouette`].
-fn silhouette(sights: &[Sight], width: usize) -> Vec<bool> {
-    let nearest: Vec<_> = sights.iter().map(|sight| sight.nearest).collect();
-    let jumps = silhouette::mask(&nearest, width);
-    let on_edge = sights.iter().map(|sight| sight.on_edge);
-    jumps
-        .into_iter()
-        .zip(on_edge)
-        .map(|(a, b)| a || b)
-        .collect()
+impl Model for Stage {
+    fn row(&self, y: f64) -> impl Fn(f64, &mut Counts) -> Seen {
+        // All rays of a row are in one plane, which most spheres of a large scene don't touch.
+        let across = self.direction(0.0, y).cross(self.camera.right);
+        let normal = across.normalize();
+        let reached: Vec<usize> = (0..self.spheres.len())
+            .filter(|&index| !self.spheres[index].0.is_off_plane(normal, 1.0 + 2.0 * EDGE))
+            .collect();
+        move |x, counts| {
+            let (met, distance) = self.look(self.direction(x, y), &reached);
+            counts.eye += 1;
+            counts.eye_hit += u64::from(met.nearest.is_some());
+            Seen {
+                light: self.colour(met, distance),
+                way: met.nearest.map_or(0, |index| 1 + index as u64),
+                on_edge: met.on_edge,
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -241,20 +224,24 @@ mod tests {
         let scene = nff::sphereflake::generate(2).expect("a scene");
         let (width, height) = (97, 61);
         let camera = scene.view.camera(width, height).expect("a camera");
-        let stage = Stage::new(&scene, camera);
+        let stage = Stage::new(&scene, camera, Colour::Linear);
         let all: Vec<usize> = (0..stage.spheres.len()).collect();
-        let mut pixels = vec![[0; 3]; width as usize];
-        let mut sights = vec![Sight::default(); width as usize];
-        let mut hits = 0;
-        for y in 0..height {
-            stage.row(y, &mut pixels, &mut sights);
-            for (x, sight) in (0..).zip(&sights) {
-                let (expected, _) = stage.look(camera.direction(x, y).normalize(), &all);
-                assert_eq!(*sight, expected, "({x}, {y})");
-                hits += usize::from(sight.nearest.is_some());
+        let mut counts = Counts::default();
+        for y in (0..height).map(f64::from) {
+            let row = stage.row(y);
+            for x in (0..width).map(f64::from) {
+                let seen = row(x, &mut counts);
+                let (expected, distance) = stage.look(stage.direction(x, y), &all);
+                let way = expected.nearest.map_or(0, |index| 1 + index as u64);
+                assert_eq!(
+                    (seen.way, seen.on_edge),
+                    (way, expected.on_edge),
+                    "({x}, {y})"
+                );
+                assert_eq!(seen.light, stage.colour(expected, distance), "({x}, {y})");
             }
         }
-        assert!(hits > 500, "{hits}");
+        assert!(counts.eye_hit > 500, "{counts:?}");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use cellray::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
 use clap::{Args, ValueEnum};
 
-use super::{Outcome, run};
+use super::{Outcome, run, whole};
 
 /// Trace a scene into a framebuffer, or into a file instead.
 #[derive(Args)]
@@ -26,7 +26,7 @@ pub struct Arguments {
     mode: Option<VideoMode>,
     /// How many frames the device's memory holds, if it has room: with 2, one is shown while the
     /// next is made
-    #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=2))]
+    #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
     buffers: u32,
     /// Show a frame without waiting for the vertical blank
     #[arg(long)]
@@ -36,7 +36,7 @@ pub struct Arguments {
     #[arg(long, value_enum, value_name = "WHERE")]
     made: Option<Made>,
     /// Frames to show [default: 1 into a file; on a device, until Ctrl-C]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
     frames: Option<u32>,
 }
 
@@ -73,7 +73,7 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
-    let scene = run::load(options)?;
+    let scene = run::load(options)?.scene;
     let render_options = options.render_options(&scene, false);
     let scene = run::scene(options, &scene, render_options, &program)?;
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
@@ -86,7 +86,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let enough = |traced: usize| {
         interrupted.signal().is_some() || frames.is_some_and(|frames| traced >= frames as usize)
     };
-    run::frames(options, program, &scene, framebuffer, enough)
+    let what = arguments.device.display().to_string();
+    run::frames(options, program, &scene, (framebuffer, &what), enough)
 }
 
 fn is_device(path: &Path) -> bool {

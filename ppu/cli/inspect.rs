@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 use cellray::engine::TracedTile;
-use cellray::framebuffer::{Geometry, Memory, PictureFile, write_picture};
+use cellray::framebuffer::{Geometry, Labels, Memory, PictureFile, write_labelled};
 use cellray::{Engine, LoopTime, Report, Scene};
 use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
 use image::codecs::png::PngEncoder;
@@ -27,18 +27,18 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`. `source` is
-/// what the scene was made of.
+/// Traces a frame, writes its picture to `out` with labels if there is one, and the page to `to`.
+/// `source` is what the scene was made of.
 pub fn frame(
     options: &Options,
     recording: &Recording,
     (scene, source): (&Scene, &nff::Scene),
     geometry: Geometry,
-    out: Option<&Path>,
+    out: Option<(&Path, Labels)>,
     to: &Path,
 ) -> Outcome {
     let program = options.program()?;
-    if let Some(out) = out {
+    if let Some((out, _)) = &out {
         PictureFile::new(out, geometry)?;
     }
     let mut engine = Engine::start(options.settings(program), Box::new(Memory::new(geometry)?))?;
@@ -56,8 +56,8 @@ pub fn frame(
     // libspe2 writes the last figures when the contexts are destroyed.
     drop(engine);
     let (timeline, profile) = (recording.timeline()?, recording.profile()?);
-    if let Some(out) = out {
-        write_picture(out, &picture)?;
+    if let Some((out, labels)) = &out {
+        write_labelled(out, &picture, labels)?;
     }
 
     let settings = options.settings(program);
@@ -96,9 +96,8 @@ pub fn frame(
         profile: &profile,
     })?;
     fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
-    tell(options, report)?;
-    talk::say!("cellray: {}: {} bytes", to.display(), text.len());
-    Ok(())
+    let what = format!("{}, {} bytes", to.display(), text.len());
+    tell(options, &what, report)
 }
 
 /// The picture as the bytes of a PNG file.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cellray::Scene;
-use cellray::framebuffer::Geometry;
+use cellray::framebuffer::{Geometry, Labels};
 
 use super::Outcome;
 use super::run::Options;
@@ -22,7 +22,7 @@ pub fn frame(
     recording: &Recording,
     _: (&Scene, &nff::Scene),
     _: Geometry,
-    _: Option<&Path>,
+    _: Option<(&Path, Labels)>,
     _: &Path,
 ) -> Outcome {
     match *recording {}

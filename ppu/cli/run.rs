@@ -5,19 +5,19 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::choices::{Antialias, Colour, Model, Quality, Split};
-use cellray::framebuffer::{Framebuffer, Geometry};
+use cellray::framebuffer::{Framebuffer, Geometry, Labels};
 use cellray::scene::{self, CONTRAST, Look, RenderOptions, Samples, offset_note};
 use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
-use clap::Args;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, ValueEnum as _};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use protocol::layout::{MESH_LEAST_SLOTS, MESH_MOST_SLOTS};
 
-use super::Outcome;
 use super::camera::Camera;
 use super::progress::Progress;
+use super::{Outcome, whole};
 
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
@@ -33,7 +33,8 @@ pub struct Options {
         long,
         default_value_t = 6,
         value_name = "N",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = whole::<u32>(0..=u64::from(u32::MAX))
     )]
     pub spus: u32,
     /// How the picture is split among the SPUs
@@ -46,7 +47,7 @@ pub struct Options {
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Longest chain of reflected and refracted rays, including the primary ray, 1 to 16
-    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=16))]
     pub ray_depth: u32,
     /// Let glass reflect by Schlick's approximation, in addition to its Ks
     #[arg(long)]
@@ -67,7 +68,8 @@ pub struct Options {
         long,
         default_value_t = CONTRAST,
         value_name = "N",
-        allow_negative_numbers = true
+        allow_negative_numbers = true,
+        value_parser = whole::<u8>(0..=255)
     )]
     pub contrast: u8,
     /// What the channels of the scene's colours and of pixels say about light [default: srgb;
@@ -78,11 +80,11 @@ pub struct Options {
     #[arg(long)]
     pub roll_off: bool,
     /// Most blocks of a mesh that an SPU caches, for measurements
-    #[arg(long, default_value_t = MESH_MOST_SLOTS, value_name = "N", hide = true, value_parser = clap::value_parser!(u32).range(i64::from(MESH_LEAST_SLOTS)..=i64::from(MESH_MOST_SLOTS)))]
+    #[arg(long, default_value_t = MESH_MOST_SLOTS, value_name = "N", hide = true, value_parser = whole::<u32>(u64::from(MESH_LEAST_SLOTS)..=u64::from(MESH_MOST_SLOTS)))]
     pub mesh_cache: u32,
-    /// Trade run time for accuracy
-    #[arg(long, value_enum, default_value_t)]
-    pub quality: Quality,
+    /// Trade run time for accuracy [default: default]
+    #[arg(long, value_enum)]
+    pub quality: Option<Quality>,
     /// Formulation for spheres, instead of the quality's; see docs/accuracy.md
     #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
     pub sphere: Option<String>,
@@ -102,11 +104,14 @@ pub struct Options {
     /// Trace every frame completely, even tiles that have not changed
     #[arg(long)]
     pub retrace: bool,
+    /// Print statistics: rays, tests, tiles, what each SPU did
+    #[arg(long, short)]
+    pub verbose: bool,
     /// Write statistics as JSON to a file, or to standard output with -
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
     /// Seconds after which SPUs count as lost if none takes work, finishes any or answers
-    #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = whole::<u64>(1..=86_400))]
     pub timeout: u64,
 }
 
@@ -133,6 +138,74 @@ impl Options {
             roll_off: self.roll_off,
         };
         look.of(options, scene.lights.len())
+    }
+
+    /// What a picture's file says of how it was made of a scene that had this view: the options of
+    /// `cellray render` that determine it, including those that are not given.
+    pub fn labels(&self, scene: &Scene, own_view: &nff::View) -> Labels {
+        let mut labels = Labels::default();
+        labels.set("scene", self.scene.display());
+        labels.set_view(scene.view(), own_view);
+        let is_whitted = scene.block().is_some();
+        labels.set("model", if is_whitted { "whitted" } else { "depth" });
+        let RenderOptions {
+            ray_depth,
+            fresnel,
+            spd_rays,
+            shadows,
+            samples,
+            contrast,
+            colour,
+            roll_off,
+            corners,
+            ..
+        } = scene.render_options();
+        labels.set("antialias", samples as u32);
+        if samples != Samples::One {
+            labels.set("contrast", contrast);
+        }
+        labels.set(
+            "colour",
+            match colour {
+                scene::Colour::Linear => "linear",
+                scene::Colour::Srgb => "srgb",
+            },
+        );
+        if is_whitted {
+            labels.set("ray-depth", ray_depth);
+        }
+        for (option, is_on) in [
+            ("fresnel", is_whitted && fresnel),
+            ("spd-rays", is_whitted && spd_rays),
+            ("no-shadows", is_whitted && !shadows),
+            ("roll-off", roll_off),
+            ("corners", corners),
+        ] {
+            if is_on {
+                labels.set(option, true);
+            }
+        }
+        if let Some(program) = &self.program {
+            labels.set("program", program.display());
+        } else if !self.shaders.is_empty() {
+            let names = self
+                .shaders
+                .iter()
+                .map(|shader| shader.display().to_string());
+            labels.set("shader", names.collect::<Vec<_>>().join(" "));
+        } else {
+            let quality = self.quality.unwrap_or_default().to_possible_value();
+            labels.set(
+                "quality",
+                quality.as_ref().map_or("", PossibleValue::get_name),
+            );
+            for (option, formulation) in [("sphere", &self.sphere), ("triangle", &self.triangle)] {
+                if let Some(formulation) = formulation {
+                    labels.set(option, formulation);
+                }
+            }
+        }
+        labels
     }
 
     /// The files that a picture is made of.
@@ -167,7 +240,8 @@ impl Options {
             let image = spu_build::tracer_with(&self.shaders)?;
             return Ok(Program::from_image(&image)?);
         }
-        let mut formulations = cellray::Quality::from(self.quality).formulations();
+        let mut formulations =
+            cellray::Quality::from(self.quality.unwrap_or_default()).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
             formulations = Formulations::of(sphere, formulations.triangle);
         }
@@ -178,16 +252,21 @@ impl Options {
     }
 }
 
+/// A scene, and the view that it has by itself.
+pub struct Loaded {
+    pub scene: nff::Scene,
+    pub own_view: nff::View,
+}
+
 /// Loads the scene, and prints notes about what was left out of it.
-pub fn load(options: &Options) -> Result<nff::Scene, meshes::Error> {
-    let meshes::Loaded {
-        mut scene, notes, ..
-    } = meshes::load(&options.scene)?;
+pub fn load(options: &Options) -> Result<Loaded, meshes::Error> {
+    let meshes::Loaded { mut scene, notes, .. } = meshes::load(&options.scene)?;
     for note in notes {
         talk::say!("cellray: note: {note}");
     }
+    let own_view = scene.view.clone();
     options.camera.place(&mut scene.view);
-    Ok(scene)
+    Ok(Loaded { scene, own_view })
 }
 
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
@@ -204,6 +283,19 @@ pub fn scene(
     for what in scene.not_drawn() {
         talk::say!("cellray: note: {what}");
     }
+    let replacing = [("sphere", &options.sphere), ("triangle", &options.triangle)];
+    for (shape, formulation) in replacing {
+        let quality = options
+            .quality
+            .and_then(|quality| quality.to_possible_value());
+        if let (Some(quality), Some(formulation)) = (quality, formulation) {
+            let quality = quality.get_name();
+            talk::say!(
+                "cellray: note: {shape}s are intersected by --{shape} {formulation}, and not as --quality \
+                 {quality} would have it"
+            );
+        }
+    }
     if let Some(requested) = &options.sphere {
         let used = scene.sphere_formulation(&program.formulations()?).name;
         if used != requested {
@@ -215,12 +307,13 @@ pub fn scene(
     Ok(scene)
 }
 
-/// Traces frames until `enough` returns true for their number, then reports.
+/// Traces frames until `enough` returns true for their number, then reports. `what` is what they are
+/// shown on.
 pub fn frames(
     options: &Options,
     program: Program,
     scene: &Scene,
-    framebuffer: Box<dyn Framebuffer>,
+    (framebuffer, what): (Box<dyn Framebuffer>, &str),
     mut enough: impl FnMut(usize) -> bool,
 ) -> Outcome {
     let Geometry { width, height } = framebuffer.geometry();
@@ -238,14 +331,18 @@ pub fn frames(
         report.add_time_since(began);
     }
     progress.end();
-    tell(options, report)
+    tell(options, what, report)
 }
 
-/// Prints the statistics, and writes them to the file of `--stats`.
-pub fn tell(options: &Options, mut report: Report) -> Outcome {
+/// Prints a line on what was made, and the statistics if they are asked for, and writes them to the
+/// file of `--stats`.
+pub fn tell(options: &Options, what: &str, mut report: Report) -> Outcome {
     report.add_memory();
-    for line in report.to_string().lines() {
-        talk::say!("cellray: {line}");
+    talk::say!("cellray: {what}: {}", report.summary());
+    if options.verbose {
+        for line in report.to_string().lines().skip(1) {
+            talk::say!("cellray: {line}");
+        }
     }
     match &options.stats {
         Some(path) => write_stats(path, &report),

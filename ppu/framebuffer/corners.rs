@@ -5,7 +5,9 @@
 //! colours are rounded to bytes before they are averaged, so a pixel is up to half a step off its
 //! exact mean.
 
-use super::{Framebuffer, FramebufferError, Geometry, Memory, PictureFile, Target, write_picture};
+use super::{
+    Framebuffer, FramebufferError, Geometry, Labels, Memory, PictureFile, Target, write_labelled,
+};
 use image::{Rgb, RgbImage};
 use std::path::{Path, PathBuf};
 
@@ -14,6 +16,7 @@ use std::path::{Path, PathBuf};
 pub struct Corners {
     memory: Memory,
     path: Option<PathBuf>,
+    labels: Labels,
 }
 
 impl Corners {
@@ -35,7 +38,14 @@ impl Corners {
         Ok(Corners {
             memory,
             path: path.map(Path::to_owned),
+            labels: Labels::default(),
         })
+    }
+
+    /// The same with these labels in the file.
+    #[must_use]
+    pub fn labelled(self, labels: Labels) -> Corners {
+        Corners { labels, ..self }
     }
 
     /// The averaged picture.
@@ -66,7 +76,7 @@ impl Framebuffer for Corners {
 
     fn present(&mut self) -> Result<(), FramebufferError> {
         match &self.path {
-            Some(path) => write_picture(path, &self.averaged()),
+            Some(path) => write_labelled(path, &self.averaged(), &self.labels),
             None => Ok(()),
         }
     }

@@ -4,10 +4,9 @@
 //! one is written under another name in the same folder, synced to the disk, and then renamed.
 //! Pipes and character devices have no previous picture, and are written to.
 
-use super::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use super::{Framebuffer, FramebufferError, Geometry, Labels, Memory, Target};
 use image::codecs::jpeg::JpegEncoder;
-use image::codecs::png::PngEncoder;
-use image::{ExtendedColorType, ImageEncoder, RgbImage};
+use image::{ExtendedColorType, ImageEncoder, ImageError, RgbImage};
 use std::ffi::OsString;
 use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -30,6 +29,18 @@ const JPEG_QUALITY: u8 = 95;
 ///   changed.
 /// - The picture can't be written; an existing one is not changed.
 pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<(), FramebufferError> {
+    write_labelled(path, picture, &Labels::default())
+}
+
+/// The same with these labels in the file, if it is a PNG.
+///
+/// # Errors
+/// As for [`write_picture`].
+pub fn write_labelled(
+    path: &Path,
+    picture: &RgbImage,
+    labels: &Labels,
+) -> Result<(), FramebufferError> {
     let format = Format::of(path)?;
     let failed = |source| FramebufferError::Picture {
         path: path.to_owned(),
@@ -38,13 +49,13 @@ pub fn write_picture(path: &Path, picture: &RgbImage) -> Result<(), FramebufferE
     match Place::of(path)? {
         Place::Output => {
             let mut bytes = Vec::new();
-            format.encode(picture, &mut bytes).map_err(failed)?;
+            format.encode(picture, labels, &mut bytes).map_err(failed)?;
             talk::print(bytes).map_err(|error| failed(error.into()))
         }
-        Place::Direct => write_direct(path, format, picture).map_err(failed),
+        Place::Direct => write_direct(path, format, picture, labels).map_err(failed),
         Place::File(place) => {
             let partial = partial_beside(&place)?;
-            let written = write_whole(&partial, format, picture).map_err(failed);
+            let written = write_whole(&partial, format, picture, labels).map_err(failed);
             let placed = written.and_then(|()| {
                 fs::rename(&partial, &place)
                     .map_err(|source| FramebufferError::io("put a picture at", &place, source))
@@ -87,15 +98,39 @@ impl Format {
             })
     }
 
-    fn encode(self, picture: &RgbImage, writer: impl Write) -> Result<(), image::ImageError> {
+    fn encode(
+        self,
+        picture: &RgbImage,
+        labels: &Labels,
+        writer: impl Write,
+    ) -> Result<(), ImageError> {
         let (width, height) = picture.dimensions();
-        let (pixels, colour) = (picture.as_raw(), ExtendedColorType::Rgb8);
         match self {
-            Self::Png => PngEncoder::new(writer).write_image(pixels, width, height, colour),
-            Self::Jpeg => JpegEncoder::new_with_quality(writer, JPEG_QUALITY)
-                .write_image(pixels, width, height, colour),
+            Self::Png => encode_png(picture, labels, writer)
+                .map_err(|error| ImageError::IoError(error.into())),
+            Self::Jpeg => JpegEncoder::new_with_quality(writer, JPEG_QUALITY).write_image(
+                picture.as_raw(),
+                width,
+                height,
+                ExtendedColorType::Rgb8,
+            ),
         }
     }
+}
+
+fn encode_png(
+    picture: &RgbImage,
+    labels: &Labels,
+    writer: impl Write,
+) -> Result<(), png::EncodingError> {
+    let mut encoder = png::Encoder::new(writer, picture.width(), picture.height());
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Fast);
+    encoder.set_filter(png::Filter::Adaptive);
+    labels.add_to(&mut encoder)?;
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(picture.as_raw())?;
+    writer.finish()
 }
 
 /// Where a picture goes.
@@ -136,7 +171,21 @@ impl Place {
                 ))
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                Ok(Self::File(path.to_owned()))
+                let folder = path
+                    .parent()
+                    .filter(|folder| !folder.as_os_str().is_empty());
+                match folder.filter(|folder| !folder.is_dir()) {
+                    // Told before a frame is traced in vain.
+                    Some(folder) => {
+                        let missing = format!("there is no folder {}", folder.display());
+                        Err(FramebufferError::io(
+                            "write",
+                            path,
+                            io::Error::other(missing),
+                        ))
+                    }
+                    None => Ok(Self::File(path.to_owned())),
+                }
             }
             Err(source) => Err(FramebufferError::io("look at", path, source)),
         }
@@ -167,21 +216,27 @@ fn write_whole(
     partial: &Path,
     format: Format,
     picture: &RgbImage,
-) -> Result<(), image::ImageError> {
+    labels: &Labels,
+) -> Result<(), ImageError> {
     let file = OpenOptions::new()
         .write(true)
         .create_new(true)
         .open(partial)?;
     let mut writer = BufWriter::new(file);
-    format.encode(picture, &mut writer)?;
+    format.encode(picture, labels, &mut writer)?;
     writer.flush()?;
     writer.get_ref().sync_all()?;
     Ok(())
 }
 
-fn write_direct(path: &Path, format: Format, picture: &RgbImage) -> Result<(), image::ImageError> {
+fn write_direct(
+    path: &Path,
+    format: Format,
+    picture: &RgbImage,
+    labels: &Labels,
+) -> Result<(), ImageError> {
     let mut writer = BufWriter::new(OpenOptions::new().write(true).open(path)?);
-    format.encode(picture, &mut writer)?;
+    format.encode(picture, labels, &mut writer)?;
     Ok(writer.flush()?)
 }
 
@@ -189,6 +244,7 @@ fn write_direct(path: &Path, format: Format, picture: &RgbImage) -> Result<(), i
 pub struct PictureFile {
     path: PathBuf,
     memory: Memory,
+    labels: Labels,
 }
 
 impl PictureFile {
@@ -204,7 +260,14 @@ impl PictureFile {
         Ok(PictureFile {
             path: path.to_owned(),
             memory,
+            labels: Labels::default(),
         })
+    }
+
+    /// The same with these labels in the file.
+    #[must_use]
+    pub fn labelled(self, labels: Labels) -> PictureFile {
+        PictureFile { labels, ..self }
     }
 }
 
@@ -218,7 +281,7 @@ impl Framebuffer for PictureFile {
     }
 
     fn present(&mut self) -> Result<(), FramebufferError> {
-        write_picture(&self.path, &self.memory.rgb())
+        write_labelled(&self.path, &self.memory.rgb(), &self.labels)
     }
 
     fn keeps_contents(&self) -> bool {
@@ -268,6 +331,39 @@ mod tests {
             pattern::assert_shows(&picture, seed);
         }
         assert_eq!(names(folder.path()), ["frame.png"]);
+    }
+
+    #[test]
+    fn labels_are_in_the_file_and_leave_the_pixels_as_they_are() {
+        let folder = tempfile::tempdir().unwrap();
+        let [plain, labelled] = ["plain.png", "labelled.png"].map(|name| folder.path().join(name));
+        let picture = RgbImage::from_fn(64, 32, |x, y| image::Rgb([x as u8 * 3, y as u8 * 7, 90]));
+        write_picture(&plain, &picture).unwrap();
+        let mut labels = Labels::default();
+        labels.set("scene", "scenes/größe.nff");
+        labels.set("contrast", 16);
+        labels.set("contrast", 32);
+        write_labelled(&labelled, &picture, &labels).unwrap();
+        assert_eq!(image::open(&labelled).unwrap().into_rgb8(), picture);
+        assert!(Labels::are_in(&labelled) && Labels::are_in(&plain));
+
+        let file = fs::File::open(&labelled).unwrap();
+        let reader = png::Decoder::new(io::BufReader::new(file)).read_info();
+        let info = reader.unwrap().info().clone();
+        let latin = info.uncompressed_latin1_text;
+        let latin: Vec<_> = latin
+            .iter()
+            .map(|text| (&*text.keyword, &*text.text))
+            .collect();
+        let version = concat!("cellray ", env!("CARGO_PKG_VERSION"));
+        let expected = [("Software", version), ("cellray:contrast", "32")];
+        assert_eq!(latin, expected);
+        let scene = &info.utf8_text[0];
+        assert_eq!(scene.keyword, "cellray:scene");
+        assert_eq!(scene.get_text().unwrap(), "scenes/größe.nff");
+
+        picture.save(&plain).unwrap();
+        assert!(!Labels::are_in(&plain) && !Labels::are_in(&folder.path().join("none.png")));
     }
 
     #[test]

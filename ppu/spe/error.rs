@@ -32,20 +32,21 @@ pub enum ProgramError {
     NoFormulations,
     /// This program has no SPU program with these formulations.
     #[error(
-        "no built-in SPU program has the formulations {requested}; there are {}. Build one in cellray's repository: \
+        "no built-in SPU program intersects spheres by {sphere} and triangles by {triangle}; there are programs \
+         for spheres by {}, all with triangles by {of_triangles}. Build one in cellray's repository: \
          `cargo run --release --bin kernels -- image --sphere {sphere} --triangle {triangle} --out {sphere}.elf`; \
          then select it with --program {sphere}.elf",
         .shipped.join(", ")
     )]
     NotShipped {
-        /// The names of all requested formulations.
-        requested: String,
         /// The name of the formulation for spheres.
         sphere: &'static str,
         /// The name of the formulation for triangles.
         triangle: &'static str,
-        /// The formulations of the built-in programs.
-        shipped: Vec<String>,
+        /// The names of the built-in programs' formulations for spheres.
+        shipped: Vec<&'static str>,
+        /// The name of their formulation for triangles.
+        of_triangles: &'static str,
     },
     /// The image names formulations that this program doesn't know.
     #[error(

@@ -57,10 +57,12 @@ impl Program {
         match built {
             Some((_, image)) => Ok(Self { image: &image.0 }),
             None => Err(ProgramError::NotShipped {
-                requested: formulations.name(),
                 sphere: formulations.named_sphere().name,
                 triangle: formulations.triangle.name,
-                shipped: TRACERS.iter().map(|(names, _)| names.join("-")).collect(),
+                shipped: Formulations::shipped()
+                    .map(|of| of.named_sphere().name)
+                    .to_vec(),
+                of_triangles: Formulations::standard().triangle.name,
             }),
         }
     }

@@ -18,7 +18,8 @@ fn simulated(scene: &str, options: &[&str]) -> Value {
 
 fn traced(scene: &str, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
-        .args(["render", scene, "--size", "1280x720", "--stats", "-"])
+        .args(["render", scene, "--size", "1280x720"])
+        .args(["--out", "none", "--stats", "-"])
         .args(["--antialias", "1", "--colour", "linear"])
         .args(options)
         .env("LIBSPE2_TIMING", "1")

@@ -16,6 +16,7 @@ mod sombrero;
 mod teapot;
 mod tree;
 
+use crate::names::{Count, greatest};
 use crate::{Excerpt, Limits, Scene};
 use builder::Builder;
 
@@ -69,7 +70,9 @@ pub enum Error {
         most: u32,
     },
     /// The scene exceeds the default [`Limits`].
-    #[error("{name} of size {size} has {count} objects, more than {limit}")]
+    #[error(
+        "{name} of size {size} has {} objects, more than {limit}; the greatest size is {greatest}", Count(*count)
+    )]
     TooMany {
         /// The kind of scene.
         name: &'static str,
@@ -79,6 +82,8 @@ pub enum Error {
         count: u128,
         /// The most objects.
         limit: usize,
+        /// The greatest size with so many.
+        greatest: u32,
     },
 }
 
@@ -111,6 +116,7 @@ impl Generator {
                 size,
                 count,
                 limit,
+                greatest: greatest(limit, self.objects),
             });
         }
         Ok((self.build)(size).finish(format!("{name}:{size}")))

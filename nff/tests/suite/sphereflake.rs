@@ -110,7 +110,7 @@ fn levels_beyond_the_limit_tell_their_count() {
     };
     assert_eq!(
         message(7),
-        "a sphereflake of level 7 has 5380840 spheres and a polygon, more than 4000000 objects"
+        "a sphereflake of level 7 has 5380840 spheres and a polygon, more than 4000000 objects; the greatest level is 6"
     );
     for level in [40, 1000, u32::MAX] {
         assert!(message(level).contains("spheres and a polygon"));

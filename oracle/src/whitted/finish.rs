@@ -5,7 +5,7 @@
 use glam::DVec3;
 use nff::{Material, Shader};
 
-use super::Colour;
+use crate::Colour;
 
 /// By how much the faces of a checker's cubes are moved, relative to a cube, so that a surface on
 /// a face of the grid has one colour in spite of rounding.

@@ -1,9 +1,8 @@
 //! Renders pictures by the model of Whitted (1980), as `docs/shading.md` describes it.
 //!
-//! Owns the grid of primary rays, and combines their colours to pixels. Invariant: the same scene
-//! and options give the same picture and the same counts, with any number of threads.
+//! Owns what a primary ray sees. Invariant: the same scene and options give the same picture and the
+//! same counts, with any number of threads.
 
-mod colour;
 mod finish;
 mod light;
 mod path;
@@ -12,11 +11,10 @@ mod stage;
 mod texture;
 mod weight;
 
-use glam::DVec3;
-use nff::{Scene, depth};
+use nff::{Camera, Scene};
 
-use crate::{Error, Picture, Reference, rows, silhouette};
-pub use colour::Colour;
+use crate::pixels::{Model, Seen, paint};
+use crate::{Error, Pixels, Reference};
 pub use path::Counts;
 use path::Path;
 pub use probe::Probe;
@@ -37,11 +35,10 @@ pub struct Options {
     /// every lit surface sends a shadow ray to each light in front of it. This changes only the
     /// counts.
     pub spd_rays: bool,
-    /// Whether primary rays go through the corners of the pixels instead of their centres, and
-    /// each pixel averages its four, as the Standard Procedural Databases require.
-    pub corners: bool,
-    /// What the channels of the scene's colours and of pixels say about light.
-    pub colour: Colour,
+    /// Whether objects cast shadows.
+    pub shadows: bool,
+    /// How pixels are made of what rays see.
+    pub pixels: Pixels,
 }
 
 impl Default for Options {
@@ -50,18 +47,38 @@ impl Default for Options {
             depth: 5,
             fresnel: false,
             spd_rays: false,
-            corners: false,
-            colour: Colour::Linear,
+            shadows: true,
+            pixels: Pixels::PLAIN,
         }
     }
 }
 
-/// The result of a primary ray.
-#[derive(Debug, Clone, Copy, Default)]
-struct Sample {
-    colour: DVec3,
-    /// [`Path::signature`].
-    signature: u64,
+/// A scene, and the camera that looks at it.
+struct Sight<'a> {
+    stage: Stage<'a>,
+    camera: Camera,
+}
+
+impl Model for Sight<'_> {
+    fn row(&self, y: f64) -> impl Fn(f64, &mut Counts) -> Seen {
+        let Camera {
+            eye,
+            corner,
+            right,
+            down,
+        } = self.camera;
+        let first = corner + y * down;
+        move |x, counts| {
+            let mut path = Path::default();
+            let light = self.stage.eye(eye, first + x * right, &mut path);
+            *counts += path.counts;
+            Seen {
+                light,
+                way: path.signature(),
+                on_edge: false,
+            }
+        }
+    }
 }
 
 /// Renders a scene with its silhouettes, and counts the rays.
@@ -77,60 +94,7 @@ pub fn trace(
     height: u32,
     options: &Options,
 ) -> Result<(Reference, Counts), Error> {
-    let mut picture = Picture::black(width, height)?;
-    let mut camera = scene
-        .view
-        .camera(width, height)
-        .map_err(|source| Error::View {
-            scene: scene.name.clone(),
-            source,
-        })?;
-    let more = u32::from(options.corners);
-    let (columns, lines) = (width + more, height + more);
-    if options.corners {
-        camera.corner -= (camera.right + camera.down) / 2.0;
-    }
+    let camera = crate::camera(scene, width, height)?;
     let stage = Stage::new(scene, &camera, options)?;
-
-    let row = columns as usize;
-    let mut samples = vec![Sample::default(); row * lines as usize];
-    let mut counts = vec![Counts::default(); lines as usize];
-    let items = (0..lines).zip(samples.chunks_mut(row)).zip(&mut counts);
-    rows::each(items, |((y, samples), counts)| {
-        for (x, sample) in (0..).zip(samples) {
-            let mut path = Path::default();
-            let colour = stage.eye(camera.eye, camera.direction(x, y), &mut path);
-            *sample = Sample {
-                colour: colour.clamp(DVec3::ZERO, DVec3::ONE),
-                signature: path.signature(),
-            };
-            *counts += path.counts;
-        }
-    });
-    let counts = counts.into_iter().fold(Counts::default(), |mut sum, row| {
-        sum += row;
-        sum
-    });
-
-    let pixel = |(x, y): (usize, usize)| {
-        let first = y * row + x;
-        if options.corners {
-            [first, first + 1, first + row, first + row + 1].map(|at| samples[at])
-        } else {
-            [samples[first]; 4]
-        }
-    };
-    let places = (0..height as usize).flat_map(|y| (0..width as usize).map(move |x| (x, y)));
-    let mut signatures = Vec::with_capacity(picture.pixels().len());
-    for (bytes, corners) in picture.pixels_mut().iter_mut().zip(places.map(pixel)) {
-        let [a, b, c, d] = corners.map(|sample| sample.colour);
-        *bytes = depth::bytes(options.colour.shown(((a + b) + (c + d)) / 4.0));
-        signatures.push(corners.map(|sample| sample.signature));
-    }
-    let reference = Reference {
-        picture,
-        silhouette: silhouette::mask(&signatures, width as usize),
-        covered: counts.eye_hit as f64 / counts.eye as f64,
-    };
-    Ok((reference, counts))
+    paint((width, height), &options.pixels, &Sight { stage, camera })
 }

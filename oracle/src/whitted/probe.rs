@@ -15,7 +15,8 @@ pub struct Probe<'a> {
 }
 
 impl<'a> Probe<'a> {
-    /// A probe with the camera of a picture of this size. The option `corners` is not used.
+    /// A probe with the camera of a picture of this size. Of the options of pixels, only the meaning
+    /// of the scene's colours is used.
     ///
     /// # Errors
     /// As for [`super::trace`].
@@ -25,13 +26,7 @@ impl<'a> Probe<'a> {
         height: u32,
         options: &Options,
     ) -> Result<Self, Error> {
-        let camera = scene
-            .view
-            .camera(width, height)
-            .map_err(|source| Error::View {
-                scene: scene.name.clone(),
-                source,
-            })?;
+        let camera = crate::camera(scene, width, height)?;
         Ok(Self {
             stage: Stage::new(scene, &camera, options)?,
             camera,

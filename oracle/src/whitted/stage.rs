@@ -106,7 +106,7 @@ impl<'a> Stage<'a> {
             check_material(scene, material)?;
             let both = mesh.two_sided || material.transmittance > 0.0;
             if let Some(surface) = Surface::new(&mesh.shape(triangle), both) {
-                textures.add(surfaces.len(), scene, mesh, triangle, options.colour);
+                textures.add(surfaces.len(), scene, mesh, triangle, options.pixels.colour);
                 surfaces.push(surface);
                 materials.push(material);
             }
@@ -129,10 +129,10 @@ impl<'a> Stage<'a> {
             pixel: camera.down.length(),
             lights,
             ambient: scene.ambient,
-            background: options.colour.light(scene.background),
+            background: options.pixels.colour.light(scene.background),
             sky: scene.sky.and_then(|sky| {
                 let up = nff::unit(sky.up)?;
-                Some((options.colour.light(sky.zenith), up))
+                Some((options.pixels.colour.light(sky.zenith), up))
             }),
             options: *options,
             least_weight,
@@ -187,7 +187,7 @@ impl<'a> Stage<'a> {
             self.materials[index],
             place.point,
             distance,
-            self.options.colour,
+            self.options.pixels.colour,
         );
         if finish.other {
             path.note(1);
@@ -257,8 +257,9 @@ impl<'a> Stage<'a> {
             let share = light::bound(finish, hit.smooth.dot(to_light));
             let shown = weight * share * weight::most(brightness);
             let counts = self.least_weight == 0.0 || shown > weight::LEAST_LIGHT;
-            path.counts.shadow += u64::from(counts);
-            let hidden = self.tree.any(&Ray::new(hit.point, to_light), distance);
+            path.counts.shadow += u64::from(counts && self.options.shadows);
+            let hidden =
+                self.options.shadows && self.tree.any(&Ray::new(hit.point, to_light), distance);
             path.note(1 + u64::from(hidden));
             if !hidden {
                 sum += brightness * light::shine(finish, hit.smooth, direction, to_light);

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use glam::{DVec2, DVec3};
 use nff::{Mesh, Scene, Texture, Wrap};
 
-use super::Colour;
+use crate::Colour;
 
 /// A texture at one size: its texels in rows, red, green and blue from 0 to 1 as on a screen.
 struct Level {

@@ -29,7 +29,7 @@ pub(super) fn least(
     lights: &[(LightKind, DVec3)],
     options: &Options,
 ) -> f64 {
-    let greatest = |colour: DVec3| options.colour.light(colour).max_element();
+    let greatest = |colour: DVec3| options.pixels.colour.light(colour).max_element();
     let lit: f64 = lights
         .iter()
         .map(|(_, brightness)| brightness.max_element().max(0.0))
@@ -42,7 +42,10 @@ pub(super) fn least(
             let own = greatest(material.colour);
             let diffuse = |colour: f64| material.diffuse * colour * (lit + everywhere);
             let shares = [material.specular, material.transmittance];
-            let shares: f64 = shares.map(|share| options.colour.share(share)).iter().sum();
+            let shares: f64 = shares
+                .map(|share| options.pixels.colour.share(share))
+                .iter()
+                .sum();
             let others = shares * beyond;
             match &material.shader {
                 Shader::Flat | Shader::Depth { .. } => own,

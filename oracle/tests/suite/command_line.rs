@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use oracle::Picture;
+use oracle::{Picture, Settings};
 
 /// Runs `oracle` in `folder`.
 fn oracle(folder: &Path, arguments: &[&str]) -> Output {
@@ -20,7 +20,8 @@ fn text(bytes: &[u8]) -> &str {
     str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// A folder with a picture of the sphereflake, one byte of which is wrong by 5.
+/// A folder with a picture of the sphereflake, one byte of which is wrong by 5. It says how it was
+/// made.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let done = oracle(
@@ -30,6 +31,10 @@ fn folder() -> tempfile::TempDir {
             "sphereflake:1",
             "--size",
             "64x48",
+            "--model",
+            "depth",
+            "--antialias",
+            "1",
             "--out",
             "a.png",
         ],
@@ -37,12 +42,13 @@ fn folder() -> tempfile::TempDir {
     assert!(done.status.success(), "{}", text(&done.stderr));
     assert!(done.stdout.is_empty());
     let file = folder.path().join("a.png");
+    let settings = Settings::of_png(&file).expect("settings");
     let mut picture = Picture::read_png(&file).expect("a PNG");
     assert_eq!((picture.width(), picture.height()), (64, 48));
     // The upper left corner shows the background, far from every sphere.
     assert_eq!(picture.pixels()[0], [20, 92, 192]);
     picture.pixels_mut()[0][2] -= 5;
-    picture.write_png(&file).expect("written");
+    picture.write_png_with(&file, &settings).expect("written");
     folder
 }
 
@@ -186,8 +192,12 @@ fn whitteds_model_counts_its_rays_and_compares() {
     let size = ["--size", "64x48", "--out", "w.png", "--stats", "--corners"];
     let done = oracle(folder.path(), &[&["render"], &scene[..], &size].concat());
     assert!(done.status.success(), "{}", text(&done.stderr));
-    // Everything is drawn, so nothing is told but the picture's name and share.
-    assert_eq!(text(&done.stderr), "w.png: 64x48, objects cover 100.0 %\n");
+    // Everything is drawn, so nothing is told but the picture's name, its share and its settings.
+    assert_eq!(
+        text(&done.stderr),
+        "w.png: 64x48, objects cover 100.0 %; made with --antialias 1 --colour linear --corners --model \
+         whitted --ray-depth 3\n"
+    );
     let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
     let count = |name: &str| found[name].as_u64().expect("a count");
     assert_eq!(count("eye"), 65 * 49);
@@ -199,23 +209,32 @@ fn whitteds_model_counts_its_rays_and_compares() {
     assert!(count("shadow") > count("hit"));
 
     let compare = |options: &[&str]| {
-        let arguments = [&["compare", "w.png", "--json"], &scene[..], options].concat();
+        let arguments = [&["compare", "w.png", "--json"], options].concat();
         let done = oracle(folder.path(), &arguments);
         assert!(done.status.success(), "{}", text(&done.stderr));
         let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
         found["wrong_pixels"].as_u64().expect("a count")
     };
-    assert_eq!(compare(&["--corners"]), 0);
-    assert!(compare(&[]) > 100);
+    assert_eq!(compare(&[]), 0);
+    assert_eq!(compare(&["sphereflake:1"]), 0);
+    assert!(compare(&["--corners=false"]) > 100);
+    assert!(compare(&["--ray-depth", "1"]) > 100);
 }
 
 #[test]
 fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
     let folder = tempfile::tempdir().expect("a folder");
-    let base = ["render", "sphereflake:1", "--out", "b.png"];
+    let base = [
+        "render",
+        "sphereflake:1",
+        "--out",
+        "b.png",
+        "--model",
+        "depth",
+    ];
     for option in [
         &["--stats"][..],
-        &["--corners"],
+        &["--no-shadows"],
         &["--fresnel"],
         &["--spd-rays"],
         &["--ray-depth", "3"],
@@ -226,9 +245,165 @@ fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
         assert!(text(&done.stderr).contains(&message), "{option:?}");
     }
     for depth in ["0", "17", "-1", "x"] {
-        let option = ["--model", "whitted", "--ray-depth", depth];
+        let option = ["--ray-depth", depth];
         let done = oracle(folder.path(), &[&base[..], &option].concat());
         assert_eq!(done.status.code(), Some(2), "{depth}");
         assert!(text(&done.stderr).contains("--ray-depth <N>"), "{depth}");
     }
+}
+
+/// What `oracle` says of a comparison, and its exit code.
+fn said(folder: &Path, arguments: &[&str]) -> (String, Option<i32>) {
+    let done = oracle(folder, &[&["compare"], arguments].concat());
+    (text(&done.stderr).to_owned(), done.status.code())
+}
+
+#[test]
+fn what_is_compared_is_said_with_where_each_setting_is_from() {
+    let folder = folder();
+    let path = folder.path();
+    let (stderr, code) = said(path, &["a.png", "--colour", "srgb", "--angle", "40"]);
+    assert_eq!(code, Some(0), "{stderr}");
+    for line in [
+        concat!(
+            "oracle: a.png by oracle ",
+            env!("CARGO_PKG_VERSION"),
+            ", 64x48, is compared with sphereflake:1 in double precision\n"
+        ),
+        "oracle: the picture says: --antialias 1 --model depth\n",
+        "oracle: options say: --angle 40 --colour srgb\n",
+    ] {
+        assert!(stderr.contains(line), "no {line:?} in {stderr}");
+    }
+    assert!(!stderr.contains("assumed"), "{stderr}");
+    // Another scene than the picture's is a mistake more often than not.
+    let (stderr, code) = said(path, &["a.png", "sphereflake:2"]);
+    assert_eq!(code, Some(0), "{stderr}");
+    assert!(
+        stderr.contains("note: the picture is of sphereflake:1"),
+        "{stderr}"
+    );
+
+    // Without settings, the defaults of `cellray render` are assumed.
+    let file = path.join("a.png");
+    let picture = Picture::read_png(&file).expect("a PNG");
+    picture.write_png(&file).expect("written");
+    let (stderr, code) = said(path, &["a.png", "sphereflake:1", "--ray-depth", "3"]);
+    assert_eq!(code, Some(0), "{stderr}");
+    for line in [
+        "oracle: a.png, 64x48, is compared with",
+        "oracle: options say: --ray-depth 3\n",
+        "oracle: assumed: --antialias 4 --colour srgb --contrast 32 --model whitted\n",
+        "oracle: the reference has 4 samples in ",
+    ] {
+        assert!(stderr.contains(line), "no {line:?} in {stderr}");
+    }
+    assert!(!stderr.contains("the picture says"), "{stderr}");
+    let (stderr, code) = said(path, &["a.png"]);
+    assert_eq!(code, Some(1));
+    assert!(
+        stderr.contains("a.png does not say what it shows"),
+        "{stderr}"
+    );
+}
+
+#[test]
+fn every_setting_is_read_from_the_picture_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let options = [
+        "--from=3,-2,1",
+        "--look-at=0,0,0.25",
+        "--up=0,1,1",
+        "--angle=30",
+        "--model=whitted",
+        "--ray-depth=2",
+        "--fresnel",
+        "--spd-rays",
+        "--no-shadows",
+        "--antialias=16",
+        "--contrast=8",
+        "--colour=srgb",
+        "--roll-off",
+        "--corners",
+    ];
+    let out = [
+        "render",
+        "sphereflake:1",
+        "--size",
+        "40x30",
+        "--out",
+        "s.png",
+    ];
+    let done = oracle(folder.path(), &[&out[..], &options].concat());
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let settings = Settings::of_png(&folder.path().join("s.png")).expect("settings");
+    let mut expected = options.map(|option| option.replace('=', " "));
+    expected.sort();
+    assert_eq!(settings.followed(), expected);
+    let (stderr, code) = said(folder.path(), &["s.png", "--max-wrong", "0"]);
+    assert_eq!(code, Some(0), "{stderr}");
+    // Each of them matters.
+    for other in [
+        "--from=3,-2,2",
+        "--look-at=0,0,0",
+        "--up=0,0,1",
+        "--angle=31",
+        "--model=depth",
+        "--ray-depth=1",
+        "--no-shadows=false",
+        "--antialias=4",
+        "--contrast=200",
+        "--colour=linear",
+        "--corners=false",
+    ] {
+        let (stderr, code) = said(folder.path(), &["s.png", "--max-wrong", "0", other]);
+        assert_eq!(code, Some(1), "{other}: {stderr}");
+        assert!(
+            stderr.contains("more than --max-wrong 0"),
+            "{other}: {stderr}"
+        );
+    }
+}
+
+#[test]
+fn the_share_of_wrong_pixels_that_is_allowed() {
+    let folder = folder();
+    for (most, code) in [("0.0003", 1), ("0.0004", 0), ("0", 1), ("1", 0)] {
+        let (stderr, found) = said(folder.path(), &["a.png", "--max-wrong", most]);
+        assert_eq!(found, Some(code), "{most}: {stderr}");
+    }
+    for share in ["-0.1", "1.5", "5%", "nan"] {
+        let (stderr, code) = said(folder.path(), &["a.png", "--max-wrong", share]);
+        assert_eq!(code, Some(2), "{share}");
+        assert!(stderr.contains("a number from 0 to 1"), "{stderr}");
+    }
+}
+
+#[test]
+fn settings_that_mean_nothing_are_named() {
+    let folder = folder();
+    let file = folder.path().join("a.png");
+    let mut settings = Settings::of_png(&file).expect("settings");
+    let picture = Picture::read_png(&file).expect("a PNG");
+    settings.set("fog", "thick\u{1b}");
+    settings.set("quality", "fast");
+    picture.write_png_with(&file, &settings).expect("written");
+    let (stderr, code) = said(folder.path(), &["a.png"]);
+    assert_eq!(code, Some(0), "{stderr}");
+    // What a file says can't control a terminal.
+    assert!(
+        stderr.contains("unknown here: --fog thick\\u{1b}\n"),
+        "{stderr}"
+    );
+    assert!(
+        stderr.contains("of no use to the reference: --quality fast\n"),
+        "{stderr}"
+    );
+    settings.set("contrast", "much");
+    picture.write_png_with(&file, &settings).expect("written");
+    let (stderr, code) = said(folder.path(), &["a.png"]);
+    assert_eq!(code, Some(1));
+    let message =
+        "a.png: its setting contrast is \"much\", which is not a whole number from 0 to 255";
+    assert!(stderr.contains(message), "{stderr}");
 }

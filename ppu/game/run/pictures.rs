@@ -5,8 +5,8 @@
 //! as a file has its name.
 
 use super::{Clock, FrameRange, InputSource, Session, SessionError};
-use crate::framebuffer::{FramebufferError, NumberedPath, write_picture};
-use crate::game::Game;
+use crate::framebuffer::{FramebufferError, Labels, NumberedPath, write_labelled};
+use crate::game::{Game, View};
 
 /// Pictures of frames, named by the frames' numbers.
 ///
@@ -48,6 +48,8 @@ use crate::game::Game;
 #[derive(Clone, Debug)]
 pub struct Pictures {
     paths: NumberedPath,
+    /// Labels, and the view of the scene that they name.
+    labels: Option<(Labels, View)>,
 }
 
 /// How many pictures a run wrote, and how many existed already.
@@ -63,7 +65,20 @@ impl Pictures {
     /// Pictures with these names.
     #[must_use]
     pub fn new(paths: NumberedPath) -> Self {
-        Self { paths }
+        Self {
+            paths,
+            labels: None,
+        }
+    }
+
+    /// The same with these labels in each file, and with the frame's view where it differs from the
+    /// scene's own.
+    #[must_use]
+    pub fn labelled(self, labels: Labels, own_view: View) -> Self {
+        Self {
+            labels: Some((labels, own_view)),
+            ..self
+        }
     }
 
     /// Plays the session up to the end of a range, and writes the frames of the range that don't
@@ -99,7 +114,12 @@ impl Pictures {
             } else {
                 let flow = session.step(step, &mut events, &mut |part| input.tracing(part))?;
                 let picture = session.picture().ok_or(FramebufferError::NoPicture)?;
-                write_picture(&path, &picture)?;
+                let mut labels = Labels::default();
+                if let Some((common, own_view)) = &self.labels {
+                    labels = common.clone();
+                    labels.set_view(session.world().view(), own_view);
+                }
+                write_labelled(&path, &picture, &labels)?;
                 made.written += 1;
                 flow
             };

@@ -2,19 +2,21 @@
 
 use std::fs;
 
-use crate::command_line::support::{bad, good};
+use image::RgbImage;
+
+use crate::command_line::support::{bad, good, pixels};
 
 const OBJ: &str = "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
 /// Renders a small picture with options, and returns it with the messages.
-fn render(options: &[&str]) -> (Vec<u8>, String) {
+fn render(options: &[&str]) -> (RgbImage, String) {
     let folder = tempfile::tempdir().unwrap();
     let [mesh, picture] = ["square.obj", "square.png"].map(|name| folder.path().join(name));
     fs::write(&mesh, OBJ).unwrap();
     let names = [&mesh, &picture].map(|path| path.to_str().unwrap());
     let arguments = ["render", names[0], "--size", "32x32", "--out", names[1]];
     let (_, messages) = good(&[&arguments[..], options].concat());
-    (fs::read(&picture).unwrap(), messages)
+    (pixels(&picture), messages)
 }
 
 #[test]

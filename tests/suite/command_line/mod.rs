@@ -1,13 +1,16 @@
 //! The command line from outside: its output, and its messages about bad input.
 
 mod beside;
+mod default_output;
 mod formulations;
 mod inspect;
 mod meshes;
 mod newcomer;
 mod outputs;
 mod sequence;
+mod settings;
 mod silence;
+mod slips;
 mod support;
 mod whitted;
 
@@ -108,6 +111,8 @@ fn a_frame_that_stands_still_is_traced_once_unless_asked_for() {
             "4",
             "--antialias",
             "1",
+            "--out",
+            "none",
             "--stats",
             "-",
         ];
@@ -194,6 +199,8 @@ fn simulated_time_repeats() {
                 "320x180",
                 "--antialias",
                 "1",
+                "--out",
+                "none",
                 "--stats",
                 "-",
             ])
@@ -230,6 +237,8 @@ fn statistics_on_standard_output_are_nothing_but_json() {
         "scenes/paper13.nff",
         "--size",
         "8x8",
+        "--out",
+        "none",
         "--stats",
         "-",
     ]);
@@ -403,8 +412,8 @@ fn bad_arguments() {
         &["half", "units", "slices"],
     );
     bad(&["render", scene, "--frames", "0"], &["0"]);
-    bad(&["render", scene, "--ray-depth", "0"], &["0", "1..=16"]);
-    bad(&["render", scene, "--ray-depth", "17"], &["17", "1..=16"]);
+    bad(&["render", scene, "--ray-depth", "0"], &["0", "1 to 16"]);
+    bad(&["render", scene, "--ray-depth", "17"], &["17", "1 to 16"]);
     bad(
         &["render", scene, "--model", "gouraud"],
         &["gouraud", "depth", "whitted"],
@@ -427,6 +436,8 @@ fn bad_arguments() {
             scene,
             "--size",
             "8x8",
+            "--out",
+            "none",
             "--stats",
             "/nonexistent/s.json",
         ],

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::Command;
 
-use super::support::{bad, good, text};
+use super::support::{bad, good, pixels, text};
 
 const STRIPES: &str = "examples/tutorial/shaders/stripes.s";
 
@@ -137,7 +137,7 @@ fn a_shader_is_tried_with_and_without_a_program() {
     assert!(stderr.contains("stripes"), "{stderr}");
     good(&["render", &scene, "--program", &program, "--out", &built]);
     good(&["render", &scene, "--shader", STRIPES, "--out", &linked]);
-    assert_eq!(fs::read(built).unwrap(), fs::read(linked).unwrap());
+    assert_eq!(pixels(built.as_ref()), pixels(linked.as_ref()));
     bad(
         &["render", &scene, "--out", &file("without.png")],
         &["stripes"],

@@ -62,7 +62,9 @@ fn a_message_that_nobody_reads_costs_no_picture() {
 
 #[test]
 fn data_whose_reader_has_gone_ends_quietly() {
-    let stats = ["render", SCENE, "--size", "64x48", "--stats", "-"];
+    let stats = [
+        "render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-",
+    ];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "5"][..], &["info"], &stats, &picture] {
         let mut command = program();
@@ -76,7 +78,9 @@ fn data_whose_reader_has_gone_ends_quietly() {
 
 #[test]
 fn data_that_can_not_be_written_is_an_error() {
-    let stats = ["render", SCENE, "--size", "64x48", "--stats", "-"];
+    let stats = [
+        "render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-",
+    ];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "2"][..], &["info"], &stats, &picture] {
         let mut command = program();
@@ -194,14 +198,14 @@ fn a_ground_too_large_for_its_shadows_is_noted() {
     ];
     for (radius, is_noted) in [(1_000_000, true), (1000, false)] {
         fs::write(&file, scene(radius)).unwrap();
-        for arguments in [&["render", name][..], &on_framebuffer] {
+        for arguments in [&["render", name, "--out", "none"][..], &on_framebuffer] {
             let (_, said) = good(arguments);
             let note = format!("cellray: note: {name}:11: rays leave this sphere 1.9");
             assert_eq!(said.contains(&note), is_noted, "{said}");
             assert_eq!(said.contains("in line 10, 2 across"), is_noted, "{said}");
         }
         // Depth shading has no shadows.
-        let (_, said) = good(&["render", name, "--model", "depth"]);
+        let (_, said) = good(&["render", name, "--model", "depth", "--out", "none"]);
         assert!(!said.contains("rays leave"), "{said}");
     }
 }

@@ -38,7 +38,14 @@ fn the_time_allowed_is_the_hosts_where_time_is_simulated() {
             .current_dir(root)
             .env("LIBSPE2_TIMING", "1")
             .env("LIBSPE2_REPORT", &report)
-            .args(["render", "scenes/paper16.nff", "--size", "160x90"])
+            .args([
+                "render",
+                "scenes/paper16.nff",
+                "--size",
+                "160x90",
+                "--out",
+                "none",
+            ])
             .args(["--timeout", &seconds.to_string(), "--program"])
             .arg(&elf)
             .output()

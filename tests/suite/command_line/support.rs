@@ -1,7 +1,10 @@
 //! Runs the command line and expects success or failure.
 
 use std::fs;
+use std::path::Path;
 use std::process::{Command, Output};
+
+use image::RgbImage;
 
 /// A view, and a white material.
 pub const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\
@@ -44,6 +47,11 @@ pub fn bad(arguments: &[&str], parts: &[&str]) {
     for part in parts {
         assert!(err.contains(part), "{arguments:?}: no {part:?} in: {err}");
     }
+}
+
+/// The pixels of a picture, whose file has its settings, too.
+pub fn pixels(picture: &Path) -> RgbImage {
+    image::open(picture).unwrap().into_rgb8()
 }
 
 /// Renders a scene, which must fail, print all `parts` and leave no picture.

@@ -2,11 +2,20 @@
 
 use std::fs;
 
-use crate::command_line::support::{VIEW, bad_scene, good};
+use image::RgbImage;
+
+use crate::command_line::support::{VIEW, bad_scene, good, pixels};
 
 #[test]
 fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
-    let arguments = ["render", "sphereflake:1", "--size", "16x16"];
+    let arguments = [
+        "render",
+        "sphereflake:1",
+        "--size",
+        "16x16",
+        "--out",
+        "none",
+    ];
     let (_, err) = good(&[&arguments[..], &["--model", "depth"]].concat());
     for part in [
         "polygons are not drawn by depth shading (1",
@@ -25,23 +34,20 @@ fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
     let path = folder.path().join("dark.nff");
     fs::write(&path, scene).unwrap();
     let path = path.to_str().unwrap();
-    let (_, err) = good(&["render", path]);
+    let (_, err) = good(&["render", path, "--out", "none"]);
     assert!(err.contains("dark.nff:9: polygons are not drawn"), "{err}");
-    let (_, err) = good(&["render", path, "--model", "whitted"]);
+    let (_, err) = good(&["render", path, "--out", "none", "--model", "whitted"]);
     assert!(!err.contains("not drawn"), "{err}");
 }
 
 /// Renders with options. Returns the picture and its statistics.
-fn traced(scene: &str, options: &[&str]) -> (Vec<u8>, serde_json::Value) {
+fn traced(scene: &str, options: &[&str]) -> (RgbImage, serde_json::Value) {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");
     let arguments = ["render", scene, "--size", "96x54", "--stats", "-", "--out"];
     let name = [picture.to_str().unwrap()];
     let (out, _) = good(&[&arguments[..], &name, options].concat());
-    (
-        fs::read(picture).unwrap(),
-        serde_json::from_str(&out).unwrap(),
-    )
+    (pixels(&picture), serde_json::from_str(&out).unwrap())
 }
 
 /// The numbers of rays under the names of the Standard Procedural Databases. Checks their sum.
@@ -96,8 +102,7 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
     let (picture, stats) = traced(scene, &["--corners"]);
     assert_eq!(rays(&stats)[0], 97 * 55);
     assert!(picture == traced(scene, &["--corners", "--colour", "linear"]).0);
-    let size = image::load_from_memory(&picture).unwrap();
-    assert_eq!((size.width(), size.height()), (96, 54));
+    assert_eq!(picture.dimensions(), (96, 54));
     assert!(picture != plain);
 
     let (picture, stats) = one(&["--model", "depth"]);

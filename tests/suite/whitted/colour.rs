@@ -104,7 +104,7 @@ fn by_depth_shading() {
     let scene = nff_scene("paper16.nff");
     // With a contrast of 0, tiles that show nothing have no samples, and need none.
     check(&scene, Model::Depth, &|render_options| {
-        let meaning = options(render_options).colour;
+        let meaning = options(render_options).pixels.colour;
         let mut scene = scene.clone();
         scene.background = meaning.light(scene.background);
         for material in &mut scene.materials {

@@ -6,7 +6,7 @@ use cellray::statistics::{FrameStatistics, GENERATIONS, Generation, Rays};
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 use oracle::whitted::{Options, trace};
-use oracle::{Comparison, Picture};
+use oracle::{Comparison, Picture, Pixels};
 use protocol::layout::MESH_MOST_SLOTS;
 
 use crate::recorder::Recorder;
@@ -74,16 +74,20 @@ impl Frame {
     }
 }
 
-/// The reference's options that correspond to these.
+/// The reference's options that correspond to these, with one sample a pixel.
 pub fn options(render_options: RenderOptions) -> Options {
     Options {
         depth: render_options.ray_depth,
         fresnel: render_options.fresnel,
         spd_rays: render_options.spd_rays,
-        corners: render_options.corners,
-        colour: match render_options.colour {
-            Colour::Linear => oracle::whitted::Colour::Linear,
-            Colour::Srgb => oracle::whitted::Colour::Srgb,
+        shadows: render_options.shadows,
+        pixels: Pixels {
+            colour: match render_options.colour {
+                Colour::Linear => oracle::Colour::Linear,
+                Colour::Srgb => oracle::Colour::Srgb,
+            },
+            corners: render_options.corners,
+            ..Pixels::PLAIN
         },
     }
 }

@@ -80,5 +80,5 @@ What antialiasing costs and what it gains, for readers who choose `--antialias` 
 `whitted16`, for less than twice the time. Contrasts below that gain little error for much time, and those above leave
 steps that are easily seen: pixels off by over 8/255 are counted in the last column. *16 at 32* costs twice as much
 again, for edges that are looked at from near: a picture at rest. The contrast is that of the pixels' values, so in sRGB
-dark edges count for more, bright ones for less. These tables have linear light, as the reference has.
+dark edges count for more, bright ones for less. These tables have linear light.
 ";

@@ -2,14 +2,18 @@
 
 use std::path::Path;
 
-use oracle::whitted::{Colour, Counts, Options, trace};
+use oracle::Pixels;
+use oracle::whitted::{Counts, Options, trace};
 
 const SPD: Options = Options {
     depth: 5,
     fresnel: false,
     spd_rays: true,
-    corners: true,
-    colour: Colour::Linear,
+    shadows: true,
+    pixels: Pixels {
+        corners: true,
+        ..Pixels::PLAIN
+    },
 };
 
 fn counts(scene: &nff::Scene, options: &Options) -> Counts {
@@ -151,7 +155,7 @@ fn the_published_counts_of_tree() {
 fn primary_rays_go_through_centres_or_corners() {
     let scene = nff::sphereflake::generate(1).expect("a scene");
     let centres = Options {
-        corners: false,
+        pixels: Pixels::PLAIN,
         ..SPD
     };
     assert_eq!(counts(&scene, &centres).eye, 512 * 512);
@@ -184,6 +188,27 @@ fn a_greater_depth_adds_rays_and_a_picture_is_the_same_again() {
         rays = sum;
     }
     assert_eq!(at(5), at(5));
+}
+
+#[test]
+fn without_shadows_lights_reach_everything() {
+    let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 1 1\nl 0 -9 0 1 1 1\n\
+        f 1 1 1 1 0 0 0 1\ns 0 1 0 1\ns 0 -8 0 0.1\nf 0 0 0 0 0 0 1 1\n";
+    let mut scene =
+        nff::parse(text.as_bytes(), "shadow", &nff::Limits::default()).expect("a scene");
+    // The eye is beyond the light, and the small sphere between the light and the large one.
+    scene.view.from.x = 0.3;
+    let look = |shadows| {
+        let options = Options {
+            shadows,
+            ..Options::default()
+        };
+        let (reference, counts) = trace(&scene, 1, 1, &options).expect("a picture");
+        (reference.picture.pixels()[0], counts.shadow)
+    };
+    assert_eq!(look(true), ([0; 3], 1));
+    let (lit, rays) = look(false);
+    assert!(lit[0] > 200 && rays == 0, "{lit:?}, {rays}");
 }
 
 #[test]

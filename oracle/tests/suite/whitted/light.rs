@@ -1,6 +1,7 @@
 //! The formulas of light: brightness, highlights, shares of mirror and glass.
 
-use oracle::whitted::{Colour, Options};
+use oracle::whitted::Options;
+use oracle::{Colour, Pixels};
 
 use super::{colour, look, scene};
 
@@ -47,7 +48,10 @@ fn a_sky_by_hand() {
 #[test]
 fn colours_in_srgb_by_hand() {
     let srgb = Options {
-        colour: Colour::Srgb,
+        pixels: Pixels {
+            colour: Colour::Srgb,
+            ..Pixels::PLAIN
+        },
         ..Options::default()
     };
     // What sends its own colour looks as the file says, and half of white in a mirror is

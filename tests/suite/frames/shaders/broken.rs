@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 use cellray::scene::{Model, RenderOptions};
 use cellray::work::Refusal;
 use cellray::{Engine, EngineError, Scene, Settings};
+use image::RgbImage;
 
 use super::program::{build, file, image, program};
 use crate::recorder::{Recorder, Snapshot};
@@ -156,7 +157,7 @@ fn a_name_that_is_too_long_is_not_assembled() {
 }
 
 /// Runs `cellray render` with these tests' program and a scene of one sphere.
-fn cellray(shader: &str, options: &[&str]) -> (Output, Option<Vec<u8>>) {
+fn cellray(shader: &str, options: &[&str]) -> (Output, Option<RgbImage>) {
     let folder = tempfile::tempdir().unwrap();
     let [scene_file, image_file, picture] =
         ["sphere.nff", "tracer.elf", "picture.png"].map(|name| folder.path().join(name));
@@ -172,7 +173,9 @@ fn cellray(shader: &str, options: &[&str]) -> (Output, Option<Vec<u8>>) {
         .args(options)
         .output()
         .unwrap();
-    (output, fs::read(picture).ok())
+    // The file has the names of the scene and of the program, too.
+    let picture = image::open(picture).ok();
+    (output, picture.map(image::DynamicImage::into_rgb8))
 }
 
 #[test]
