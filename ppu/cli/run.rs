@@ -260,7 +260,9 @@ pub struct Loaded {
 
 /// Loads the scene, and prints notes about what was left out of it.
 pub fn load(options: &Options) -> Result<Loaded, meshes::Error> {
-    let meshes::Loaded { mut scene, notes, .. } = meshes::load(&options.scene)?;
+    let meshes::Loaded {
+        mut scene, notes, ..
+    } = meshes::load(&options.scene)?;
     for note in notes {
         talk::say!("cellray: note: {note}");
     }

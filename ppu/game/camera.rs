@@ -322,7 +322,7 @@ mod tests {
             camera.steer(&input, 1.0);
         }
         let up = camera.direction();
-        assert!(up.y > 0.99 && up.x.hypot(up.z) > 0.08, "{up}");
+        assert!(up.y > 0.99 && libm::hypot(up.x, up.z) > 0.08, "{up}");
         assert!((up.length() - 1.0).abs() < 1e-12);
     }
 }

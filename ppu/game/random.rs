@@ -44,7 +44,7 @@ impl Random {
     /// An integer from 0 to less than `count`; 0 if there is none. Each is as likely as the others,
     /// but for a part in 2^64 / `count`.
     pub fn below(&mut self, count: usize) -> usize {
-        (u128::from(self.0.next_u64()) * count as u128 >> 64) as usize
+        ((u128::from(self.0.next_u64()) * count as u128) >> 64) as usize
     }
 
     /// One of these, or `None` of none.
