@@ -190,6 +190,9 @@ pub struct Options {
     /// Start without text on the screen; F1 shows it, and then statistics
     #[arg(long)]
     pub no_overlay: bool,
+    /// Print statistics at the end: rays, tests, tiles, what each SPU did
+    #[arg(long, short)]
+    pub verbose: bool,
     /// SPUs to use [default: 6, but no more than the computer has processors, unless it is a
     /// console or time is simulated]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]

@@ -190,8 +190,10 @@ impl<'a> Show<'a> {
         let began = Instant::now();
         let mut flow = match step.filter(|_| heard.is_continue()) {
             Some(_) if stands_still => {
-                // Nobody takes them any more.
-                self.events.clear();
+                if self.is_over {
+                    // Nobody takes them any more.
+                    self.events.clear();
+                }
                 self.trace_again()?;
                 Some(ControlFlow::Continue(()))
             }

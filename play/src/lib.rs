@@ -293,7 +293,8 @@ fn session(
     for message in &played.messages {
         say(message);
     }
-    tell(played.report);
+    // Without a display, the statistics are what is wanted.
+    tell(played.report, options.verbose || kind == DisplayKind::None);
     Ok(played.ending)
 }
 
@@ -317,7 +318,7 @@ fn pictures(
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let mut clock = FixedSteps(options.step());
     let made = pictures.write(&mut session, range, &mut clock, &mut interrupted)?;
-    tell(session.report().clone());
+    tell(session.report().clone(), options.verbose);
     say(format_args!(
         "{} picture(s) written, {} existed already",
         made.written, made.kept
@@ -330,10 +331,14 @@ fn say(line: impl Display) {
     talk::say!("cellray-play: {line}");
 }
 
-fn tell(mut report: Report) {
+/// Prints a line on a run, or all of its statistics.
+fn tell(mut report: Report, is_verbose: bool) {
     report.add_memory();
-    for line in report.to_string().lines() {
-        say(line);
+    say(report.summary());
+    if is_verbose {
+        for line in report.to_string().lines().skip(1) {
+            say(line);
+        }
     }
 }
 

@@ -730,7 +730,7 @@ fn a_framebuffers_keys_are_taken_though_the_talk_goes_to_a_file() {
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
     assert!(
-        !pty.is_taken() && pty.seen().contains("frame(s)"),
+        !pty.is_taken() && pty.seen().contains(" rays in "),
         "{}",
         pty.seen()
     );

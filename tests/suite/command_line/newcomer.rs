@@ -199,7 +199,7 @@ fn a_shader_is_scheduled_where_the_game_is() {
     .unwrap();
     typed("cellray render striped.nff --shader shaders/stripes.s --out plain.png");
     typed("cellray render striped.nff --shader scheduled.s --check-shaders --out scheduled.png");
-    let picture = |name| fs::read(game.join(name)).unwrap();
+    let picture = |name| pixels(&game.join(name));
     assert_eq!(picture("plain.png"), picture("scheduled.png"));
 }
 
