@@ -1,7 +1,7 @@
 //! cellray: an interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 //!
-//! A game is a type that implements [`Game`](game::Game), and `cellray_play::main_of::<MyGame>()` of
-//! the crate `cellray-play` is its whole `main`: windows, terminals, framebuffers, pads and
+//! A game is a type that implements [`Game`](game::Game), and `cellray_play::main_of::<MyGame>()`
+//! of the crate `cellray-play` is its whole `main`: windows, terminals, framebuffers, pads and
 //! recordings. `cellray new mygame` makes a folder that has both. The [`prelude`] has what a game
 //! uses; [`World`](game::World) is where it puts things.
 //!
@@ -9,8 +9,8 @@
 //! scene and write finished rows directly into a [`framebuffer`]. Whether the libspe2 calls in
 //! [`spe`] reach a console's SPEs or emulated ones is decided at link time; this crate can't tell.
 //!
-//! Without `cellray-play`, a [`Session`](game::Session) runs a game. This example renders a bouncing
-//! ball as numbered pictures:
+//! Without `cellray-play`, a [`Session`](game::Session) runs a game. This example renders a
+//! bouncing ball as numbered pictures:
 //!
 //! ```
 //! use std::time::Duration;

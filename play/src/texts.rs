@@ -1,7 +1,7 @@
 //! Chooses what the screen says: speeds, the game's status, help, a pause, and a hint at the start.
 //!
-//! Invariant: the notice of a pause or of the end is always shown, because nothing else says why the
-//! picture stands still.
+//! Invariant: the notice of a pause or of the end is always shown, because nothing else says why
+//! the picture stands still.
 
 use std::time::{Duration, Instant};
 

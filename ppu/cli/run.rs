@@ -309,8 +309,8 @@ pub fn scene(
     Ok(scene)
 }
 
-/// Traces frames until `enough` returns true for their number, then reports. `what` is what they are
-/// shown on.
+/// Traces frames until `enough` returns true for their number, then reports. `what` is what they
+/// are shown on.
 pub fn frames(
     options: &Options,
     program: Program,

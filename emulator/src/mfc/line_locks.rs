@@ -4,10 +4,10 @@
 //! other has ended. So a line is seen as it was before a write or after it, and never in between.
 //! Accesses without a common line don't wait for each other.
 //!
-//! Who comes when a line is free goes before those that have not noticed it yet. Otherwise SPEs that
-//! count in one line would take turns at each command, and no conditional put would succeed. But who
-//! has slept for long goes first, so nobody waits for ever: a line that many poll can still be
-//! written.
+//! Who comes when a line is free goes before those that have not noticed it yet. Otherwise SPEs
+//! that count in one line would take turns at each command, and no conditional put would succeed.
+//! But who has slept for long goes first, so nobody waits for ever: a line that many poll can
+//! still be written.
 //!
 //! Lines are told apart by their effective address. Of two addresses of one line this module knows
 //! nothing.

@@ -1,7 +1,7 @@
 //! Renders pictures by the model of Whitted (1980), as `docs/shading.md` describes it.
 //!
-//! Owns what a primary ray sees. Invariant: the same scene and options give the same picture and the
-//! same counts, with any number of threads.
+//! Owns what a primary ray sees. Invariant: the same scene and options give the same picture and
+//! the same counts, with any number of threads.
 
 mod finish;
 mod light;

@@ -15,8 +15,8 @@ pub struct Probe<'a> {
 }
 
 impl<'a> Probe<'a> {
-    /// A probe with the camera of a picture of this size. Of the options of pixels, only the meaning
-    /// of the scene's colours is used.
+    /// A probe with the camera of a picture of this size. Of the options of pixels, only the
+    /// meaning of the scene's colours is used.
     ///
     /// # Errors
     /// As for [`super::trace`].

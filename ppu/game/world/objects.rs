@@ -59,8 +59,8 @@ impl World {
         self.add(Shape::Polygon { vertices }, material)
     }
 
-    /// Adds a square of a plane: it has edges of this length around `centre`, and is seen from where
-    /// `normal` points, which is perpendicular to it.
+    /// Adds a square of a plane: it has edges of this length around `centre`, and is seen from
+    /// where `normal` points, which is perpendicular to it.
     ///
     /// # Errors
     /// As for [`World::add`], or the normal is 0.
@@ -87,8 +87,8 @@ impl World {
         self.add_polygon(&vertices.map(|vertex| centre + vertex), material)
     }
 
-    /// Adds a box between two opposite corners, as six polygons. [`Mesh::cuboid`](nff::Mesh::cuboid)
-    /// is a box that can be turned.
+    /// Adds a box between two opposite corners, as six polygons.
+    /// [`Mesh::cuboid`](nff::Mesh::cuboid) is a box that can be turned.
     ///
     /// # Errors
     /// As for [`World::add`], or the box has no volume.

@@ -120,8 +120,8 @@ pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: b
 const UNREACHED: i64 = i64::MIN / 2;
 
 impl<'a> Problem<'a> {
-    /// The edges must have no [`impossible`] cycle at this interval. `movable` are the accesses that
-    /// may move across the increments of their address.
+    /// The edges must have no [`impossible`] cycle at this interval. `movable` are the accesses
+    /// that may move across the increments of their address.
     pub fn new(
         nodes: &'a [Node],
         edges: &[Edge],

@@ -1,12 +1,12 @@
 //! Software pipelining, which turns a loop of one block into a fill, a kernel, a drain and a short
 //! form.
 //!
-//! The kernel starts a pass every `interval` cycles, so that `stages` passes overlap. If values live
-//! longer than an interval, it may contain several passes that differ in registers (Lam 1988), each
-//! with an exit and a drain of its own. The fill and the drain are the kernel's instructions of the
-//! first and last passes. If the trip count is below the number of stages, the short form runs,
-//! which is the plain loop. Invariant: for every trip count, memory and the registers that are live
-//! after the loop have the same contents as after the plain loop.
+//! The kernel starts a pass every `interval` cycles, so that `stages` passes overlap. If values
+//! live longer than an interval, it may contain several passes that differ in registers (Lam
+//! 1988), each with an exit and a drain of its own. The fill and the drain are the kernel's
+//! instructions of the first and last passes. If the trip count is below the number of stages, the
+//! short form runs, which is the plain loop. Invariant: for every trip count, memory and the
+//! registers that are live after the loop have the same contents as after the plain loop.
 
 use std::ops::RangeInclusive;
 

@@ -1,5 +1,5 @@
-# Calls three deep for the debugger: main calls outer, which calls inner twice and adds 1. The status
-# is 2 * 3 + 1.
+# Calls three deep for the debugger: main calls outer, which calls inner twice and adds 1. The
+# status is 2 * 3 + 1.
         .include "runtime.inc"
 
         .type   main,@function

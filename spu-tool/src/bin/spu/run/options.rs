@@ -85,8 +85,8 @@ pub struct Options {
     /// the interpreter
     #[arg(long, value_enum, default_value_t = EngineName::Compiler, help_heading = "Engine")]
     pub engine: EngineName,
-    /// When DMA commands are carried out. at-last delays each one until the program waits for it, and
-    /// takes the newest first, so that a missing wait, fence or barrier shows
+    /// When DMA commands are carried out. at-last delays each one until the program waits for it,
+    /// and takes the newest first, so that a missing wait, fence or barrier shows
     #[arg(long, value_enum, default_value_t = Mfc::AtOnce, conflicts_with = "simulated", help_heading = "Engine")]
     pub mfc: Mfc,
     /// Run the program compiled and interpreted, block by block, and fail at the first difference;
