@@ -252,3 +252,54 @@ fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
         assert_eq!(line.matches(HALF).count(), columns, "{size:?}");
     }
 }
+
+#[test]
+fn signals_and_ctrl_c_put_the_terminal_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (number, signal) in [libc::SIGTERM, libc::SIGINT, libc::SIGHUP, libc::SIGQUIT]
+        .into_iter()
+        .enumerate()
+    {
+        let mut pty = in_terminal(&folder.path().join(number.to_string()));
+        pty.wait_for("\u{2580}");
+        pty::signal(pty.process(), signal);
+        assert_eq!(pty.end().code(), Some(128 + signal));
+        assert!(pty.seen().contains(&format!("ended by signal {signal}")));
+        pty.assert_restored();
+    }
+    for (typed, status) in [("\x03", 130), ("\x04", 0)] {
+        let mut pty = in_terminal(&folder.path().join(status.to_string() + "-typed"));
+        pty.wait_for("\u{2580}");
+        pty.type_in(typed);
+        assert_eq!(pty.end().code(), Some(status));
+        pty.assert_restored();
+    }
+}
+
+#[test]
+fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = in_a_long_frame(&folder.path().join("session"));
+    for signal in [libc::SIGINT, libc::SIGTERM] {
+        pty::signal(pty.process(), signal);
+    }
+    let status = pty.end();
+    let signal = std::os::unix::process::ExitStatusExt::signal(&status);
+    assert!(
+        [Some(libc::SIGINT), Some(libc::SIGTERM)].contains(&signal),
+        "{status}"
+    );
+    pty.assert_restored();
+}
+
+#[test]
+fn a_terminals_size_is_followed() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = in_terminal(&folder.path().join("session"));
+    pty.wait_for("\u{2580}");
+    assert!(!pty.seen().contains("\x1b[40;"));
+    pty.resize(100, 40);
+    pty.wait_for("\x1b[40;");
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+}
