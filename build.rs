@@ -83,11 +83,7 @@ fn ready_images(folder: &Path, script: &mut Script) -> Outcome<Images> {
 fn table(images: &Images) -> Outcome<String> {
     let mut text = String::from("[\n");
     for (formulations, image) in images {
-        writeln!(
-            text,
-            "({:?}, &Image(*include_bytes!({image:?}))),",
-            formulations.names(),
-        )?;
+        writeln!(text, "({:?}, &Image(*include_bytes!({image:?}))),", formulations.names(),)?;
     }
     text.push_str("]\n");
     Ok(text)
@@ -107,10 +103,7 @@ fn stubs(out: &Path, script: &mut Script) -> Outcome<()> {
         &folder.join("libspe2.so"),
     )?;
     stub::glibc::build(&compiler, &folder)?;
-    script.tell(format_args!(
-        "rustc-link-search=native={}",
-        folder.display()
-    ));
+    script.tell(format_args!("rustc-link-search=native={}", folder.display()));
     script.tell("rustc-link-lib=dylib=spe2");
     Ok(())
 }

@@ -3,10 +3,7 @@
 //!
 //!     cargo bench --bench features [-- SCENE.nff [WxH]]
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
 use std::path::Path;
 use std::process::Command;
@@ -33,33 +30,15 @@ struct Without {
     compared: bool,
 }
 
-const EVERYTHING: Without = Without {
-    name: "everything",
-    change: |_| (),
-    options: &[],
-    depth: 5,
-    compared: true,
-};
+const EVERYTHING: Without =
+    Without { name: "everything", change: |_| (), options: &[], depth: 5, compared: true };
 
 fn features() -> Vec<Without> {
     vec![
         EVERYTHING,
-        Without {
-            name: "no shadows",
-            options: &["--no-shadows"],
-            compared: false,
-            ..EVERYTHING
-        },
-        Without {
-            name: "one light",
-            change: |scene| scene.lights.truncate(1),
-            ..EVERYTHING
-        },
-        Without {
-            name: "no highlights",
-            change: lambert,
-            ..EVERYTHING
-        },
+        Without { name: "no shadows", options: &["--no-shadows"], compared: false, ..EVERYTHING },
+        Without { name: "one light", change: |scene| scene.lights.truncate(1), ..EVERYTHING },
+        Without { name: "no highlights", change: lambert, ..EVERYTHING },
         Without {
             name: "no glass: T = 0",
             change: |scene| {
@@ -81,24 +60,12 @@ fn features() -> Vec<Without> {
         Without {
             name: "no ground",
             change: |scene| {
-                scene
-                    .objects
-                    .retain(|object| !matches!(object.shape, Shape::Polygon { .. }));
+                scene.objects.retain(|object| !matches!(object.shape, Shape::Polygon { .. }));
             },
             ..EVERYTHING
         },
-        Without {
-            name: "rays to depth 3",
-            options: &["--ray-depth", "3"],
-            depth: 3,
-            ..EVERYTHING
-        },
-        Without {
-            name: "rays to depth 2",
-            options: &["--ray-depth", "2"],
-            depth: 2,
-            ..EVERYTHING
-        },
+        Without { name: "rays to depth 3", options: &["--ray-depth", "3"], depth: 3, ..EVERYTHING },
+        Without { name: "rays to depth 2", options: &["--ray-depth", "2"], depth: 2, ..EVERYTHING },
         Without {
             name: "primary rays only: depth 1",
             options: &["--ray-depth", "1"],
@@ -136,34 +103,20 @@ fn render(scene: &Path, size: &str, picture: &Path, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
         .args(["render", "--antialias", "1", "--colour", "linear"])
         .arg(scene)
-        .args([
-            "--size",
-            size,
-            "--frames",
-            FRAMES,
-            "--retrace",
-            "--stats",
-            "-",
-        ])
+        .args(["--size", size, "--frames", FRAMES, "--retrace", "--stats", "-"])
         .arg("--out")
         .arg(picture)
         .args(options)
         .env("LIBSPE2_TIMING", "1")
         .output()
         .expect("cellray runs");
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     serde_json::from_slice(&output.stdout).expect("statistics are JSON")
 }
 
 fn main() {
-    let arguments: Vec<String> = std::env::args()
-        .skip(1)
-        .filter(|argument| argument != "--bench")
-        .collect();
+    let arguments: Vec<String> =
+        std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
     let file = arguments.first().map_or(SCENE, String::as_str);
     let size = arguments.get(1).map_or(SIZE, String::as_str);
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -203,15 +156,9 @@ fn main() {
 /// Pixels of a picture that are off, of all and of those that lie on no silhouette.
 fn errors(scene: &Scene, picture: &Path, depth: u32) -> (String, String) {
     let picture = Picture::read_png(picture).expect("a picture");
-    let options = Options {
-        depth,
-        ..Options::default()
-    };
+    let options = Options { depth, ..Options::default() };
     let (reference, _) =
         whitted::trace(scene, picture.width(), picture.height(), &options).expect("a reference");
     let found = oracle::compare(&picture, &reference).expect("pictures of one size");
-    (
-        format!("{:.4} %", 100.0 * found.wrong_fraction),
-        found.wrong_off_silhouette.to_string(),
-    )
+    (format!("{:.4} %", 100.0 * found.wrong_fraction), found.wrong_off_silhouette.to_string())
 }

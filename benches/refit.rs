@@ -4,10 +4,7 @@
 //!
 //!     cargo bench --bench refit [-- meshes|objects]
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -127,10 +124,7 @@ impl Motion {
 /// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds
 /// of a frame in simulated time.
 fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
-    let settings = Settings {
-        retain: false,
-        ..Settings::default()
-    };
+    let settings = Settings { retain: false, ..Settings::default() };
     let scene = world.scene(&settings.program)?;
     let mesh = scene.block().and_then(SceneBlock::mesh);
     let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();

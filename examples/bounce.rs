@@ -33,10 +33,7 @@ impl Game for Bounce {
         world.look_from(DVec3::new(0.0, 2.0, 12.0), DVec3::new(0.0, 0.8, 0.0))?;
         world.set_background(DVec3::new(0.05, 0.07, 0.14))?;
         // The ball has a material of its own, so that tiles without it do not change.
-        world.set_fade(Some(DepthShading {
-            near: 10.0,
-            far: 17.0,
-        }))?;
+        world.set_fade(Some(DepthShading { near: 10.0, far: 17.0 }))?;
         let orange = world.add_material(Material::matte(0.96, 0.4, 0.25))?;
         let blue = world.add_material(Material::matte(0.4, 0.6, 0.9))?;
         self.ball = world.add_sphere(DVec3::ZERO, RADIUS, orange)?;
@@ -59,11 +56,7 @@ impl Game for Bounce {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);
-    let folder = PathBuf::from(
-        arguments
-            .next()
-            .ok_or("usage: bounce FOLDER [FRAMES | A..B]")?,
-    );
+    let folder = PathBuf::from(arguments.next().ok_or("usage: bounce FOLDER [FRAMES | A..B]")?);
     let frames: FrameRange = match arguments.next() {
         Some(text) => text.to_string_lossy().parse()?,
         None => FrameRange { first: 0, end: 24 },

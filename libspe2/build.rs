@@ -23,10 +23,7 @@ fn link(script: &mut Script) -> Result<(), Box<dyn Error>> {
         let folder = PathBuf::from(env::var("OUT_DIR")?).join("stub");
         fs::create_dir_all(&folder)?;
         stub::glibc::build(&stub::compiler(script), &folder)?;
-        script.tell(format_args!(
-            "rustc-link-search=native={}",
-            folder.display()
-        ));
+        script.tell(format_args!("rustc-link-search=native={}", folder.display()));
     }
     Ok(())
 }

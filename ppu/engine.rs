@@ -154,9 +154,7 @@ impl Engine {
         let target = records.framebuffer.target();
         let geometry = target.geometry;
         let camera = scene.camera(geometry.width, geometry.height)?;
-        let Settings {
-            spus, split, skip, ..
-        } = self.settings;
+        let Settings { spus, split, skip, .. } = self.settings;
         let keeps = keeps && skip != Skip::Nothing;
         let policy = Policy {
             spus,

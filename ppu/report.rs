@@ -233,13 +233,7 @@ impl Report {
     /// The run in one line: the size, the frames, the rays, and the time.
     #[must_use]
     pub fn summary(&self) -> String {
-        let Rays {
-            eye,
-            reflected,
-            refracted,
-            shadow,
-            ..
-        } = self.rays;
+        let Rays { eye, reflected, refracted, shadow, .. } = self.rays;
         let rays = match eye + reflected + refracted + shadow {
             few @ ..100_000 => few.to_string(),
             many => format!("{:.2} million", many as f64 / 1e6),
@@ -293,20 +287,11 @@ impl Report {
         let part = |of: f64, all: f64| if all > 0.0 { of / all } else { 0.0 };
         let seconds = self.ticks as f64 / self.timebase;
         self.frames_per_second = part(f64::from(self.frames_traced), seconds);
-        self.busy_share = part(
-            self.spu.iter().map(|spu| spu.busy).sum(),
-            f64::from(self.spus) * seconds,
-        );
-        let Rays {
-            eye,
-            reflected,
-            refracted,
-            shadow,
-            ..
-        } = self.rays;
+        self.busy_share =
+            part(self.spu.iter().map(|spu| spu.busy).sum(), f64::from(self.spus) * seconds);
+        let Rays { eye, reflected, refracted, shadow, .. } = self.rays;
         let of_all = f64::from(self.spus) * seconds;
-        self.blocks
-            .share(eye + reflected + refracted + shadow, of_all);
+        self.blocks.share(eye + reflected + refracted + shadow, of_all);
         let TextureReport { used, fetched, .. } = self.texture_tiles;
         self.texture_tiles.cached_percent = 100.0 * part((used - fetched) as f64, used as f64);
         for generation in &mut self.generations {
@@ -354,13 +339,7 @@ impl fmt::Display for BlockReport {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            tests,
-            tiles,
-            packets,
-            rays,
-            ..
-        } = self;
+        let Self { tests, tiles, packets, rays, .. } = self;
         writeln!(f, "{}", self.summary())?;
         let all = tests.made + tests.skipped + tests.unseen;
         if rays.reflected + rays.refracted + rays.shadow > 0 {
@@ -395,11 +374,7 @@ impl fmt::Display for Report {
         if self.blocks.used > 0 {
             writeln!(f, "mesh: {}", self.blocks)?;
         }
-        let TextureReport {
-            used,
-            fetched,
-            cached_percent,
-        } = self.texture_tiles;
+        let TextureReport { used, fetched, cached_percent } = self.texture_tiles;
         if used > 0 {
             writeln!(
                 f,
@@ -447,11 +422,9 @@ impl fmt::Display for Report {
             100.0 * (1.0 - TELEVISION * a_frame).max(0.0)
         )?;
         match self.peak_bytes {
-            Some(bytes) => write!(
-                f,
-                "\nmemory: {:.1} MiB at most",
-                bytes as f64 / f64::from(1 << 20)
-            ),
+            Some(bytes) => {
+                write!(f, "\nmemory: {:.1} MiB at most", bytes as f64 / f64::from(1 << 20))
+            }
             None => Ok(()),
         }
     }
@@ -516,10 +489,7 @@ mod tests {
             busy,
             dma_wait,
             idle: 100,
-            rays: Rays {
-                eye,
-                ..Rays::default()
-            },
+            rays: Rays { eye, ..Rays::default() },
             tiles: 5,
             tiles_filled: 2,
             tiles_blank: 1,

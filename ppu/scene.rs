@@ -161,14 +161,10 @@ impl Scene {
                 objects: mesh.blocks.statistics().objects(),
             }),
             Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
-                Err(SceneError::NoTextures {
-                    file: self.file.clone(),
-                })
+                Err(SceneError::NoTextures { file: self.file.clone() })
             }
             Some(mesh) if mesh.blocks.is_coloured() && program.colour_code().is_empty() => {
-                Err(SceneError::NoColours {
-                    file: self.file.clone(),
-                })
+                Err(SceneError::NoColours { file: self.file.clone() })
             }
             _ => Ok(()),
         }
@@ -204,10 +200,7 @@ impl Scene {
             background: scene.background,
             sky: scene.sky,
             spheres: Vec::new(),
-            depth: DepthShading {
-                near: 0.0,
-                far: 0.0,
-            },
+            depth: DepthShading { near: 0.0, far: 0.0 },
             not_drawn: Vec::new(),
             render_options,
             block: Some(block),
@@ -234,28 +227,18 @@ impl Scene {
 
         let count = depth::drawn(scene).count();
         if count > MAX_SPHERES as usize {
-            return Err(SceneError::TooManySpheres {
-                file: file.clone(),
-                count,
-            });
+            return Err(SceneError::TooManySpheres { file: file.clone(), count });
         }
         let mut spheres = Vec::with_capacity(count);
         for (number, sphere) in depth::drawn(scene).enumerate() {
-            in_range(
-                &|| format!("centre of sphere {}", number + 1),
-                sphere.centre,
-            )?;
+            in_range(&|| format!("centre of sphere {}", number + 1), sphere.centre)?;
             if !(SMALLEST..=LARGEST).contains(&sphere.radius) {
                 let what = format!("radius of sphere {}", number + 1);
                 return Err(out_of_range(what, sphere.radius, " and at least 2^-62"));
             }
             let colour = scene.materials[sphere.material as usize].colour;
             let colour = render_options.colour.light(colour);
-            spheres.push(Sphere {
-                centre: sphere.centre,
-                radius: sphere.radius,
-                colour,
-            });
+            spheres.push(Sphere { centre: sphere.centre, radius: sphere.radius, colour });
         }
         Ok(Self {
             file: file.clone(),
@@ -292,10 +275,7 @@ impl Scene {
         let mut camera = self
             .view
             .camera(width.saturating_sub(one), height.saturating_sub(one))
-            .map_err(|source| SceneError::View {
-                file: self.file.clone(),
-                source,
-            })?;
+            .map_err(|source| SceneError::View { file: self.file.clone(), source })?;
         if corners {
             camera.corner -= (camera.right + camera.down) / 2.0;
         }

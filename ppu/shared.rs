@@ -20,11 +20,7 @@ impl SharedMemory {
     #[must_use]
     pub fn new(bytes: usize) -> Self {
         let lines = bytes.div_ceil(LINE as usize).max(1);
-        Self(
-            (0..lines)
-                .map(|_| Line(UnsafeCell::new([0; LINE as usize])))
-                .collect(),
-        )
+        Self((0..lines).map(|_| Line(UnsafeCell::new([0; LINE as usize]))).collect())
     }
 
     /// The effective address of the first byte.
@@ -47,10 +43,7 @@ impl SharedMemory {
         let base = self.0.as_ptr().cast::<u8>().cast_mut();
         // SAFETY: the range was checked. The bytes are in `UnsafeCell`s, so they may be written.
         // `bytes` can't overlap them, because they are never lent out.
-        unsafe {
-            base.add(offset)
-                .copy_from_nonoverlapping(bytes.as_ptr(), bytes.len())
-        };
+        unsafe { base.add(offset).copy_from_nonoverlapping(bytes.as_ptr(), bytes.len()) };
     }
 
     /// Copies bytes from the offset `offset` out to `into`.
@@ -61,10 +54,7 @@ impl SharedMemory {
         assert!(into.len() <= self.bytes() && offset <= self.bytes() - into.len());
         let base = self.0.as_ptr().cast::<u8>();
         // SAFETY: the range was checked; `into` can't overlap it, because it is never lent out.
-        unsafe {
-            base.add(offset)
-                .copy_to_nonoverlapping(into.as_mut_ptr(), into.len())
-        };
+        unsafe { base.add(offset).copy_to_nonoverlapping(into.as_mut_ptr(), into.len()) };
     }
 
     /// Reads a word that an SPU may be writing concurrently. The result is the old or the new

@@ -155,8 +155,7 @@ impl FrameStatistics {
     pub(crate) fn read(&mut self, lines: &[Statistics], size: Size) {
         self.spus.clear();
         let unseen = size.spheres_unseen;
-        self.spus
-            .extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
+        self.spus.extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         self.tiles_retained = size.tiles_retained;
         self.tiles_left = size.tiles_left;
         self.is_put_off = size.is_put_off;
@@ -187,23 +186,17 @@ impl FrameStatistics {
     /// Ticks from the mail to the slowest SPU's answer.
     #[must_use]
     pub fn ticks(&self) -> u64 {
-        self.spus
-            .iter()
-            .map(|spu| spu.busy + spu.dma_wait)
-            .max()
-            .unwrap_or(0)
+        self.spus.iter().map(|spu| spu.busy + spu.dma_wait).max().unwrap_or(0)
     }
 }
 
 impl SpuStatistics {
     fn of(line: &Statistics, spheres_unseen: u64) -> Self {
         let generations = line.generations.each_ref().map(Generation::of);
-        let all = generations
-            .iter()
-            .fold(Generation::default(), |mut sum, of| {
-                sum += *of;
-                sum
-            });
+        let all = generations.iter().fold(Generation::default(), |mut sum, of| {
+            sum += *of;
+            sum
+        });
         let made = line.tests_made.get() + all.tests;
         Self {
             tiles: line.tiles.get(),

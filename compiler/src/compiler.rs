@@ -52,10 +52,7 @@ impl CodeCache {
 
 impl Drop for CodeCache {
     fn drop(&mut self) {
-        let module = self
-            .module
-            .get_mut()
-            .unwrap_or_else(PoisonError::into_inner);
+        let module = self.module.get_mut().unwrap_or_else(PoisonError::into_inner);
         if let Some(module) = module.take() {
             // SAFETY: every `Unit` and `Cpu` with a pointer to code also has a reference to this
             // value, and the last reference is gone.
@@ -173,11 +170,7 @@ impl Compiler {
         let mut functions = FunctionBuilderContext::new();
         let trampoline = build_trampoline(&mut module, &mut context, &mut functions)?;
         let exit_stub = build_exit_stub(&mut module, &mut context, &mut functions)?;
-        let code = CodeCache {
-            module: Mutex::new(Some(module)),
-            trampoline,
-            exit_stub,
-        };
+        let code = CodeCache { module: Mutex::new(Some(module)), trampoline, exit_stub };
         Ok(Self {
             code: Arc::new(code),
             estimates,
@@ -200,36 +193,19 @@ impl Compiler {
         if self.full || self.units as usize == MAX_UNITS {
             return None;
         }
-        let mut module = self
-            .code
-            .module
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
+        let mut module = self.code.module.lock().unwrap_or_else(PoisonError::into_inner);
         let module = module.as_mut()?;
         self.context.func.signature = emit::unit_signature();
         let function = FunctionBuilder::new(&mut self.context.func, &mut self.builder);
-        let has_floats = Emitter::new(
-            function,
-            &trace,
-            mode,
-            self.estimates,
-            self.units,
-            self.options,
-        )
-        .emit(&trace, module.target_config());
+        let has_floats =
+            Emitter::new(function, &trace, mode, self.estimates, self.units, self.options)
+                .emit(&trace, module.target_config());
         let entry = define(module, &mut self.context);
         self.full = entry.is_err();
         let entry = entry.ok()?;
         let number = self.units;
         self.units += 1;
-        Some(Unit {
-            number,
-            trace,
-            mode,
-            has_floats,
-            entry,
-            code: Arc::clone(&self.code),
-        })
+        Some(Unit { number, trace, mode, has_floats, entry, code: Arc::clone(&self.code) })
     }
 }
 

@@ -59,10 +59,7 @@ impl Passage {
     /// Decodes it from a word of [`Cpu::log`].
     #[must_use]
     pub const fn from_word(word: u32) -> Self {
-        Self {
-            unit: word >> COUNT_BITS,
-            count: word & ((1 << COUNT_BITS) - 1),
-        }
+        Self { unit: word >> COUNT_BITS, count: word & ((1 << COUNT_BITS) - 1) }
     }
 }
 
@@ -116,14 +113,7 @@ impl Cpu {
             mxcsr: 0,
             host_mxcsr: 0,
         });
-        Self {
-            context,
-            table,
-            entries,
-            log: Vec::new(),
-            logs,
-            code,
-        }
+        Self { context, table, entries, log: Vec::new(), logs, code }
     }
 
     /// The instructions that the last [`enter`](Self::enter) ran, if the compiler's units log
@@ -146,10 +136,7 @@ impl Cpu {
     ///
     /// If another compiler made the unit.
     pub fn install(&mut self, unit: &Unit) {
-        assert!(
-            Arc::ptr_eq(unit.code_owner(), &self.code),
-            "the unit is from another compiler"
-        );
+        assert!(Arc::ptr_eq(unit.code_owner(), &self.code), "the unit is from another compiler");
         self.table[unit.start() as usize / 4 % LOCAL_STORE_WORDS] = unit.entry();
     }
 

@@ -20,20 +20,11 @@ pub struct FloatMode {
 
 impl FloatMode {
     /// Every instruction in singles.
-    pub const SINGLES: Self = Self {
-        in_doubles: Steps::NONE,
-        exact_sums: false,
-    };
+    pub const SINGLES: Self = Self { in_doubles: Steps::NONE, exact_sums: false };
     /// Every instruction in doubles.
-    pub const DOUBLES: Self = Self {
-        in_doubles: Steps::ALL,
-        exact_sums: false,
-    };
+    pub const DOUBLES: Self = Self { in_doubles: Steps::ALL, exact_sums: false };
     /// Every instruction in doubles, with exact sums. Arithmetic never fails in this mode.
-    pub const EXACT_DOUBLES: Self = Self {
-        in_doubles: Steps::ALL,
-        exact_sums: true,
-    };
+    pub const EXACT_DOUBLES: Self = Self { in_doubles: Steps::ALL, exact_sums: true };
 
     /// The next slower mode, for a unit that fails often in this one. `special` are the
     /// instructions that had operands or results that singles can't represent. Returns `None` if
@@ -44,10 +35,7 @@ impl FloatMode {
         if in_doubles != self.in_doubles {
             Some(Self { in_doubles, ..self })
         } else if !self.exact_sums && in_doubles != Steps::NONE {
-            Some(Self {
-                exact_sums: true,
-                ..self
-            })
+            Some(Self { exact_sums: true, ..self })
         } else if self != Self::EXACT_DOUBLES {
             Some(Self::EXACT_DOUBLES)
         } else {
@@ -102,20 +90,9 @@ mod tests {
         while let Some(next) = modes.last().and_then(|mode| mode.fallback(special)) {
             modes.push(next);
         }
-        let mixed = |exact_sums| FloatMode {
-            in_doubles: special,
-            exact_sums,
-        };
-        let expected = [
-            FloatMode::SINGLES,
-            mixed(false),
-            mixed(true),
-            FloatMode::EXACT_DOUBLES,
-        ];
+        let mixed = |exact_sums| FloatMode { in_doubles: special, exact_sums };
+        let expected = [FloatMode::SINGLES, mixed(false), mixed(true), FloatMode::EXACT_DOUBLES];
         assert_eq!(modes, expected);
-        assert_eq!(
-            FloatMode::SINGLES.fallback(Steps::NONE),
-            Some(FloatMode::EXACT_DOUBLES)
-        );
+        assert_eq!(FloatMode::SINGLES.fallback(Steps::NONE), Some(FloatMode::EXACT_DOUBLES));
     }
 }

@@ -11,10 +11,7 @@
 //!
 //! The compiler needs a host with x86-64, AVX2 and FMA. On an x86-64 host without AVX2 or FMA,
 //! [`Compiler::new`] returns `None`.
-#![cfg_attr(
-    not(target_arch = "x86_64"),
-    doc = "This host is no x86-64, so the crate is empty."
-)]
+#![cfg_attr(not(target_arch = "x86_64"), doc = "This host is no x86-64, so the crate is empty.")]
 #![cfg(target_arch = "x86_64")]
 
 mod compiler;

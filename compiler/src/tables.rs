@@ -58,11 +58,7 @@ const fn controls<const N: usize>(kind: Kind) -> [Bytes; N] {
                 Kind::Left => n + count,
                 Kind::Right => n.wrapping_sub(count),
             };
-            table[count][n ^ 3] = if from < 16 {
-                (from ^ 3) as u8
-            } else {
-                ZERO_BYTE
-            };
+            table[count][n ^ 3] = if from < 16 { (from ^ 3) as u8 } else { ZERO_BYTE };
             n += 1;
         }
         count += 1;

@@ -66,10 +66,7 @@ impl Trace {
                 Some(range) if range.end() == pc => range.words.push(word),
                 // One address has two words, so the code changed while it was recorded.
                 Some(range) if range.end() > pc => return None,
-                _ => ranges.push(Range {
-                    start: pc,
-                    words: vec![word],
-                }),
+                _ => ranges.push(Range { start: pc, words: vec![word] }),
             }
         }
         Some(Self { steps, ranges })
@@ -105,11 +102,7 @@ impl Trace {
     /// One iteration of the loop, if the trace is an [unrolled](Self::unrolled) one.
     #[must_use]
     pub fn rolled(&self) -> Option<Self> {
-        let again = self
-            .steps
-            .iter()
-            .skip(1)
-            .position(|step| step.pc == self.start())?;
+        let again = self.steps.iter().skip(1).position(|step| step.pc == self.start())?;
         Self::new(self.steps[..=again].to_vec())
     }
 
@@ -130,10 +123,7 @@ impl Trace {
     #[must_use]
     pub fn matches(&self, word: impl Fn(u32) -> u32) -> bool {
         self.ranges.iter().all(|range| {
-            (range.start..)
-                .step_by(4)
-                .zip(&range.words)
-                .all(|(pc, &expected)| word(pc) == expected)
+            (range.start..).step_by(4).zip(&range.words).all(|(pc, &expected)| word(pc) == expected)
         })
     }
 }
@@ -175,11 +165,7 @@ mod tests {
             pc,
             word: 0x4020_0000,
             instruction,
-            next: if is_loop && pc / 4 + 1 == count {
-                0
-            } else {
-                pc + 4
-            },
+            next: if is_loop && pc / 4 + 1 == count { 0 } else { pc + 4 },
         };
         Trace::new((0..count).map(|n| step(4 * n)).collect()).expect("a path")
     }

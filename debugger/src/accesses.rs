@@ -62,20 +62,11 @@ impl Parameters {
         let Some(access) = spu.access(instruction) else {
             return Accesses::default();
         };
-        let quadword = Some(Range {
-            start: access.address,
-            length: QUADWORD,
-        });
+        let quadword = Some(Range { start: access.address, length: QUADWORD });
         if access.is_store {
-            Accesses {
-                read: None,
-                stored: quadword,
-            }
+            Accesses { read: None, stored: quadword }
         } else {
-            Accesses {
-                read: quadword,
-                stored: None,
-            }
+            Accesses { read: quadword, stored: None }
         }
     }
 
@@ -162,12 +153,7 @@ mod tests {
         assert_eq!(written(&store, &atomic), Some(range(0x1080, 128)));
         // A list of 16 and 4 bytes.
         store.write(0x2000, &[0, 0, 0, 16, 0, 0, 0, 0, 0, 0, 0, 4, 0, 0, 0, 0]);
-        let list = [
-            (LSA, 0x1000),
-            (EAL, 0x2000),
-            (TRANSFER_SIZE, 16),
-            (COMMAND, 0x24),
-        ];
+        let list = [(LSA, 0x1000), (EAL, 0x2000), (TRANSFER_SIZE, 16), (COMMAND, 0x24)];
         assert_eq!(written(&store, &list), Some(range(0x1000, 32)));
     }
 

@@ -21,10 +21,7 @@ impl Client {
         let stream = TcpStream::connect(address)?;
         stream.set_read_timeout(Some(PATIENCE))?;
         stream.set_nodelay(true)?;
-        Ok(Self {
-            reader: BufReader::new(stream.try_clone()?),
-            stream,
-        })
+        Ok(Self { reader: BufReader::new(stream.try_clone()?), stream })
     }
 
     /// The server's address.

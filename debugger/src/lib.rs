@@ -70,11 +70,7 @@ impl Debugger {
     /// Without a server. `kill` ends the program when the debugger asks for it.
     #[must_use]
     pub fn new(kill: fn()) -> Arc<Self> {
-        Arc::new(Self {
-            state: Mutex::default(),
-            changed: Condvar::new(),
-            kill,
-        })
+        Arc::new(Self { state: Mutex::default(), changed: Condvar::new(), kill })
     }
 
     /// Serves one debugger after the other on this port of the loopback interface, from a thread of
@@ -107,10 +103,7 @@ impl Debugger {
     /// Adds an SPE, which is a thread until the value is dropped.
     pub fn attach(self: &Arc<Self>, spe: &Arc<Spe>) -> Attached {
         let number = self.change(|state| state.add(spe));
-        Attached {
-            debugger: Arc::clone(self),
-            number,
-        }
+        Attached { debugger: Arc::clone(self), number }
     }
 
     /// Tells the debugger that the program has ended, and waits until it knows.
@@ -212,8 +205,7 @@ impl Attached {
     /// that the user can look.
     pub fn stopped(&self, spe: &Spe, stopped: &Stopped, signal: Option<u8>) {
         spe.with_spu(|spu| {
-            self.debugger
-                .change(|state| state.stop(self.number, spu, stopped.pc));
+            self.debugger.change(|state| state.stop(self.number, spu, stopped.pc));
         });
         if let Some(signal) = signal {
             let mut state = self.until_it_may_go(self.debugger.lock());

@@ -31,10 +31,7 @@ pub struct SpuRegisters {
 
 impl Default for SpuRegisters {
     fn default() -> Self {
-        Self {
-            general: [Quad::ZERO; GENERAL],
-            pc: 0,
-        }
+        Self { general: [Quad::ZERO; GENERAL], pc: 0 }
     }
 }
 

@@ -143,10 +143,7 @@ fn interrupt(debugger: &Debugger) -> MultiThreadStopReason<u32> {
     match state.pending.take() {
         Some(halt) => stop_reason(halt),
         None => match state.threads.keys().next() {
-            Some(&tid) => MultiThreadStopReason::SignalWithThread {
-                tid,
-                signal: Signal::SIGINT,
-            },
+            Some(&tid) => MultiThreadStopReason::SignalWithThread { tid, signal: Signal::SIGINT },
             None => MultiThreadStopReason::Signal(Signal::SIGINT),
         },
     }

@@ -130,10 +130,7 @@ impl State {
     }
 
     pub fn spes(&self) -> Vec<Arc<Spe>> {
-        self.threads
-            .values()
-            .filter_map(|thread| thread.spe.upgrade())
-            .collect()
+        self.threads.values().filter_map(|thread| thread.spe.upgrade()).collect()
     }
 
     /// Whether a thread executes an instruction and doesn't sleep in it. A program that has stopped

@@ -34,11 +34,7 @@ pub struct Target<'a> {
 
 impl<'a> Target<'a> {
     pub fn new(debugger: &'a Arc<Debugger>) -> Self {
-        Self {
-            debugger,
-            actions: BTreeMap::new(),
-            others: Action::Continue,
-        }
+        Self { debugger, actions: BTreeMap::new(), others: Action::Continue }
     }
 
     fn thread<T>(&self, tid: Tid, look: impl FnOnce(&Thread) -> T) -> TargetResult<T, Self> {

@@ -4,10 +4,7 @@
 //! Each loop is a mix of one kind of instruction, a counter and a branch. A figure is the best of
 //! several runs, because other activity on the host can only slow a run down.
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
 use spu_emulator::channel::Channels;
 use spu_emulator::compiled::{Runner, Translations};
@@ -49,15 +46,7 @@ impl Channels for Unused {
 /// An instruction. `operands` are the numbers of rt, ra, rb, rc.
 fn instruction(op: Op, operands: [u8; 4], immediate: i32) -> Instruction {
     let [rt, ra, rb, rc] = operands;
-    Instruction {
-        op,
-        rt,
-        ra,
-        rb,
-        rc,
-        branch_distance: 0,
-        immediate,
-    }
+    Instruction { op, rt, ra, rb, rc, branch_distance: 0, immediate }
 }
 
 fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
@@ -98,10 +87,7 @@ fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
 
 /// The seconds that the processor has spent on this thread.
 fn processor_time() -> f64 {
-    let mut time = libc::timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
+    let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: the call fills `time`, which outlives it.
     let failed = unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) };
     assert_eq!(failed, 0, "the host has no clock of a thread");
@@ -181,9 +167,7 @@ fn main() {
         r(Fcmgt, [25, 22, 20, 0], 0),
         r(Cfltu, [26, 22, 0, 0], 4),
     ];
-    measure("convert, compare", &convert, |n| {
-        n.wrapping_mul(0x9e37_79b9)
-    });
+    measure("convert, compare", &convert, |n| n.wrapping_mul(0x9e37_79b9));
     let memory = [
         r(Lqd, [20, 3, 0, 0], 0x400),
         r(Lqd, [21, 3, 0, 0], 0x410),
@@ -210,9 +194,7 @@ fn main() {
         r(Shufb, [22, 21, 17, 19], 0),
         r(Shlqbyi, [23, 22, 0, 0], 3),
     ];
-    measure("bytes shuffled", &shuffle, |n| {
-        n.wrapping_mul(0x0b07_0301) & 0x1f1f_1f1f
-    });
+    measure("bytes shuffled", &shuffle, |n| n.wrapping_mul(0x0b07_0301) & 0x1f1f_1f1f);
     let branchy = [
         r(Ai, [20, 20, 0, 0], 1),
         r(Andi, [21, COUNTER, 0, 0], 3),
@@ -226,10 +208,7 @@ fn main() {
         r(Br, [0, 0, 0, 0], 4),
     ];
     measure("branches", &branchy, |n| n);
-    let double = [
-        r(Dfa, [20, 16, 17, 0], 0),
-        r(Dfm, [21, 20, 18, 0], 0),
-        r(Dfma, [20, 16, 21, 0], 0),
-    ];
+    let double =
+        [r(Dfa, [20, 16, 17, 0], 0), r(Dfm, [21, 20, 18, 0], 0), r(Dfma, [20, 16, 21, 0], 0)];
     measure("double", &double, near_one);
 }

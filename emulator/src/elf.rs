@@ -110,11 +110,7 @@ fn check_header(bytes: &[u8]) -> Result<&Header, ElfError> {
     let identification = bytes.strip_prefix(MAGIC).ok_or(ElfError::NotElf)?;
     for (index, (&found, expected)) in identification.iter().zip(IDENTIFICATION).enumerate() {
         if found != expected {
-            return Err(ElfError::Identification {
-                index: index + MAGIC.len(),
-                expected,
-                found,
-            });
+            return Err(ElfError::Identification { index: index + MAGIC.len(), expected, found });
         }
     }
     let (header, _) = from_bytes::<Header>(bytes)
@@ -135,13 +131,8 @@ impl<'data> Image<'data> {
         let segments = segments(header, data)?;
         let sections = header.sections(BigEndian, data)?;
         let (by_name, by_address) = symbols(&sections, data)?;
-        if by_name
-            .keys()
-            .any(|name| name.starts_with("_EAR_") && name.len() > 5)
-        {
-            return Err(ElfError::UnsupportedToe(
-                "only the symbol _EAR_ itself is supported",
-            ));
+        if by_name.keys().any(|name| name.starts_with("_EAR_") && name.len() > 5) {
+            return Err(ElfError::UnsupportedToe("only the symbol _EAR_ itself is supported"));
         }
         Ok(Self {
             segments,
@@ -244,21 +235,12 @@ fn segments<'data>(header: &Header, data: &'data [u8]) -> Result<Vec<Segment<'da
             .data(BigEndian, data)
             .map_err(|()| ElfError::Malformed("a segment is outside the file"))?;
         if bytes.len() as u64 > u64::from(memory_size) {
-            return Err(ElfError::Malformed(
-                "a segment has more bytes in the file than in memory",
-            ));
+            return Err(ElfError::Malformed("a segment has more bytes in the file than in memory"));
         }
         if u64::from(address) + u64::from(memory_size) > u64::from(SIZE) {
-            return Err(ElfError::OutsideLocalStore {
-                address,
-                size: memory_size,
-            });
+            return Err(ElfError::OutsideLocalStore { address, size: memory_size });
         }
-        segments.push(Segment {
-            address,
-            bytes,
-            memory_size,
-        });
+        segments.push(Segment { address, bytes, memory_size });
     }
     if segments.is_empty() {
         return Err(ElfError::Malformed("no segment can be loaded"));
@@ -302,10 +284,7 @@ fn toe(sections: &SectionTable<'_, Header>) -> Result<Option<u32>, ElfError> {
             return Err(ElfError::UnsupportedToe(".toe is not 16 bytes"));
         }
         if address > SIZE - TOE_SIZE {
-            return Err(ElfError::OutsideLocalStore {
-                address,
-                size: TOE_SIZE,
-            });
+            return Err(ElfError::OutsideLocalStore { address, size: TOE_SIZE });
         }
         toe = Some(address);
     }
@@ -332,11 +311,7 @@ fn references(
             if address > SIZE - size {
                 return Err(ElfError::OutsideLocalStore { address, size });
             }
-            references.push(ImageReference {
-                address,
-                wide,
-                offset: entry.r_addend(BigEndian),
-            });
+            references.push(ImageReference { address, wide, offset: entry.r_addend(BigEndian) });
         }
     }
     Ok(references)
@@ -365,11 +340,8 @@ pub fn file_length(mut fetch: impl FnMut(u64, &mut [u8]) -> bool) -> Result<u64,
         let size = size_of::<SectionHeader32<BigEndian>>() as u64;
         let at = sections + n * size;
         let entry: SectionHeader32<BigEndian> = fetch_entry(&mut fetch, at)?;
-        let in_file = if entry.sh_type(BigEndian) == SHT_NOBITS {
-            0
-        } else {
-            entry.sh_size(BigEndian)
-        };
+        let in_file =
+            if entry.sh_type(BigEndian) == SHT_NOBITS { 0 } else { entry.sh_size(BigEndian) };
         let contents = u64::from(entry.sh_offset(BigEndian)) + u64::from(in_file);
         end = end.max(at + size).max(contents);
     }

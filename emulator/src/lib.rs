@@ -120,10 +120,7 @@
 #[cfg(not(target_has_atomic = "64"))]
 mod atomic_words;
 pub mod channel;
-#[cfg_attr(
-    not(all(feature = "compiler", target_arch = "x86_64")),
-    path = "compiled/absent.rs"
-)]
+#[cfg_attr(not(all(feature = "compiler", target_arch = "x86_64")), path = "compiled/absent.rs")]
 pub mod compiled;
 pub mod decrementer;
 pub mod elf;

@@ -58,12 +58,7 @@ impl LocalStore {
     pub fn load_quadword(&self, address: u32) -> [u32; 4] {
         let high = u64::from_be(self.doubleword(address & !15).load(Relaxed));
         let low = u64::from_be(self.doubleword(address | 8).load(Relaxed));
-        [
-            (high >> 32) as u32,
-            high as u32,
-            (low >> 32) as u32,
-            low as u32,
-        ]
+        [(high >> 32) as u32, high as u32, (low >> 32) as u32, low as u32]
     }
 
     /// Replaces the quadword at `address`.
@@ -80,11 +75,7 @@ impl LocalStore {
     #[must_use]
     pub fn load_word(&self, address: u32) -> u32 {
         let doubleword = u64::from_be(self.doubleword(address).load(Relaxed));
-        if address & 4 == 0 {
-            (doubleword >> 32) as u32
-        } else {
-            doubleword as u32
-        }
+        if address & 4 == 0 { (doubleword >> 32) as u32 } else { doubleword as u32 }
     }
 
     /// Copies bytes out of local store. The address wraps at the limit.
@@ -138,15 +129,11 @@ impl LocalStore {
         let lines = |store: &'a Self| store.0.0.as_chunks::<{ DIFFERENCE_LINE / 8 }>().0;
         let differs = |(own, its): (&[AtomicU64], &[AtomicU64])| {
             let pairs = own.iter().zip(its);
-            pairs.fold(0, |bits, (own, its)| {
-                bits | own.load(Relaxed) ^ its.load(Relaxed)
-            }) != 0
+            pairs.fold(0, |bits, (own, its)| bits | own.load(Relaxed) ^ its.load(Relaxed)) != 0
         };
         let pairs = lines(self).iter().zip(lines(other));
         let addresses = (0..).step_by(DIFFERENCE_LINE);
-        addresses
-            .zip(pairs)
-            .filter_map(move |(at, (own, its))| differs((own, its)).then_some(at))
+        addresses.zip(pairs).filter_map(move |(at, (own, its))| differs((own, its)).then_some(at))
     }
 
     /// All bytes of a local store that no other thread uses.

@@ -77,10 +77,7 @@ impl Machine {
     /// As [`simulated`](Self::simulated) does.
     #[must_use]
     pub fn profiled(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        let options = SimulationOptions {
-            profile: true,
-            ..SimulationOptions::default()
-        };
+        let options = SimulationOptions { profile: true, ..SimulationOptions::default() };
         Self::simulated_with(memory, timing, options)
     }
 

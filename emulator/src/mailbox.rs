@@ -16,10 +16,7 @@ pub(crate) struct Mailbox {
 
 impl Mailbox {
     pub(crate) fn new(depth: usize) -> Self {
-        Self {
-            words: VecDeque::with_capacity(depth),
-            depth,
-        }
+        Self { words: VecDeque::with_capacity(depth), depth }
     }
 
     /// Appends a word if there is room. Returns whether there was.

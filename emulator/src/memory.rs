@@ -184,9 +184,7 @@ impl RegisteredMemory {
         let regions = read_lock(&self.regions);
         let mut done = 0;
         while done < length {
-            let at = ea
-                .checked_add(done as u64)
-                .ok_or(MemoryFault { ea: u64::MAX })?;
+            let at = ea.checked_add(done as u64).ok_or(MemoryFault { ea: u64::MAX })?;
             let fault = MemoryFault { ea: at };
             let (start, backing) = regions.range(..=at).next_back().ok_or(fault)?;
             let offset = at - start;
@@ -213,9 +211,7 @@ impl MainMemory for RegisteredMemory {
     }
 
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault> {
-        self.pieces(ea, from.len(), |backing, offset, range| {
-            backing.write(offset, &from[range])
-        })
+        self.pieces(ea, from.len(), |backing, offset, range| backing.write(offset, &from[range]))
     }
 
     fn accepts_write(&self, ea: u64, length: usize) -> bool {
@@ -248,45 +244,24 @@ mod tests {
     #[test]
     fn only_registered_bytes_are_reached() {
         let memory = RegisteredMemory::new();
-        memory
-            .register(0x1000, vec![1; 16], Access::ReadWrite)
-            .unwrap();
-        memory
-            .register(0x1010, vec![2; 16], Access::ReadOnly)
-            .unwrap();
+        memory.register(0x1000, vec![1; 16], Access::ReadWrite).unwrap();
+        memory.register(0x1010, vec![2; 16], Access::ReadOnly).unwrap();
         let mut both = [0; 32];
         memory.read(0x1000, &mut both).unwrap();
         assert_eq!(both[15..17], [1, 2]);
-        assert_eq!(
-            memory.read(0x1001, &mut both),
-            Err(MemoryFault { ea: 0x1020 })
-        );
+        assert_eq!(memory.read(0x1001, &mut both), Err(MemoryFault { ea: 0x1020 }));
         assert_eq!(memory.read(0xfff, &mut [0]), Err(MemoryFault { ea: 0xfff }));
-        assert_eq!(
-            memory.write(0x100f, &[9, 9]),
-            Err(MemoryFault { ea: 0x1010 })
-        );
-        assert_eq!(
-            memory.read(u64::MAX, &mut [0, 0]),
-            Err(MemoryFault { ea: u64::MAX })
-        );
+        assert_eq!(memory.write(0x100f, &[9, 9]), Err(MemoryFault { ea: 0x1010 }));
+        assert_eq!(memory.read(u64::MAX, &mut [0, 0]), Err(MemoryFault { ea: u64::MAX }));
     }
 
     #[test]
     fn regions_neither_overlap_nor_wrap() {
         let memory = RegisteredMemory::new();
-        memory
-            .register(0x1000, vec![0; 16], Access::ReadWrite)
-            .unwrap();
+        memory.register(0x1000, vec![0; 16], Access::ReadWrite).unwrap();
         let register = |ea, n| memory.register(ea, vec![0; n], Access::ReadWrite);
-        assert_eq!(
-            register(0x100f, 1),
-            Err(RegionError::Overlap(0x100f, 0x1000))
-        );
-        assert_eq!(
-            register(0xfff, 64),
-            Err(RegionError::Overlap(0xfff, 0x1000))
-        );
+        assert_eq!(register(0x100f, 1), Err(RegionError::Overlap(0x100f, 0x1000)));
+        assert_eq!(register(0xfff, 64), Err(RegionError::Overlap(0xfff, 0x1000)));
         assert_eq!(register(0x2000, 0), Err(RegionError::Empty(0x2000)));
         assert_eq!(register(u64::MAX, 2), Err(RegionError::PastEnd(u64::MAX)));
         assert_eq!(register(u64::MAX, 1), Ok(()));
@@ -296,9 +271,7 @@ mod tests {
     #[test]
     fn a_line_is_exchanged_only_if_it_is_as_expected() {
         let memory = RegisteredMemory::new();
-        memory
-            .register(0x1000, vec![7; LINE], Access::ReadWrite)
-            .unwrap();
+        memory.register(0x1000, vec![7; LINE], Access::ReadWrite).unwrap();
         let exchange = |e, n| memory.compare_exchange_line(0x1000, &[e; LINE], &[n; LINE]);
         assert_eq!(exchange(6, 1), Ok(false));
         assert_eq!(exchange(7, 8), Ok(true));

@@ -57,10 +57,7 @@ impl fmt::Display for Stopped {
                     ChannelAccess::Write => "wrch",
                     ChannelAccess::Count => "rchcnt",
                 };
-                write!(
-                    f,
-                    "{access} is not possible on channel {channel} at {pc:#07x}"
-                )
+                write!(f, "{access} is not possible on channel {channel} at {pc:#07x}")
             }
             Stop::Dma(error) => write!(f, "{error} (near {pc:#07x})"),
             Stop::Requested => write!(f, "stopped by request at {pc:#07x}"),

@@ -20,10 +20,7 @@ impl Timer {
     /// A timer that continues from the state of `pipeline`.
     #[must_use]
     pub const fn new(pipeline: Pipeline) -> Self {
-        Self {
-            pipeline,
-            previous: None,
-        }
+        Self { pipeline, previous: None }
     }
 }
 
@@ -76,8 +73,7 @@ impl Timer {
     #[inline]
     pub(crate) fn waits_at(&self, pc: u32) -> bool {
         let channel = |i: Instruction| i.op.row().class == Class::Spr;
-        self.previous
-            .is_some_and(|(previous, instruction)| previous == pc && channel(instruction))
+        self.previous.is_some_and(|(previous, instruction)| previous == pc && channel(instruction))
     }
 
     /// Issues the next executed instruction, which is at `pc`. If it is a hint by register,
@@ -93,8 +89,7 @@ impl Timer {
             let class = last.op.row().class;
             let straight_on = pc == previous.wrapping_add(4) & LIMIT_MASK;
             if class == Class::Br || !straight_on {
-                self.pipeline
-                    .branched(previous, (!straight_on).then_some(pc));
+                self.pipeline.branched(previous, (!straight_on).then_some(pc));
             }
             if class == Class::Br {
                 recorder.branched(&self.pipeline);
@@ -116,10 +111,7 @@ impl Timer {
     /// The current state, or `None` before the first instruction.
     pub(crate) fn state(&self) -> Option<TimerState> {
         let previous = self.previous?;
-        Some(TimerState {
-            pipeline: self.pipeline.state(),
-            previous,
-        })
+        Some(TimerState { pipeline: self.pipeline.state(), previous })
     }
 
     /// Continues from `state`, as though the instructions of `delta` had issued in between. The

@@ -45,10 +45,7 @@ fn main() -> ExitCode {
         let out = PathBuf::from(env::var_os("OUT_DIR").unwrap_or_default());
         let kernel = out.join("kernel.s");
         let written = fs::write(&kernel, kernel_source());
-        let failed = |source| spu_build::Error::File {
-            path: kernel.clone(),
-            source,
-        };
+        let failed = |source| spu_build::Error::File { path: kernel.clone(), source };
         written.map_err(failed)?;
         let image =
             spu_build::Image::from_folder(Path::new("spu"), "../../linker/spu.ld".as_ref())?;
@@ -142,11 +139,7 @@ multiply:
     for part in 0..4 {
         for index in 0..BLOCK {
             let offset = ((part * ROW + index) * 16) as isize - 8192;
-            let (b, word, a) = (
-                B[0] + 4 * part + index,
-                WORDS[0] + 4 * part + index,
-                A + index,
-            );
+            let (b, word, a) = (B[0] + 4 * part + index, WORDS[0] + 4 * part + index, A + index);
             line(&format!("lqd ${b},{offset}(${B_MIDDLE})"));
             line(&format!("shufb ${word},${a},${a},${}", SPLAT + part));
         }
@@ -159,11 +152,8 @@ multiply:
         let mut odd = odd(step).into_iter().peekable();
         for slot in 0..64 {
             let (part, row, column) = (slot / 16, slot / 4 % 4, slot % 4);
-            let (c, a, b) = (
-                c + slot % 16,
-                WORDS[set] + 4 * part + row,
-                B[set] + 4 * part + column,
-            );
+            let (c, a, b) =
+                (c + slot % 16, WORDS[set] + 4 * part + row, B[set] + 4 * part + column);
             line(&format!("fma ${c},${a},${b},${c}"));
             let beside = odd.next_if(|(earliest, _)| *earliest <= slot);
             let beside = match beside {
@@ -173,10 +163,7 @@ multiply:
             };
             line(&beside);
         }
-        assert!(
-            odd.next().is_none(),
-            "a step has too many instructions for the odd pipe"
-        );
+        assert!(odd.next().is_none(), "a step has too many instructions for the odd pipe");
     }
     line(&format!("ai ${LEFT},${LEFT},-1"));
     line("lnop");

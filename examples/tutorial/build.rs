@@ -3,7 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    spu_build::embed("tracer.elf", || {
-        spu_build::tracer()?.folder("shaders".as_ref())
-    })
+    spu_build::embed("tracer.elf", || spu_build::tracer()?.folder("shaders".as_ref()))
 }

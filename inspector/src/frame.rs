@@ -160,14 +160,8 @@ mod tests {
 
     fn units(count: usize) -> Vec<Unit> {
         let tile = |number, ticks| Tile { number, ticks };
-        let mut units = vec![
-            Unit {
-                tiles: vec![tile(2, 10), tile(0, 5)],
-            },
-            Unit {
-                tiles: vec![tile(1, 20)],
-            },
-        ];
+        let mut units =
+            vec![Unit { tiles: vec![tile(2, 10), tile(0, 5)] }, Unit { tiles: vec![tile(1, 20)] }];
         units.resize_with(count, || Unit { tiles: Vec::new() });
         units
     }
@@ -178,9 +172,7 @@ mod tests {
         let times = FrameTimes::new(&inspection(&units)).unwrap();
         // The frame begins with the first command, in cycle 100, and ends in cycle 1500.
         assert_eq!(times.cycles, 1400);
-        let found = times
-            .tiles()
-            .map(|tile| (tile.number, tile.spu, tile.start, tile.end));
+        let found = times.tiles().map(|tile| (tile.number, tile.spu, tile.start, tile.end));
         let expected = [(2, 0, 600, 1000), (0, 0, 1000, 1200), (1, 1, 0, 800)];
         assert_eq!(found.collect::<Vec<_>>(), expected);
         let tile = times.tiles().nth(1).unwrap();

@@ -108,13 +108,8 @@ impl Sources {
             let text = fs::read_to_string(path).unwrap_or_default();
             text.lines().map(str::to_owned).collect()
         };
-        let lines = self
-            .0
-            .entry(source.file.clone())
-            .or_insert_with(|| read(&source.file));
-        let at = usize::try_from(source.line)
-            .ok()
-            .and_then(|line| line.checked_sub(1));
+        let lines = self.0.entry(source.file.clone()).or_insert_with(|| read(&source.file));
+        let at = usize::try_from(source.line).ok().and_then(|line| line.checked_sub(1));
         let line = at.and_then(|at| lines.get(at)).map_or("", String::as_str);
         line.split_whitespace().collect::<Vec<_>>().join(" ")
     }

@@ -44,9 +44,7 @@ pub(crate) fn section(inspection: &Inspection, times: &FrameTimes) -> Result<Mar
     let by_pixel = inspection.pixel_maps;
     let (width, height) = inspection.size;
     let ids = maps.iter().map(|map| (map.id, map.name));
-    let ids: Vec<_> = ids
-        .chain(by_pixel.iter().map(|map| (map.id, map.name)))
-        .collect();
+    let ids: Vec<_> = ids.chain(by_pixel.iter().map(|map| (map.id, map.name))).collect();
     let pictures = by_pixel.iter().map(|map| pixels(map, inspection.size));
     let pictures = pictures.collect::<Result<Vec<_>, _>>()?;
     Ok(html! {
@@ -139,15 +137,13 @@ fn maps(more: &[TileMap]) -> Vec<Map<'_>> {
             Box::new(|tile| tile.spu as u64),
         ),
     ];
-    let own = own
-        .into_iter()
-        .map(|(id, name, remark, colour, value)| Map {
-            id,
-            name,
-            remark,
-            colour,
-            value,
-        });
+    let own = own.into_iter().map(|(id, name, remark, colour, value)| Map {
+        id,
+        name,
+        remark,
+        colour,
+        value,
+    });
     let more = more.iter().map(|map| Map {
         id: map.id,
         name: map.name,
@@ -180,19 +176,12 @@ fn overlay(inspection: &Inspection, times: &FrameTimes, map: &Map) -> Markup {
     let (tile_width, tile_height) = inspection.tile_size;
     let across = width.div_ceil(tile_width).max(1);
     let most = most(map, times);
-    let mut text = format!(
-        "<svg class=\"overlay for-{}\" viewBox=\"0 0 {width} {height}\">",
-        map.id
-    );
+    let mut text =
+        format!("<svg class=\"overlay for-{}\" viewBox=\"0 0 {width} {height}\">", map.id);
     for tile in times.tiles() {
-        let (x, y) = (
-            tile.number % across * tile_width,
-            tile.number / across * tile_height,
-        );
-        let size = (
-            tile_width.min(width.saturating_sub(x)),
-            tile_height.min(height.saturating_sub(y)),
-        );
+        let (x, y) = (tile.number % across * tile_width, tile.number / across * tile_height);
+        let size =
+            (tile_width.min(width.saturating_sub(x)), tile_height.min(height.saturating_sub(y)));
         let value = (map.value)(tile);
         // Writing to a string can't fail.
         let _ = write!(

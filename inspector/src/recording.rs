@@ -46,10 +46,7 @@ impl Recording {
     pub fn of_this_run() -> Option<Self> {
         let path = |name| env::var_os(name).map(PathBuf::from);
         env::var_os(TIMING).filter(|value| value == "1")?;
-        Some(Self {
-            timeline: path(TIMELINE)?,
-            profile: path(PROFILE)?,
-        })
+        Some(Self { timeline: path(TIMELINE)?, profile: path(PROFILE)? })
     }
 
     /// Runs this program again, with the same arguments, so that libspe2 records it.
@@ -85,9 +82,5 @@ impl Recording {
 }
 
 fn read(what: &'static str, path: &PathBuf) -> Result<Vec<u8>, RecordingError> {
-    fs::read(path).map_err(|source| RecordingError::Missing {
-        what,
-        path: path.clone(),
-        source,
-    })
+    fs::read(path).map_err(|source| RecordingError::Missing { what, path: path.clone(), source })
 }

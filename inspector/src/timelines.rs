@@ -48,12 +48,7 @@ const STATES: [State; 4] = [
         meaning: "waits for the counter of work units",
         causes: &["atomic"],
     },
-    State {
-        class: "work",
-        name: "at work",
-        meaning: "works",
-        causes: &[],
-    },
+    State { class: "work", name: "at work", meaning: "works", causes: &[] },
 ];
 
 /// The part of the page with the timelines.
@@ -126,10 +121,7 @@ fn most_moved(times: &FrameTimes) -> f64 {
 
 /// The bytes that an SPU's transfers of a kind move.
 fn sum(spu: &Spu, kind: &str) -> u64 {
-    let those = spu
-        .transfers
-        .iter()
-        .filter(|transfer| transfer.kind == kind);
+    let those = spu.transfers.iter().filter(|transfer| transfer.kind == kind);
     those.map(|transfer| transfer.bytes).sum()
 }
 

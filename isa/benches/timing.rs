@@ -4,10 +4,7 @@
 //! Each stream is a loop, fed as the interpreter feeds it, with a branch every sixteen
 //! instructions.
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
 use spu_isa::timing::{Pipeline, Rules};
 use spu_isa::{Instruction, Op};
@@ -29,9 +26,8 @@ fn instruction(op: Op, number: u8) -> Instruction {
 }
 
 fn measure(name: &str, rules: Rules, ops: [Op; 5]) {
-    let body: Vec<Instruction> = (0..15)
-        .map(|number| instruction(ops[usize::from(number) % ops.len()], number))
-        .collect();
+    let body: Vec<Instruction> =
+        (0..15).map(|number| instruction(ops[usize::from(number) % ops.len()], number)).collect();
     let branch = instruction(Op::Brnz, 15);
     let mut pipeline = Pipeline::new(rules);
     let start = Instant::now();
@@ -53,21 +49,10 @@ fn measure(name: &str, rules: Rules, ops: [Op; 5]) {
 
 fn main() {
     let rules = Rules::default();
-    let prefetch = Rules {
-        inline_prefetch: true,
-        ..rules
-    };
+    let prefetch = Rules { inline_prefetch: true, ..rules };
     let mixed = [Op::A, Op::Lqd, Op::Fma, Op::Shufb, Op::Mpy];
-    measure(
-        "integer",
-        rules,
-        [Op::A, Op::Shufb, Op::Xor, Op::Lnop, Op::Ceq],
-    );
-    measure(
-        "float",
-        rules,
-        [Op::Fa, Op::Fma, Op::Fi, Op::Frest, Op::Fcgt],
-    );
+    measure("integer", rules, [Op::A, Op::Shufb, Op::Xor, Op::Lnop, Op::Ceq]);
+    measure("float", rules, [Op::Fa, Op::Fma, Op::Fi, Op::Frest, Op::Fcgt]);
     measure("mixed", rules, mixed);
     measure("prefetch", prefetch, mixed);
 }

@@ -5,10 +5,7 @@
 //! down. It counts the time of all threads, so it does not show how long they waited for each
 //! other; the time that passed, in the second column, does.
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 #![expect(
     clippy::undocumented_unsafe_blocks,
     reason = "each block calls the C API with pointers that are valid until the run ends"
@@ -140,55 +137,13 @@ fn main() {
         ("put of 16 KB, one SPE", plain("PUT", 16384), 1, 0, 12_000),
         ("put of 64 rows, one SPE", rows(), 1, 0, 6_000),
         ("getllar and putllc, one SPE", count(), 1, 0, 30_000),
-        (
-            "get of 128 bytes, six SPEs, the same",
-            plain("GET", 128),
-            6,
-            0,
-            60_000,
-        ),
-        (
-            "put of 128 bytes, six SPEs, each its own",
-            plain("PUT", 128),
-            6,
-            0x4000,
-            60_000,
-        ),
-        (
-            "put of 128 bytes, six SPEs, the same",
-            plain("PUT", 128),
-            6,
-            0,
-            60_000,
-        ),
-        (
-            "get of 16 KB, six SPEs, the same",
-            plain("GET", 16384),
-            6,
-            0,
-            12_000,
-        ),
-        (
-            "put of 16 KB, six SPEs, each its own",
-            plain("PUT", 16384),
-            6,
-            0x4000,
-            12_000,
-        ),
-        (
-            "put of 64 rows, six SPEs, side by side",
-            rows(),
-            6,
-            256,
-            6_000,
-        ),
-        (
-            "getllar and putllc, six SPEs, the same",
-            count(),
-            6,
-            0,
-            30_000,
-        ),
+        ("get of 128 bytes, six SPEs, the same", plain("GET", 128), 6, 0, 60_000),
+        ("put of 128 bytes, six SPEs, each its own", plain("PUT", 128), 6, 0x4000, 60_000),
+        ("put of 128 bytes, six SPEs, the same", plain("PUT", 128), 6, 0, 60_000),
+        ("get of 16 KB, six SPEs, the same", plain("GET", 16384), 6, 0, 12_000),
+        ("put of 16 KB, six SPEs, each its own", plain("PUT", 16384), 6, 0x4000, 12_000),
+        ("put of 64 rows, six SPEs, side by side", rows(), 6, 256, 6_000),
+        ("getllar and putllc, six SPEs, the same", count(), 6, 0, 30_000),
     ] {
         let (processor, passed) = measure(&program, spes, apart, times, ea);
         println!("{name:42} {processor:9.0} {passed:9.0}");

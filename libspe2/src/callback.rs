@@ -103,8 +103,7 @@ pub unsafe extern "C" fn spe_callback_handler_deregister(callnum: c_uint) -> c_i
 pub unsafe extern "C" fn spe_callback_handler_query(callnum: c_uint) -> *mut c_void {
     error::pointer(|| {
         with_slot(callnum, |slot| {
-            slot.map(|handler| handler as *mut c_void)
-                .ok_or(Errno(libc::ESRCH))
+            slot.map(|handler| handler as *mut c_void).ok_or(Errno(libc::ESRCH))
         })
     })
 }

@@ -58,11 +58,7 @@ impl Emulated {
         }
         ProcessMemory::prepare().map_err(|_| Errno(libc::EFAULT))?;
         let mode = |flag| {
-            if has(flag) {
-                SignalMode::Or
-            } else {
-                SignalMode::Overwrite
-            }
+            if has(flag) { SignalMode::Or } else { SignalMode::Overwrite }
         };
         let config = Config {
             signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
@@ -73,9 +69,7 @@ impl Emulated {
         let area = spe.local_store().as_ptr();
         spe.map_local_store(area.expose_provenance() as u64);
         let run_state = Arc::new(RunState::default());
-        let areas = has(SPE_MAP_PS)
-            .then(|| Areas::map(&spe, &run_state))
-            .transpose()?;
+        let areas = has(SPE_MAP_PS).then(|| Areas::map(&spe, &run_state)).transpose()?;
         let debugged = machine.debugger.as_ref();
         Ok(Self {
             debugged: debugged.map(|debugger| debugger.attach(&spe)),
@@ -88,9 +82,7 @@ impl Emulated {
     }
 
     fn issued(&self) -> MutexGuard<'_, u32> {
-        self.issued_tags
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
+        self.issued_tags.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Runs the SPU, and obeys the debugger before each instruction. Returns `None` if it has
@@ -126,10 +118,7 @@ impl Emulated {
                 return (after_call(npc), Ended::Resume);
             }
             Stop::Signal(0x3fff) => raise(FaultSignal::breakpoint()),
-            Stop::Signal(code) => Ended::Stop {
-                code: *code,
-                status: stop_status(*code),
-            },
+            Stop::Signal(code) => Ended::Stop { code: *code, status: stop_status(*code) },
             Stop::Halt => error(SPE_SPU_HALT),
             Stop::InvalidInstruction(_) if self.events_enabled => error(SPE_SPU_INVALID_INSTR),
             Stop::InvalidInstruction(_) => raise(FaultSignal::invalid_instruction(stopped.pc)),

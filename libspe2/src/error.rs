@@ -47,14 +47,8 @@ mod tests {
     fn a_panic_becomes_efault() {
         set_errno(0);
         assert_eq!(int(|| panic!("expected by this test")), -1);
-        assert_eq!(
-            std::io::Error::last_os_error().raw_os_error(),
-            Some(libc::EFAULT)
-        );
+        assert_eq!(std::io::Error::last_os_error().raw_os_error(), Some(libc::EFAULT));
         assert!(pointer::<u8>(|| Err(Errno(libc::ENOMEM))).is_null());
-        assert_eq!(
-            std::io::Error::last_os_error().raw_os_error(),
-            Some(libc::ENOMEM)
-        );
+        assert_eq!(std::io::Error::last_os_error().raw_os_error(), Some(libc::ENOMEM));
     }
 }

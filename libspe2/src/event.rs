@@ -25,12 +25,8 @@ use crate::types::{
 };
 
 /// The events in the order in which they are registered. Each can be registered separately.
-const EVENTS: [c_uint; 4] = [
-    SPE_EVENT_OUT_INTR_MBOX,
-    SPE_EVENT_IN_MBOX,
-    SPE_EVENT_TAG_GROUP,
-    SPE_EVENT_SPE_STOPPED,
-];
+const EVENTS: [c_uint; 4] =
+    [SPE_EVENT_OUT_INTR_MBOX, SPE_EVENT_IN_MBOX, SPE_EVENT_TAG_GROUP, SPE_EVENT_SPE_STOPPED];
 
 #[derive(Default)]
 struct Bell {
@@ -51,10 +47,7 @@ impl Bell {
         let mut rings = self.rings();
         while *rings == heard {
             rings = match deadline {
-                None => self
-                    .rung
-                    .wait(rings)
-                    .unwrap_or_else(PoisonError::into_inner),
+                None => self.rung.wait(rings).unwrap_or_else(PoisonError::into_inner),
                 Some(deadline) => {
                     let Some(left) = deadline.checked_duration_since(Instant::now()) else {
                         return false;
@@ -107,9 +100,7 @@ impl Registration {
         SpeEventUnit {
             events: EVENTS[self.event],
             spe: self.pointer,
-            data: SpeEventData {
-                u64: data.unwrap_or_else(PoisonError::into_inner)[self.event],
-            },
+            data: SpeEventData { u64: data.unwrap_or_else(PoisonError::into_inner)[self.event] },
         }
     }
 }
@@ -124,9 +115,7 @@ struct Handler {
 
 impl Handler {
     fn registrations(&self) -> MutexGuard<'_, Vec<Registration>> {
-        self.registrations
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
+        self.registrations.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn watcher(&self) -> Arc<dyn Watcher> {
@@ -142,9 +131,7 @@ impl Handler {
             return Err(Errno(libc::EEXIST));
         }
         if let Some(epoll) = &self.epoll
-            && let Some(file) = registration
-                .context
-                .event_file(EVENTS[registration.event])?
+            && let Some(file) = registration.context.event_file(EVENTS[registration.event])?
         {
             let out = EVENTS[registration.event] == SPE_EVENT_IN_MBOX;
             epoll.add(file, out, registration.number)?;
@@ -336,10 +323,7 @@ pub unsafe extern "C" fn spe_event_handler_register(
     unsafe {
         each_event(evhandler, event, |handler, unit, context, event| {
             static NUMBERS: AtomicUsize = AtomicUsize::new(0);
-            let mut data = context
-                .event_data
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner);
+            let mut data = context.event_data.lock().unwrap_or_else(PoisonError::into_inner);
             data[event] = unit.data.u64;
             drop(data);
             handler.register(Registration {

@@ -53,11 +53,7 @@ impl FaultSignal {
     }
 
     fn new(signal: c_int, code: c_int, address: u64) -> Self {
-        Self {
-            signal,
-            code,
-            address,
-        }
+        Self { signal, code, address }
     }
 
     /// Sends the signal to the calling thread. If the program has a handler, it has run when this
@@ -85,11 +81,7 @@ impl FaultSignal {
             } else {
                 libc::raise(self.signal);
             }
-            if action.sa_flags & libc::SA_RESTART != 0 {
-                After::Resume
-            } else {
-                After::Interrupted
-            }
+            if action.sa_flags & libc::SA_RESTART != 0 { After::Resume } else { After::Interrupted }
         }
     }
 
@@ -104,10 +96,7 @@ impl FaultSignal {
             let mut info = MaybeUninit::<libc::siginfo_t>::zeroed().assume_init();
             info.si_signo = self.signal;
             info.si_code = self.code;
-            (&raw mut info)
-                .byte_add(ADDRESS_OFFSET)
-                .cast::<u64>()
-                .write(self.address);
+            (&raw mut info).byte_add(ADDRESS_OFFSET).cast::<u64>().write(self.address);
             libc::syscall(
                 libc::SYS_rt_tgsigqueueinfo,
                 libc::getpid(),

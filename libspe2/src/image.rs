@@ -38,10 +38,7 @@ fn refuse(error: &ElfError) -> Errno {
 
 fn contents(path: &Path) -> Result<Vec<u8>, Errno> {
     // Opening a pipe that has no writer must not hang. The flag has no effect on files.
-    let mut file: File = OpenOptions::new()
-        .read(true)
-        .custom_flags(libc::O_NONBLOCK)
-        .open(path)?;
+    let mut file: File = OpenOptions::new().read(true).custom_flags(libc::O_NONBLOCK).open(path)?;
     let metadata = file.metadata()?;
     if metadata.mode() & 0o111 == 0 {
         return Err(Errno(libc::EACCES));
@@ -76,11 +73,7 @@ fn open(path: &Path) -> Result<*mut SpeProgramHandle, Errno> {
         elf_image: elf_image.cast(),
         toe_shadow: toe_shadow.as_mut_ptr().cast(),
     };
-    let open = Box::new(OpenImage {
-        handle,
-        pages,
-        toe_shadow,
-    });
+    let open = Box::new(OpenImage { handle, pages, toe_shadow });
     Ok(Box::into_raw(open).cast())
 }
 
@@ -112,9 +105,8 @@ pub unsafe extern "C" fn spe_image_close(program: *mut SpeProgramHandle) -> c_in
         }
         // SAFETY: the handle is the first member of a box that `open` made, and the caller gives
         // it up.
-        let OpenImage {
-            pages, toe_shadow, ..
-        } = *unsafe { Box::from_raw(program.cast::<OpenImage>()) };
+        let OpenImage { pages, toe_shadow, .. } =
+            *unsafe { Box::from_raw(program.cast::<OpenImage>()) };
         drop((pages, toe_shadow));
         Ok(0)
     })
@@ -123,8 +115,7 @@ pub unsafe extern "C" fn spe_image_close(program: *mut SpeProgramHandle) -> c_in
 /// Returns the bytes of an image of which only the address is known.
 fn image_at(ea: u64) -> Result<Vec<u8>, Errno> {
     let fetch = |offset: u64, into: &mut [u8]| {
-        ea.checked_add(offset)
-            .is_some_and(|ea| ProcessMemory.read(ea, into).is_ok())
+        ea.checked_add(offset).is_some_and(|ea| ProcessMemory.read(ea, into).is_ok())
     };
     let length = elf::file_length(fetch).map_err(|error| refuse(&error))?;
     let mut bytes = vec![0; length as usize];
@@ -155,17 +146,13 @@ pub unsafe extern "C" fn spe_program_load(
         let bytes = image_at(ea)?;
         let image = Image::parse(&bytes).map_err(|error| refuse(&error))?;
         let backend = &context.backend;
-        image.load_with(ea, |address, bytes| {
-            backend.write_local_store(address, bytes)
-        });
+        image.load_with(ea, |address, bytes| backend.write_local_store(address, bytes));
         if let Some(toe) = image.toe()
             && !handle.toe_shadow.is_null()
         {
             let mut shadow = [0; TOE_SIZE as usize];
             let shadow_ea = handle.toe_shadow.expose_provenance() as u64;
-            ProcessMemory
-                .read(shadow_ea, &mut shadow)
-                .map_err(|_| Errno(libc::EINVAL))?;
+            ProcessMemory.read(shadow_ea, &mut shadow).map_err(|_| Errno(libc::EINVAL))?;
             backend.write_local_store(toe, &shadow);
         }
         context.entry.store(image.entry(), SeqCst);

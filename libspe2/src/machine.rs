@@ -120,8 +120,7 @@ pub(crate) fn debugger_port() -> Result<Option<u16>, Errno> {
         return Ok(None);
     };
     let port = value.to_str().and_then(|value| value.parse().ok());
-    port.map(Some)
-        .ok_or_else(|| refused(GDB, "is a port, or 0 for any free one", &value))
+    port.map(Some).ok_or_else(|| refused(GDB, "is a port, or 0 for any free one", &value))
 }
 
 /// Waits for a debugger, if the environment asks for one.
@@ -276,13 +275,6 @@ impl Machine {
                 talk::say!("libspe2: warning: DMA race: {}", race.describe(place));
             });
         }
-        Ok(Self {
-            emulated,
-            programs,
-            debugger: debugger()?,
-            report,
-            profile,
-            timeline,
-        })
+        Ok(Self { emulated, programs, debugger: debugger()?, report, profile, timeline })
     }
 }

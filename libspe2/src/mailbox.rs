@@ -158,9 +158,7 @@ pub unsafe extern "C" fn spe_out_intr_mbox_read(
         let wait_for = words_to_wait_for(count, behavior)?;
         // SAFETY: the caller vouches for the room.
         unsafe {
-            read_words(data, count, wait_for, |wait| {
-                context.backend.read_outbound_interrupt(wait)
-            })
+            read_words(data, count, wait_for, |wait| context.backend.read_outbound_interrupt(wait))
         }
     })
 }

@@ -35,18 +35,15 @@ impl ProcessMemory {
 
 impl MainMemory for ProcessMemory {
     fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
-        POOL.with(|scratch| scratch.fetch(ea, into))
-            .map_err(|ea| MemoryFault { ea })
+        POOL.with(|scratch| scratch.fetch(ea, into)).map_err(|ea| MemoryFault { ea })
     }
 
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault> {
-        POOL.with(|scratch| scratch.store(ea, from))
-            .map_err(|ea| MemoryFault { ea })
+        POOL.with(|scratch| scratch.store(ea, from)).map_err(|ea| MemoryFault { ea })
     }
 
     fn write_pieces(&self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), MemoryFault> {
-        POOL.with(|scratch| scratch.store_pieces(pieces, from))
-            .map_err(|ea| MemoryFault { ea })
+        POOL.with(|scratch| scratch.store_pieces(pieces, from)).map_err(|ea| MemoryFault { ea })
     }
 
     fn accepts_write(&self, ea: u64, length: usize) -> bool {
@@ -113,9 +110,7 @@ impl MainMemory for ProcessMemory {
                 // mapped and writable. Other threads that use the line use it atomically, as they
                 // must for a lock shared with an SPE.
                 let shared = unsafe { AtomicUsize::from_ptr(address) };
-                Ok(shared
-                    .compare_exchange(value(expected), value(new), SeqCst, SeqCst)
-                    .is_ok())
+                Ok(shared.compare_exchange(value(expected), value(new), SeqCst, SeqCst).is_ok())
             }
         }
     }
@@ -208,11 +203,7 @@ mod tests {
             assert!(ProcessMemory.read(ea, &mut [0; 16]).is_err(), "{ea:#x}");
             assert!(ProcessMemory.write(ea, &[0; 16]).is_err(), "{ea:#x}");
         }
-        assert!(
-            ProcessMemory
-                .compare_exchange_line(0, &[0; LINE], &[0; LINE])
-                .is_err()
-        );
+        assert!(ProcessMemory.compare_exchange_line(0, &[0; LINE], &[0; LINE]).is_err());
     }
 
     #[test]
@@ -239,11 +230,7 @@ mod tests {
             let exchanged = ProcessMemory.compare_exchange_line(ea, &[0; LINE], &new);
             assert!(exchanged.is_err(), "{at}");
         }
-        assert!(
-            ProcessMemory
-                .compare_exchange_line(ea, &[0; LINE], &[0; LINE])
-                .is_err()
-        );
+        assert!(ProcessMemory.compare_exchange_line(ea, &[0; LINE], &[0; LINE]).is_err());
         // SAFETY: the page is this test's own.
         unsafe { libc::munmap(page, 4096) };
     }

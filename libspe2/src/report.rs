@@ -33,10 +33,7 @@ impl ReportFile {
         name.push(format!(".{}", std::process::id()));
         let beside = path.with_file_name(name);
         fs::write(&beside, "").and_then(|()| fs::remove_file(&beside))?;
-        Ok(Self {
-            path,
-            beside: Mutex::new(beside),
-        })
+        Ok(Self { path, beside: Mutex::new(beside) })
     }
 
     pub(crate) fn path(&self) -> &Path {
@@ -48,17 +45,11 @@ impl ReportFile {
     }
 
     pub(crate) fn write_profile(&self, spes: &[SpeProfile]) -> io::Result<()> {
-        self.write(serde_json::to_vec(&ProfileFile::new(
-            CYCLES_PER_SECOND,
-            spes,
-        ))?)
+        self.write(serde_json::to_vec(&ProfileFile::new(CYCLES_PER_SECOND, spes))?)
     }
 
     pub(crate) fn write_timeline(&self, spes: &[Timeline]) -> io::Result<()> {
-        self.write(serde_json::to_vec(&TimelineFile::new(
-            CYCLES_PER_SECOND,
-            spes,
-        ))?)
+        self.write(serde_json::to_vec(&TimelineFile::new(CYCLES_PER_SECOND, spes))?)
     }
 
     fn write(&self, mut json: Vec<u8>) -> io::Result<()> {
@@ -102,11 +93,7 @@ impl Report {
         let spe = |spe: &SpeReport| {
             let mut figures = Figures::default();
             figures.add(spe);
-            Spe {
-                clock: spe.clock,
-                stopped: spe.stopped,
-                figures,
-            }
+            Spe { clock: spe.clock, stopped: spe.stopped, figures }
         };
         Self {
             cycles_per_second: CYCLES_PER_SECOND,

@@ -38,14 +38,7 @@ pub(crate) struct Outcome {
 
 impl Outcome {
     fn failed(errno: c_int, stop_reason: c_uint, result: c_int, spu_status: c_int) -> Self {
-        Self {
-            returned: Err(Errno(errno)),
-            record: StopRecord {
-                stop_reason,
-                result,
-                spu_status,
-            },
-        }
+        Self { returned: Err(Errno(errno)), record: StopRecord { stop_reason, result, spu_status } }
     }
 
     /// The SPU met something that it can't run: a bit of its status.
@@ -69,14 +62,7 @@ impl Outcome {
     }
 
     fn stopped(returned: c_int, stop_reason: c_uint, result: c_int, spu_status: c_int) -> Self {
-        Self {
-            returned: Ok(returned),
-            record: StopRecord {
-                stop_reason,
-                result,
-                spu_status,
-            },
-        }
+        Self { returned: Ok(returned), record: StopRecord { stop_reason, result, spu_status } }
     }
 }
 
@@ -113,12 +99,7 @@ fn call_back(context: &Context, code: u16, status: c_int, npc: u32) -> Next {
     let ls_base = context.backend.local_store();
     match callback::call(c_uint::from(code & 0xff), ls_base.cast(), npc) {
         0 => Next::Resume(after_call(npc)),
-        result => Next::Return(Outcome::failed(
-            libc::EFAULT,
-            SPE_CALLBACK_ERROR,
-            result,
-            status,
-        )),
+        result => Next::Return(Outcome::failed(libc::EFAULT, SPE_CALLBACK_ERROR, result, status)),
     }
 }
 
@@ -129,12 +110,9 @@ fn after_stop(context: &Context, flags: c_uint, code: u16, status: c_int, npc: u
         0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, status)),
         // The isolation loader's "load complete" is not reported to the program.
         0x2206 => Next::Resume(npc),
-        0x2200..=0x220f => Next::Return(Outcome::failed(
-            libc::EFAULT,
-            SPE_ISOLATION_ERROR,
-            value & 0xf,
-            status,
-        )),
+        0x2200..=0x220f => {
+            Next::Return(Outcome::failed(libc::EFAULT, SPE_ISOLATION_ERROR, value & 0xf, status))
+        }
         _ => Next::Return(Outcome::stopped(value, SPE_STOP_AND_SIGNAL, value, status)),
     }
 }
@@ -173,10 +151,7 @@ impl StartRegisters {
             ]
         };
         let area = context.backend.local_store();
-        Ok(Self {
-            arguments,
-            local_store: pointer_quad(area.expose_provenance()),
-        })
+        Ok(Self { arguments, local_store: pointer_quad(area.expose_provenance()) })
     }
 
     /// Registers 3 to 6.
@@ -222,11 +197,7 @@ pub unsafe extern "C" fn spe_context_run(
         let program_entry = context.entry.load(SeqCst);
         // SAFETY: the caller vouches for the pointer.
         let asked = unsafe { entry.read() };
-        let mut at = if asked == SPE_DEFAULT_ENTRY {
-            program_entry
-        } else {
-            asked
-        };
+        let mut at = if asked == SPE_DEFAULT_ENTRY { program_entry } else { asked };
         let mut registers = if at == program_entry {
             Some(StartRegisters::new(spe, &context, runflags, argp, envp)?)
         } else {
@@ -255,9 +226,7 @@ pub unsafe extern "C" fn spe_context_run(
             }
         }
         if context.events_enabled {
-            context
-                .backend
-                .change(&mut || context.stops.append(outcome.record));
+            context.backend.change(&mut || context.stops.append(outcome.record));
         }
         outcome.returned
     })

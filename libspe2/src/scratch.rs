@@ -28,11 +28,7 @@ impl Scratch {
         // A direct system call, because glibc has a function for it only from 2.27 on.
         // SAFETY: the name is a C string, and the flag is valid.
         let raw = unsafe {
-            libc::syscall(
-                libc::SYS_memfd_create,
-                c"libspe2".as_ptr(),
-                libc::MFD_CLOEXEC,
-            )
+            libc::syscall(libc::SYS_memfd_create, c"libspe2".as_ptr(), libc::MFD_CLOEXEC)
         };
         if raw < 0 {
             return Err(io::Error::last_os_error());
@@ -126,10 +122,7 @@ impl Scratch {
         unsafe {
             ptr::copy_nonoverlapping(from.as_ptr(), self.mapping.as_ptr(), from.len());
         }
-        let nowhere = libc::iovec {
-            iov_base: ptr::null_mut(),
-            iov_len: 0,
-        };
+        let nowhere = libc::iovec { iov_base: ptr::null_mut(), iov_len: 0 };
         let mut targets = [nowhere; MOST_PIECES];
         for (target, &(ea, length)) in targets.iter_mut().zip(pieces) {
             target.iov_base = ptr::with_exposed_provenance_mut(ea as usize);
@@ -138,12 +131,7 @@ impl Scratch {
         // SAFETY: the kernel checks the range of each target and ends at the first that can't be
         // written. The program asked its MFC to write there. There are at least so many targets.
         let written = unsafe {
-            libc::preadv(
-                self.file.as_raw_fd(),
-                targets.as_ptr(),
-                pieces.len() as i32,
-                0,
-            )
+            libc::preadv(self.file.as_raw_fd(), targets.as_ptr(), pieces.len() as i32, 0)
         };
         usize::try_from(written).unwrap_or(0)
     }
@@ -201,13 +189,7 @@ struct Shelf {
 
 impl Pool {
     pub(crate) const fn new() -> Self {
-        Self {
-            shelf: Mutex::new(Shelf {
-                free: Vec::new(),
-                waiting: 0,
-            }),
-            returned: Condvar::new(),
-        }
+        Self { shelf: Mutex::new(Shelf { free: Vec::new(), waiting: 0 }), returned: Condvar::new() }
     }
 
     fn shelf(&self) -> MutexGuard<'_, Shelf> {
@@ -235,10 +217,7 @@ impl Pool {
                 break scratch;
             }
             shelf.waiting += 1;
-            shelf = self
-                .returned
-                .wait(shelf)
-                .unwrap_or_else(PoisonError::into_inner);
+            shelf = self.returned.wait(shelf).unwrap_or_else(PoisonError::into_inner);
             shelf.waiting -= 1;
         };
         drop(shelf);

@@ -40,10 +40,9 @@ struct Mapping {
 
 impl Mapping {
     fn place(&self, ea: u64) -> Option<Place> {
-        (self.start..self.end).contains(&ea).then(|| Place {
-            offset: self.place.offset + (ea - self.start),
-            ..self.place
-        })
+        (self.start..self.end)
+            .contains(&ea)
+            .then(|| Place { offset: self.place.offset + (ea - self.start), ..self.place })
     }
 }
 
@@ -90,16 +89,9 @@ impl Query {
                 _ => Err(NoQuery),
             };
         }
-        let file = (
-            u64::from(query.major) << 32 | u64::from(query.minor),
-            query.inode,
-        );
+        let file = (u64::from(query.major) << 32 | u64::from(query.minor), query.inode);
         let offset = query.offset;
-        let mapping = Mapping {
-            start: query.start,
-            end: query.end,
-            place: Place { file, offset },
-        };
+        let mapping = Mapping { start: query.start, end: query.end, place: Place { file, offset } };
         Ok((query.mapping_flags & SHARED != 0).then_some(mapping))
     }
 }
@@ -123,10 +115,7 @@ impl Text {
         let now = Instant::now();
         let text = match last.take() {
             Some(text) if now.duration_since(text.read) < KEPT => text,
-            _ => Self {
-                read: now,
-                mappings: read_mappings(),
-            },
+            _ => Self { read: now, mappings: read_mappings() },
         };
         let found = text.mappings.iter().find_map(|mapping| mapping.place(ea));
         *last = Some(text);
@@ -156,10 +145,7 @@ fn mapping(line: &str) -> Option<Mapping> {
     let mapping = Mapping {
         start: hexadecimal(start)?,
         end: hexadecimal(end)?,
-        place: Place {
-            file,
-            offset: hexadecimal(offset)?,
-        },
+        place: Place { file, offset: hexadecimal(offset)? },
     };
     is_shared.then_some(mapping)
 }
@@ -212,10 +198,7 @@ mod tests {
             }
         }
         for ea in [first, second + 8191, strange, shared, private, of_file, 0] {
-            assert!(
-                asked(ea).is_none_or(|found| found == Text::place(ea)),
-                "{ea:#x}"
-            );
+            assert!(asked(ea).is_none_or(|found| found == Text::place(ea)), "{ea:#x}");
         }
     }
 
@@ -228,12 +211,7 @@ mod tests {
         assert_eq!(place.file, (0xfd_0000_0010, 42));
         assert_eq!(place.offset, 0x4008);
         assert_eq!(found.place(0x7f1_4000), None);
-        for other in [
-            "7f12000-7f14000 rw-p 00003000 fd:10 42",
-            "",
-            "1-2 rw-s",
-            "x-y s 0 0:0 1",
-        ] {
+        for other in ["7f12000-7f14000 rw-p 00003000 fd:10 42", "", "1-2 rw-s", "x-y s 0 0:0 1"] {
             assert_eq!(mapping(other), None, "{other}");
         }
     }

@@ -21,11 +21,7 @@ impl StopRecord {
     pub(crate) fn to_c(self) -> SpeStopInfo {
         let mut result = SpeStopResult { reserved: 0 };
         result.code = self.result;
-        SpeStopInfo {
-            stop_reason: self.stop_reason,
-            result,
-            spu_status: self.spu_status,
-        }
+        SpeStopInfo { stop_reason: self.stop_reason, result, spu_status: self.spu_status }
     }
 }
 
@@ -71,10 +67,7 @@ impl StopRecords {
         }
         // SAFETY: the descriptor was just created, and nothing else owns it.
         let counter = unsafe { File::from_raw_fd(raw) };
-        Ok(Self(Mutex::new(Records {
-            counter: Some(counter),
-            ..Records::default()
-        })))
+        Ok(Self(Mutex::new(Records { counter: Some(counter), ..Records::default() })))
     }
 
     /// The file that is readable while the stop event is up.

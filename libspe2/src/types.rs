@@ -85,11 +85,7 @@ pub struct SpeEventUnit {
 
 /// Layouts of 64-bit programs, and of 32-bit programs.
 const fn of_width(wide: usize, narrow: usize) -> usize {
-    if cfg!(target_pointer_width = "64") {
-        wide
-    } else {
-        narrow
-    }
+    if cfg!(target_pointer_width = "64") { wide } else { narrow }
 }
 
 const _: () = {

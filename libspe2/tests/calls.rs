@@ -2,10 +2,7 @@
 //! system calls. This is a separate program without the test harness, because it replaces standard
 //! output by a file.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::ffi::CString;
 use std::fs::{self, File};
@@ -83,11 +80,8 @@ fn image(source: &str) -> (tempfile::TempDir, std::path::PathBuf) {
 fn run(source: &str) -> Outcome {
     let (_folder, path) = image(source);
     let name = CString::new(path.as_os_str().as_bytes()).unwrap();
-    let mut info = SpeStopInfo {
-        stop_reason: 0,
-        result: SpeStopResult { reserved: 0 },
-        spu_status: 0,
-    };
+    let mut info =
+        SpeStopInfo { stop_reason: 0, result: SpeStopResult { reserved: 0 }, spu_status: 0 };
     let mut store = vec![0; 0x40000];
     // SAFETY: the context lives to the end of the block, and everything else longer.
     unsafe {
@@ -250,20 +244,12 @@ fn system_calls() {
 }
 
 fn calls_that_do_not_exist() {
-    for (stop, block, code) in [
-        (0x2100, 42 << 24, 1),
-        (0x2101, 0, 1),
-        (0x2102, 1 << 24, -1),
-        (0x2104, 0x3fff8, -1),
-    ] {
-        let outcome = run(&format!(
-            ".global _start\n_start: stop {stop}\n .long {block}\n stop 0x2000\n"
-        ));
-        assert_eq!(
-            (outcome.reason, outcome.code),
-            (SPE_CALLBACK_ERROR, code),
-            "{stop:#x}"
-        );
+    for (stop, block, code) in
+        [(0x2100, 42 << 24, 1), (0x2101, 0, 1), (0x2102, 1 << 24, -1), (0x2104, 0x3fff8, -1)]
+    {
+        let outcome =
+            run(&format!(".global _start\n_start: stop {stop}\n .long {block}\n stop 0x2000\n"));
+        assert_eq!((outcome.reason, outcome.code), (SPE_CALLBACK_ERROR, code), "{stop:#x}");
     }
 }
 

@@ -2,10 +2,7 @@
 //! without the test harness, because it runs itself again as a program on libspe2 with an
 //! environment of its own.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::ffi::CString;
 use std::fs;

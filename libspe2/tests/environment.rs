@@ -1,10 +1,7 @@
 //! The effects of environment variables. This is a separate program without the test harness,
 //! because only a process without other threads may change its environment.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::env;
 use std::ptr;

@@ -2,10 +2,7 @@
 //! program without the test harness, because signal handlers belong to the whole process, and
 //! because it forks, which needs a process without other threads.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 #![expect(
     clippy::undocumented_unsafe_blocks,
     reason = "each block calls the C library or the C API with pointers that outlive the call"
@@ -37,10 +34,7 @@ fn handle(signal: i32, flags: i32) {
         let mut action = MaybeUninit::<libc::sigaction>::zeroed().assume_init();
         action.sa_sigaction = note as *const () as usize;
         action.sa_flags = libc::SA_SIGINFO | flags;
-        assert_eq!(
-            libc::sigaction(signal, &raw const action, ptr::null_mut()),
-            0
-        );
+        assert_eq!(libc::sigaction(signal, &raw const action, ptr::null_mut()), 0);
     }
 }
 
@@ -54,11 +48,8 @@ fn run(words: &[u32]) -> (i32, u32, i32) {
             area.add(n).write(word.to_be_bytes());
         }
         let mut entry = 0;
-        let mut info = SpeStopInfo {
-            stop_reason: 0,
-            result: SpeStopResult { reserved: 0 },
-            spu_status: 0,
-        };
+        let mut info =
+            SpeStopInfo { stop_reason: 0, result: SpeStopResult { reserved: 0 }, spu_status: 0 };
         let none = ptr::null_mut();
         let returned = spe_context_run(context, &raw mut entry, 0, none, none, &raw mut info);
         assert_eq!(spe_context_destroy(context), 0);
@@ -72,10 +63,7 @@ const STOPD: u32 = 0x140 << 21;
 
 /// `il $10,value` and `wrch $channel,$10`
 fn set(channel: u32, value: u32) -> [u32; 2] {
-    [
-        0x081 << 23 | value << 7 | 10,
-        0x10d << 21 | channel << 7 | 10,
-    ]
+    [0x081 << 23 | value << 7 | 10, 0x10d << 21 | channel << 7 | 10]
 }
 
 /// A get of `size` bytes from `ea`, then stop 0x2000.
@@ -92,10 +80,7 @@ fn end_of_child(prepare: impl FnOnce(), words: &[u32]) -> i32 {
         let child = libc::fork();
         assert!(child >= 0);
         if child == 0 {
-            let no_core = libc::rlimit {
-                rlim_cur: 0,
-                rlim_max: 0,
-            };
+            let no_core = libc::rlimit { rlim_cur: 0, rlim_max: 0 };
             libc::setrlimit(libc::RLIMIT_CORE, &raw const no_core);
             prepare();
             run(words);
@@ -109,11 +94,7 @@ fn end_of_child(prepare: impl FnOnce(), words: &[u32]) -> i32 {
             }
             std::thread::sleep(Duration::from_millis(5));
         }
-        if libc::WIFSIGNALED(status) {
-            libc::WTERMSIG(status)
-        } else {
-            -libc::WEXITSTATUS(status)
-        }
+        if libc::WIFSIGNALED(status) { libc::WTERMSIG(status) } else { -libc::WEXITSTATUS(status) }
     }
 }
 

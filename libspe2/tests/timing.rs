@@ -2,10 +2,7 @@
 //! program without the test harness, because it runs itself again as a program on libspe2 with an
 //! environment of its own.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::ffi::{CString, OsStr};
 use std::fs;
@@ -92,11 +89,7 @@ fn mail(context: Shared, mut word: u32) {
 }
 
 fn unit(context: Shared, events: u32) -> SpeEventUnit {
-    SpeEventUnit {
-        events,
-        spe: context.0,
-        data: SpeEventData { u64: 0 },
-    }
+    SpeEventUnit { events, spe: context.0, data: SpeEventData { u64: 0 } }
 }
 
 fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
@@ -151,10 +144,7 @@ fn program(image: &OsStr, delay: Duration) {
                 assert_eq!(found.events, SPE_EVENT_OUT_INTR_MBOX);
                 let mut share = 0;
                 let read = SPE_MBOX_ANY_NONBLOCKING;
-                assert_eq!(
-                    spe_out_intr_mbox_read(found.spe, &raw mut share, 1, read),
-                    1
-                );
+                assert_eq!(spe_out_intr_mbox_read(found.spe, &raw mut share, 1, read), 1);
                 thread::sleep(delay);
                 sum += share;
                 answers += 1;
@@ -218,10 +208,7 @@ fn meet() {
 /// has no part in that.
 fn a_barrier_is_no_time_out(folder: &Path) {
     let path = folder.join("report.json");
-    let environment = [
-        ("LIBSPE2_TIMING", OsStr::new("1")),
-        ("LIBSPE2_REPORT", path.as_os_str()),
-    ];
+    let environment = [("LIBSPE2_TIMING", OsStr::new("1")), ("LIBSPE2_REPORT", path.as_os_str())];
     let output = child(&[OsStr::new("meet")], &environment);
     assert!(output.status.success(), "{output:?}");
     let report: Value = serde_json::from_str(&take(&path)).unwrap();
@@ -290,10 +277,7 @@ fn report(image: &Path, folder: &Path, delay: &str) -> String {
 /// Runs the program and returns its report and its profile.
 fn profile(image: &Path, folder: &Path, delay: &str) -> [String; 2] {
     let paths = ["report.json", "profile.json"].map(|name| folder.join(name));
-    let files = [
-        ("LIBSPE2_REPORT", paths[0].as_path()),
-        ("LIBSPE2_PROFILE", &paths[1]),
-    ];
+    let files = [("LIBSPE2_REPORT", paths[0].as_path()), ("LIBSPE2_PROFILE", &paths[1])];
     run_program(image, delay, &files);
     paths.map(|path| take(&path))
 }
@@ -337,10 +321,7 @@ fn check_timeline(report: &str, text: &str) {
         }
         assert!(spe.sleeps.windows(2).all(|two| two[0].end <= two[1].start));
         let bytes = |kind| {
-            let those = spe
-                .transfers
-                .iter()
-                .filter(|transfer| transfer.kind == kind);
+            let those = spe.transfers.iter().filter(|transfer| transfer.kind == kind);
             those.map(|transfer| transfer.bytes).sum::<u64>()
         };
         assert_eq!(bytes("get"), number(figures, "bytes_in"));
@@ -351,28 +332,18 @@ fn check_timeline(report: &str, text: &str) {
 }
 
 fn number(value: &Value, name: &str) -> u64 {
-    value[name]
-        .as_u64()
-        .unwrap_or_else(|| panic!("{name}: {}", value[name]))
+    value[name].as_u64().unwrap_or_else(|| panic!("{name}: {}", value[name]))
 }
 
 fn sum(value: &Value) -> u64 {
-    value
-        .as_object()
-        .unwrap()
-        .values()
-        .map(|part| part.as_u64().unwrap())
-        .sum()
+    value.as_object().unwrap().values().map(|part| part.as_u64().unwrap()).sum()
 }
 
 fn check_figures(figures: &Value) {
     let of = |name| number(figures, name);
     let stalls = sum(&figures["stalls"]);
     assert_eq!(of("single_issue") + of("dual_issue") + stalls, of("cycles"));
-    assert_eq!(
-        of("single_issue") + 2 * of("dual_issue"),
-        of("instructions")
-    );
+    assert_eq!(of("single_issue") + 2 * of("dual_issue"), of("instructions"));
     assert_eq!(of("busy") + of("blocked"), of("cycles"));
     assert_eq!(sum(&figures["blocked_by"]), of("blocked"));
     let rate = figures["dual_issue_rate"].as_f64().unwrap();
@@ -384,23 +355,13 @@ fn check_report(text: &str) {
     let spes = report["spes"].as_array().unwrap();
     assert_eq!(spes.len(), SPES);
     let total = |name| -> u64 { spes.iter().map(|spe| number(spe, name)).sum() };
-    for name in [
-        "cycles",
-        "instructions",
-        "busy",
-        "blocked",
-        "atomic_commands",
-        "bytes_in",
-    ] {
+    for name in ["cycles", "instructions", "busy", "blocked", "atomic_commands", "bytes_in"] {
         assert_eq!(number(&report["totals"], name), total(name), "{name}");
     }
     check_figures(&report["totals"]);
     for spe in spes {
         check_figures(spe);
-        assert_eq!(
-            number(spe, "stopped") + number(spe, "cycles"),
-            number(spe, "clock")
-        );
+        assert_eq!(number(spe, "stopped") + number(spe, "cycles"), number(spe, "clock"));
         assert!(number(spe, "clock") <= number(&report, "cycles"));
         assert_eq!(number(spe, "bytes_in"), u64::from(FRAMES) * 128);
         assert_eq!(number(spe, "dma_commands"), u64::from(FRAMES));
@@ -413,21 +374,12 @@ fn check_report(text: &str) {
 
 /// Checks that creating a context in this environment fails with this errno and this message.
 fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
-    let environment: Vec<_> = environment
-        .iter()
-        .map(|&(name, value)| (name, OsStr::new(value)))
-        .collect();
+    let environment: Vec<_> =
+        environment.iter().map(|&(name, value)| (name, OsStr::new(value))).collect();
     let output = child(&[OsStr::new("create")], &environment);
-    assert_eq!(
-        output.status.code(),
-        Some(errno),
-        "{environment:?} {output:?}"
-    );
+    assert_eq!(output.status.code(), Some(errno), "{environment:?} {output:?}");
     let stderr = String::from_utf8(output.stderr).unwrap();
-    assert!(
-        stderr.starts_with("libspe2: ") && stderr.contains(message),
-        "{stderr}"
-    );
+    assert!(stderr.starts_with("libspe2: ") && stderr.contains(message), "{stderr}");
 }
 
 fn assemble(folder: &Path, source: &str) -> std::path::PathBuf {
@@ -480,17 +432,11 @@ fn main() {
     assert_eq!(with_profile, first, "a profile must change nothing");
     check_profile(&image, &first, &profiled);
     let path = folder.path().join("report.json");
-    let files = [
-        ("LIBSPE2_REPORT", path.as_path()),
-        ("LIBSPE2_CHECK", Path::new("1")),
-    ];
+    let files = [("LIBSPE2_REPORT", path.as_path()), ("LIBSPE2_CHECK", Path::new("1"))];
     run_program(&image, "0", &files);
     assert_eq!(take(&path), first, "the check must find nothing");
     let timeline = folder.path().join("timeline.json");
-    let files = [
-        ("LIBSPE2_REPORT", path.as_path()),
-        ("LIBSPE2_TIMELINE", &timeline),
-    ];
+    let files = [("LIBSPE2_REPORT", path.as_path()), ("LIBSPE2_TIMELINE", &timeline)];
     run_program(&image, "0", &files);
     assert_eq!(take(&path), first, "a timeline must change nothing");
     check_timeline(&first, &take(&timeline));
@@ -499,10 +445,7 @@ fn main() {
     // Another machine: farther away, but with the same work.
     let machine = folder.path().join("machine.toml");
     fs::write(&machine, "[memory]\nget_latency = 2280\n").unwrap();
-    let files = [
-        ("LIBSPE2_REPORT", path.as_path()),
-        ("LIBSPE2_MACHINE", &machine),
-    ];
+    let files = [("LIBSPE2_REPORT", path.as_path()), ("LIBSPE2_MACHINE", &machine)];
     run_program(&image, "0", &files);
     let far = take(&path);
     check_report(&far);
@@ -521,11 +464,7 @@ fn main() {
 
     refused(&[("LIBSPE2_TIMING", "yes")], libc::EINVAL, "LIBSPE2_TIMING");
     refused(&[("LIBSPE2_TIMING", "")], libc::EINVAL, "LIBSPE2_TIMING");
-    refused(
-        &[("LIBSPE2_REPORT", "/tmp/x")],
-        libc::EINVAL,
-        "LIBSPE2_TIMING=1",
-    );
+    refused(&[("LIBSPE2_REPORT", "/tmp/x")], libc::EINVAL, "LIBSPE2_TIMING=1");
     refused(
         &[("LIBSPE2_PROFILE", "/tmp/x"), ("LIBSPE2_TIMING", "0")],
         libc::EINVAL,
@@ -548,26 +487,10 @@ fn main() {
         libc::ENOENT,
         "LIBSPE2_PROFILE: /nowhere/at/all",
     );
-    refused(
-        &[on, ("LIBSPE2_REPORT", "")],
-        libc::EINVAL,
-        "LIBSPE2_REPORT",
-    );
-    refused(
-        &[on, ("LIBSPE2_REPORT", "/")],
-        libc::EISDIR,
-        "LIBSPE2_REPORT: /:",
-    );
+    refused(&[on, ("LIBSPE2_REPORT", "")], libc::EINVAL, "LIBSPE2_REPORT");
+    refused(&[on, ("LIBSPE2_REPORT", "/")], libc::EISDIR, "LIBSPE2_REPORT: /:");
     let nowhere = ("LIBSPE2_REPORT", "/nowhere/at/all");
-    refused(
-        &[on, nowhere],
-        libc::ENOENT,
-        "LIBSPE2_REPORT: /nowhere/at/all",
-    );
-    refused(
-        &[on, ("LIBSPE2_MFC", "at-last")],
-        libc::ENOTSUP,
-        "LIBSPE2_MFC=at-last",
-    );
+    refused(&[on, nowhere], libc::ENOENT, "LIBSPE2_REPORT: /nowhere/at/all");
+    refused(&[on, ("LIBSPE2_MFC", "at-last")], libc::ENOTSUP, "LIBSPE2_MFC=at-last");
     println!("timing: ok");
 }

@@ -179,20 +179,13 @@ impl Image {
         }
         let absolute =
             |path: &PathBuf| std::path::absolute(path).map_err(|source| file_error(path, source));
-        link.extend([
-            "--fatal-warnings".into(),
-            "-T".into(),
-            absolute(&self.script)?.into(),
-        ]);
+        link.extend(["--fatal-warnings".into(), "-T".into(), absolute(&self.script)?.into()]);
         let objects: Vec<PathBuf> = objects.iter().map(absolute).collect::<Result<_, _>>()?;
         // The linker stores the image's path in the image. Linking in the image's folder makes the
         // same bytes from the same sources anywhere.
         let name = image.file_name().unwrap_or(image.as_os_str());
         let mut command = tools.link(&link, Path::new(name), &objects);
-        if let Some(folder) = image
-            .parent()
-            .filter(|folder| !folder.as_os_str().is_empty())
-        {
+        if let Some(folder) = image.parent().filter(|folder| !folder.as_os_str().is_empty()) {
             command.current_dir(folder);
         }
         run(&mut command)
@@ -201,13 +194,8 @@ impl Image {
 
 /// A source of the section that holds the names of the formulations.
 fn note(formulations: &Formulations) -> String {
-    let lines = formulations
-        .names()
-        .map(|name| format!("        .asciz  \"{name}\"\n"));
-    format!(
-        "        .section .formulation,\"\",@progbits\n{}",
-        lines.concat()
-    )
+    let lines = formulations.names().map(|name| format!("        .asciz  \"{name}\"\n"));
+    format!("        .section .formulation,\"\",@progbits\n{}", lines.concat())
 }
 
 /// All files below `folder` with this extension, sorted, so that an image does not depend on the

@@ -92,26 +92,17 @@ fn run(command: &mut Command) -> Result<(), Error> {
 fn output(command: &mut Command) -> Result<String, Error> {
     let line = || {
         let words = std::iter::once(command.get_program()).chain(command.get_args());
-        words
-            .map(|word| word.to_string_lossy())
-            .collect::<Vec<_>>()
-            .join(" ")
+        words.map(|word| word.to_string_lossy()).collect::<Vec<_>>().join(" ")
     };
     let line = line();
-    let output = command.output().map_err(|source| Error::Start {
-        command: line.clone(),
-        source,
-    })?;
+    let output =
+        command.output().map_err(|source| Error::Start { command: line.clone(), source })?;
     let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
     if output.status.success() {
         return Ok(text);
     }
     text.push_str(&String::from_utf8_lossy(&output.stderr));
-    Err(Error::Failed {
-        command: line,
-        status: output.status,
-        output: text,
-    })
+    Err(Error::Failed { command: line, status: output.status, output: text })
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Error> {
@@ -119,8 +110,5 @@ fn write(path: &Path, text: &str) -> Result<(), Error> {
 }
 
 fn file_error(path: &Path, source: std::io::Error) -> Error {
-    Error::File {
-        path: path.to_path_buf(),
-        source,
-    }
+    Error::File { path: path.to_path_buf(), source }
 }

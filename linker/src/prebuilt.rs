@@ -54,18 +54,12 @@ pub fn find() -> Result<PathBuf, Error> {
     let folder = folder();
     let path = folder.join(CHECKSUM);
     let noted = fs::read_to_string(&path).map_err(|source| file_error(&path, source))?;
-    if noted == checksum(&tracer()?)? {
-        Ok(folder)
-    } else {
-        Err(Error::StaleImages(folder))
-    }
+    if noted == checksum(&tracer()?)? { Ok(folder) } else { Err(Error::StaleImages(folder)) }
 }
 
 /// Adds a source without its comments and blank lines, which have no effect on an image.
 fn add_code(text: &str, sum: &mut crc32fast::Hasher) {
-    let code = text
-        .lines()
-        .map(|line| line.split('#').next().unwrap_or_default());
+    let code = text.lines().map(|line| line.split('#').next().unwrap_or_default());
     for line in code.map(str::trim_end).filter(|line| !line.is_empty()) {
         sum.update(line.as_bytes());
         sum.update(b"\n");
@@ -108,10 +102,7 @@ mod tests {
     #[test]
     fn comments_are_not_code() {
         let code = sum_of("        ai $3,$3,1\n        bi $lr\n");
-        assert_eq!(
-            code,
-            sum_of("# one more\n        ai $3,$3,1  # here\n\n        bi $lr\n")
-        );
+        assert_eq!(code, sum_of("# one more\n        ai $3,$3,1  # here\n\n        bi $lr\n"));
         assert_ne!(code, sum_of("        ai $3,$3,2\n        bi $lr\n"));
     }
 

@@ -38,10 +38,7 @@ impl Tools {
     /// Whether a variable names a tool. Then no other tool is used instead.
     #[must_use]
     pub fn are_named() -> bool {
-        ["SPU_AS", "SPU_LD"]
-            .map(env::var_os)
-            .iter()
-            .any(Option::is_some)
+        ["SPU_AS", "SPU_LD"].map(env::var_os).iter().any(Option::is_some)
     }
 
     /// Assembles one source with line tables. `.include` searches `includes`, and `further` are
@@ -84,11 +81,7 @@ impl Tool {
             let looked = format!("{variable}={}", value.to_string_lossy());
             return match path {
                 Some(path) => Ok(Self { path }),
-                None => Err(Error::NoTool {
-                    what,
-                    variable,
-                    looked,
-                }),
+                None => Err(Error::NoTool { what, variable, looked }),
             };
         }
         let cached = cached(name);
@@ -101,11 +94,7 @@ impl Tool {
                 let cached =
                     cached.map_or("no cache folder".into(), |path| path.display().to_string());
                 let looked = format!("spu-elf-{name}, spu-{name} and spu-gcc on PATH, {cached}");
-                Error::NoTool {
-                    what,
-                    variable,
-                    looked,
-                }
+                Error::NoTool { what, variable, looked }
             })
     }
 
@@ -130,9 +119,7 @@ impl Tool {
 
 fn on_path(name: impl AsRef<Path>) -> Option<PathBuf> {
     let path = env::var_os("PATH")?;
-    env::split_paths(&path)
-        .map(|folder| folder.join(&name))
-        .find(|file| file.is_file())
+    env::split_paths(&path).map(|folder| folder.join(&name)).find(|file| file.is_file())
 }
 
 /// The path at which `ci/setup` installs a tool that it builds.
@@ -140,9 +127,5 @@ fn cached(name: &str) -> Option<PathBuf> {
     let cache = env::var_os("XDG_CACHE_HOME")
         .map(PathBuf::from)
         .or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cache")))?;
-    Some(
-        cache
-            .join("cellray/spu-binutils/bin")
-            .join(format!("spu-elf-{name}")),
-    )
+    Some(cache.join("cellray/spu-binutils/bin").join(format!("spu-elf-{name}")))
 }

@@ -12,9 +12,7 @@ const SHADERS: &str = "TESTED_SHADERS";
 
 fn main() -> ExitCode {
     if let Some(shaders) = std::env::var_os(SHADERS) {
-        return spu_build::embed("tracer.elf", || {
-            spu_build::tracer()?.folder(shaders.as_ref())
-        });
+        return spu_build::embed("tracer.elf", || spu_build::tracer()?.folder(shaders.as_ref()));
     }
     a_shader_that_is_right_is_built_and_watched();
     an_error_in_a_shader_is_all_that_is_said();
@@ -30,9 +28,7 @@ fn script(folder: &Path, instruction: &str) -> Command {
     );
     fs::write(folder.join("own.s"), shader).unwrap();
     let mut script = Command::new(std::env::current_exe().unwrap());
-    script
-        .env(SHADERS, folder)
-        .env("OUT_DIR", folder.join("out"));
+    script.env(SHADERS, folder).env("OUT_DIR", folder.join("out"));
     script
 }
 
@@ -48,10 +44,7 @@ fn a_shader_that_is_right_is_built_and_watched() {
         let line = format!("cargo:rerun-if-changed={}", path.display());
         assert!(lines.contains(&&*line), "no {line} in {out}");
     }
-    assert!(
-        lines.contains(&"cargo:rerun-if-env-changed=SPU_AS"),
-        "{out}"
-    );
+    assert!(lines.contains(&"cargo:rerun-if-env-changed=SPU_AS"), "{out}");
 }
 
 fn an_error_in_a_shader_is_all_that_is_said() {
@@ -66,10 +59,8 @@ fn an_error_in_a_shader_is_all_that_is_said() {
 
 fn missing_tools_are_told_of_to_who_has_no_clone() {
     let folder = tempfile::tempdir().unwrap();
-    let output = script(folder.path(), "nop")
-        .env("SPU_AS", "/nonexistent/spu-as")
-        .output()
-        .unwrap();
+    let output =
+        script(folder.path(), "nop").env("SPU_AS", "/nonexistent/spu-as").output().unwrap();
     let (out, err) = texts(&output);
     assert_eq!(output.status.code(), Some(1), "{err}");
     assert_eq!(out, "");

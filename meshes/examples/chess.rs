@@ -149,13 +149,9 @@ fn file() -> Result<Vec<u8>, image::ImageError> {
     let mut meshes = Vec::new();
     // Each kind is there of silver, and of glass or jade.
     let (silver, glass, jade) = (2, 3, 5);
-    for (outline, other) in [
-        (PAWN, jade),
-        (ROOK, jade),
-        (BISHOP, jade),
-        (QUEEN, glass),
-        (KING, glass),
-    ] {
+    for (outline, other) in
+        [(PAWN, jade), (ROOK, jade), (BISHOP, jade), (QUEEN, glass), (KING, glass)]
+    {
         let arrays = chunk.arrays(&turned(outline));
         meshes.extend([silver, other].map(|material| mesh(&arrays, material)));
     }
@@ -194,9 +190,7 @@ fn file() -> Result<Vec<u8>, image::ImageError> {
     nodes.extend((10..13).map(|mesh| format!(r#"{{"mesh":{mesh}}}"#)));
     let eye = [-3.3, 3.6, 8.2];
     let rotation = towards(eye, [0.0, 0.3, 0.0]);
-    nodes.push(format!(
-        r#"{{"camera":0,"translation":{eye:?},"rotation":{rotation:?}}}"#
-    ));
+    nodes.push(format!(r#"{{"camera":0,"translation":{eye:?},"rotation":{rotation:?}}}"#));
     let light =
         |light: usize| format!(r#""extensions":{{"KHR_lights_punctual":{{"light":{light}}}}}"#);
     let rotation = towards([-6.0, 8.0, 3.0], [0.0; 3]);
@@ -246,12 +240,7 @@ fn towards(from: [f64; 3], to: [f64; 3]) -> [f64; 4] {
     let half_turn = libm::atan2(-x, -z) / 2.0;
     let half_rise = libm::atan2(y, libm::hypot(x, z)) / 2.0;
     let (turn, rise) = (libm::sincos(half_turn), libm::sincos(half_rise));
-    [
-        turn.1 * rise.0,
-        turn.0 * rise.1,
-        -turn.0 * rise.0,
-        turn.1 * rise.1,
-    ]
+    [turn.1 * rise.0, turn.0 * rise.1, -turn.0 * rise.0, turn.1 * rise.1]
 }
 
 /// The binary chunk, and what is in it.
@@ -273,26 +262,19 @@ impl Chunk {
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let (start, length) = (self.bytes.len(), bytes.len());
         self.bytes.extend_from_slice(bytes);
-        self.views.push(format!(
-            r#"{{"buffer":0,"byteOffset":{start},"byteLength":{length}}}"#
-        ));
+        self.views.push(format!(r#"{{"buffer":0,"byteOffset":{start},"byteLength":{length}}}"#));
         self.views.len() - 1
     }
 
     fn accessor(&mut self, bytes: &[u8], count: usize, kind: &str, more: &str) -> usize {
         let view = self.view(bytes);
-        self.accessors.push(format!(
-            r#"{{"bufferView":{view},"count":{count},{kind}{more}}}"#
-        ));
+        self.accessors.push(format!(r#"{{"bufferView":{view},"count":{count},{kind}{more}}}"#));
         self.accessors.len() - 1
     }
 
     fn floats<const N: usize>(&mut self, vectors: &[[f32; N]], more: &str) -> usize {
-        let bytes: Vec<u8> = vectors
-            .as_flattened()
-            .iter()
-            .flat_map(|it| it.to_le_bytes())
-            .collect();
+        let bytes: Vec<u8> =
+            vectors.as_flattened().iter().flat_map(|it| it.to_le_bytes()).collect();
         let kind = format!(r#""componentType":5126,"type":"VEC{N}""#);
         self.accessor(&bytes, vectors.len(), &kind, more)
     }
@@ -303,26 +285,15 @@ impl Chunk {
             let bound = vectors.reduce(|a, b| std::array::from_fn(|axis| pick(a[axis], b[axis])));
             bound.unwrap_or_default()
         };
-        let bounds = format!(
-            r#","min":{:?},"max":{:?}"#,
-            bound(f32::min),
-            bound(f32::max)
-        );
+        let bounds = format!(r#","min":{:?},"max":{:?}"#, bound(f32::min), bound(f32::max));
         let mut attributes = vec![("POSITION", self.floats(&arrays.positions, &bounds))];
         attributes.push(("NORMAL", self.floats(&arrays.normals, "")));
         if !arrays.coordinates.is_empty() {
             attributes.push(("TEXCOORD_0", self.floats(&arrays.coordinates, "")));
         }
-        let bytes: Vec<u8> = arrays
-            .indices
-            .iter()
-            .flat_map(|it| it.to_le_bytes())
-            .collect();
+        let bytes: Vec<u8> = arrays.indices.iter().flat_map(|it| it.to_le_bytes()).collect();
         let kind = r#""componentType":5123,"type":"SCALAR""#;
-        Accessors {
-            indices: self.accessor(&bytes, arrays.indices.len(), kind, ""),
-            attributes,
-        }
+        Accessors { indices: self.accessor(&bytes, arrays.indices.len(), kind, ""), attributes }
     }
 
     /// Adds a square picture whose colours are functions of places in it.
@@ -414,12 +385,7 @@ fn square(half: f32, height: f32, repeats: f32) -> Arrays {
             .map(|[x, z]| [x, height, z])
             .into(),
         normals: vec![[0.0, 1.0, 0.0]; 4],
-        coordinates: vec![
-            [0.0, repeats],
-            [repeats, repeats],
-            [repeats, 0.0],
-            [0.0, 0.0],
-        ],
+        coordinates: vec![[0.0, repeats], [repeats, repeats], [repeats, 0.0], [0.0, 0.0]],
         indices: vec![0, 1, 2, 0, 2, 3],
     }
 }
@@ -430,14 +396,10 @@ fn rim(half: f32, depth: f32) -> Arrays {
     for [x, z] in [[0.0, 1.0], [1.0, 0.0], [0.0, -1.0], [-1.0, 0.0_f32]] {
         let first = arrays.positions.len() as u16;
         for (along, y) in [(-half, -depth), (half, -depth), (half, 0.0), (-half, 0.0)] {
-            arrays
-                .positions
-                .push([half * x + along * z, y, half * z - along * x]);
+            arrays.positions.push([half * x + along * z, y, half * z - along * x]);
             arrays.normals.push([x, 0.0, z]);
         }
-        arrays
-            .indices
-            .extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
+        arrays.indices.extend([0, 1, 2, 0, 2, 3].map(|corner| first + corner));
     }
     arrays
 }
@@ -445,10 +407,7 @@ fn rim(half: f32, depth: f32) -> Arrays {
 /// The board: squares of light and dark marble, a line of brass, and a margin.
 fn marble(x: f64, y: f64) -> [f64; 3] {
     let [file, rank] = [x, y].map(|it| 9.0 * it - 0.5);
-    let edge = [file, rank]
-        .map(|it| (it - 4.0).abs())
-        .into_iter()
-        .fold(0.0, f64::max);
+    let edge = [file, rank].map(|it| (it - 4.0).abs()).into_iter().fold(0.0, f64::max);
     if (4.04..4.10).contains(&edge) {
         return [0.72, 0.57, 0.25];
     }
@@ -461,18 +420,10 @@ fn marble(x: f64, y: f64) -> [f64; 3] {
     let grain = 0.5 + 0.5 * cloud(4.0 * u + 30.0, 4.0 * v, 3);
     if inside && is_light {
         let shade = 0.93 - 0.09 * grain;
-        mixed(
-            [shade, 0.97 * shade, 0.92 * shade],
-            [0.62, 0.58, 0.55],
-            0.55 * vein,
-        )
+        mixed([shade, 0.97 * shade, 0.92 * shade], [0.62, 0.58, 0.55], 0.55 * vein)
     } else {
         let shade = if inside { 0.16 } else { 0.11 } + 0.07 * grain;
-        mixed(
-            [0.75 * shade, shade, 0.85 * shade],
-            [0.62, 0.70, 0.64],
-            0.5 * vein * vein,
-        )
+        mixed([0.75 * shade, shade, 0.85 * shade], [0.62, 0.70, 0.64], 0.5 * vein * vein)
     }
 }
 

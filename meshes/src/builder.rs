@@ -248,9 +248,8 @@ impl Builder {
         let used = self.triangles.iter().flatten();
         let mut used = used.map(|&vertex| vertices.positions[vertex as usize]);
         let first = used.next().unwrap_or_default();
-        let (low, high) = used.fold((first, first), |(low, high), place| {
-            (low.min(place), high.max(place))
-        });
+        let (low, high) =
+            used.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
         let origin = Mesh::origin_for(low, high);
         let relative = |place: &DVec3| (*place - origin).as_vec3().to_array();
         let mut mesh = Mesh {
@@ -291,11 +290,7 @@ impl Builder {
             objects: Vec::new(),
             mesh: Some(Arc::new(mesh)),
         };
-        Ok(Loaded {
-            scene,
-            added_light,
-            notes: self.notes.finish(name),
-        })
+        Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
     }
 }
 
@@ -306,13 +301,7 @@ fn is_fan(places: &[DVec3]) -> bool {
     let turns = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - a).dot(whole) > 0.0;
     let count = places.len();
     let mut fan = places[1..].windows(2);
-    let convex = |at: usize| {
-        turns(
-            places[at],
-            places[(at + 1) % count],
-            places[(at + 2) % count],
-        )
-    };
+    let convex = |at: usize| turns(places[at], places[(at + 1) % count], places[(at + 2) % count]);
     fan.all(|pair| turns(places[0], pair[0], pair[1])) && (count == 4 || (0..count).all(convex))
 }
 
@@ -321,9 +310,7 @@ fn mixed(ends: &[Vertex; 3], shares: DVec3) -> Vertex {
     let shares = shares.to_array();
     let each = || ends.iter().zip(shares);
     let mix = |of: fn(&Vertex) -> Option<DVec3>| {
-        each().try_fold(DVec3::ZERO, |sum, (end, share)| {
-            Some(sum + share * of(end)?)
-        })
+        each().try_fold(DVec3::ZERO, |sum, (end, share)| Some(sum + share * of(end)?))
     };
     let colour = mix(|end| end.colour.map(|it| DVec3::from(it.map(f64::from))));
     let coordinates = mix(|end| {
@@ -356,14 +343,7 @@ fn join_vertices(mesh: &mut Mesh) {
         let ([x, y, z], [nx, ny, nz]) = (position, normal.unwrap_or_default());
         let [red, green, blue] = colour.unwrap_or_default();
         let place_or = place.unwrap_or_default();
-        let pairs = [
-            [x, y],
-            [z, nx],
-            [ny, nz],
-            place_or,
-            [red, green],
-            [blue, 0.0],
-        ];
+        let pairs = [[x, y], [z, nx], [ny, nz], place_or, [red, green], [blue, 0.0]];
         let bits =
             pairs.map(|[one, other]| u64::from(one.to_bits()) << 32 | u64::from(other.to_bits()));
         *vertex = *numbers.entry(bits).or_insert_with(|| {

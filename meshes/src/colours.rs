@@ -23,11 +23,7 @@ pub(crate) fn encoded(light: f64) -> f64 {
 
 /// The light of a value for the screen.
 fn decoded(value: f64) -> f64 {
-    if value <= 0.040_45 {
-        value / 12.92
-    } else {
-        libm::pow((value + 0.055) / 1.055, 2.4)
-    }
+    if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
 }
 
 /// The colour whose light is the product of two colours' light.
@@ -38,11 +34,7 @@ fn product(one: DVec3, other: DVec3) -> DVec3 {
         (_, 1.0) => one,
         _ => encoded(decoded(one) * decoded(other)),
     };
-    DVec3::new(
-        channel(one.x, other.x),
-        channel(one.y, other.y),
-        channel(one.z, other.z),
-    )
+    DVec3::new(channel(one.x, other.x), channel(one.y, other.y), channel(one.z, other.z))
 }
 
 /// Gives triangles of one colour a material of that colour, if all triangles have one each, and
@@ -61,17 +53,12 @@ pub(crate) fn fold(
         if a != b || b != c {
             return false;
         }
-        let number = *known
-            .entry((material, a.map(f32::to_bits)))
-            .or_insert_with(|| {
-                let colour = DVec3::from(a.map(f64::from));
-                let old = &materials[material as usize];
-                folded.push(Material {
-                    colour: product(old.colour, colour),
-                    ..old.clone()
-                });
-                folded.len() as u32 - 1
-            });
+        let number = *known.entry((material, a.map(f32::to_bits))).or_insert_with(|| {
+            let colour = DVec3::from(a.map(f64::from));
+            let old = &materials[material as usize];
+            folded.push(Material { colour: product(old.colour, colour), ..old.clone() });
+            folded.len() as u32 - 1
+        });
         if folded.len() > MAX_MATERIALS {
             return false;
         }
@@ -103,19 +90,9 @@ mod tests {
         let colours = [red, red, red, [1.0; 3], [1.0; 3]];
         let mut materials = vec![plain(DVec3::splat(0.5))];
         let mut numbers = [0, 0];
-        assert!(!fold(
-            &colours,
-            &[[0, 1, 2], [1, 2, 3]],
-            &mut numbers,
-            &mut materials
-        ));
+        assert!(!fold(&colours, &[[0, 1, 2], [1, 2, 3]], &mut numbers, &mut materials));
         assert_eq!(materials.len(), 1);
-        assert!(fold(
-            &colours,
-            &[[0, 1, 2], [4, 3, 3]],
-            &mut numbers,
-            &mut materials
-        ));
+        assert!(fold(&colours, &[[0, 1, 2], [4, 3, 3]], &mut numbers, &mut materials));
         let found: Vec<DVec3> = materials.iter().map(|it| it.colour).collect();
         assert_eq!(found, [DVec3::new(0.5, 0.0, 0.0), DVec3::splat(0.5)]);
         assert_eq!(numbers, [0, 1]);

@@ -24,14 +24,8 @@ const BEGINNINGS: [(&[u8], &str); 22] = [
     (b"\x7fELF", "a program"),
     (b"newmtl", "a material library of OBJ files"),
     (b"{", "a JSON file that is not glTF"),
-    (
-        b"nff\n",
-        "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format",
-    ),
-    (
-        b"nff\r",
-        "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format",
-    ),
+    (b"nff\n", "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format"),
+    (b"nff\r", "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format"),
 ];
 
 /// The endings of names of formats whose beginnings say less.
@@ -94,11 +88,7 @@ pub(crate) fn of_bytes(beginning: &[u8]) -> Option<&'static str> {
 pub(crate) fn of_name(name: &Path, beginning: &[u8]) -> Option<&'static str> {
     let ending = name.extension().and_then(|it| it.to_str());
     let ending = ending.map(str::to_ascii_lowercase);
-    let found = ENDINGS
-        .iter()
-        .find(|(known, _)| Some(*known) == ending.as_deref());
+    let found = ENDINGS.iter().find(|(known, _)| Some(*known) == ending.as_deref());
     let binary = beginning.contains(&0);
-    found
-        .map(|&(_, name)| name)
-        .or(binary.then_some("a binary file of an unknown format"))
+    found.map(|&(_, name)| name).or(binary.then_some("a binary file of an unknown format"))
 }

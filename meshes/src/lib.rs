@@ -72,11 +72,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
     }
     let Some(format) = Format::of(name).map_err(wrong)? else {
         let scene = nff::load(name)?;
-        return Ok(Loaded {
-            scene,
-            added_light: false,
-            notes: Vec::new(),
-        });
+        return Ok(Loaded { scene, added_light: false, notes: Vec::new() });
     };
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;

@@ -19,10 +19,7 @@ pub(crate) fn told(name: &Path) -> Option<String> {
         None => (text, None),
     };
     let mut all: Vec<_> = nff::generated().collect();
-    all.push(Generated {
-        name: terrain::PREFIX.trim_end_matches(':'),
-        level: Some(5),
-    });
+    all.push(Generated { name: terrain::PREFIX.trim_end_matches(':'), level: Some(5) });
     let example = |of: &Generated| match of.level {
         Some(level) => format!("{}:{level}", of.name),
         None => of.name.to_owned(),

@@ -66,13 +66,7 @@ impl Mask {
                 sums[(row + 1) * (columns + 1) + column + 1] = above + sum;
             }
         }
-        Self {
-            width: i64::from(width),
-            height: height as i64,
-            values,
-            sums,
-            wrap,
-        }
+        Self { width: i64::from(width), height: height as i64, values, sums, wrap }
     }
 
     /// Whether no texel has a hole.
@@ -107,10 +101,7 @@ impl Mask {
             Some(own) => Corner::Own(own),
             None => Corner::Within(shares),
         };
-        found
-            .into_iter()
-            .map(|part| part.into_iter().map(corner).collect())
-            .collect()
+        found.into_iter().map(|part| part.into_iter().map(corner).collect()).collect()
     }
 
     /// Halves cells until all of their texels have surface, or none has, or one cell is left.
@@ -192,13 +183,9 @@ impl Mask {
             }
             _ => {
                 // Two neighbours: the second of them is the one after which the surface ends.
-                let last = (0..4)
-                    .find(|&it| there[it] && !there[(it + 1) % 4])
-                    .unwrap_or(0);
+                let last = (0..4).find(|&it| there[it] && !there[(it + 1) % 4]).unwrap_or(0);
                 let (from, to) = (crossing(last), crossing(last + 2));
-                keep(clipped(part, |shares| {
-                    (to - from).perp_dot(at(ends, shares) - from)
-                }));
+                keep(clipped(part, |shares| (to - from).perp_dot(at(ends, shares) - from)));
             }
         }
     }
@@ -296,10 +283,8 @@ fn ranges(low: i64, high: i64, count: i64, wrap: Wrap) -> Vec<[i64; 2]> {
 mod tests {
     use super::*;
 
-    const SQUARE: [[DVec2; 3]; 2] = [
-        [DVec2::ZERO, DVec2::X, DVec2::ONE],
-        [DVec2::ZERO, DVec2::ONE, DVec2::Y],
-    ];
+    const SQUARE: [[DVec2; 3]; 2] =
+        [[DVec2::ZERO, DVec2::X, DVec2::ONE], [DVec2::ZERO, DVec2::ONE, DVec2::Y]];
 
     /// The area of the parts that a mask leaves of some triangles, in their texture coordinates.
     fn area(mask: &Mask, triangles: &[[DVec2; 3]]) -> f64 {
@@ -372,10 +357,7 @@ mod tests {
                 let found = area(&mask, &scaled) / (scale * scale);
                 let expected = sampled(&mask, scale, 400);
                 // Lines of a cell are straight here, and hyperbolas there.
-                assert!(
-                    (found - expected).abs() < 0.04,
-                    "{wrap:?}: {found}, {expected}"
-                );
+                assert!((found - expected).abs() < 0.04, "{wrap:?}: {found}, {expected}");
             }
         }
     }

@@ -19,12 +19,7 @@ impl Notes {
     pub fn add(&mut self, text: impl Into<String>) {
         let text = text.into();
         if !self.notes.iter().any(|note| note.kind == text) {
-            self.notes.push(Note {
-                kind: text.clone(),
-                line: None,
-                text,
-                more: 0,
-            });
+            self.notes.push(Note { kind: text.clone(), line: None, text, more: 0 });
         }
     }
 

@@ -18,11 +18,7 @@ pub(crate) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     builder.two_sided = true;
     builder.up = Up::Z;
     let material = builder.material(plain(DVec3::splat(0.8)), None)?;
-    if is_text(bytes) {
-        text(bytes, material, builder)
-    } else {
-        binary(bytes, material, builder)
-    }
+    if is_text(bytes) { text(bytes, material, builder) } else { binary(bytes, material, builder) }
 }
 
 /// Whether a file is text. Headers of binary files may begin with "solid", too, but then the size
@@ -49,9 +45,7 @@ fn count(bytes: &[u8]) -> Option<usize> {
 fn binary(bytes: &[u8], material: u32, builder: &mut Builder) -> Result<(), Fault> {
     let there = bytes.len();
     let Some(count) = count(bytes) else {
-        return Err(Fault::Stl(format!(
-            "it has {there} bytes, less than a header"
-        )));
+        return Err(Fault::Stl(format!("it has {there} bytes, less than a header")));
     };
     let Some(rows) = bytes.get(HEADER..HEADER + count * TRIANGLE) else {
         let needed = HEADER + count * TRIANGLE;
@@ -61,20 +55,12 @@ fn binary(bytes: &[u8], material: u32, builder: &mut Builder) -> Result<(), Faul
     };
     for row in rows.chunks_exact(TRIANGLE) {
         let number = |at: usize| {
-            f64::from(f32::from_le_bytes([
-                row[at],
-                row[at + 1],
-                row[at + 2],
-                row[at + 3],
-            ]))
+            f64::from(f32::from_le_bytes([row[at], row[at + 1], row[at + 2], row[at + 3]]))
         };
         let mut corners = [0; 3];
         for (corner, at) in corners.iter_mut().zip([12, 24, 36]) {
             let position = DVec3::new(number(at), number(at + 4), number(at + 8));
-            *corner = builder.vertex(&Vertex {
-                position,
-                ..Vertex::default()
-            })?;
+            *corner = builder.vertex(&Vertex { position, ..Vertex::default() })?;
         }
         builder.triangle(corners, material)?;
     }
@@ -95,10 +81,10 @@ fn text(bytes: &[u8], material: u32, builder: &mut Builder) -> Result<(), Fault>
                     let what = format!("a vertex needs three finite numbers, not {}", shown(&text));
                     return Err(Fault::Line { line, what });
                 };
-                corners.push(builder.vertex(&Vertex {
-                    position: DVec3::new(x, y, z),
-                    ..Vertex::default()
-                })?);
+                corners.push(
+                    builder
+                        .vertex(&Vertex { position: DVec3::new(x, y, z), ..Vertex::default() })?,
+                );
             }
             b"endloop" => {
                 builder.face(&corners, material)?;

@@ -46,18 +46,12 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     for row in 0..=side {
         for column in 0..=side {
             let (x, z) = (coordinate(column), coordinate(row));
-            positions.push(
-                DVec3::new(x, height(DVec2::new(x, z)), z)
-                    .as_vec3()
-                    .to_array(),
-            );
+            positions.push(DVec3::new(x, height(DVec2::new(x, z)), z).as_vec3().to_array());
         }
     }
     for &position in &positions {
-        builder.vertex(&Vertex {
-            position: position.map(f64::from).into(),
-            ..Vertex::default()
-        })?;
+        builder
+            .vertex(&Vertex { position: position.map(f64::from).into(), ..Vertex::default() })?;
     }
     for row in 0..side {
         for column in 0..side {
@@ -87,9 +81,7 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     });
     builder.lights.push(Light {
         line: 0,
-        kind: LightKind::Directional {
-            to_light: DVec3::new(0.9, 0.6, 0.35),
-        },
+        kind: LightKind::Directional { to_light: DVec3::new(0.9, 0.6, 0.35) },
         colour: Some(DVec3::new(1.0, 0.95, 0.85)),
     });
     Ok(())

@@ -39,11 +39,7 @@ impl<'a> Lines<'a> {
             self.rest = None;
             return Some(rest);
         };
-        let length = if rest[end..].starts_with(b"\r\n") {
-            2
-        } else {
-            1
-        };
+        let length = if rest[end..].starts_with(b"\r\n") { 2 } else { 1 };
         self.rest = Some(&rest[end + length..]);
         Some(&rest[..end])
     }
@@ -92,8 +88,7 @@ impl<'a> Iterator for Lines<'a> {
 
 /// The words between blanks.
 pub(crate) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty())
+    line.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
 }
 
 /// The first word, and what comes after the blanks behind it.
@@ -129,9 +124,7 @@ mod tests {
     use super::*;
 
     fn lines(text: &[u8]) -> Vec<(usize, Vec<u8>)> {
-        Lines::new(text)
-            .map(|(number, line)| (number, line.into_owned()))
-            .collect()
+        Lines::new(text).map(|(number, line)| (number, line.into_owned())).collect()
     }
 
     #[test]
@@ -151,11 +144,7 @@ mod tests {
 
     #[test]
     fn backslashes_of_comments_and_of_names_continue_nothing() {
-        for text in [
-            &b"# C:\\\nv"[..],
-            b"map_Kd C:\\maps\\\nv",
-            b"usemtl \x90\\\nv",
-        ] {
+        for text in [&b"# C:\\\nv"[..], b"map_Kd C:\\maps\\\nv", b"usemtl \x90\\\nv"] {
             assert_eq!(lines(text).len(), 2, "{}", String::from_utf8_lossy(text));
         }
     }

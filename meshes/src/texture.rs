@@ -29,16 +29,9 @@ pub(crate) fn decode(bytes: &[u8], wrap: [Wrap; 2]) -> Result<Decoded, String> {
     let (picture, note) = picture(bytes)?;
     let width = picture.width;
     let alpha = picture.has_alpha.then(|| picture.alpha());
-    let texels = picture
-        .texels
-        .into_iter()
-        .map(|[red, green, blue, _]| [red, green, blue]);
+    let texels = picture.texels.into_iter().map(|[red, green, blue, _]| [red, green, blue]);
     let texture = Texture::new(width, texels.collect(), wrap).ok_or("it has no pixels")?;
-    Ok(Decoded {
-        texture: Arc::new(texture),
-        alpha: alpha.map(Arc::new),
-        note,
-    })
+    Ok(Decoded { texture: Arc::new(texture), alpha: alpha.map(Arc::new), note })
 }
 
 /// The alpha of each pixel of a picture that is a mask, or its brightness if it has none, and the
@@ -180,9 +173,7 @@ pub(crate) fn shrink(materials: &mut [Material]) -> Option<String> {
     }
     let mut smaller = textures.clone();
     while total(&smaller) > MAX_TEXELS {
-        let largest = smaller
-            .iter_mut()
-            .max_by_key(|texture| texture.texels().len())?;
+        let largest = smaller.iter_mut().max_by_key(|texture| texture.texels().len())?;
         let texels = halved(largest.width(), largest.height(), largest.texels());
         *largest = Arc::new(Texture::new(half(largest.width()), texels, largest.wrap())?);
     }

@@ -42,9 +42,7 @@ pub fn sun(view: &View) -> Result<Light, ViewError> {
     let up = unit(view.up).unwrap_or_default();
     Ok(Light {
         line: 0,
-        kind: LightKind::Directional {
-            to_light: right + 2.0 * up - 1.5 * sight,
-        },
+        kind: LightKind::Directional { to_light: right + 2.0 * up - 1.5 * sight },
         colour: Some(SUN),
     })
 }

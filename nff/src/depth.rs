@@ -38,15 +38,9 @@ pub struct DrawnSphere {
 /// The spheres that the model draws, in file order.
 pub fn drawn(scene: &Scene) -> impl Iterator<Item = DrawnSphere> {
     scene.objects.iter().filter_map(|object| match *object {
-        Object {
-            material,
-            shape: Shape::Sphere { centre, radius },
-            ..
-        } if radius > 0.0 => Some(DrawnSphere {
-            centre,
-            radius,
-            material,
-        }),
+        Object { material, shape: Shape::Sphere { centre, radius }, .. } if radius > 0.0 => {
+            Some(DrawnSphere { centre, radius, material })
+        }
         _ => None,
     })
 }
@@ -67,10 +61,7 @@ impl DepthShading {
             let distance = centre.distance(eye);
             (near.min(distance - radius), far.max(distance + radius))
         });
-        Self {
-            near: near.clamp(0.0, far),
-            far,
-        }
+        Self { near: near.clamp(0.0, far), far }
     }
 
     /// The brightness of a hit at `distance` from the eye. If the range has no width, as the
@@ -78,18 +69,12 @@ impl DepthShading {
     #[must_use]
     pub fn brightness(&self, distance: f64) -> f64 {
         let range = self.far - self.near;
-        if range > 0.0 {
-            ((self.far - distance) / range).clamp(0.0, 1.0)
-        } else {
-            1.0
-        }
+        if range > 0.0 { ((self.far - distance) / range).clamp(0.0, 1.0) } else { 1.0 }
     }
 }
 
 /// The bytes red, green and blue of a colour.
 #[must_use]
 pub fn bytes(colour: DVec3) -> [u8; 3] {
-    colour
-        .to_array()
-        .map(|channel| (channel.clamp(0.0, 1.0) * 255.0 + 0.5).floor() as u8)
+    colour.to_array().map(|channel| (channel.clamp(0.0, 1.0) * 255.0 + 0.5).floor() as u8)
 }

@@ -21,10 +21,7 @@ pub(crate) enum Directive {
     /// The light and the background of a day.
     Daylight,
     /// A light infinitely far away.
-    Sun {
-        to_light: DVec3,
-        colour: Option<DVec3>,
-    },
+    Sun { to_light: DVec3, colour: Option<DVec3> },
     /// The shader of the material before it.
     Shader(Shader),
 }

@@ -20,16 +20,9 @@ use crate::triangles::{cut, flat, height, rounding, turn};
 #[must_use]
 pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
     let outline = flat(vertices);
-    let mut points = Points {
-        rounding: rounding(&outline),
-        flat: Vec::new(),
-        places: Vec::new(),
-    };
-    let ring: Vec<u32> = outline
-        .iter()
-        .zip(vertices)
-        .map(|(&at, &place)| points.number(at, || place))
-        .collect();
+    let mut points = Points { rounding: rounding(&outline), flat: Vec::new(), places: Vec::new() };
+    let ring: Vec<u32> =
+        outline.iter().zip(vertices).map(|(&at, &place)| points.number(at, || place)).collect();
     // Each crossing is a corner of two triangles, and a triangle has three corners.
     points.add_crossings(&ring, ring.len() + most / 2 * 3)?;
 
@@ -43,9 +36,8 @@ pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
         }
     }
     let border = pieces.iter().filter(|&(_, &is_odd)| is_odd);
-    let border: Vec<[DVec2; 2]> = border
-        .map(|(piece, _)| piece.map(|number| points.flat[number as usize]))
-        .collect();
+    let border: Vec<[DVec2; 2]> =
+        border.map(|(piece, _)| piece.map(|number| points.flat[number as usize])).collect();
     let mut found = Vec::new();
     for face in faces(pieces.keys(), &points.flat) {
         for corners in cut(face, &points.flat, points.rounding) {
@@ -160,9 +152,8 @@ fn faces<'a>(pieces: impl Iterator<Item = &'a [u32; 2]> + Clone, flat: &[DVec2])
         let before = place.checked_sub(1).unwrap_or(neighbours.len() - 1);
         Some([to, neighbours[before]])
     };
-    let mut left: BTreeSet<[u32; 2]> = pieces
-        .flat_map(|&[one, other]| [[one, other], [other, one]])
-        .collect();
+    let mut left: BTreeSet<[u32; 2]> =
+        pieces.flat_map(|&[one, other]| [[one, other], [other, one]]).collect();
     let mut found = Vec::new();
     while let Some(first) = left.pop_first() {
         let mut ring = vec![first[0]];

@@ -53,14 +53,10 @@ pub fn load(name: &Path) -> Result<Scene, Error> {
     if name.is_file() {
         read(name)
     } else if let Some(level) = text.strip_prefix(sphereflake::PREFIX) {
-        let level = level
-            .parse()
-            .map_err(|_| sphereflake::Error::Level(Excerpt::of(level)))?;
+        let level = level.parse().map_err(|_| sphereflake::Error::Level(Excerpt::of(level)))?;
         Ok(sphereflake::generate(level)?)
     } else if let Some(level) = text.strip_prefix(tetra::PREFIX) {
-        let level = level
-            .parse()
-            .map_err(|_| tetra::Error::Level(Excerpt::of(level)))?;
+        let level = level.parse().map_err(|_| tetra::Error::Level(Excerpt::of(level)))?;
         Ok(tetra::generate(level)?)
     } else if let Some(scene) = spd::named(text) {
         Ok(scene?)

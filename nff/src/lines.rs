@@ -103,10 +103,7 @@ impl<R: BufRead> Lines<R> {
             }
             if self.bytes.is_empty() && !buffer.is_empty() && self.number == self.max_lines {
                 let limit = self.max_lines as usize;
-                return Err(LineError::Fault(Fault::TooMany {
-                    what: "lines",
-                    limit,
-                }));
+                return Err(LineError::Fault(Fault::TooMany { what: "lines", limit }));
             }
             let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
             let end = buffer.iter().position(is_end);

@@ -35,22 +35,12 @@ pub struct Mesh {
 
 /// The sides of a box, as corners of which bit 0 means high x, bit 1 high y and bit 2 high z:
 /// counter-clockwise as seen from outside.
-const SIDES: [[u32; 4]; 6] = [
-    [0, 4, 6, 2],
-    [1, 3, 7, 5],
-    [0, 1, 5, 4],
-    [2, 6, 7, 3],
-    [0, 2, 3, 1],
-    [4, 5, 7, 6],
-];
+const SIDES: [[u32; 4]; 6] =
+    [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
 
 /// A corner of a box, numbered as in [`SIDES`].
 fn corner(low: DVec3, high: DVec3, number: u32) -> DVec3 {
-    DVec3::select(
-        BVec3::new(number & 1 != 0, number & 2 != 0, number & 4 != 0),
-        high,
-        low,
-    )
+    DVec3::select(BVec3::new(number & 1 != 0, number & 2 != 0, number & 4 != 0), high, low)
 }
 
 /// The sides of the box between two corners, each counter-clockwise as seen from outside: those of
@@ -89,10 +79,7 @@ impl Mesh {
             return None;
         }
         let normals = self.triangles[triangle].map(|vertex| self.normals[vertex as usize].into());
-        normals
-            .iter()
-            .all(|normal| *normal != Vec3::ZERO)
-            .then_some(normals)
+        normals.iter().all(|normal| *normal != Vec3::ZERO).then_some(normals)
     }
 
     /// The texture coordinates at a triangle's vertices; `None` if the mesh has none.
@@ -114,8 +101,7 @@ impl Mesh {
     /// A triangle's vertices in the scene's coordinates.
     #[must_use]
     pub fn places(&self, triangle: usize) -> [DVec3; 3] {
-        self.corners(triangle)
-            .map(|corner| self.origin + corner.as_dvec3())
+        self.corners(triangle).map(|corner| self.origin + corner.as_dvec3())
     }
 
     /// A triangle as a shape of its own, in the scene's coordinates: a patch, or a polygon if it is
@@ -137,9 +123,8 @@ impl Mesh {
         let used = self.triangles.iter().flatten();
         let mut positions = used.map(|&vertex| Vec3::from(self.positions[vertex as usize]));
         let first = positions.next()?;
-        let (low, high) = positions.fold((first, first), |(low, high), position| {
-            (low.min(position), high.max(position))
-        });
+        let (low, high) = positions
+            .fold((first, first), |(low, high), position| (low.min(position), high.max(position)));
         let place = |corner: Vec3| self.origin + corner.as_dvec3();
         Some((place(low), place(high)))
     }
@@ -169,17 +154,12 @@ mod tests {
         };
         let sides = cuboid(low, high);
         assert!(sides.iter().all(|side| outwards(side)));
-        assert_eq!(
-            sides.iter().map(|side| area_vector(side)).sum::<DVec3>(),
-            DVec3::ZERO
-        );
+        assert_eq!(sides.iter().map(|side| area_vector(side)).sum::<DVec3>(), DVec3::ZERO);
         let mesh = Mesh::cuboid(low, high);
         assert_eq!(mesh.bounds(), Some((low, high)));
         let triangles = || (0..12).map(|number| mesh.places(number));
         assert!(triangles().all(|triangle| outwards(&triangle)));
-        let area: f64 = triangles()
-            .map(|triangle| area_vector(&triangle).length())
-            .sum();
+        let area: f64 = triangles().map(|triangle| area_vector(&triangle).length()).sum();
         let whole: f64 = sides.iter().map(|side| area_vector(side).length()).sum();
         assert!((area - whole).abs() < 1e-12, "{area} {whole}");
     }

@@ -20,10 +20,9 @@ pub fn generated() -> impl Iterator<Item = Generated> {
         name: prefix.trim_end_matches(':'),
         level: Some(level),
     });
-    with_level.chain(spd::GENERATORS.iter().map(|generator| Generated {
-        name: generator.name,
-        level: None,
-    }))
+    with_level.chain(
+        spd::GENERATORS.iter().map(|generator| Generated { name: generator.name, level: None }),
+    )
 }
 
 /// The greatest level or size of at most `limit` objects.

@@ -65,21 +65,13 @@ pub fn read(path: &Path) -> Result<Scene, Error> {
 /// - The text is not NFF, or the scene exceeds `limits`; the error names the line.
 pub fn parse(reader: impl BufRead, name: &str, limits: &Limits) -> Result<Scene, Error> {
     let mut parser = Parser::new(reader, limits);
-    parser
-        .run()
-        .and_then(|()| parser.take(name))
-        .map_err(|error| match error {
-            LineError::Io(source) => Error::Io {
-                file: name.to_owned(),
-                source,
-            },
-            // An empty file has no line, but the message needs one.
-            LineError::Fault(fault) => Error::Text {
-                file: name.to_owned(),
-                line: parser.words.line().max(1),
-                fault,
-            },
-        })
+    parser.run().and_then(|()| parser.take(name)).map_err(|error| match error {
+        LineError::Io(source) => Error::Io { file: name.to_owned(), source },
+        // An empty file has no line, but the message needs one.
+        LineError::Fault(fault) => {
+            Error::Text { file: name.to_owned(), line: parser.words.line().max(1), fault }
+        }
+    })
 }
 
 impl<T: Into<Fault>> From<T> for LineError {
@@ -148,10 +140,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
     /// Makes the scene of the entities that were read.
     fn take(&mut self, name: &str) -> Result<Scene, LineError> {
         let (_, view) = self.view.take().ok_or(Fault::NoView)?;
-        let mut sky = self.sky.map(|(_, zenith, up)| Sky {
-            zenith,
-            up: up.unwrap_or(view.up),
-        });
+        let mut sky = self.sky.map(|(_, zenith, up)| Sky { zenith, up: up.unwrap_or(view.up) });
         let [mut background, mut ambient] = [DVec3::ZERO; 2];
         if let Some(line) = self.daylight {
             [background, ambient] = [daylight::HORIZON, daylight::AMBIENT];
@@ -191,19 +180,9 @@ impl<'a, R: BufRead> Parser<'a, R> {
         let hither = words.real("hither")?;
         view::check_hither(hither)?;
         words.expect("resolution")?;
-        let resolution = (
-            words.side("resolution width")?,
-            words.side("resolution height")?,
-        );
+        let resolution = (words.side("resolution width")?, words.side("resolution height")?);
         view::check_size(resolution.0, resolution.1)?;
-        let view = View {
-            from,
-            at,
-            up,
-            angle,
-            hither,
-            resolution,
-        };
+        let view = View { from, at, up, angle, hither, resolution };
         self.view = Some((start, view));
         Ok(())
     }
@@ -244,10 +223,10 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn shader(&mut self, shader: Shader) -> Result<(), LineError> {
-        let material = self.materials.last_mut().ok_or(Fault::TooEarly {
-            entity: "shader",
-            needed: "first material (f)",
-        })?;
+        let material = self
+            .materials
+            .last_mut()
+            .ok_or(Fault::TooEarly { entity: "shader", needed: "first material (f)" })?;
         once("shader of this material", self.shader)?;
         self.shader = Some(self.words.start());
         material.shader = shader;
@@ -259,24 +238,13 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn light(&mut self, (kind, colour): (LightKind, Option<DVec3>)) {
-        self.lights.push(Light {
-            line: self.words.start(),
-            kind,
-            colour,
-        });
+        self.lights.push(Light { line: self.words.start(), kind, colour });
     }
 
     fn material(&mut self) -> Result<(), LineError> {
-        room(
-            self.materials.len(),
-            "materials",
-            self.limits.objects.min(u32::MAX as usize),
-        )?;
+        room(self.materials.len(), "materials", self.limits.objects.min(u32::MAX as usize))?;
         self.shader = None;
-        self.materials.push(Material {
-            line: self.words.start(),
-            ..self.words.material()?
-        });
+        self.materials.push(Material { line: self.words.start(), ..self.words.material()? });
         Ok(())
     }
 
@@ -287,28 +255,16 @@ impl<'a, R: BufRead> Parser<'a, R> {
         shape: impl FnOnce(&mut Self) -> Result<Shape, LineError>,
     ) -> Result<(), LineError> {
         if self.view.is_none() {
-            return Err(Fault::TooEarly {
-                entity,
-                needed: "view (v)",
-            }
-            .into());
+            return Err(Fault::TooEarly { entity, needed: "view (v)" }.into());
         }
         let Some(material) = self.materials.len().checked_sub(1) else {
-            return Err(Fault::TooEarly {
-                entity,
-                needed: "first material (f)",
-            }
-            .into());
+            return Err(Fault::TooEarly { entity, needed: "first material (f)" }.into());
         };
         room(self.objects.len(), "objects", self.limits.objects)?;
         let line = self.words.start();
         let shape = shape(self)?;
         // `material` keeps the number of materials within a u32.
-        self.objects.push(Object {
-            line,
-            material: material as u32,
-            shape,
-        });
+        self.objects.push(Object { line, material: material as u32, shape });
         Ok(())
     }
 
@@ -322,21 +278,12 @@ impl<'a, R: BufRead> Parser<'a, R> {
             return Err(Fault::ZeroRadius("each of base radius and apex radius").into());
         }
         if base_radius.max(apex_radius) > 0.0 && base_radius.min(apex_radius) < 0.0 {
-            return Err(Fault::MixedRadii {
-                base: base_radius,
-                apex: apex_radius,
-            }
-            .into());
+            return Err(Fault::MixedRadii { base: base_radius, apex: apex_radius }.into());
         }
         if base == apex {
             return Err(Fault::FlatCone.into());
         }
-        Ok(Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        })
+        Ok(Shape::Cone { base, base_radius, apex, apex_radius })
     }
 
     fn polygon(&mut self) -> Result<Shape, LineError> {
@@ -368,11 +315,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             return Err(Fault::FewVertices { entity, count }.into());
         }
         if count > limit - self.vertices {
-            return Err(Fault::TooMany {
-                what: "vertices",
-                limit,
-            }
-            .into());
+            return Err(Fault::TooMany { what: "vertices", limit }.into());
         }
         self.vertices += count;
         Ok(count)
@@ -386,9 +329,5 @@ fn once(entity: &'static str, first: Option<u32>) -> Result<(), Fault> {
 
 /// Checks that the limit allows one more of `what`.
 fn room(len: usize, what: &'static str, limit: usize) -> Result<(), Fault> {
-    if len < limit {
-        Ok(())
-    } else {
-        Err(Fault::TooMany { what, limit })
-    }
+    if len < limit { Ok(()) } else { Err(Fault::TooMany { what, limit }) }
 }

@@ -172,9 +172,7 @@ impl Scene {
     #[must_use]
     pub fn brightness(&self, light: &Light) -> DVec3 {
         let count = self.lights.len().max(1) as f64;
-        light
-            .colour
-            .unwrap_or(DVec3::splat(count.sqrt() / (2.0 * count)))
+        light.colour.unwrap_or(DVec3::splat(count.sqrt() / (2.0 * count)))
     }
 }
 

@@ -25,11 +25,8 @@ const SHRINK: f64 = 1.0 / 3.0;
 /// The pole of the first sphere.
 const POLE: DVec3 = DVec3::Z;
 /// The positions of the lights.
-const LIGHTS: [DVec3; 3] = [
-    DVec3::new(4.0, 3.0, 2.0),
-    DVec3::new(1.0, -4.0, 4.0),
-    DVec3::new(-3.0, 1.0, 5.0),
-];
+const LIGHTS: [DVec3; 3] =
+    [DVec3::new(4.0, 3.0, 2.0), DVec3::new(1.0, -4.0, 4.0), DVec3::new(-3.0, 1.0, 5.0)];
 
 /// Why a sphereflake can't be generated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -59,9 +56,7 @@ pub enum Error {
 /// that is larger.
 #[must_use]
 pub fn sphere_count(level: u32) -> u128 {
-    let next = level
-        .checked_add(1)
-        .and_then(|levels| 9u128.checked_pow(levels));
+    let next = level.checked_add(1).and_then(|levels| 9u128.checked_pow(levels));
     next.map_or(u128::MAX, |next| (next - 1) / 8)
 }
 
@@ -79,11 +74,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
     let count = sphere_count(level);
     // Below the limit the count fits a usize and the line numbers a u32.
     if count >= limit as u128 {
-        return Err(Error::TooMany {
-            level,
-            count,
-            limit,
-        });
+        return Err(Error::TooMany { level, count, limit });
     }
     let view = View {
         from: DVec3::new(2.1, 1.3, 1.7),
@@ -118,26 +109,13 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         texture: None,
     };
     let corner = |x: f64, y: f64| DVec3::new(x * GROUND, y * GROUND, -RADIUS);
-    let vertices = vec![
-        corner(1.0, 1.0),
-        corner(-1.0, 1.0),
-        corner(-1.0, -1.0),
-        corner(1.0, -1.0),
-    ];
+    let vertices = vec![corner(1.0, 1.0), corner(-1.0, 1.0), corner(-1.0, -1.0), corner(1.0, -1.0)];
     let mut objects = Vec::with_capacity(count as usize + 1);
-    objects.push(Object {
-        line: 13,
-        material: 0,
-        shape: Shape::Polygon { vertices },
-    });
+    objects.push(Object { line: 13, material: 0, shape: Shape::Polygon { vertices } });
     grow(
         &mut objects,
         &children(),
-        &Flake {
-            centre: DVec3::ZERO,
-            radius: RADIUS,
-            pole: POLE,
-        },
+        &Flake { centre: DVec3::ZERO, radius: RADIUS, pole: POLE },
         level,
     );
     Ok(Scene {
@@ -170,17 +148,10 @@ struct Flake {
 
 /// Adds `sphere` and, down to `levels` below it, its descendants, each right after its parent.
 fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], sphere: &Flake, levels: u32) {
-    let shape = Shape::Sphere {
-        centre: sphere.centre,
-        radius: sphere.radius,
-    };
+    let shape = Shape::Sphere { centre: sphere.centre, radius: sphere.radius };
     // The first sphere is on line 19 and follows one polygon.
     let line = objects.len() as u32 + 18;
-    objects.push(Object {
-        line,
-        material: 1,
-        shape,
-    });
+    objects.push(Object { line, material: 1, shape });
     if levels == 0 {
         return;
     }
@@ -189,16 +160,7 @@ fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], sphere: &Flake, levels
     for &child in children {
         let pole = (turn * child).normalize();
         let centre = sphere.centre + (sphere.radius + radius) * pole;
-        grow(
-            objects,
-            children,
-            &Flake {
-                centre,
-                radius,
-                pole,
-            },
-            levels - 1,
-        );
+        grow(objects, children, &Flake { centre, radius, pole }, levels - 1);
     }
 }
 
@@ -210,11 +172,7 @@ fn children() -> [DVec3; 9] {
     let near_pole = libm::asin(1.0 / 3.0f64.sqrt());
     let direction = |from_pole: f64, azimuth: f64| {
         let (across, along) = libm::sincos(from_pole);
-        DVec3::new(
-            across * libm::cos(azimuth),
-            across * libm::sin(azimuth),
-            along,
-        )
+        DVec3::new(across * libm::cos(azimuth), across * libm::sin(azimuth), along)
     };
     std::array::from_fn(|index| {
         let azimuth = FRAC_PI_4 + (index / 3) as f64 * 2.0 * FRAC_PI_3;

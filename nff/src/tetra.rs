@@ -60,9 +60,7 @@ pub enum Error {
 #[must_use]
 pub fn polygon_count(level: u32) -> u128 {
     let power = level.checked_add(1);
-    power
-        .and_then(|power| 4u128.checked_pow(power))
-        .unwrap_or(u128::MAX)
+    power.and_then(|power| 4u128.checked_pow(power)).unwrap_or(u128::MAX)
 }
 
 /// Generates the scene; level 0 is one tetrahedron, SPD's default of 4096 polygons is level 5.
@@ -74,11 +72,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
     let count = polygon_count(level);
     // Below the limit the count fits a usize and the line numbers a u32.
     if count > limit as u128 {
-        return Err(Error::TooMany {
-            level,
-            count,
-            limit,
-        });
+        return Err(Error::TooMany { level, count, limit });
     }
     let mut objects = Vec::with_capacity(count as usize);
     grow(&mut objects, DVec3::ZERO, 1.0, level);
@@ -97,9 +91,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         ambient: DVec3::ZERO,
         lights: vec![Light {
             line: 9,
-            kind: LightKind::Point {
-                position: DVec3::new(2.0, -18.0, -5.0),
-            },
+            kind: LightKind::Point { position: DVec3::new(2.0, -18.0, -5.0) },
             colour: None,
         }],
         materials: vec![Material {
@@ -134,9 +126,7 @@ fn grow(objects: &mut Vec<Object>, centre: DVec3, half: f64, levels: u32) {
         objects.push(Object {
             line: LINES_BEFORE + 1 + LINES_EACH * objects.len() as u32,
             material: 0,
-            shape: Shape::Polygon {
-                vertices: face.map(|vertex| vertices[vertex]).to_vec(),
-            },
+            shape: Shape::Polygon { vertices: face.map(|vertex| vertices[vertex]).to_vec() },
         });
     }
 }

@@ -82,10 +82,7 @@ impl Texture {
 
 /// FNV-1a over the bytes.
 fn checksum(width: u32, texels: &[[u8; 3]], wrap: [Wrap; 2]) -> u64 {
-    let head = width
-        .to_be_bytes()
-        .into_iter()
-        .chain(wrap.map(|wrap| wrap as u8));
+    let head = width.to_be_bytes().into_iter().chain(wrap.map(|wrap| wrap as u8));
     let bytes = head.chain(texels.as_flattened().iter().copied());
     bytes.fold(0xcbf2_9ce4_8422_2325, |sum: u64, byte| {
         (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)

@@ -17,9 +17,7 @@ pub fn area_vector(vertices: &[DVec3]) -> DVec3 {
     };
     // From a vertex of its own: far from the origin the products would lose the polygon.
     let edges = vertices.windows(2).map(|edge| (edge[0], edge[1]));
-    edges.fold(DVec3::ZERO, |sum, (from, to)| {
-        sum + (from - first).cross(to - first)
-    })
+    edges.fold(DVec3::ZERO, |sum, (from, to)| sum + (from - first).cross(to - first))
 }
 
 /// The triangles of a polygon, as indices of its vertices. Of the remaining corners, starting with
@@ -87,9 +85,7 @@ fn lies_beside(corners: &[DVec2; 3], other: &[DVec2; 3], rounding: f64) -> bool 
     let [a, b, c] = *other;
     [(a, b), (b, c), (c, a)].iter().any(|&(from, to)| {
         let within = rounding * from.distance(to);
-        corners
-            .iter()
-            .all(|&corner| turn(from, to, corner) <= within)
+        corners.iter().all(|&corner| turn(from, to, corner) <= within)
     })
 }
 
@@ -102,11 +98,7 @@ pub(crate) fn rounding(flat: &[DVec2]) -> f64 {
 /// The height of a triangle over its longest edge, negative if it is clockwise.
 pub(crate) fn height([a, b, c]: [DVec2; 3]) -> f64 {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    if longest > 0.0 {
-        turn(a, b, c) / longest
-    } else {
-        0.0
-    }
+    if longest > 0.0 { turn(a, b, c) / longest } else { 0.0 }
 }
 
 /// The polygon's vertices in its own plane, counter-clockwise.
@@ -123,11 +115,7 @@ pub(crate) fn flat(vertices: &[DVec3]) -> Vec<DVec2> {
 /// The corner at a place of the ring: the previous vertex, the vertex itself, and the next one.
 fn corner(ring: &[u32], place: usize) -> [u32; 3] {
     let len = ring.len();
-    [
-        ring[(place + len - 1) % len],
-        ring[place],
-        ring[(place + 1) % len],
-    ]
+    [ring[(place + len - 1) % len], ring[place], ring[(place + 1) % len]]
 }
 
 /// The place of the first corner, from the second on, whose triangle is inside the polygon. If
@@ -155,10 +143,7 @@ fn first_ear(flat: &[DVec2], ring: &[u32], slack: f64) -> usize {
             })
     };
     let len = ring.len();
-    (1..=len)
-        .map(|place| place % len)
-        .find(|&place| is_ear(place))
-        .unwrap_or(1)
+    (1..=len).map(|place| place % len).find(|&place| is_ear(place)).unwrap_or(1)
 }
 
 /// Twice the area of a triangle, negative if it is clockwise.

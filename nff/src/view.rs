@@ -79,21 +79,12 @@ impl View {
         let right = right(sight, self.up)?;
         let down = sight.cross(right);
 
-        let gaps = if height > 1 {
-            height - 1
-        } else {
-            width.max(2) - 1
-        };
+        let gaps = if height > 1 { height - 1 } else { width.max(2) - 1 };
         let spacing = 2.0 * libm::tan(self.angle.to_radians() / 2.0) / f64::from(gaps);
         let (right, down) = (right * spacing, down * spacing);
         let to_left = f64::from(width - 1) / 2.0;
         let to_top = f64::from(height - 1) / 2.0;
-        Ok(Camera {
-            eye: self.from,
-            corner: sight - to_left * right - to_top * down,
-            right,
-            down,
-        })
+        Ok(Camera { eye: self.from, corner: sight - to_left * right - to_top * down, right, down })
     }
 }
 
@@ -113,29 +104,17 @@ pub(crate) fn sight(from: DVec3, at: DVec3) -> Result<DVec3, ViewError> {
 /// The unit direction to the right of an observer that looks along `sight`.
 pub(crate) fn right(sight: DVec3, up: DVec3) -> Result<DVec3, ViewError> {
     let right = sight.cross(unit(up).ok_or(ViewError::NoUp(up))?);
-    if right.length() < MIN_UP_SINE {
-        Err(ViewError::NoUp(up))
-    } else {
-        Ok(right.normalize())
-    }
+    if right.length() < MIN_UP_SINE { Err(ViewError::NoUp(up)) } else { Ok(right.normalize()) }
 }
 
 /// Checks that a view can have this angle; NaN is refused.
 pub(crate) fn check_angle(angle: f64) -> Result<(), ViewError> {
-    if angle > 0.0 && angle < 180.0 {
-        Ok(())
-    } else {
-        Err(ViewError::Angle(angle))
-    }
+    if angle > 0.0 && angle < 180.0 { Ok(()) } else { Err(ViewError::Angle(angle)) }
 }
 
 /// Checks that the hither plane can have this distance; NaN is refused.
 pub(crate) fn check_hither(hither: f64) -> Result<(), ViewError> {
-    if hither >= 0.0 {
-        Ok(())
-    } else {
-        Err(ViewError::Hither(hither))
-    }
+    if hither >= 0.0 { Ok(()) } else { Err(ViewError::Hither(hither)) }
 }
 
 /// Checks that a picture can have this size in pixels.
@@ -145,11 +124,7 @@ pub(crate) fn check_hither(hither: f64) -> Result<(), ViewError> {
 pub fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
     let sides = 1..=MAX_SIDE;
     let fits = sides.contains(&width) && sides.contains(&height);
-    if fits {
-        Ok(())
-    } else {
-        Err(ViewError::Size(format!("{width}x{height}")))
-    }
+    if fits { Ok(()) } else { Err(ViewError::Size(format!("{width}x{height}"))) }
 }
 
 /// Normalises `vector`; `None` if it has no direction. The largest component is scaled to 1 first,

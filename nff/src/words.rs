@@ -60,11 +60,7 @@ impl<R: BufRead> Words<R> {
         Self {
             lines: Lines::new(reader, limits),
             at: 0,
-            entity: Entity {
-                name: "",
-                start: 0,
-                last: 0,
-            },
+            entity: Entity { name: "", start: 0, last: 0 },
         }
     }
 
@@ -94,20 +90,12 @@ impl<R: BufRead> Words<R> {
             let value = Excerpt::of(word);
             let goes_on = before.last == line || is_like_a_number(word);
             return Err(if goes_on && before.last > 0 {
-                Fault::Extra {
-                    entity: before.name,
-                    value,
-                }
-                .into()
+                Fault::Extra { entity: before.name, value }.into()
             } else {
                 Fault::UnknownEntity(value).into()
             });
         };
-        self.entity = Entity {
-            name,
-            start: line,
-            last: line,
-        };
+        self.entity = Entity { name, start: line, last: line };
         Ok(Some(name))
     }
 
@@ -119,12 +107,7 @@ impl<R: BufRead> Words<R> {
                 return Err(Fault::Missing(field).into());
             }
         } else if !self.seek()? {
-            return Err(Fault::Truncated {
-                entity: name,
-                start,
-                field,
-            }
-            .into());
+            return Err(Fault::Truncated { entity: name, start, field }.into());
         }
         self.entity.last = self.line();
         self.take()
@@ -135,13 +118,9 @@ impl<R: BufRead> Words<R> {
         let Entity { name, start, .. } = self.entity;
         let word = self.word(field)?;
         if KEYWORDS.contains(&word) && name != DIRECTIVE {
-            return Err(Fault::Incomplete {
-                field,
-                entity: name,
-                start,
-                value: Excerpt::of(word),
-            }
-            .into());
+            return Err(
+                Fault::Incomplete { field, entity: name, start, value: Excerpt::of(word) }.into()
+            );
         }
         Ok(word)
     }
@@ -162,11 +141,7 @@ impl<R: BufRead> Words<R> {
 
     pub(crate) fn not_negative(&mut self, field: &'static str) -> Result<f64, LineError> {
         let value = self.real(field)?;
-        if value < 0.0 {
-            Err(Fault::Negative { field, value }.into())
-        } else {
-            Ok(value)
-        }
+        if value < 0.0 { Err(Fault::Negative { field, value }.into()) } else { Ok(value) }
     }
 
     pub(crate) fn point(&mut self, fields: [&'static str; 3]) -> Result<DVec3, LineError> {
@@ -180,11 +155,7 @@ impl<R: BufRead> Words<R> {
 
     pub(crate) fn colour(&mut self, fields: [&'static str; 3]) -> Result<DVec3, LineError> {
         let [red, green, blue] = fields;
-        Ok(DVec3::new(
-            self.not_negative(red)?,
-            self.not_negative(green)?,
-            self.not_negative(blue)?,
-        ))
+        Ok(DVec3::new(self.not_negative(red)?, self.not_negative(green)?, self.not_negative(blue)?))
     }
 
     /// Reads a side of the resolution, without checking its range.
@@ -271,11 +242,7 @@ impl<R: BufRead> Words<R> {
             return Ok(());
         }
         let value = Excerpt::of(self.take()?);
-        Err(Fault::Extra {
-            entity: directive,
-            value,
-        }
-        .into())
+        Err(Fault::Extra { entity: directive, value }.into())
     }
 
     /// Goes to the next word, on any line; false at the end of the file.
@@ -320,11 +287,7 @@ fn word_at(line: &[u8], at: usize) -> Result<&str, Fault> {
 /// The fault that a whole number is above a limit.
 fn large(field: &'static str, value: &str, limit: usize) -> Fault {
     let value = Excerpt::of(value);
-    Fault::LargeCount {
-        field,
-        value,
-        limit,
-    }
+    Fault::LargeCount { field, value, limit }
 }
 
 /// Whether a word can only be meant as a number.
@@ -334,15 +297,10 @@ fn is_like_a_number(word: &str) -> bool {
 
 /// Parses a real number.
 fn real(field: &'static str, token: &str) -> Result<f64, Fault> {
-    let value: f64 = token.parse().map_err(|_| Fault::NotANumber {
-        field,
-        value: Excerpt::of(token),
-    })?;
+    let value: f64 =
+        token.parse().map_err(|_| Fault::NotANumber { field, value: Excerpt::of(token) })?;
     if !value.is_finite() {
-        return Err(Fault::NotFinite {
-            field,
-            value: Excerpt::of(token),
-        });
+        return Err(Fault::NotFinite { field, value: Excerpt::of(token) });
     }
     if value.abs() > MAX_MAGNITUDE {
         return Err(Fault::TooLarge { field, value });

@@ -48,10 +48,7 @@ impl fmt::Display for Scene {
                 mesh.shape(triangle).fmt(f)?;
             }
         }
-        self.materials
-            .iter()
-            .skip(written)
-            .try_for_each(|material| material.fmt(f))
+        self.materials.iter().skip(written).try_for_each(|material| material.fmt(f))
     }
 }
 
@@ -97,10 +94,7 @@ impl fmt::Display for Material {
             texture: _,
         } = self;
         let colour = Triple(*colour);
-        writeln!(
-            f,
-            "f {colour} {diffuse} {specular} {shine} {transmittance} {refraction_index}"
-        )?;
+        writeln!(f, "f {colour} {diffuse} {specular} {shine} {transmittance} {refraction_index}")?;
         if *shader == Shader::Phong {
             return Ok(());
         }
@@ -116,10 +110,7 @@ impl fmt::Display for Shader {
             Self::Phong => write!(f, "phong"),
             Self::Checker { other, size } => write!(f, "checker {} {size}", Triple(*other)),
             Self::Depth { far, near } => write!(f, "depth {far} {near}"),
-            Self::Own {
-                name,
-                parameters: [a, b, c, d],
-            } => write!(f, "{name} {a} {b} {c} {d}"),
+            Self::Own { name, parameters: [a, b, c, d] } => write!(f, "{name} {a} {b} {c} {d}"),
         }
     }
 }
@@ -134,21 +125,14 @@ impl fmt::Display for Shape {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Sphere { centre, radius } => writeln!(f, "s {} {radius}", Triple(*centre)),
-            Self::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
+            Self::Cone { base, base_radius, apex, apex_radius } => {
                 writeln!(f, "c")?;
                 writeln!(f, "{} {base_radius}", Triple(*base))?;
                 writeln!(f, "{} {apex_radius}", Triple(*apex))
             }
             Self::Polygon { vertices } => {
                 writeln!(f, "p {}", vertices.len())?;
-                vertices
-                    .iter()
-                    .try_for_each(|vertex| writeln!(f, "{}", Triple(*vertex)))
+                vertices.iter().try_for_each(|vertex| writeln!(f, "{}", Triple(*vertex)))
             }
             Self::Patch { vertices, normals } => {
                 writeln!(f, "pp {}", vertices.len())?;

@@ -25,10 +25,7 @@ pub(crate) struct Bounds {
 impl Bounds {
     /// The box around both.
     pub(crate) fn with(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The distance at which a ray enters the box, if it is below `limit`.
@@ -70,11 +67,7 @@ pub(crate) struct Bvh {
 impl Bvh {
     pub(crate) fn new(surfaces: Vec<Surface>) -> Self {
         let bounds: Vec<Bounds> = surfaces.iter().map(Surface::bounds).collect();
-        let mut tree = Self {
-            order: (0..surfaces.len()).collect(),
-            nodes: Vec::new(),
-            surfaces,
-        };
+        let mut tree = Self { order: (0..surfaces.len()).collect(), nodes: Vec::new(), surfaces };
         if !bounds.is_empty() {
             tree.grow(&bounds, 0..bounds.len());
         }
@@ -98,10 +91,7 @@ impl Bvh {
         } else {
             let middles = around(indices, |it| {
                 let middle = it.low.midpoint(it.high);
-                Bounds {
-                    low: middle,
-                    high: middle,
-                }
+                Bounds { low: middle, high: middle }
             })
             .unwrap_or(whole);
             let axis = (middles.high - middles.low).max_position();
@@ -115,10 +105,7 @@ impl Bvh {
             let second = self.grow(bounds, split..range.end);
             Content::Halves([first, second])
         };
-        self.nodes.push(Node {
-            bounds: whole,
-            content,
-        });
+        self.nodes.push(Node { bounds: whole, content });
         self.nodes.len() - 1
     }
 
@@ -201,10 +188,7 @@ mod tests {
                 let transmits = random.next().is_multiple_of(3);
                 let surface = Surface::new(&shape, transmits).expect("a surface");
                 // Some surfaces occur twice, and the first of them must be found.
-                surfaces.extend(vec![
-                    surface;
-                    1 + usize::from(random.next().is_multiple_of(4))
-                ]);
+                surfaces.extend(vec![surface; 1 + usize::from(random.next().is_multiple_of(4))]);
             }
             let tree = Bvh::new(surfaces.clone());
             for round in 0..4000 {

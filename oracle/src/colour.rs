@@ -23,11 +23,7 @@ impl Colour {
     #[must_use]
     pub fn light(self, colour: DVec3) -> DVec3 {
         let light = |value: f64| {
-            if value > 0.04045 {
-                libm::pow((value + 0.055) / 1.055, 2.4)
-            } else {
-                value / 12.92
-            }
+            if value > 0.04045 { libm::pow((value + 0.055) / 1.055, 2.4) } else { value / 12.92 }
         };
         match self {
             Self::Linear => colour,

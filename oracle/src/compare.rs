@@ -82,11 +82,7 @@ fn errors(found: &[u8; 3], expected: &[u8; 3]) -> [u8; 3] {
 fn check_sizes(picture: &Picture, reference: &Picture) -> Result<(), Error> {
     let size = |picture: &Picture| (picture.width(), picture.height());
     let (picture, reference) = (size(picture), size(reference));
-    if picture == reference {
-        Ok(())
-    } else {
-        Err(Error::Sizes { picture, reference })
-    }
+    if picture == reference { Ok(()) } else { Err(Error::Sizes { picture, reference }) }
 }
 
 #[cfg(test)]
@@ -100,15 +96,7 @@ mod tests {
         let mut picture = black.clone();
         picture.pixels_mut().copy_from_slice(&pixels);
         let silhouette = vec![false, false, false, true, true];
-        (
-            picture,
-            Reference {
-                picture: black,
-                silhouette,
-                covered: 0.0,
-                refined: 0,
-            },
-        )
+        (picture, Reference { picture: black, silhouette, covered: 0.0, refined: 0 })
     }
 
     #[test]
@@ -130,10 +118,7 @@ mod tests {
     fn equal_pictures_have_no_error() {
         let (picture, reference) = pictures([[0; 3]; 5]);
         let result = compare(&picture, &reference).expect("one size");
-        assert_eq!(
-            (result.wrong_pixels, result.max_error, result.mean_error),
-            (0, 0, 0.0)
-        );
+        assert_eq!((result.wrong_pixels, result.max_error, result.mean_error), (0, 0, 0.0));
     }
 
     #[test]
@@ -148,10 +133,7 @@ mod tests {
         let (_, reference) = pictures([[0; 3]; 5]);
         let other = Picture::black(1, 5).expect("a picture");
         let message = "the picture has 1x5 pixels, the reference 5x1";
-        assert_eq!(
-            compare(&other, &reference).expect_err("sizes").to_string(),
-            message
-        );
+        assert_eq!(compare(&other, &reference).expect_err("sizes").to_string(), message);
         assert!(difference(&other, &reference.picture).is_err());
     }
 }

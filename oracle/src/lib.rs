@@ -37,10 +37,7 @@ use thiserror::Error;
 fn camera(scene: &Scene, width: u32, height: u32) -> Result<Camera, Error> {
     nff::check_size(width, height)?;
     let camera = scene.view.camera(width, height);
-    camera.map_err(|source| Error::View {
-        scene: scene.name.clone(),
-        source,
-    })
+    camera.map_err(|source| Error::View { scene: scene.name.clone(), source })
 }
 
 /// Why a picture can't be rendered or compared.

@@ -159,10 +159,7 @@ impl Options {
             ("up", self.up.clone()),
             ("angle", self.angle.map(|angle| angle.to_string())),
             ("antialias", self.antialias.clone()),
-            (
-                "contrast",
-                self.contrast.map(|contrast| contrast.to_string()),
-            ),
+            ("contrast", self.contrast.map(|contrast| contrast.to_string())),
             ("colour", word(&|| self.colour?.to_possible_value())),
             ("roll-off", flag(self.roll_off)),
             ("corners", flag(self.corners)),
@@ -192,33 +189,20 @@ impl Options {
         let stray = given.into_iter().find(|&(given, _)| given);
         if let (Model::Depth(_), Some((_, option))) = (model, stray) {
             let message = format!("{option} needs --model whitted");
-            Cli::command()
-                .error(ErrorKind::ArgumentConflict, message)
-                .exit();
+            Cli::command().error(ErrorKind::ArgumentConflict, message).exit();
         }
     }
 }
 
 fn main() -> ExitCode {
     let done = match Cli::parse().verb {
-        Verb::Compare {
-            picture,
-            scene,
-            json,
-            diff,
-            max_wrong,
-            options,
-        } => {
+        Verb::Compare { picture, scene, json, diff, max_wrong, options } => {
             let compared = compare(&picture, scene.as_deref(), &options, json, diff.as_deref());
             compared.and_then(|result| check_share(&result, max_wrong))
         }
-        Verb::Render {
-            scene,
-            size,
-            out,
-            stats,
-            options,
-        } => render(&scene, &options, size, &out, stats),
+        Verb::Render { scene, size, out, stats, options } => {
+            render(&scene, &options, size, &out, stats)
+        }
         Verb::Pages(arguments) => pages::write(Cli::command(), &arguments).map_err(Into::into),
     };
     match done {
@@ -263,9 +247,9 @@ fn compare(
 
     let size = (picture.width(), picture.height());
     // What a file says can't control the terminal.
-    let by = said.software().map_or(String::new(), |software| {
-        format!(" by {}", software.escape_debug())
-    });
+    let by = said
+        .software()
+        .map_or(String::new(), |software| format!(" by {}", software.escape_debug()));
     talk::say!(
         "oracle: {}{by}, {}x{}, is compared with {} in double precision",
         path.display(),
@@ -306,16 +290,9 @@ fn compare(
     let result = oracle::compare(&picture, &reference)?;
     if let Some(diff) = diff {
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
-        talk::say!(
-            "{}: the difference, {DIFFERENCE_SCALE} times amplified",
-            diff.display()
-        );
+        talk::say!("{}: the difference, {DIFFERENCE_SCALE} times amplified", diff.display());
     }
-    let mut text = if json {
-        serde_json::to_string(&result)?
-    } else {
-        report(&result, &picture)
-    };
+    let mut text = if json { serde_json::to_string(&result)? } else { report(&result, &picture) };
     text.push('\n');
     talk::print(text)?;
     Ok(result)
@@ -342,13 +319,7 @@ fn tell_left_out(model: &Model, scene: &Scene) {
 }
 
 fn report(result: &Comparison, picture: &Picture) -> String {
-    let Comparison {
-        wrong_pixels,
-        wrong_off_silhouette,
-        max_error,
-        mean_error,
-        ..
-    } = result;
+    let Comparison { wrong_pixels, wrong_off_silhouette, max_error, mean_error, .. } = result;
     let (pixels, percent) = (picture.pixels().len(), result.wrong_fraction * 100.0);
     let off_silhouette = result.max_error_off_silhouette;
     format!(
@@ -377,10 +348,7 @@ fn render(
     let (width, height) = size.unwrap_or(scene.view.resolution);
     tell_left_out(&model, &scene);
     let (reference, counts) = model.trace(&scene, (width, height))?;
-    settings.set_scene(
-        &name.to_string_lossy(),
-        concat!("oracle ", env!("CARGO_PKG_VERSION")),
-    );
+    settings.set_scene(&name.to_string_lossy(), concat!("oracle ", env!("CARGO_PKG_VERSION")));
     reference.picture.write_png_with(out, &settings)?;
     let covered = reference.covered * 100.0;
     let what = match model {
@@ -426,10 +394,7 @@ fn point(text: &str) -> Result<String, String> {
 
 /// Parses a share, from 0 to 1.
 fn share(text: &str) -> Result<f64, String> {
-    let share = text
-        .parse()
-        .ok()
-        .filter(|share| (0.0..=1.0).contains(share));
+    let share = text.parse().ok().filter(|share| (0.0..=1.0).contains(share));
     share.ok_or_else(|| "a share of all pixels is a number from 0 to 1, such as 0.001".into())
 }
 
@@ -447,10 +412,7 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         .filter(|(width, height)| is_number(width) && is_number(height))
         .ok_or("a size is written as WIDTHxHEIGHT, such as 1280x720")?;
     let too_large = |_| ViewError::Size(text.to_owned()).to_string();
-    let size = (
-        width.parse().map_err(too_large)?,
-        height.parse().map_err(too_large)?,
-    );
+    let size = (width.parse().map_err(too_large)?, height.parse().map_err(too_large)?);
     check_size(size.0, size.1).map_err(|error| error.to_string())?;
     Ok(size)
 }

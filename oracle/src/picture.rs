@@ -25,9 +25,7 @@ impl Picture {
     /// The size is out of range.
     pub fn black(width: u32, height: u32) -> Result<Self, Error> {
         check_size(width, height)?;
-        Ok(Self {
-            image: RgbImage::new(width, height),
-        })
+        Ok(Self { image: RgbImage::new(width, height) })
     }
 
     /// Reads a PNG of 8-bit red, green and blue.
@@ -35,10 +33,7 @@ impl Picture {
     /// # Errors
     /// The file can't be read, is not such a PNG, or is too large.
     pub fn read_png(path: &Path) -> Result<Self, Error> {
-        let failed = |source| Error::Png {
-            path: path.to_owned(),
-            source,
-        };
+        let failed = |source| Error::Png { path: path.to_owned(), source };
         let file = File::open(path).map_err(|error| failed(error.into()))?;
         let reader = ImageReader::with_format(BufReader::new(file), ImageFormat::Png);
         match reader.decode().map_err(failed)? {
@@ -46,10 +41,9 @@ impl Picture {
                 check_size(image.width(), image.height())?;
                 Ok(Self { image })
             }
-            other => Err(Error::Kind {
-                path: path.to_owned(),
-                kind: format!("{:?}", other.color()),
-            }),
+            other => {
+                Err(Error::Kind { path: path.to_owned(), kind: format!("{:?}", other.color()) })
+            }
         }
     }
 
@@ -66,27 +60,16 @@ impl Picture {
     /// # Errors
     /// As for [`Self::write_png`].
     pub fn write_png_with(&self, path: &Path, settings: &Settings) -> Result<(), Error> {
-        let failed = |error: std::io::Error| Error::Png {
-            path: path.to_owned(),
-            source: error.into(),
-        };
+        let failed =
+            |error: std::io::Error| Error::Png { path: path.to_owned(), source: error.into() };
         if path == Path::new("-") {
-            let bytes = self
-                .encode(settings)
-                .map_err(|error| failed(error.into()))?;
+            let bytes = self.encode(settings).map_err(|error| failed(error.into()))?;
             return talk::print(bytes).map_err(failed);
         }
-        if path
-            .extension()
-            .is_some_and(|extension| !extension.eq_ignore_ascii_case("png"))
-        {
-            return Err(Error::Format {
-                path: path.to_owned(),
-            });
+        if path.extension().is_some_and(|extension| !extension.eq_ignore_ascii_case("png")) {
+            return Err(Error::Format { path: path.to_owned() });
         }
-        let bytes = self
-            .encode(settings)
-            .map_err(|error| failed(error.into()))?;
+        let bytes = self.encode(settings).map_err(|error| failed(error.into()))?;
         fs::write(path, bytes).map_err(failed)
     }
 

@@ -74,11 +74,7 @@ impl Pixels {
     /// What a pixel shows of light: its channels from 0 to 1.
     fn shown(&self, light: DVec3) -> DVec3 {
         let limited = |light: f64| {
-            if self.roll_off && light > 0.75 {
-                1.0 - 0.0625 / (light - 0.5)
-            } else {
-                light
-            }
+            if self.roll_off && light > 0.75 { 1.0 - 0.0625 / (light - 0.5) } else { light }
         };
         let light = light.to_array().map(limited);
         let shown = self.colour.shown(light.into());
@@ -92,17 +88,11 @@ impl Pixels {
         let is_one = samples.iter().all(|seen| seen.way == first);
         // The golden ratio's bits, which spread what they multiply.
         let mixed = |hash: u64, seen: &Seen| {
-            hash.rotate_left(5)
-                .wrapping_add(seen.way)
-                .wrapping_mul(0x9e37_79b9_7f4a_7c15)
+            hash.rotate_left(5).wrapping_add(seen.way).wrapping_mul(0x9e37_79b9_7f4a_7c15)
         };
         Point {
             shown: self.shown(light / samples.len() as f64),
-            way: if is_one {
-                first
-            } else {
-                samples.iter().fold(0, mixed)
-            },
+            way: if is_one { first } else { samples.iter().fold(0, mixed) },
             on_edge: !is_one || samples.iter().any(|seen| seen.on_edge),
         }
     }
@@ -171,31 +161,26 @@ pub(crate) fn paint(
         let beside = silhouette::mask(&refined, columns);
         let chosen = refined.chunks(columns).zip(beside.chunks(columns));
         let items = points.chunks_mut(columns).zip(&mut counts).zip(chosen);
-        rows::each(
-            items.enumerate(),
-            |(y, ((points, counts), (chosen, beside)))| {
-                if !chosen.contains(&true) && !beside.contains(&true) {
-                    return;
+        rows::each(items.enumerate(), |(y, ((points, counts), (chosen, beside)))| {
+            if !chosen.contains(&true) && !beside.contains(&true) {
+                return;
+            }
+            let samples = pixels.samples.places();
+            let looks: Vec<_> = samples.map(|(dx, dy)| (dx, model.row(at(y) + dy))).collect();
+            let mut not_counted = Counts::default();
+            for (x, point) in points.iter_mut().enumerate() {
+                let sampled = |counts: &mut Counts| {
+                    let seen = looks.iter().map(|(dx, look)| look(at(x) + dx, counts));
+                    pixels.point(&seen.collect::<Vec<_>>())
+                };
+                if chosen[x] {
+                    *point = sampled(counts);
+                } else if beside[x] {
+                    let sampled = sampled(&mut not_counted);
+                    point.on_edge |= sampled.on_edge || sampled.way != point.way;
                 }
-                let samples = pixels.samples.places();
-                let looks: Vec<_> = samples
-                    .map(|(dx, dy)| (dx, model.row(at(y) + dy)))
-                    .collect();
-                let mut not_counted = Counts::default();
-                for (x, point) in points.iter_mut().enumerate() {
-                    let sampled = |counts: &mut Counts| {
-                        let seen = looks.iter().map(|(dx, look)| look(at(x) + dx, counts));
-                        pixels.point(&seen.collect::<Vec<_>>())
-                    };
-                    if chosen[x] {
-                        *point = sampled(counts);
-                    } else if beside[x] {
-                        let sampled = sampled(&mut not_counted);
-                        point.on_edge |= sampled.on_edge || sampled.way != point.way;
-                    }
-                }
-            },
-        );
+            }
+        });
     }
     let counts = counts.into_iter().fold(Counts::default(), |mut sum, row| {
         sum += row;
@@ -235,10 +220,7 @@ pub(crate) fn paint(
 /// For each point of a picture, whether a channel of its bytes differs by at least `contrast` from
 /// the point to the left, to the right, above or below, if that is in the same tile.
 fn differing(points: &[Point], columns: usize, contrast: u8) -> Vec<bool> {
-    let bytes: Vec<_> = points
-        .iter()
-        .map(|point| depth::bytes(point.shown))
-        .collect();
+    let bytes: Vec<_> = points.iter().map(|point| depth::bytes(point.shown)).collect();
     let differ = |a: [u8; 3], b: [u8; 3]| {
         let mut channels = a.into_iter().zip(b);
         channels.any(|(a, b)| a.abs_diff(b) >= contrast)
@@ -290,35 +272,21 @@ mod tests {
 
     #[test]
     fn no_two_samples_share_a_column_or_a_row() {
-        for (samples, count) in [
-            (Samples::One, 1),
-            (Samples::Four, 4),
-            (Samples::Sixteen, 16),
-        ] {
+        for (samples, count) in [(Samples::One, 1), (Samples::Four, 4), (Samples::Sixteen, 16)] {
             let places: Vec<_> = samples.places().collect();
             for side in [|(x, _): (f64, f64)| x, |(_, y)| y] {
                 let mut lines: Vec<_> = places.iter().map(|&place| side(place)).collect();
                 lines.sort_by(f64::total_cmp);
                 let even = (0..count).map(|line| (f64::from(line) + 0.5) / f64::from(count) - 0.5);
-                assert!(
-                    lines.iter().zip(even).all(|(a, b)| (a - b).abs() < 1e-12),
-                    "{lines:?}"
-                );
+                assert!(lines.iter().zip(even).all(|(a, b)| (a - b).abs() < 1e-12), "{lines:?}");
             }
         }
     }
 
     #[test]
     fn both_sides_of_an_edge_get_samples() {
-        let line = Line {
-            at: 10.2,
-            grey: 1.0,
-        };
-        let four = Pixels {
-            samples: Samples::Four,
-            contrast: 32,
-            ..Pixels::PLAIN
-        };
+        let line = Line { at: 10.2, grey: 1.0 };
+        let four = Pixels { samples: Samples::Four, contrast: 32, ..Pixels::PLAIN };
         let (plain, one, _) = row(&line, &Pixels::PLAIN);
         assert_eq!((plain[10], plain[11], one.refined), (0, 255, 0));
         let (smooth, reference, counts) = row(&line, &four);
@@ -326,49 +294,15 @@ mod tests {
         assert_eq!((smooth[9], smooth[10], smooth[11]), (0, 64, 255));
         assert_eq!((reference.refined, counts.eye), (2, 80 + 2 * 4));
         let silhouette = |x: usize| reference.silhouette[x];
-        assert_eq!(
-            [8, 9, 10, 11, 12].map(silhouette),
-            [false, true, true, true, false]
-        );
+        assert_eq!([8, 9, 10, 11, 12].map(silhouette), [false, true, true, true, false]);
         // Where the edge is between tiles, or has too little contrast, it keeps its step.
         let between = Line { at: 63.2, ..line };
         assert_eq!(row(&between, &four).1.refined, 0);
-        assert_eq!(
-            row(
-                &Line {
-                    grey: 31.0 / 255.0,
-                    ..line
-                },
-                &four
-            )
-            .1
-            .refined,
-            0
-        );
-        assert_eq!(
-            row(
-                &Line {
-                    grey: 32.0 / 255.0,
-                    ..line
-                },
-                &four
-            )
-            .1
-            .refined,
-            2
-        );
+        assert_eq!(row(&Line { grey: 31.0 / 255.0, ..line }, &four).1.refined, 0);
+        assert_eq!(row(&Line { grey: 32.0 / 255.0, ..line }, &four).1.refined, 2);
         // With a contrast of 0, every pixel has samples and no other ray.
-        let (everywhere, reference, counts) = row(
-            &line,
-            &Pixels {
-                contrast: 0,
-                ..four
-            },
-        );
-        assert_eq!(
-            (everywhere, reference.refined, counts.eye),
-            (smooth, 80, 80 * 4)
-        );
+        let (everywhere, reference, counts) = row(&line, &Pixels { contrast: 0, ..four });
+        assert_eq!((everywhere, reference.refined, counts.eye), (smooth, 80, 80 * 4));
     }
 
     /// An edge at 10.45, and a thing that only the last sample of pixel 9 sees.
@@ -383,67 +317,36 @@ mod tests {
                     10.45.. => 1,
                     _ => 0,
                 };
-                Seen {
-                    light: DVec3::splat(f64::from(u8::from(way > 0))),
-                    way,
-                    on_edge: false,
-                }
+                Seen { light: DVec3::splat(f64::from(u8::from(way > 0))), way, on_edge: false }
             }
         }
     }
 
     #[test]
     fn a_pixel_beside_others_with_samples_is_on_the_silhouette_that_its_own_would_see() {
-        let four = Pixels {
-            samples: Samples::Four,
-            contrast: 32,
-            ..Pixels::PLAIN
-        };
+        let four = Pixels { samples: Samples::Four, contrast: 32, ..Pixels::PLAIN };
         let (reference, counts) = paint((80, 1), &four, &Thin).expect("a picture");
         assert_eq!((reference.refined, counts.eye), (2, 80 + 2 * 4));
         assert_eq!(reference.picture.pixels()[9], [0; 3]);
         let silhouette = |x: usize| reference.silhouette[x];
-        assert_eq!(
-            [8, 9, 10, 11, 12].map(silhouette),
-            [false, true, true, true, false]
-        );
+        assert_eq!([8, 9, 10, 11, 12].map(silhouette), [false, true, true, true, false]);
     }
 
     #[test]
     fn the_mean_is_taken_of_light_and_shown_afterwards() {
-        let line = Line {
-            at: 10.2,
-            grey: 2.0,
-        };
-        let four = Pixels {
-            samples: Samples::Four,
-            contrast: 32,
-            ..Pixels::PLAIN
-        };
+        let line = Line { at: 10.2, grey: 2.0 };
+        let four = Pixels { samples: Samples::Four, contrast: 32, ..Pixels::PLAIN };
         let shown = |pixels: Pixels| row(&line, &pixels).0;
         // A quarter of twice white is half of white, whose value in sRGB is 188.
         assert_eq!(shown(four)[10..12], [128, 255]);
-        let srgb = Pixels {
-            colour: Colour::Srgb,
-            ..four
-        };
+        let srgb = Pixels { colour: Colour::Srgb, ..four };
         assert_eq!(shown(srgb)[10..12], [188, 255]);
         // 1 - 1/16 / 1.5
-        let rolled = Pixels {
-            roll_off: true,
-            ..four
-        };
+        let rolled = Pixels { roll_off: true, ..four };
         assert_eq!(shown(rolled)[10..12], [128, 244]);
         // The mean of corners is one of what they show.
-        let line = Line {
-            at: 10.2,
-            grey: 0.5,
-        };
-        let corners = Pixels {
-            corners: true,
-            colour: Colour::Srgb,
-            ..Pixels::PLAIN
-        };
+        let line = Line { at: 10.2, grey: 0.5 };
+        let corners = Pixels { corners: true, colour: Colour::Srgb, ..Pixels::PLAIN };
         assert_eq!(row(&line, &corners).0[9..12], [0, 94, 188]);
     }
 }

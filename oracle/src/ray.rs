@@ -37,13 +37,7 @@ impl Ray {
             let tiny = component.abs() < TINY;
             (if tiny { TINY } else { component }).recip()
         });
-        Self {
-            origin,
-            direction,
-            inverse,
-            axes,
-            shear: DVec2::new(right, up) / along,
-        }
+        Self { origin, direction, inverse, axes, shear: DVec2::new(right, up) / along }
     }
 
     pub(crate) fn at(&self, distance: f64) -> DVec3 {

@@ -64,10 +64,8 @@ impl Settings {
     /// # Errors
     /// The file can't be read, or is no PNG.
     pub fn of_png(path: &Path) -> Result<Self, Error> {
-        let failed = |error: std::io::Error| Error::Png {
-            path: path.to_owned(),
-            source: error.into(),
-        };
+        let failed =
+            |error: std::io::Error| Error::Png { path: path.to_owned(), source: error.into() };
         let file = File::open(path).map_err(failed)?;
         let decoder = png::Decoder::new(BufReader::new(file));
         let mut reader = decoder.read_info().map_err(|error| failed(error.into()))?;
@@ -106,15 +104,9 @@ impl Settings {
     /// Keywords and texts for a PNG file.
     pub(crate) fn texts(&self) -> impl Iterator<Item = (String, String)> {
         let keyed = |(name, value): (&str, &String)| (format!("{PREFIX}{name}"), value.clone());
-        let software = self
-            .software
-            .iter()
-            .map(|text| (SOFTWARE.to_owned(), text.clone()));
+        let software = self.software.iter().map(|text| (SOFTWARE.to_owned(), text.clone()));
         let scene = self.scene.iter().map(move |text| keyed(("scene", text)));
-        let values = self
-            .values
-            .iter()
-            .map(move |(name, value)| keyed((name, value)));
+        let values = self.values.iter().map(move |(name, value)| keyed((name, value)));
         software.chain(scene).chain(values)
     }
 
@@ -162,8 +154,7 @@ impl Settings {
     #[must_use]
     pub fn without(&self, over: &Self) -> Self {
         let mut left = self.clone();
-        left.values
-            .retain(|name, _| !over.values.contains_key(name));
+        left.values.retain(|name, _| !over.values.contains_key(name));
         left
     }
 
@@ -184,27 +175,16 @@ impl Settings {
                 assumed.set(name, value.to_string());
             }
         };
-        let of_scene = if scene.lights.is_empty() {
-            "depth"
-        } else {
-            "whitted"
-        };
+        let of_scene = if scene.lights.is_empty() { "depth" } else { "whitted" };
         assume("model", &of_scene);
         let model = self.values.get("model").map_or(of_scene, String::as_str);
         let is_whitted = model == "whitted";
-        let has_corners = self
-            .values
-            .get("corners")
-            .is_some_and(|value| value == "true");
+        let has_corners = self.values.get("corners").is_some_and(|value| value == "true");
         if is_whitted {
             assume("ray-depth", &whitted::Options::default().depth);
         }
         assume("antialias", if has_corners { &1 } else { &4 });
-        if self
-            .values
-            .get("antialias")
-            .map_or(!has_corners, |value| value != "1")
-        {
+        if self.values.get("antialias").map_or(!has_corners, |value| value != "1") {
             assume("contrast", &32);
         }
         let colour = match is_whitted && !has_corners {
@@ -225,19 +205,11 @@ impl Settings {
             let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
             <[f64; 3]>::try_from(numbers?).ok().map(DVec3::from)
         };
-        let View {
-            from,
-            at,
-            up,
-            angle,
-            ..
-        } = view;
+        let View { from, at, up, angle, .. } = view;
         for (name, to) in [("from", from), ("look-at", at), ("up", up)] {
             *to = self.get(name, path, three, triple)?.unwrap_or(*to);
         }
-        *angle = self
-            .get("angle", path, "a finite number", number)?
-            .unwrap_or(*angle);
+        *angle = self.get("angle", path, "a finite number", number)?.unwrap_or(*angle);
         Ok(())
     }
 
@@ -265,23 +237,15 @@ impl Settings {
         };
         let plain = Pixels::PLAIN;
         let pixels = Pixels {
-            samples: self
-                .get("antialias", path, "1, 4 or 16", samples)?
-                .unwrap_or(plain.samples),
+            samples: self.get("antialias", path, "1, 4 or 16", samples)?.unwrap_or(plain.samples),
             contrast: self
                 .get("contrast", path, "a whole number from 0 to 255", contrast)?
                 .unwrap_or(plain.contrast),
-            colour: self
-                .get("colour", path, "linear or srgb", colour)?
-                .unwrap_or(plain.colour),
+            colour: self.get("colour", path, "linear or srgb", colour)?.unwrap_or(plain.colour),
             roll_off: flag("roll-off")?,
             corners: flag("corners")?,
         };
-        let depth = |text: &str| {
-            text.parse()
-                .ok()
-                .filter(|depth| (1..=MAX_DEPTH).contains(depth))
-        };
+        let depth = |text: &str| text.parse().ok().filter(|depth| (1..=MAX_DEPTH).contains(depth));
         let options = whitted::Options {
             depth: self
                 .get("ray-depth", path, "a whole number from 1 to 16", depth)?
@@ -322,10 +286,7 @@ impl Settings {
 
 /// A finite number.
 fn number(text: &str) -> Option<f64> {
-    text.trim()
-        .parse()
-        .ok()
-        .filter(|number: &f64| number.is_finite())
+    text.trim().parse().ok().filter(|number: &f64| number.is_finite())
 }
 
 impl Model {

@@ -31,11 +31,7 @@ impl Sphere {
         let to_centre = centre - eye;
         let distance = to_centre.length();
         let tangent_squared = (distance - radius) * (distance + radius);
-        Self {
-            to_centre,
-            radius,
-            tangent_squared,
-        }
+        Self { to_centre, radius, tangent_squared }
     }
 
     /// Whether no ray in a plane comes within `reach` radii of the centre. The plane goes through
@@ -58,10 +54,7 @@ impl Sphere {
             let half_chord = ((self.radius - least) * (self.radius + least)).sqrt();
             self.tangent_squared / (along + half_chord)
         });
-        Some(Passage {
-            offset: least / self.radius,
-            entry,
-        })
+        Some(Passage { offset: least / self.radius, entry })
     }
 }
 
@@ -75,9 +68,7 @@ mod tests {
     }
 
     fn dot(a: [i64; 3], b: [i64; 3]) -> i128 {
-        (0..3)
-            .map(|axis| i128::from(a[axis]) * i128::from(b[axis]))
-            .sum()
+        (0..3).map(|axis| i128::from(a[axis]) * i128::from(b[axis])).sum()
     }
 
     #[test]
@@ -102,20 +93,10 @@ mod tests {
                 .passage(vector(direction).normalize())
                 .and_then(|passage| passage.entry)
                 .is_some();
-            assert!(
-                near_edge || found == exact,
-                "{centre:?} {radius} {direction:?}"
-            );
-            counts[if tangent_squared <= 0 {
-                2
-            } else {
-                usize::from(exact)
-            }] += 1;
+            assert!(near_edge || found == exact, "{centre:?} {radius} {direction:?}");
+            counts[if tangent_squared <= 0 { 2 } else { usize::from(exact) }] += 1;
         }
-        assert!(
-            counts.iter().all(|&count| count > 100),
-            "misses, hits, inside: {counts:?}"
-        );
+        assert!(counts.iter().all(|&count| count > 100), "misses, hits, inside: {counts:?}");
     }
 
     #[test]
@@ -135,10 +116,7 @@ mod tests {
                 continue;
             };
             let out = direction * entry - to_centre;
-            assert!(
-                (out.length() - radius).abs() < 2e-15 * (radius + scale),
-                "{out} at {scale}"
-            );
+            assert!((out.length() - radius).abs() < 2e-15 * (radius + scale), "{out} at {scale}");
             assert!(out.dot(direction) <= 1e-7, "leaves at {scale}");
             assert!(entry > 0.0);
             hits += 1;
@@ -152,10 +130,7 @@ mod tests {
         for exponent in -50..=50 {
             let gap = libm::exp2(f64::from(exponent));
             let sphere = Sphere::new(DVec3::ZERO, DVec3::new(0.0, 1.0 + gap, 0.0), 1.0);
-            let entry = sphere
-                .passage(DVec3::Y)
-                .and_then(|passage| passage.entry)
-                .expect("a hit");
+            let entry = sphere.passage(DVec3::Y).and_then(|passage| passage.entry).expect("a hit");
             assert!((entry / gap - 1.0).abs() < 4e-16, "{entry} for {gap}");
         }
     }
@@ -167,19 +142,13 @@ mod tests {
         let sphere = Sphere::new(DVec3::ZERO, DVec3::new(0.0, 5.0, 0.0), 3.0);
         let passage = sphere.passage(DVec3::new(0.6, 0.8, 0.0)).expect("in front");
         assert!((passage.offset - 1.0).abs() < 1e-15);
-        let miss = sphere
-            .passage(DVec3::new(0.6001, 0.8, 0.0).normalize())
-            .expect("in front");
+        let miss = sphere.passage(DVec3::new(0.6001, 0.8, 0.0).normalize()).expect("in front");
         assert!(miss.offset > 1.0 && miss.entry.is_none());
     }
 
     #[test]
     fn spheres_behind_and_around_the_eye_are_not_entered() {
-        assert!(
-            Sphere::new(DVec3::ZERO, -DVec3::Y * 3.0, 1.0)
-                .passage(DVec3::Y)
-                .is_none()
-        );
+        assert!(Sphere::new(DVec3::ZERO, -DVec3::Y * 3.0, 1.0).passage(DVec3::Y).is_none());
         let around = Sphere::new(DVec3::ZERO, DVec3::Y * 0.5, 1.0).passage(DVec3::Y);
         assert!(around.expect("centre in front").entry.is_none());
     }

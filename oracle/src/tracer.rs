@@ -212,11 +212,7 @@ mod tests {
         let radius = 2.0 / (100.0f64 - 4.0).sqrt();
         let side = 2.0 * libm::tan(20f64.to_radians()) * 601.0 / 600.0;
         let expected = std::f64::consts::PI * radius * radius / (side * side);
-        assert!(
-            (reference.covered - expected).abs() < 1e-4,
-            "{}",
-            reference.covered
-        );
+        assert!((reference.covered - expected).abs() < 1e-4, "{}", reference.covered);
     }
 
     #[test]
@@ -233,11 +229,7 @@ mod tests {
                 let seen = row(x, &mut counts);
                 let (expected, distance) = stage.look(stage.direction(x, y), &all);
                 let way = expected.nearest.map_or(0, |index| 1 + index as u64);
-                assert_eq!(
-                    (seen.way, seen.on_edge),
-                    (way, expected.on_edge),
-                    "({x}, {y})"
-                );
+                assert_eq!((seen.way, seen.on_edge), (way, expected.on_edge), "({x}, {y})");
                 assert_eq!(seen.light, stage.colour(expected, distance), "({x}, {y})");
             }
         }
@@ -273,10 +265,7 @@ mod tests {
     fn sizes_without_a_picture() {
         let scene = scene("");
         assert!(matches!(render(&scene, 0, 5), Err(Error::Size(_))));
-        assert!(matches!(
-            render(&scene, u32::MAX, u32::MAX),
-            Err(Error::Size(_))
-        ));
+        assert!(matches!(render(&scene, u32::MAX, u32::MAX), Err(Error::Size(_))));
         assert!(matches!(render(&scene, 20_000, 1), Err(Error::Size(_))));
     }
 }

@@ -48,9 +48,7 @@ mod tests {
             .about("Traces")
             .subcommand(Command::new("render").about("Renders"))
             .subcommand(Command::new("pages").hide(true));
-        let arguments = Arguments {
-            folder: folder.path().to_path_buf(),
-        };
+        let arguments = Arguments { folder: folder.path().to_path_buf() };
         write(command, &arguments).unwrap();
         let page = fs::read_to_string(folder.path().join("man/tracer-render.1")).unwrap();
         assert!(page.contains("Renders"));
@@ -61,9 +59,7 @@ mod tests {
 
     #[test]
     fn a_folder_that_cannot_be_written_is_named() {
-        let arguments = Arguments {
-            folder: "/dev/null/pages".into(),
-        };
+        let arguments = Arguments { folder: "/dev/null/pages".into() };
         let error = write(Command::new("tracer"), &arguments).unwrap_err();
         assert!(error.to_string().starts_with("/dev/null/pages: "));
     }

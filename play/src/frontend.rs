@@ -153,18 +153,13 @@ impl Frontend {
     /// Takes the player's requests since the last call. A request to end stays set.
     pub fn take_requests(&mut self) -> Requests {
         let requests = self.requests;
-        self.requests = Requests {
-            ending: requests.ending,
-            ..Requests::default()
-        };
+        self.requests = Requests { ending: requests.ending, ..Requests::default() };
         requests
     }
 
     /// Takes the messages about devices that came or went.
     pub fn take_messages(&mut self) -> Vec<String> {
-        self.devices
-            .as_mut()
-            .map_or_else(Vec::new, InputDevices::take_messages)
+        self.devices.as_mut().map_or_else(Vec::new, InputDevices::take_messages)
     }
 
     fn gather(&mut self) -> io::Result<()> {
@@ -236,11 +231,7 @@ impl Frontend {
                 Key::F12 => self.requests.screenshot |= down,
                 _ => self.push(event),
             },
-            InputEvent::PadButton {
-                button: Button::Ps,
-                down,
-                ..
-            } => {
+            InputEvent::PadButton { button: Button::Ps, down, .. } => {
                 if down {
                     self.end(Ending::Closed);
                 }
@@ -271,10 +262,7 @@ impl Frontend {
 
 /// Whether an event reports that a device came or went, and not an action of the player.
 fn is_of_presence(event: &InputEvent) -> bool {
-    matches!(
-        event,
-        InputEvent::PadConnected { .. } | InputEvent::PadDisconnected { .. }
-    )
+    matches!(event, InputEvent::PadConnected { .. } | InputEvent::PadDisconnected { .. })
 }
 
 #[cfg(test)]
@@ -288,10 +276,7 @@ mod tests {
 
     impl Display for Script {
         fn area(&self) -> Geometry {
-            Geometry {
-                width: 8,
-                height: 8,
-            }
+            Geometry { width: 8, height: 8 }
         }
 
         fn scales(&self) -> bool {
@@ -348,10 +333,7 @@ mod tests {
         // Elsewhere and back between two calls, then for a longer time.
         let looks = [false, true, false, false, true, true, false, false];
         front.foreground = Box::new(Looks(looks.to_vec()));
-        let typed = InputEvent::Key {
-            key: Key::Q,
-            down: true,
-        };
+        let typed = InputEvent::Key { key: Key::Q, down: true };
         let plugged = InputEvent::PadDisconnected { pad: PadId(3) };
         let heard = (0..looks.len()).map(|_| {
             front.from_devices = vec![typed.clone(), plugged.clone()];
@@ -363,17 +345,7 @@ mod tests {
         let away = vec![plugged.clone()];
         assert_eq!(
             heard.collect::<Vec<_>>(),
-            [
-                &all,
-                &first_away,
-                &away,
-                &all,
-                &first_away,
-                &away,
-                &away,
-                &all
-            ]
-            .map(Vec::clone)
+            [&all, &first_away, &away, &all, &first_away, &away, &away, &all].map(Vec::clone)
         );
     }
 
@@ -446,11 +418,7 @@ mod tests {
                 key(Key::F11, false),
                 key(Key::B, true),
             ],
-            vec![
-                key(Key::F12, true),
-                key(Key::F12, false),
-                DisplayEvent::Resized,
-            ],
+            vec![key(Key::F12, true), key(Key::F12, false), DisplayEvent::Resized],
             vec![key(Key::Q, true), DisplayEvent::Interrupted],
         ]);
         let mut events = Vec::new();
@@ -458,30 +426,13 @@ mod tests {
             let flow = front.poll(events).expect("input");
             let requests = front.take_requests();
             assert_eq!(flow.is_break(), requests.ending.is_some());
-            (
-                requests.overlay,
-                requests.screenshot,
-                requests.resized,
-                requests.ending,
-            )
+            (requests.overlay, requests.screenshot, requests.resized, requests.ending)
         };
-        assert_eq!(
-            requests(&mut front, &mut events),
-            (true, false, false, None)
-        );
+        assert_eq!(requests(&mut front, &mut events), (true, false, false, None));
         assert_eq!(requests(&mut front, &mut events), (false, true, true, None));
         let closed = Some(Ending::Closed);
-        assert_eq!(
-            requests(&mut front, &mut events),
-            (false, false, false, closed)
-        );
-        let [
-            InputEvent::Key {
-                key: Key::B,
-                down: true,
-            },
-        ] = events[..]
-        else {
+        assert_eq!(requests(&mut front, &mut events), (false, false, false, closed));
+        let [InputEvent::Key { key: Key::B, down: true }] = events[..] else {
             panic!("{events:?}");
         };
     }

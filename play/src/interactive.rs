@@ -86,11 +86,7 @@ pub fn play(
         left = left.map(|left| left - 1);
     }
     show.session.finish()?;
-    Ok(Played {
-        ending,
-        report: show.session.report().clone(),
-        messages: show.kept,
-    })
+    Ok(Played { ending, report: show.session.report().clone(), messages: show.kept })
 }
 
 /// A session with its frontend.
@@ -268,11 +264,7 @@ impl<'a> Show<'a> {
 
     /// What the screen says of a game whose time stands still.
     fn notice(&self) -> Option<&'static str> {
-        if self.is_over {
-            Some(OVER)
-        } else {
-            self.is_paused().then_some(PAUSED)
-        }
+        if self.is_over { Some(OVER) } else { self.is_paused().then_some(PAUSED) }
     }
 
     /// Shows other texts if the player wants them. Returns whether they have changed.
@@ -373,10 +365,7 @@ impl<'a> Show<'a> {
             area: (width, height),
             samples: look.samples as u32,
             is_full: look == self.look
-                && self
-                    .pace
-                    .as_ref()
-                    .is_none_or(|pace| pace.divisor() == Divisor::ONE),
+                && self.pace.as_ref().is_none_or(|pace| pace.divisor() == Divisor::ONE),
         };
         let now = Instant::now();
         let report = self.session.report().clone();
@@ -397,9 +386,7 @@ impl<'a> Show<'a> {
             self.picture = self.session.picture();
         }
         if let Some(picture) = &self.picture {
-            display
-                .show(picture, &self.overlay)
-                .map_err(PlayError::Show)?;
+            display.show(picture, &self.overlay).map_err(PlayError::Show)?;
             self.drawn = Some(now);
             self.waiting.is_over(now);
         }
@@ -460,10 +447,7 @@ fn keep_responsive(
 ) {
     front.tracing();
     if let Some(text) = waiting.text(Instant::now(), part) {
-        let overlay = Overlay {
-            message: Some((text, 1.0)),
-            ..overlay.clone()
-        };
+        let overlay = Overlay { message: Some((text, 1.0)), ..overlay.clone() };
         front.tell(picture, &overlay);
     }
 }
@@ -483,10 +467,7 @@ fn look_now(look: Look, pace: Option<&Pace>) -> Look {
     let is_coarse =
         pace.is_some_and(|pace| pace.tiles().is_none() || pace.divisor() > Divisor::ONE);
     match is_coarse {
-        true => Look {
-            samples: Samples::One,
-            ..look
-        },
+        true => Look { samples: Samples::One, ..look },
         false => look,
     }
 }
@@ -498,10 +479,7 @@ fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> 
     let side = |side: u32| divisor.of(side).max(side / most.max(1));
     match (pace, fixed) {
         (None, Some(size)) => size,
-        _ => Geometry {
-            width: side(area.width),
-            height: side(area.height),
-        },
+        _ => Geometry { width: side(area.width), height: side(area.height) },
     }
 }
 
@@ -565,10 +543,7 @@ mod tests {
 
     impl Display for Watched {
         fn area(&self) -> Geometry {
-            Geometry {
-                width: 32,
-                height: 18,
-            }
+            Geometry { width: 32, height: 18 }
         }
         fn scales(&self) -> bool {
             false
@@ -608,15 +583,8 @@ mod tests {
             look: Look::default(),
         };
         let clock = Box::new(FixedSteps(Duration::from_millis(20)));
-        play(
-            Box::new(Short::default()),
-            0,
-            &options.session,
-            clock,
-            player,
-            None,
-        )
-        .expect("a session")
+        play(Box::new(Short::default()), 0, &options.session, clock, player, None)
+            .expect("a session")
     }
 
     /// Else nobody could read the score.
@@ -638,28 +606,16 @@ mod tests {
 
     #[test]
     fn a_requested_size_is_kept() {
-        let area = Geometry {
-            width: 640,
-            height: 360,
-        };
-        let fixed = Geometry {
-            width: 33,
-            height: 17,
-        };
+        let area = Geometry { width: 640, height: 360 };
+        let fixed = Geometry { width: 33, height: 17 };
         assert_eq!(wanted_size(area, None, Some(fixed)), fixed);
         assert_eq!(wanted_size(area, None, None), area);
         let paced = wanted_size(area, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (40, 22));
-        let tiny = Geometry {
-            width: 20,
-            height: 3,
-        };
+        let tiny = Geometry { width: 20, height: 3 };
         let paced = wanted_size(tiny, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (20, 3));
-        let small = Geometry {
-            width: 80,
-            height: 48,
-        };
+        let small = Geometry { width: 80, height: 48 };
         let paced = wanted_size(small, Some(&Pace::new(false)), None);
         assert_eq!((paced.width, paced.height), (13, 8));
     }

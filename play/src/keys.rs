@@ -15,9 +15,7 @@ pub const KEYS: &[(&str, &str)] = &[
 #[must_use]
 pub fn table() -> String {
     let widest = KEYS.iter().map(|(key, _)| key.len()).max().unwrap_or(0);
-    let rows = KEYS
-        .iter()
-        .map(|(key, what)| format!("\n  {key:widest$}   {what}"));
+    let rows = KEYS.iter().map(|(key, what)| format!("\n  {key:widest$}   {what}"));
     format!("Keys:{}", rows.collect::<String>())
 }
 

@@ -53,10 +53,7 @@ use self::reload::Reload;
 use self::viewer::Viewer;
 
 /// The initial size of a window, and the default size of pictures.
-const SIZE: Geometry = Geometry {
-    width: 960,
-    height: 540,
-};
+const SIZE: Geometry = Geometry { width: 960, height: 540 };
 
 /// Runs `cellray-play` with these games. Returns the exit code.
 pub fn main(games: &[Entry]) -> ExitCode {
@@ -119,13 +116,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
                 say(note);
             }
             let viewer = Viewer::new(scene, render_options, has_headlight);
-            session(
-                Box::new(viewer),
-                Some(0),
-                size,
-                &view.options,
-                Reload::new(view),
-            )
+            session(Box::new(viewer), Some(0), size, &view.options, Reload::new(view))
         }
     }
 }
@@ -136,11 +127,7 @@ fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
     games.iter().find(same).ok_or_else(|| PlayError::NoGame {
         name: name.to_owned(),
         meant: names::nearest(name, games.iter().map(|entry| entry.name)),
-        known: games
-            .iter()
-            .map(|entry| entry.name)
-            .collect::<Vec<_>>()
-            .join(", "),
+        known: games.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", "),
     })
 }
 
@@ -155,16 +142,10 @@ fn load(name: &Path) -> Result<(nff::Scene, bool), PlayError> {
 
 /// Writes a picture to standard output, as wide as the terminal.
 fn show(path: &Path) -> Result<Ending, PlayError> {
-    let picture = image::open(path).map_err(|source| PlayError::Picture {
-        path: path.to_path_buf(),
-        source,
-    })?;
+    let picture = image::open(path)
+        .map_err(|source| PlayError::Picture { path: path.to_path_buf(), source })?;
     let (columns, _) = terminal_size();
-    print(&lines(
-        &picture.to_rgb8(),
-        columns,
-        Colours::of_environment(),
-    ))
+    print(&lines(&picture.to_rgb8(), columns, Colours::of_environment()))
 }
 
 fn play(game: Box<dyn Game>, options: &GameOptions) -> Result<Ending, PlayError> {
@@ -204,9 +185,7 @@ fn session(
     reload: Option<Reload<'_>>,
 ) -> Result<Ending, PlayError> {
     if options.has_program() && game.program()?.is_some() {
-        return Err(PlayError::Options(
-            "--program: the game has an SPU program of its own",
-        ));
+        return Err(PlayError::Options("--program: the game has an SPU program of its own"));
     }
     // Done before a display is opened, so that a signal meanwhile is a request too.
     let _interrupted = Interrupted::install().map_err(PlayError::Signals)?;
@@ -214,9 +193,7 @@ fn session(
     let size = options.size.unwrap_or(usual);
     if kind != DisplayKind::Images {
         if options.out.is_some() {
-            return Err(PlayError::Options(
-                "--out can only be used with --display images",
-            ));
+            return Err(PlayError::Options("--out can only be used with --display images"));
         }
         if options.frames.is_some_and(|range| range.first != 0) {
             return Err(PlayError::Options(
@@ -268,9 +245,7 @@ fn session(
         }
         DisplayKind::None => {
             if options.frames.is_none() && options.replay.is_none() {
-                return Err(PlayError::Options(
-                    "--display none needs --frames or --replay",
-                ));
+                return Err(PlayError::Options("--display none needs --frames or --replay"));
             }
             let player = Player {
                 display: Box::new(NoDisplay::new(size)),
@@ -282,13 +257,7 @@ fn session(
             (fixed, player)
         }
     };
-    let seed = seed.unwrap_or_else(|| {
-        if kind == DisplayKind::None {
-            0
-        } else {
-            any_seed()
-        }
-    });
+    let seed = seed.unwrap_or_else(|| if kind == DisplayKind::None { 0 } else { any_seed() });
     let played = interactive::play(game, seed, options, clock, player, reload)?;
     for message in &played.messages {
         say(message);
@@ -305,9 +274,7 @@ fn pictures(
     options: &Options,
 ) -> Result<Ending, PlayError> {
     let (Some(range), Some(paths)) = (options.frames, &options.out) else {
-        return Err(PlayError::Options(
-            "pictures need --frames A..B and --out 'f-%05d.png'",
-        ));
+        return Err(PlayError::Options("pictures need --frames A..B and --out 'f-%05d.png'"));
     };
     let pictures = Pictures::new(paths.clone());
     let mut interrupted = Interrupted::install().map_err(PlayError::Signals)?;
@@ -319,10 +286,7 @@ fn pictures(
     let mut clock = FixedSteps(options.step());
     let made = pictures.write(&mut session, range, &mut clock, &mut interrupted)?;
     tell(session.report().clone(), options.verbose);
-    say(format_args!(
-        "{} picture(s) written, {} existed already",
-        made.written, made.kept
-    ));
+    say(format_args!("{} picture(s) written, {} existed already", made.written, made.kept));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
 }
 

@@ -123,10 +123,7 @@ impl Meter {
         if last.tiles_left > 0 {
             part += &format!(", {} tiles to come", last.tiles_left);
         }
-        lines.push(format!(
-            "{}x{} of {}x{}{part}",
-            picture.0, picture.1, area.0, area.1,
-        ));
+        lines.push(format!("{}x{} of {}x{}{part}", picture.0, picture.1, area.0, area.1,));
         lines.push(format!("{:.1} % of tests skipped", self.skipped));
         lines.push(format!("frame loop {:.1} % free", self.free));
         (&self.lines, &self.loads)
@@ -175,12 +172,7 @@ mod tests {
         };
         let mut meter = Meter::new(now);
         let mut size = |last: &FrameStatistics, samples| {
-            let quality = Quality {
-                picture: (64, 36),
-                area: (128, 72),
-                samples,
-                is_full: false,
-            };
+            let quality = Quality { picture: (64, 36), area: (128, 72), samples, is_full: false };
             let (lines, _) = meter.frame(now, &report, last, quality);
             lines[1].clone()
         };
@@ -197,18 +189,8 @@ mod tests {
         let last = FrameStatistics::default();
         let mut report = Report::new("a scene", (64, 36), 1);
         let mut meter = Meter::new(began);
-        let coarse = Quality {
-            picture: (32, 18),
-            area: (64, 36),
-            samples: 1,
-            is_full: false,
-        };
-        let full = Quality {
-            picture: (64, 36),
-            samples: 4,
-            is_full: true,
-            ..coarse
-        };
+        let coarse = Quality { picture: (32, 18), area: (64, 36), samples: 1, is_full: false };
+        let full = Quality { picture: (64, 36), samples: 4, is_full: true, ..coarse };
         let mut seconds = 0.0;
         let mut after = 0;
         let limit = SpuClock::here().limit();

@@ -15,10 +15,7 @@ impl Line {
     /// A line that is emphasised as a whole.
     pub fn heading(text: impl Into<String>) -> Self {
         let text = text.into();
-        Self {
-            emphasised: text.chars().count(),
-            text,
-        }
+        Self { emphasised: text.chars().count(), text }
     }
 
     /// The line without its indentation.
@@ -26,19 +23,13 @@ impl Line {
     pub fn flush(&self) -> Self {
         let text = self.text.trim_start();
         let indentation = self.text.len() - text.len();
-        Self {
-            text: text.to_owned(),
-            emphasised: self.emphasised.saturating_sub(indentation),
-        }
+        Self { text: text.to_owned(), emphasised: self.emphasised.saturating_sub(indentation) }
     }
 }
 
 impl<T: Into<String>> From<T> for Line {
     fn from(text: T) -> Self {
-        Self {
-            text: text.into(),
-            emphasised: 0,
-        }
+        Self { text: text.into(), emphasised: 0 }
     }
 }
 
@@ -89,17 +80,11 @@ mod tests {
         };
         let numbers = "SPUs 25 100 %  12 frames/s  64x48";
         assert_eq!(overlay.line().as_deref(), Some(numbers));
-        let overlay = Overlay {
-            message: Some(("pad 1 is gone".into(), 1.0)),
-            ..overlay
-        };
+        let overlay = Overlay { message: Some(("pad 1 is gone".into(), 1.0)), ..overlay };
         let all = format!("pad 1 is gone  {numbers}");
         assert_eq!(overlay.line(), Some(all));
         let status = vec!["Blue's turn".into()];
-        let without = Overlay {
-            status,
-            ..Overlay::default()
-        };
+        let without = Overlay { status, ..Overlay::default() };
         assert_eq!(without.line(), None);
     }
 }

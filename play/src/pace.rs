@@ -107,21 +107,13 @@ impl Pace {
     /// picture at rest is refined even if it has the display's resolution.
     #[must_use]
     pub fn new(is_smooth: bool) -> Self {
-        Self {
-            divisor: COARSEST,
-            seconds: None,
-            rested: 0,
-            still: 0,
-            is_smooth,
-            refining: None,
-        }
+        Self { divisor: COARSEST, seconds: None, rested: 0, still: 0, is_smooth, refining: None }
     }
 
     /// The current divisor of the display's width and height.
     #[must_use]
     pub fn divisor(&self) -> Divisor {
-        self.refining
-            .map_or(self.divisor, |refining| refining.divisor)
+        self.refining.map_or(self.divisor, |refining| refining.divisor)
     }
 
     /// The largest number of tiles that the next frame may trace, while a picture is refined.
@@ -172,15 +164,9 @@ impl Pace {
     fn next(&self, seconds: f64) -> Divisor {
         let shorter = |divisor: Divisor, than| expected(seconds, self.divisor, divisor) < than;
         if self.rested > 1 && seconds > TOO_LONG {
-            self.divisor
-                .coarser()
-                .find(|&coarser| shorter(coarser, TOO_LONG))
-                .unwrap_or(COARSEST)
+            self.divisor.coarser().find(|&coarser| shorter(coarser, TOO_LONG)).unwrap_or(COARSEST)
         } else if self.rested >= REST {
-            self.divisor
-                .finer()
-                .find(|&finer| shorter(finer, SHORT))
-                .unwrap_or(self.divisor)
+            self.divisor.finer().find(|&finer| shorter(finer, SHORT)).unwrap_or(self.divisor)
         } else {
             self.divisor
         }
@@ -191,11 +177,7 @@ impl Refining {
     /// Begins with a picture of this divisor.
     fn new(divisor: Divisor) -> Self {
         Self {
-            divisor: if divisor > HALFWAY {
-                HALFWAY
-            } else {
-                Divisor::ONE
-            },
+            divisor: if divisor > HALFWAY { HALFWAY } else { Divisor::ONE },
             tiles: FIRST_TILES,
             seconds: None,
         }
@@ -211,11 +193,7 @@ impl Refining {
             self.tiles = (SLICE / seconds).clamp(1.0, most) as u32;
         }
         if left == 0 && self.divisor > Divisor::ONE {
-            *self = Self {
-                seconds: self.seconds,
-                tiles: self.tiles,
-                divisor: Divisor::ONE,
-            };
+            *self = Self { seconds: self.seconds, tiles: self.tiles, divisor: Divisor::ONE };
         }
     }
 }
@@ -289,15 +267,9 @@ mod tests {
     fn a_steady_load_comes_to_rest_and_is_fluid() {
         for full in [0.001, 0.02, 0.05, 0.1, 0.4, 1.0, 2.5, 40.0] {
             let settled = Load::new(full).moving(&mut Pace::new(false), 200)[100..].to_vec();
-            assert!(
-                settled.windows(2).all(|pair| pair[0] == pair[1]),
-                "{full}: {settled:?}"
-            );
+            assert!(settled.windows(2).all(|pair| pair[0] == pair[1]), "{full}: {settled:?}");
             let seconds = full / settled[0].area();
-            assert!(
-                seconds <= TOO_LONG || settled[0] == COARSEST,
-                "{full}: {seconds}"
-            );
+            assert!(seconds <= TOO_LONG || settled[0] == COARSEST, "{full}: {seconds}");
         }
     }
 
@@ -311,10 +283,7 @@ mod tests {
             let (took, would_take) = (full / settled.area(), full / finer.area());
             assert!(took < SHORT && would_take >= SHORT, "{full}: {settled:?}");
         }
-        assert_eq!(
-            [1, 5, 7].map(|quarters| Divisor(4 * quarters).of(960)),
-            [960, 192, 137]
-        );
+        assert_eq!([1, 5, 7].map(|quarters| Divisor(4 * quarters).of(960)), [960, 192, 137]);
         assert_eq!((Divisor(5).of(960), Divisor(7).of(540)), (768, 308));
     }
 
@@ -323,10 +292,7 @@ mod tests {
         let mut pace = Pace::new(false);
         assert_eq!(pace.divisor(), COARSEST);
         let divisors = Load::new(0.01).moving(&mut pace, 100);
-        assert_eq!(
-            divisors[REST as usize..],
-            [Divisor::ONE; 100 - REST as usize]
-        );
+        assert_eq!(divisors[REST as usize..], [Divisor::ONE; 100 - REST as usize]);
         let divisors = Load::new(1.0).moving(&mut pace, 4);
         assert!(divisors.last() > Some(&Divisor(12)), "{divisors:?}");
     }
@@ -345,10 +311,7 @@ mod tests {
                 assert!(f64::from(frames) < 20.0 + 2.0 * full / SLICE, "{full}");
             }
             let tile = full / ALL as f64;
-            assert!(
-                longest <= SLICE.max(f64::from(FIRST_TILES) * tile),
-                "{full}: {longest}"
-            );
+            assert!(longest <= SLICE.max(f64::from(FIRST_TILES) * tile), "{full}: {longest}");
             for _ in 0..100 {
                 assert_eq!((load.frame(&mut pace), pace.divisor()), (0.0, Divisor::ONE));
             }

@@ -49,10 +49,7 @@ pub fn connect<G: Game>(
 }
 
 fn open(path: &Path) -> Result<Recording, PlayError> {
-    Recording::open(path).map_err(|source| PlayError::Recording {
-        path: path.to_owned(),
-        source,
-    })
+    Recording::open(path).map_err(|source| PlayError::Recording { path: path.to_owned(), source })
 }
 
 fn create(path: &Path) -> Result<Box<dyn Write>, PlayError> {
@@ -61,8 +58,5 @@ fn create(path: &Path) -> Result<Box<dyn Write>, PlayError> {
         path: path.to_owned(),
         source: RecordingError::Io(error),
     })?;
-    Ok(Box::new(BufWriter::new(NamedFile {
-        file,
-        path: path.to_owned(),
-    })))
+    Ok(Box::new(BufWriter::new(NamedFile { file, path: path.to_owned() })))
 }

@@ -20,10 +20,7 @@ impl<'a> Reload<'a> {
     pub fn new(arguments: &'a ViewArguments) -> Option<Self> {
         let files = [arguments.scene.clone()].into_iter();
         let files = files.chain(arguments.options.program_files());
-        arguments.watch.then(|| Self {
-            arguments,
-            watch: Watch::new(files),
-        })
+        arguments.watch.then(|| Self { arguments, watch: Watch::new(files) })
     }
 
     /// A viewer of the scene as it is now, seen from where the player is, if a file has changed.

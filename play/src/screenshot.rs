@@ -57,10 +57,7 @@ pub fn write(folder: &Path, stem: &str, picture: &RgbImage) -> Result<PathBuf, S
             Err(source) => return Err(ScreenshotError::Io { path, source }),
         }
     }
-    Err(ScreenshotError::Full {
-        folder: folder.to_owned(),
-        stem: stem.to_owned(),
-    })
+    Err(ScreenshotError::Full { folder: folder.to_owned(), stem: stem.to_owned() })
 }
 
 #[cfg(test)]
@@ -78,10 +75,7 @@ mod tests {
             assert_eq!(path, name(number));
             assert_eq!(image::open(path).expect("a PNG").into_rgb8(), picture);
         }
-        assert_eq!(
-            fs::read(name(2)).expect("still there"),
-            b"a file of the user"
-        );
+        assert_eq!(fs::read(name(2)).expect("still there"), b"a file of the user");
     }
 
     #[test]

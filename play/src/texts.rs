@@ -46,11 +46,7 @@ impl Texts {
     pub fn new(has_text: bool) -> Self {
         Self {
             began: None,
-            level: if has_text {
-                Level::Game
-            } else {
-                Level::Nothing
-            },
+            level: if has_text { Level::Game } else { Level::Nothing },
             has_help: false,
             message: None,
         }
@@ -87,10 +83,7 @@ impl Texts {
         now: Instant,
     ) -> Overlay {
         self.began.get_or_insert(now);
-        let mut overlay = Overlay {
-            notice: notice.map(str::to_owned),
-            ..Overlay::default()
-        };
+        let mut overlay = Overlay { notice: notice.map(str::to_owned), ..Overlay::default() };
         if self.has_help {
             overlay.help = help(game);
         }
@@ -172,12 +165,7 @@ mod tests {
     fn labels() -> Vec<PlacedLabel> {
         let side = Side::Over;
         let text = "king".to_owned();
-        vec![PlacedLabel {
-            text,
-            place: [0.5; 2],
-            side,
-            colour: [255; 3],
-        }]
+        vec![PlacedLabel { text, place: [0.5; 2], side, colour: [255; 3] }]
     }
 
     fn shown(texts: &mut Texts, now: Instant) -> Overlay {
@@ -217,10 +205,7 @@ mod tests {
         let speeds = ["60 frames/s".to_owned()];
         let mut texts = Texts::new(true);
         let begun = texts.overlay((&speeds, &[0.5]), &silent, Vec::new(), None, now);
-        let only_the_hint = Overlay {
-            message: Some((HINT.to_owned(), 1.0)),
-            ..Overlay::default()
-        };
+        let only_the_hint = Overlay { message: Some((HINT.to_owned(), 1.0)), ..Overlay::default() };
         assert_eq!(begun, only_the_hint);
         for key in ["H", "F1"] {
             assert!(KEYS.iter().any(|(keys, _)| *keys == key) && HINT.contains(key));

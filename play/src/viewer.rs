@@ -85,10 +85,7 @@ impl Viewer {
     /// The same scene, seen from this view instead of its own.
     #[must_use]
     pub fn seen_from(self, view: &View) -> Self {
-        Self {
-            begins: Some(view.clone()),
-            ..self
-        }
+        Self { begins: Some(view.clone()), ..self }
     }
 
     /// The drag of the mouse to the right and up, in radians.
@@ -118,10 +115,7 @@ impl Game for Viewer {
         *world = World::from_nff(&self.scene, self.render_options)?;
         self.home = Orbit::of(&aimed(&self.scene, world));
         self.orbit = match &self.begins {
-            Some(view) => Orbit {
-                first_distance: self.home.first_distance,
-                ..Orbit::of(view)
-            },
+            Some(view) => Orbit { first_distance: self.home.first_distance, ..Orbit::of(view) },
             None => self.home,
         };
         let light = world.lights().next().filter(|_| self.has_headlight);
@@ -133,9 +127,7 @@ impl Game for Viewer {
     }
 
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
-        let Frame {
-            input, delta, size, ..
-        } = *frame;
+        let Frame { input, delta, size, .. } = *frame;
         if input.key_pressed(Key::Home) || input.pad().is_some_and(|pad| pad.pressed(Button::Start))
         {
             self.orbit = self.home;
@@ -183,10 +175,7 @@ fn aimed(scene: &nff::Scene, world: &World) -> View {
         }
         _ => named,
     };
-    let aimed = View {
-        at: view.from + sight * (distance / named),
-        ..view.clone()
-    };
+    let aimed = View { at: view.from + sight * (distance / named), ..view.clone() };
     // A distance that is very small or not finite shows nothing.
     match aimed.camera(2, 2) {
         Ok(_) => aimed,
@@ -209,9 +198,7 @@ fn bounds(scene: &nff::Scene) -> (DVec3, DVec3) {
         Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => of(vertices, 0.0),
     });
     let mesh = scene.mesh.as_ref().and_then(|mesh| mesh.bounds());
-    objects
-        .chain(mesh)
-        .fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)))
+    objects.chain(mesh).fold(nothing, |all, one| (all.0.min(one.0), all.1.max(one.1)))
 }
 
 /// A light that keeps its direction as seen from the eye.
@@ -337,15 +324,9 @@ impl Orbit {
 
     /// Moves the eye nearer by about `part` of its distance.
     fn approach(&mut self, part: f64) {
-        let distance = if part >= 0.0 {
-            self.distance / (1.0 + part)
-        } else {
-            self.distance * (1.0 - part)
-        };
-        let (least, most) = (
-            self.first_distance / FARTHEST,
-            self.first_distance * FARTHEST,
-        );
+        let distance =
+            if part >= 0.0 { self.distance / (1.0 + part) } else { self.distance * (1.0 - part) };
+        let (least, most) = (self.first_distance / FARTHEST, self.first_distance * FARTHEST);
         self.distance = distance.clamp(least, most);
     }
 }
@@ -386,18 +367,9 @@ mod tests {
         fn of(scene: nff::Scene, has_headlight: bool) -> Self {
             let viewer = Viewer::new(scene, RenderOptions::default(), has_headlight);
             let (mut viewer, mut world) = (viewer, World::new());
-            let start = Start {
-                seed: 0,
-                size: (64, 36),
-            };
+            let start = Start { seed: 0, size: (64, 36) };
             viewer.set_up(&mut world, &start).expect("a world");
-            Self {
-                viewer,
-                world,
-                input: Input::default(),
-                frame: 0,
-                size: (64, 36),
-            }
+            Self { viewer, world, input: Input::default(), frame: 0, size: (64, 36) }
         }
 
         /// Runs frames with these events in the first one. Returns the eye's position at the end.
@@ -420,9 +392,7 @@ mod tests {
                     size: self.size,
                     last: None,
                 };
-                self.viewer
-                    .update(&mut self.world, &frame)
-                    .expect("a frame");
+                self.viewer.update(&mut self.world, &frame).expect("a frame");
                 self.frame += 1;
             }
             self.world.view().from
@@ -490,11 +460,7 @@ mod tests {
     /// The scene, seen along a line from the eye.
     fn seen(from: DVec3, at: DVec3) -> nff::Scene {
         let mut scene = scene();
-        scene.view = View {
-            from,
-            at,
-            ..scene.view
-        };
+        scene.view = View { from, at, ..scene.view };
         scene
     }
 
@@ -502,18 +468,8 @@ mod tests {
     fn the_eye_turns_around_what_is_in_the_middle_of_the_picture() {
         let eye = DVec3::new(0.0, -10.0, 0.0);
         for (name, from, at, target) in [
-            (
-                "the file's point, in the ball",
-                eye,
-                DVec3::ZERO,
-                DVec3::ZERO,
-            ),
-            (
-                "a point close to the eye",
-                eye,
-                eye + DVec3::Y,
-                DVec3::new(0.0, -1.0, 0.0),
-            ),
+            ("the file's point, in the ball", eye, DVec3::ZERO, DVec3::ZERO),
+            ("a point close to the eye", eye, eye + DVec3::Y, DVec3::new(0.0, -1.0, 0.0)),
             (
                 "a point behind the ball",
                 eye,
@@ -521,18 +477,8 @@ mod tests {
                 DVec3::new(0.0, -1.0, 0.0),
             ),
             // The ray passes the ball at the side.
-            (
-                "nothing",
-                eye + 3.0 * DVec3::X,
-                eye + 3.0 * DVec3::X + DVec3::Y,
-                3.0 * DVec3::X,
-            ),
-            (
-                "nothing ahead",
-                eye,
-                eye - 7.0 * DVec3::Y,
-                eye - 7.0 * DVec3::Y,
-            ),
+            ("nothing", eye + 3.0 * DVec3::X, eye + 3.0 * DVec3::X + DVec3::Y, 3.0 * DVec3::X),
+            ("nothing ahead", eye, eye - 7.0 * DVec3::Y, eye - 7.0 * DVec3::Y),
         ] {
             let mut player = Player::of(seen(from, at), false);
             let begin = player.play(&[], 1);
@@ -555,9 +501,7 @@ mod tests {
     fn a_headlight_comes_with_the_eye_and_no_other_light_does() {
         let lit = |has_headlight: bool| {
             let mut scene = scene();
-            scene.lights[0].kind = LightKind::Directional {
-                to_light: DVec3::new(-1.0, -2.0, 2.0),
-            };
+            scene.lights[0].kind = LightKind::Directional { to_light: DVec3::new(-1.0, -2.0, 2.0) };
             Player::of(scene, has_headlight)
         };
         // Where the light is, as the eye has it: to the right, up and back.
@@ -582,9 +526,7 @@ mod tests {
         let mut player = Player::of(scene(), true);
         player.play(&[key(Key::Right, true)], 20);
         let id = player.world.lights().next().expect("a light");
-        let place = LightKind::Point {
-            position: DVec3::new(5.0, -5.0, 5.0),
-        };
+        let place = LightKind::Point { position: DVec3::new(5.0, -5.0, 5.0) };
         assert_eq!(player.world.light(id).unwrap().kind, place);
     }
 
@@ -593,10 +535,7 @@ mod tests {
         for (held, sign) in [(Key::Up, 1.0), (Key::Down, -1.0)] {
             let mut player = Player::new();
             let eye = player.play(&[key(held, true)], 500);
-            assert!(
-                eye.z * sign > 9.5 && eye.z * sign < 10.0 && eye.y < 0.0,
-                "{eye}"
-            );
+            assert!(eye.z * sign > 9.5 && eye.z * sign < 10.0 && eye.y < 0.0, "{eye}");
         }
         // A drag across many pictures doesn't either.
         let mut orbit = Orbit::of(&scene().view);
@@ -610,10 +549,7 @@ mod tests {
     fn a_drag_goes_on_where_the_picture_becomes_coarser() {
         let mut player = Player::new();
         let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
-        let left = InputEvent::MouseButton {
-            button: MouseButton::Left,
-            down: true,
-        };
+        let left = InputEvent::MouseButton { button: MouseButton::Left, down: true };
         player.play(&[at(10.0, 10.0), left], 1);
         let before = player.play(&[at(40.0, 10.0)], 1);
         player.size = (16, 9);
@@ -627,14 +563,8 @@ mod tests {
     #[test]
     fn a_scene_has_one_name_by_all_its_paths() {
         for path in ["x.nff", "./x.nff", "/there/../x.nff"] {
-            let scene = nff::Scene {
-                name: path.into(),
-                ..scene()
-            };
-            assert_eq!(
-                Viewer::new(scene, RenderOptions::default(), false).name(),
-                "view x.nff"
-            );
+            let scene = nff::Scene { name: path.into(), ..scene() };
+            assert_eq!(Viewer::new(scene, RenderOptions::default(), false).name(), "view x.nff");
         }
     }
 
@@ -642,10 +572,7 @@ mod tests {
     fn the_scene_follows_the_mouse_and_the_wheel_brings_it_near() {
         let mut player = Player::new();
         let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
-        let left = |down| InputEvent::MouseButton {
-            button: MouseButton::Left,
-            down,
-        };
+        let left = |down| InputEvent::MouseButton { button: MouseButton::Left, down };
         let begin = player.play(&[at(10.0, 10.0)], 1);
         assert_eq!(player.play(&[at(20.0, 10.0)], 1), begin);
         let dragged = player.play(&[left(true), at(30.0, 10.0)], 1);

@@ -42,15 +42,9 @@ mod tests {
         let after = |milliseconds| began + Duration::from_millis(milliseconds);
         let mut waiting = Waiting::new(began);
         assert_eq!(waiting.text(after(900), 0.1), None);
-        assert_eq!(
-            waiting.text(after(1000), 0.125).as_deref(),
-            Some("tracing ... 12 %")
-        );
+        assert_eq!(waiting.text(after(1000), 0.125).as_deref(), Some("tracing ... 12 %"));
         assert_eq!(waiting.text(after(1900), 0.2), None);
-        assert_eq!(
-            waiting.text(after(2100), 0.25).as_deref(),
-            Some("tracing ... 25 %")
-        );
+        assert_eq!(waiting.text(after(2100), 0.25).as_deref(), Some("tracing ... 25 %"));
         waiting.is_over(after(2200));
         assert_eq!(waiting.text(after(3100), 0.3), None);
         assert!(waiting.text(after(3200), 0.3).is_some());

@@ -19,27 +19,17 @@ pub struct Program {
 }
 
 /// Compares the tracer with the f64 reference.
-pub const BENCH: Program = Program {
-    name: "cellray-bench",
-    package: "accuracy",
-};
+pub const BENCH: Program = Program { name: "cellray-bench", package: "accuracy" };
 
 /// Windows, terminals, input devices, games.
-pub const PLAY: Program = Program {
-    name: "cellray-play",
-    package: "cellray-play",
-};
+pub const PLAY: Program = Program { name: "cellray-play", package: "cellray-play" };
 
 /// Arguments that are passed on.
 #[derive(Args)]
 #[command(disable_help_flag = true)]
 pub struct Arguments {
     /// Arguments of that program; --help lists them
-    #[arg(
-        trailing_var_arg = true,
-        allow_hyphen_values = true,
-        value_name = "ARGUMENTS"
-    )]
+    #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
     arguments: Vec<OsString>,
 }
 
@@ -52,10 +42,8 @@ impl Program {
             .filter(|program| program.is_file());
         // If there is none next to this program, PATH is searched.
         let program = adjacent.unwrap_or_else(|| Path::new(self.name).to_path_buf());
-        let error = Command::new(&program)
-            .args(command.map(OsStr::new))
-            .args(&arguments.arguments)
-            .exec();
+        let error =
+            Command::new(&program).args(command.map(OsStr::new)).args(&arguments.arguments).exec();
         let hint = match error.kind() {
             ErrorKind::NotFound => {
                 format!(": it is built by cargo build --release -p {}", self.package)

@@ -21,9 +21,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Outcome {
     let library = spe::library_path();
-    let library = library
-        .as_deref()
-        .map_or("unknown".into(), Path::to_string_lossy);
+    let library = library.as_deref().map_or("unknown".into(), Path::to_string_lossy);
     let program = Program::tracer();
     let mut out = String::new();
     writeln!(out, "libspe2      {library}")?;

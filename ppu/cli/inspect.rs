@@ -74,13 +74,8 @@ pub fn frame(
         false => maps::of_tiles(settings, scene, geometry)?,
     };
 
-    let tile = |tile: &TracedTile| Tile {
-        number: tile.number,
-        ticks: tile.ticks,
-    };
-    let units = traced.units.iter().map(|tiles| Unit {
-        tiles: tiles.iter().map(tile).collect(),
-    });
+    let tile = |tile: &TracedTile| Tile { number: tile.number, ticks: tile.ticks };
+    let units = traced.units.iter().map(|tiles| Unit { tiles: tiles.iter().map(tile).collect() });
     let text = page(&Inspection {
         scene: scene.file(),
         picture: &png(&picture)?,
@@ -120,50 +115,18 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
         value: value.to_string(),
         meaning,
     };
-    let Report {
-        tests,
-        tiles,
-        packets,
-        rays,
-        phases,
-        ..
-    } = report;
+    let Report { tests, tiles, packets, rays, phases, .. } = report;
     let tile = "Tiles of 64x16 pixels";
     let packet = "Packets of 16 rays";
     let test = "Tests of one ray with one object";
     let ray = "Rays";
     let mut all = vec![
-        of(
-            tile,
-            "traced",
-            tiles.traced,
-            "an object may be visible in them",
-        ),
-        of(
-            tile,
-            "filled",
-            tiles.filled,
-            "skipped: no object is visible in them",
-        ),
-        of(
-            tile,
-            "blank",
-            tiles.blank,
-            "filled ones that were not even written",
-        ),
-        of(
-            tile,
-            "retained",
-            tiles.retained,
-            "skipped: the framebuffer showed them already",
-        ),
+        of(tile, "traced", tiles.traced, "an object may be visible in them"),
+        of(tile, "filled", tiles.filled, "skipped: no object is visible in them"),
+        of(tile, "blank", tiles.blank, "filled ones that were not even written"),
+        of(tile, "retained", tiles.retained, "skipped: the framebuffer showed them already"),
         of(packet, "traced", packets.traced, "packets of primary rays"),
-        of(
-            packet,
-            "filled",
-            packets.filled,
-            "skipped: culling left no object for them",
-        ),
+        of(packet, "filled", packets.filled, "skipped: culling left no object for them"),
         of(test, "made", tests.made, "a kernel computed them"),
         of(
             test,
@@ -177,38 +140,13 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
             tests.skipped,
             "culling by tile, packet or node found them unnecessary",
         ),
-        of(
-            test,
-            "hidden",
-            tests.hidden,
-            "of those, because all rays had hit something nearer",
-        ),
-        of(
-            test,
-            "unseen",
-            tests.unseen,
-            "the object was not sent: the picture can't show it",
-        ),
-        of(
-            "Tests of bounding volumes",
-            "made",
-            tests.cull,
-            "with frusta and packets' cones",
-        ),
+        of(test, "hidden", tests.hidden, "of those, because all rays had hit something nearer"),
+        of(test, "unseen", tests.unseen, "the object was not sent: the picture can't show it"),
+        of("Tests of bounding volumes", "made", tests.cull, "with frusta and packets' cones"),
         of(ray, "eye", rays.eye, "through pixels"),
-        of(
-            ray,
-            "samples",
-            rays.samples,
-            "of those, beyond the first of each pixel",
-        ),
+        of(ray, "samples", rays.samples, "of those, beyond the first of each pixel"),
         of(ray, "eye, hit", rays.eye_hit, "of those, hit something"),
-        of(
-            ray,
-            "reflected",
-            rays.reflected,
-            "that are not too weak to change a byte",
-        ),
+        of(ray, "reflected", rays.reflected, "that are not too weak to change a byte"),
         of(ray, "refracted", rays.refracted, "likewise"),
         of(ray, "shadow", rays.shadow, "from hits to lights"),
         of(ray, "background", rays.background, "hit nothing"),
@@ -216,20 +154,12 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
     let busy: f64 = report.spu.iter().map(|spu| spu.busy).sum();
     for (name, seconds, meaning) in [
         ("fetching", phases.fetch, "the frame and its scene"),
-        (
-            "culling",
-            phases.cull,
-            "objects that a tile or packet can't meet",
-        ),
+        ("culling", phases.cull, "objects that a tile or packet can't meet"),
         ("making rays", phases.rays, "primary and secondary"),
         ("testing", phases.isect, "rays with objects"),
         ("shading", phases.shade, "and packing pixels"),
     ] {
-        let part = if busy > 0.0 {
-            100.0 * seconds / busy
-        } else {
-            0.0
-        };
+        let part = if busy > 0.0 { 100.0 * seconds / busy } else { 0.0 };
         all.push(Statistic {
             group: "Time at work, by phase",
             name,

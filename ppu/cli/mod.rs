@@ -82,17 +82,15 @@ fn whole<N: TryFrom<u64>>(
 ) -> impl Fn(&str) -> Result<N, String> + Clone {
     move |text| {
         let number = text.parse().ok().filter(|number| range.contains(number));
-        number
-            .and_then(|number| N::try_from(number).ok())
-            .ok_or_else(|| {
-                let least = range.start();
-                match *range.end() {
-                    most if most >= u64::from(u32::MAX) => {
-                        format!("it is not a whole number from {least}")
-                    }
-                    most => format!("it is not a whole number from {least} to {most}"),
+        number.and_then(|number| N::try_from(number).ok()).ok_or_else(|| {
+            let least = range.start();
+            match *range.end() {
+                most if most >= u64::from(u32::MAX) => {
+                    format!("it is not a whole number from {least}")
                 }
-            })
+                most => format!("it is not a whole number from {least} to {most}"),
+            }
+        })
     }
 }
 

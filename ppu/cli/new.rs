@@ -60,17 +60,9 @@ const GAME: &[Crate] = &[
         // Without what only the program `cellray` needs.
         features: ", default-features = false",
     },
-    Crate {
-        name: "cellray-play",
-        folder: "play",
-        features: "",
-    },
+    Crate { name: "cellray-play", folder: "play", features: "" },
 ];
-const BUILD: &[Crate] = &[Crate {
-    name: "spu-build",
-    folder: "linker",
-    features: "",
-}];
+const BUILD: &[Crate] = &[Crate { name: "spu-build", folder: "linker", features: "" }];
 
 /// A crate of cellray as a dependency.
 struct Crate {
@@ -131,12 +123,7 @@ impl Arguments {
         let mut text = String::new();
         for (part, crates) in self.template.crates() {
             text += &format!("\n[{part}]\n");
-            for Crate {
-                name,
-                folder,
-                features,
-            } in *crates
-            {
+            for Crate { name, folder, features } in *crates {
                 let place = origin.dependency(folder)?;
                 text += &format!("{name} = {{ {place}{features} }}\n");
             }
@@ -204,12 +191,7 @@ impl Origin {
 fn published(sources: &Path) -> Option<(String, String)> {
     let git = |arguments: &[&str]| {
         let mut command = Command::new("git");
-        let output = command
-            .arg("-C")
-            .arg(sources)
-            .args(arguments)
-            .output()
-            .ok()?;
+        let output = command.arg("-C").arg(sources).args(arguments).output().ok()?;
         let text = String::from_utf8(output.stdout).ok()?;
         output.status.success().then(|| text.trim().to_owned())
     };
@@ -250,9 +232,7 @@ fn package_name(folder: &Path) -> Result<&str, String> {
 /// A string in TOML's quotes.
 fn toml_string(text: &str) -> Result<String, String> {
     if text.chars().any(char::is_control) {
-        return Err(format!(
-            "{text:?}: no address or path has control characters"
-        ));
+        return Err(format!("{text:?}: no address or path has control characters"));
     }
     let quoted = text.replace('\\', "\\\\").replace('"', "\\\"");
     Ok(format!("\"{quoted}\""))
@@ -273,10 +253,7 @@ mod tests {
     #[test]
     fn a_game_names_the_repository_that_has_its_sources() {
         let folder = tempfile::tempdir().unwrap();
-        let (clone, commit) = (
-            folder.path().join("clone"),
-            ["commit", "-q", "-m", "changed"],
-        );
+        let (clone, commit) = (folder.path().join("clone"), ["commit", "-q", "-m", "changed"]);
         let git = |arguments: &[&str]| {
             let mut command = Command::new("git");
             command.arg("-C").arg(&clone);
@@ -312,12 +289,7 @@ mod tests {
             there("git@example.org:cellray.git").as_deref(),
             Some("ssh://git@example.org/cellray.git")
         );
-        for here in [
-            "/home/me/cellray",
-            "../cellray",
-            "file:///home/me/cellray",
-            "/a@b:c",
-        ] {
+        for here in ["/home/me/cellray", "../cellray", "file:///home/me/cellray", "/a@b:c"] {
             assert_eq!(there(here), None, "{here}");
         }
     }

@@ -18,20 +18,12 @@ pub struct Progress {
 impl Progress {
     /// Starts the clock.
     pub fn start() -> Self {
-        Self {
-            start: Instant::now(),
-            shown: None,
-            terminal: std::io::stderr().is_terminal(),
-        }
+        Self { start: Instant::now(), shown: None, terminal: std::io::stderr().is_terminal() }
     }
 
     /// Shows that `part` of a frame, 0 to 1, is done.
     pub fn show(&mut self, frame: usize, part: f64) {
-        let pause = if self.terminal {
-            Duration::ZERO
-        } else {
-            LINE_EVERY
-        };
+        let pause = if self.terminal { Duration::ZERO } else { LINE_EVERY };
         if self.start.elapsed() < PATIENCE || self.shown.is_some_and(|last| last.elapsed() < pause)
         {
             return;

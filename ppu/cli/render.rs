@@ -31,10 +31,7 @@ impl FromStr for Frames {
     type Err = FrameRangeError;
 
     fn from_str(text: &str) -> Result<Self, FrameRangeError> {
-        Ok(Self {
-            range: text.parse()?,
-            are_numbered: text.contains(".."),
-        })
+        Ok(Self { range: text.parse()?, are_numbered: text.contains("..") })
     }
 }
 
@@ -61,12 +58,7 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// Frames: N for the first N, traced only once unless --retrace is given; or A..B for numbered
     /// pictures from A to B - 1
-    #[arg(
-        long,
-        default_value = "1",
-        value_name = "A..B",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, default_value = "1", value_name = "A..B", allow_hyphen_values = true)]
     frames: Frames,
     /// Frames in which the eye goes once around its target, in numbered pictures
     #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
@@ -183,14 +175,7 @@ impl Arguments {
         let scene = gathered(&scene).into_owned();
         let turntable = Turntable::new(scene, render_options, self.turn);
         let pictures = Pictures::new(paths).labelled(labels, own_view);
-        sequence::run(
-            &self.options,
-            program,
-            turntable,
-            &pictures,
-            self.frames.range,
-            size,
-        )
+        sequence::run(&self.options, program, turntable, &pictures, self.frames.range, size)
     }
 }
 
@@ -252,10 +237,7 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     }
     let recording = inspect::record()?;
     let options = &arguments.options;
-    let run::Loaded {
-        scene: source,
-        own_view,
-    } = run::load(options)?;
+    let run::Loaded { scene: source, own_view } = run::load(options)?;
     let render_options = options.render_options(&source, false);
     let scene = run::scene(options, &source, render_options, &options.program()?)?;
     let geometry = arguments.geometry(scene.view())?;

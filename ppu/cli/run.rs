@@ -188,17 +188,11 @@ impl Options {
         if let Some(program) = &self.program {
             labels.set("program", program.display());
         } else if !self.shaders.is_empty() {
-            let names = self
-                .shaders
-                .iter()
-                .map(|shader| shader.display().to_string());
+            let names = self.shaders.iter().map(|shader| shader.display().to_string());
             labels.set("shader", names.collect::<Vec<_>>().join(" "));
         } else {
             let quality = self.quality.unwrap_or_default().to_possible_value();
-            labels.set(
-                "quality",
-                quality.as_ref().map_or("", PossibleValue::get_name),
-            );
+            labels.set("quality", quality.as_ref().map_or("", PossibleValue::get_name));
             for (option, formulation) in [("sphere", &self.sphere), ("triangle", &self.triangle)] {
                 if let Some(formulation) = formulation {
                     labels.set(option, formulation);
@@ -219,11 +213,7 @@ impl Options {
         Settings {
             spus: self.spus,
             split: self.split.into(),
-            skip: if self.no_skip {
-                Skip::Nothing
-            } else {
-                Skip::Misses
-            },
+            skip: if self.no_skip { Skip::Nothing } else { Skip::Misses },
             retain: !self.retrace,
             check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
@@ -260,9 +250,7 @@ pub struct Loaded {
 
 /// Loads the scene, and prints notes about what was left out of it.
 pub fn load(options: &Options) -> Result<Loaded, meshes::Error> {
-    let meshes::Loaded {
-        mut scene, notes, ..
-    } = meshes::load(&options.scene)?;
+    let meshes::Loaded { mut scene, notes, .. } = meshes::load(&options.scene)?;
     for note in notes {
         talk::say!("cellray: note: {note}");
     }
@@ -287,9 +275,7 @@ pub fn scene(
     }
     let replacing = [("sphere", &options.sphere), ("triangle", &options.triangle)];
     for (shape, formulation) in replacing {
-        let quality = options
-            .quality
-            .and_then(|quality| quality.to_possible_value());
+        let quality = options.quality.and_then(|quality| quality.to_possible_value());
         if let (Some(quality), Some(formulation)) = (quality, formulation) {
             let quality = quality.get_name();
             talk::say!(

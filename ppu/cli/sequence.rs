@@ -24,10 +24,7 @@ pub fn run(
     // A turntable's frame depends only on its number, so time doesn't matter.
     let mut clock = FixedSteps(Duration::ZERO);
     let made = pictures.write(&mut session, frames, &mut clock, &mut interrupted)?;
-    let what = format!(
-        "{} picture(s) written, {} existed already",
-        made.written, made.kept
-    );
+    let what = format!("{} picture(s) written, {} existed already", made.written, made.kept);
     run::tell(options, &what, session.report().clone())?;
     if let Some(signal) = interrupted.signal() {
         talk::say!("cellray: ended by signal {signal}");

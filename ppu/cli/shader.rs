@@ -139,9 +139,7 @@ fn cycles(plain: &Code, scheduled: &Code, reports: &[LoopReport]) -> Vec<String>
         let both =
             made.and_then(|made| Some((straight(plain, function)?, straight(scheduled, made)?)));
         if let (true, Some((before, after))) = (loops.is_empty(), both) {
-            lines.push(format!(
-                "{name}: {before} cycles straight on, {after} scheduled"
-            ));
+            lines.push(format!("{name}: {before} cycles straight on, {after} scheduled"));
         }
         lines.extend(loops.iter().filter_map(|found| {
             let line = line_of(plain, found)?;
@@ -160,18 +158,12 @@ fn line_of(code: &Code, found: &Loop) -> Option<u64> {
 }
 
 fn pass(found: &Loop, report: &LoopReport) -> String {
-    let before = found
-        .steady
-        .as_ref()
-        .map(|steady| steady.cycles_a_pass().ceil());
+    let before = found.steady.as_ref().map(|steady| steady.cycles_a_pass().ceil());
     let before = before.map_or_else(|| "unknown".to_owned(), |cycles| cycles.to_string());
     let name = &report.name;
     match &report.outcome {
         Form::Pipelined(figures) => {
-            format!(
-                "loop {name}: {before} cycles a pass, {} scheduled",
-                figures.interval
-            )
+            format!("loop {name}: {before} cycles a pass, {} scheduled", figures.interval)
         }
         Form::Plain(why) => format!("loop {name}: {before} cycles a pass; not pipelined: {why}"),
     }

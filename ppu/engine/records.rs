@@ -50,14 +50,12 @@ impl Records {
     /// Allocates room for frames of this framebuffer's size.
     pub fn new(framebuffer: Box<dyn Framebuffer>, program: &Program) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
-        let [
-            (mesh_code, mesh_code_bytes),
-            (texture_code, texture_code_bytes),
-        ] = [program.mesh_code(), program.texture_code()].map(|code| {
-            let mut memory = SharedMemory::new(code.len());
-            memory.write(0, &code);
-            (memory, code.len() as u32)
-        });
+        let [(mesh_code, mesh_code_bytes), (texture_code, texture_code_bytes)] =
+            [program.mesh_code(), program.texture_code()].map(|code| {
+                let mut memory = SharedMemory::new(code.len());
+                memory.write(0, &code);
+                (memory, code.len() as u32)
+            });
         let mut colour_code = SharedMemory::new(COLOUR_CODE_ROOM as usize);
         colour_code.write(0, &program.colour_code());
         Self {

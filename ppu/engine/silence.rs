@@ -47,11 +47,7 @@ pub(super) struct Watchdog {
 impl Watchdog {
     /// Starts the timeout.
     pub fn start(timeout: Duration, now: Instant) -> Self {
-        Self {
-            timeout,
-            since: now,
-            done: 0,
-        }
+        Self { timeout, since: now, done: 0 }
     }
 
     /// Restarts the timeout if the SPUs have done more than before. `done` is any measure of their
@@ -107,12 +103,7 @@ pub enum Activity {
 
 impl fmt::Display for Silence {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            waited,
-            begun,
-            units,
-            activity,
-        } = self;
+        let Self { waited, begun, units, activity } = self;
         write!(
             f,
             "has not answered, and for {} s no SPU has taken or finished any work ({begun} of {units} work units \

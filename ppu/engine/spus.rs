@@ -33,11 +33,7 @@ pub(super) struct Spus {
 impl Spus {
     /// Creates the SPE contexts, loads the program into each and starts it on a thread of its own.
     pub fn start(settings: &Settings) -> Result<Self, EngineError> {
-        let mut started = Self {
-            events: Events::create()?,
-            spus: Vec::new(),
-            pause: Pause::new(),
-        };
+        let mut started = Self { events: Events::create()?, spus: Vec::new(), pause: Pause::new() };
         for number in 0..settings.spus {
             let context = Arc::new(Context::create()?);
             context.load(&settings.program)?;
@@ -46,14 +42,8 @@ impl Spus {
             let thread = thread::Builder::new()
                 .name(format!("spu{number}"))
                 .spawn(move || runner.run(number as usize))
-                .map_err(|source| SpeError {
-                    call: "thread for spe_context_run",
-                    source,
-                })?;
-            started.spus.push(Spu {
-                context,
-                thread: Some(thread),
-            });
+                .map_err(|source| SpeError { call: "thread for spe_context_run", source })?;
+            started.spus.push(Spu { context, thread: Some(thread) });
         }
         Ok(started)
     }
@@ -87,11 +77,7 @@ impl Spus {
             if left.is_zero() {
                 let silence = self.silence(slowest, settings, frame, records);
                 let (spu, unchecked) = (slowest as u32, unchecked());
-                return Err(EngineError::Silent {
-                    spu,
-                    silence,
-                    unchecked,
-                });
+                return Err(EngineError::Silent { spu, silence, unchecked });
             }
             let Some((number, event)) = self.events.wait(self.pause.length(left))? else {
                 self.pause.slept(began.elapsed());
@@ -118,11 +104,7 @@ impl Spus {
                             true => Unchecked::default(),
                             false => unchecked(),
                         };
-                        EngineError::Refused {
-                            spu: number,
-                            refusal,
-                            unchecked,
-                        }
+                        EngineError::Refused { spu: number, refusal, unchecked }
                     })
                 }
                 Event::Stopped => {

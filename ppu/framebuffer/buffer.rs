@@ -32,12 +32,7 @@ impl FrameBuffer {
         // SAFETY: both sides are at least 1, so the layout's size is not zero.
         let base =
             NonNull::new(unsafe { alloc::alloc_zeroed(layout) }).ok_or_else(out_of_memory)?;
-        Ok(FrameBuffer {
-            base,
-            layout,
-            stride,
-            geometry,
-        })
+        Ok(FrameBuffer { base, layout, stride, geometry })
     }
 
     pub(super) fn geometry(&self) -> Geometry {
@@ -61,9 +56,7 @@ impl FrameBuffer {
     /// The rows from top to bottom, without padding.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[u8]> {
         let shown = self.geometry.shown_row_bytes();
-        self.bytes()
-            .chunks_exact(self.stride as usize)
-            .map(move |row| &row[..shown])
+        self.bytes().chunks_exact(self.stride as usize).map(move |row| &row[..shown])
     }
 
     /// The same rows, to draw in.
@@ -74,9 +67,7 @@ impl FrameBuffer {
         // `self` excludes all other access.
         let bytes =
             unsafe { std::slice::from_raw_parts_mut(self.base.as_ptr(), self.layout.size()) };
-        bytes
-            .chunks_exact_mut(stride)
-            .map(move |row| &mut row[..shown])
+        bytes.chunks_exact_mut(stride).map(move |row| &mut row[..shown])
     }
 
     fn bytes(&self) -> &[u8] {
@@ -99,20 +90,13 @@ mod tests {
 
     #[test]
     fn frames_are_line_aligned_and_black() {
-        for (width, height, stride) in [
-            (1, 1, 128),
-            (32, 2, 128),
-            (33, 2, 256),
-            (101, 57, 512),
-            (1280, 720, 5120),
-        ] {
+        for (width, height, stride) in
+            [(1, 1, 128), (32, 2, 128), (33, 2, 256), (101, 57, 512), (1280, 720, 5120)]
+        {
             let mut frame = FrameBuffer::new(Geometry { width, height }).unwrap();
             let target = frame.target(PixelFormat::ARGB);
             assert_eq!(target.base.as_ptr() as usize % LINE, 0);
-            assert_eq!(
-                (target.stride, target.bytes),
-                (stride, (stride * height) as usize)
-            );
+            assert_eq!((target.stride, target.bytes), (stride, (stride * height) as usize));
             assert!(target.stride >= target.geometry.written_row_bytes());
             assert_eq!(frame.rows().count(), height as usize);
             assert!(frame.rows().all(|row| row.len() == width as usize * 4 && row.iter().all(|&byte| byte == 0)));

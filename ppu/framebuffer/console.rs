@@ -57,11 +57,7 @@ impl Console {
 
     /// The pending request to release the screen, if the screen is not released already.
     pub(super) fn request(&self) -> Option<ScreenRequest> {
-        if self.away {
-            None
-        } else {
-            self.switching.take_request()
-        }
+        if self.away { None } else { self.switching.take_request() }
     }
 
     /// Fulfils a request. The program must have taken its picture off the screen before.

@@ -31,15 +31,9 @@ impl Corners {
         if let Some(path) = path {
             PictureFile::new(path, geometry)?;
         }
-        let memory = Memory::new(Geometry {
-            width: geometry.width + 1,
-            height: geometry.height + 1,
-        })?;
-        Ok(Corners {
-            memory,
-            path: path.map(Path::to_owned),
-            labels: Labels::default(),
-        })
+        let memory =
+            Memory::new(Geometry { width: geometry.width + 1, height: geometry.height + 1 })?;
+        Ok(Corners { memory, path: path.map(Path::to_owned), labels: Labels::default() })
     }
 
     /// The same with these labels in the file.
@@ -54,10 +48,8 @@ impl Corners {
         RgbImage::from_fn(rays.width() - 1, rays.height() - 1, |x, y| {
             let corners = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
             let mean = |channel: usize| {
-                let sum: u16 = corners
-                    .iter()
-                    .map(|&(x, y)| u16::from(rays.get_pixel(x, y)[channel]))
-                    .sum();
+                let sum: u16 =
+                    corners.iter().map(|&(x, y)| u16::from(rays.get_pixel(x, y)[channel])).sum();
                 ((sum + 2) / 4) as u8
             };
             Rgb([mean(0), mean(1), mean(2)])
@@ -98,10 +90,7 @@ mod tests {
 
     #[test]
     fn a_pixel_is_the_mean_of_its_corners() {
-        let geometry = Geometry {
-            width: 9,
-            height: 5,
-        };
+        let geometry = Geometry { width: 9, height: 5 };
         let mut corners = Corners::new(None, geometry).unwrap();
         assert_eq!(corners.geometry().to_string(), "10x6");
         pattern::paint(corners.target(), 3);
@@ -122,10 +111,7 @@ mod tests {
     fn the_picture_is_written_when_presented() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.png");
-        let geometry = Geometry {
-            width: 4,
-            height: 4,
-        };
+        let geometry = Geometry { width: 4, height: 4 };
         let mut corners = Corners::new(Some(&path), geometry).unwrap();
         assert!(!path.exists());
         corners.present().unwrap();

@@ -105,20 +105,12 @@ impl Device {
         options: Options,
     ) -> Result<Found, FramebufferError> {
         let refused = |request| {
-            move |source| FramebufferError::Ioctl {
-                path: path.to_owned(),
-                request,
-                source,
-            }
+            move |source| FramebufferError::Ioctl { path: path.to_owned(), request, source }
         };
         let mut driver = VideoModeGuard::keep(driver);
         let ask = |driver: &mut VideoModeGuard| {
-            let var = driver
-                .var_screeninfo()
-                .map_err(refused("FBIOGET_VSCREENINFO"))?;
-            let fix = driver
-                .fix_screeninfo()
-                .map_err(refused("FBIOGET_FSCREENINFO"))?;
+            let var = driver.var_screeninfo().map_err(refused("FBIOGET_VSCREENINFO"))?;
+            let fix = driver.fix_screeninfo().map_err(refused("FBIOGET_FSCREENINFO"))?;
             Ok((var, fix))
         };
         let (mut var, mut fix) = ask(&mut driver)?;
@@ -137,15 +129,8 @@ impl Device {
             }
             _ => {}
         }
-        let map = driver
-            .map(&fix)
-            .map_err(|source| FramebufferError::io("map", path, source))?;
-        Ok(Found {
-            driver,
-            var,
-            surface,
-            map,
-        })
+        let map = driver.map(&fix).map_err(|source| FramebufferError::io("map", path, source))?;
+        Ok(Found { driver, var, surface, map })
     }
 
     fn start(
@@ -154,12 +139,7 @@ impl Device {
         options: Options,
         console: io::Result<Console>,
     ) -> Result<Device, FramebufferError> {
-        let Found {
-            driver,
-            var,
-            mut surface,
-            map,
-        } = found;
+        let Found { driver, var, mut surface, map } = found;
         if !options.two_frames {
             surface.use_one_frame();
         }
@@ -202,11 +182,7 @@ impl Device {
 
     /// Where frames are made.
     pub fn mode(&self) -> Mode {
-        if self.shadow.is_some() {
-            Mode::Shadow
-        } else {
-            Mode::Direct
-        }
+        if self.shadow.is_some() { Mode::Shadow } else { Mode::Direct }
     }
 
     /// Releases the screen if another terminal requests it, and waits until it is returned.

@@ -77,11 +77,7 @@ impl Display {
 
     /// Waits until the visible frame may be written to, if it is the only one.
     pub(super) fn before_write(&mut self) -> Result<(), FramebufferError> {
-        if self.scheme == Scheme::Single {
-            self.wait_for_vsync()
-        } else {
-            Ok(())
-        }
+        if self.scheme == Scheme::Single { self.wait_for_vsync() } else { Ok(()) }
     }
 
     /// Shows a finished frame, and returns when the previous one may be written to.
@@ -95,8 +91,7 @@ impl Display {
                     .map_err(|source| self.ioctl("PS3FB_IOCTL_FSEL", source))
             }
             Scheme::Pan => {
-                self.pan(frame)
-                    .map_err(|source| self.ioctl("FBIOPAN_DISPLAY", source))?;
+                self.pan(frame).map_err(|source| self.ioctl("FBIOPAN_DISPLAY", source))?;
                 // Most drivers move the screen at the vertical blank; until then the old frame is
                 // visible.
                 self.wait_for_vsync()
@@ -119,9 +114,7 @@ impl Display {
             return Ok(false);
         }
         if self.scheme == Scheme::Ps3fb {
-            self.driver
-                .ps3fb_on()
-                .map_err(|source| self.ioctl("PS3FB_IOCTL_ON", source))?;
+            self.driver.ps3fb_on().map_err(|source| self.ioctl("PS3FB_IOCTL_ON", source))?;
         }
         self.left = false;
         Ok(true)
@@ -205,11 +198,7 @@ impl Display {
     }
 
     fn ioctl(&self, request: &'static str, source: io::Error) -> FramebufferError {
-        FramebufferError::Ioctl {
-            path: self.path.clone(),
-            request,
-            source,
-        }
+        FramebufferError::Ioctl { path: self.path.clone(), request, source }
     }
 
     fn restore(&mut self) {

@@ -69,11 +69,7 @@ impl KernelDriver {
         // The path may be another device, for example a serial line, on which opening would wait
         // without O_NONBLOCK.
         let flags = libc::O_NONBLOCK | libc::O_NOCTTY;
-        let device = OpenOptions::new()
-            .read(true)
-            .write(true)
-            .custom_flags(flags)
-            .open(path)?;
+        let device = OpenOptions::new().read(true).write(true).custom_flags(flags).open(path)?;
         Ok(KernelDriver { device })
     }
 
@@ -81,17 +77,9 @@ impl KernelDriver {
         // SAFETY: the descriptor is open. Each caller passes the structure that its request reads
         // or writes, and it outlives the call.
         let result = unsafe {
-            libc::ioctl(
-                self.device.as_raw_fd(),
-                request as libc::Ioctl,
-                argument as *mut T,
-            )
+            libc::ioctl(self.device.as_raw_fd(), request as libc::Ioctl, argument as *mut T)
         };
-        if result < 0 {
-            Err(io::Error::last_os_error())
-        } else {
-            Ok(())
-        }
+        if result < 0 { Err(io::Error::last_os_error()) } else { Ok(()) }
     }
 }
 
@@ -113,9 +101,7 @@ impl Driver for KernelDriver {
         let page = unsafe { libc::sysconf(libc::_SC_PAGESIZE) };
         let page = libc::c_ulong::try_from(page).map_err(io::Error::other)?;
         let start = (fix.smem_start % page) as usize;
-        let map = MmapOptions::new()
-            .len(start + fix.smem_len as usize)
-            .map_raw(&self.device)?;
+        let map = MmapOptions::new().len(start + fix.smem_len as usize).map_raw(&self.device)?;
         Ok(Mapping::new(map, start))
     }
 
@@ -125,10 +111,7 @@ impl Driver for KernelDriver {
 
     fn wait_for_vsync(&mut self) -> io::Result<()> {
         let mut first_screen = 0u32;
-        self.request(
-            const { Encoding::HOST.fbio_waitforvsync() },
-            &mut first_screen,
-        )
+        self.request(const { Encoding::HOST.fbio_waitforvsync() }, &mut first_screen)
     }
 
     fn ps3fb_getmode(&mut self) -> io::Result<u32> {
@@ -143,10 +126,7 @@ impl Driver for KernelDriver {
 
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes> {
         let mut screen = Ps3fbIoctlRes::default();
-        self.request(
-            const { Encoding::HOST.ps3fb_ioctl_screeninfo() },
-            &mut screen,
-        )?;
+        self.request(const { Encoding::HOST.ps3fb_ioctl_screeninfo() }, &mut screen)?;
         Ok(screen)
     }
 
@@ -163,11 +143,6 @@ impl Driver for KernelDriver {
     }
 
     fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<RestorePromise> {
-        Some(RestorePromise::promise(
-            place,
-            self.device.as_fd(),
-            request,
-            argument,
-        ))
+        Some(RestorePromise::promise(place, self.device.as_fd(), request, argument))
     }
 }

@@ -152,10 +152,6 @@ pub enum FramebufferError {
 
 impl FramebufferError {
     pub(super) fn io(action: &'static str, path: &Path, source: io::Error) -> FramebufferError {
-        FramebufferError::Io {
-            action,
-            path: path.to_owned(),
-            source,
-        }
+        FramebufferError::Io { action, path: path.to_owned(), source }
     }
 }

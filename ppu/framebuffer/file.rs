@@ -35,9 +35,8 @@ impl File {
     /// - The file exists with a length that doesn't match `size`; it is not changed.
     /// - The file can't be created, extended or mapped.
     pub fn open(path: &Path, size: Option<Geometry>) -> Result<File, FramebufferError> {
-        let geometry = size.ok_or_else(|| FramebufferError::SizeNeeded {
-            path: path.to_owned(),
-        })?;
+        let geometry =
+            size.ok_or_else(|| FramebufferError::SizeNeeded { path: path.to_owned() })?;
         geometry.check()?;
         let stride = (geometry.width * PIXEL_BYTES).next_multiple_of(ROW_ALIGN);
         let expected = u64::from(stride) * u64::from(geometry.height);
@@ -63,20 +62,13 @@ impl File {
             .len(expected as usize)
             .map_raw(&file)
             .map_err(|source| FramebufferError::io("map", path, source))?;
-        Ok(File {
-            path: path.to_owned(),
-            file,
-            map,
-            geometry,
-            stride,
-        })
+        Ok(File { path: path.to_owned(), file, map, geometry, stride })
     }
 }
 
 fn length(file: &fs::File, path: &Path) -> Result<u64, FramebufferError> {
-    let metadata = file
-        .metadata()
-        .map_err(|source| FramebufferError::io("look at", path, source))?;
+    let metadata =
+        file.metadata().map_err(|source| FramebufferError::io("look at", path, source))?;
     Ok(metadata.len())
 }
 
@@ -127,12 +119,7 @@ impl Framebuffer for File {
     }
 
     fn describe(&self) -> String {
-        format!(
-            "file {}, {}, stride {} bytes",
-            self.path.display(),
-            self.geometry,
-            self.stride
-        )
+        format!("file {}, {}, stride {} bytes", self.path.display(), self.geometry, self.stride)
     }
 }
 
@@ -142,10 +129,7 @@ mod tests {
     use super::*;
     use std::os::unix::fs::PermissionsExt;
 
-    const ODD: Geometry = Geometry {
-        width: 101,
-        height: 57,
-    };
+    const ODD: Geometry = Geometry { width: 101, height: 57 };
     /// 101 pixels are 404 bytes, 448 when rounded up to 64.
     const ODD_STRIDE: usize = 448;
 
@@ -182,9 +166,7 @@ mod tests {
         for width in 1..=70 {
             let path = folder.path().join(width.to_string());
             pattern::paint(
-                File::open(&path, Some(Geometry { width, height: 2 }))
-                    .unwrap()
-                    .target(),
+                File::open(&path, Some(Geometry { width, height: 2 })).unwrap().target(),
                 0,
             );
         }
@@ -209,10 +191,7 @@ mod tests {
         let path = folder.path().join("fb0");
         let mut file = File::open(&path, Some(ODD)).unwrap();
         fs::write(&path, "").unwrap();
-        assert!(matches!(
-            file.present(),
-            Err(FramebufferError::FileSize { found: 0, .. })
-        ));
+        assert!(matches!(file.present(), Err(FramebufferError::FileSize { found: 0, .. })));
     }
 
     #[test]
@@ -220,10 +199,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         for path in [folder.path().join("none/fb0"), folder.path().to_owned()] {
             let error = File::open(&path, Some(ODD)).err().unwrap();
-            assert!(
-                matches!(&error, FramebufferError::Io { action: "open", .. }),
-                "{error}"
-            );
+            assert!(matches!(&error, FramebufferError::Io { action: "open", .. }), "{error}");
             assert!(error.to_string().contains(&path.display().to_string()));
         }
     }
@@ -243,11 +219,7 @@ mod tests {
         // SAFETY: as above; this restores the user.
         unsafe { libc::setfsuid(user as libc::uid_t) };
         match opened.err().unwrap() {
-            FramebufferError::Io {
-                action: "open",
-                source,
-                ..
-            } => {
+            FramebufferError::Io { action: "open", source, .. } => {
                 assert_eq!(source.kind(), io::ErrorKind::PermissionDenied);
             }
             other => panic!("{other}"),

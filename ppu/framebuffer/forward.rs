@@ -76,19 +76,13 @@ mod tests {
                     unsafe { copy(&source[from..from + bytes], memory.as_mut_ptr().add(to)) };
                     assert_eq!(memory[to..to + bytes], source[from..from + bytes]);
                     assert!(
-                        memory[..to]
-                            .iter()
-                            .chain(&memory[to + bytes..])
-                            .all(|&byte| byte == 0xA5)
+                        memory[..to].iter().chain(&memory[to + bytes..]).all(|&byte| byte == 0xA5)
                     );
                     // SAFETY: as above.
                     unsafe { clear(memory.as_mut_ptr().add(to), bytes) };
                     assert!(memory[to..to + bytes].iter().all(|&byte| byte == 0));
                     assert!(
-                        memory[..to]
-                            .iter()
-                            .chain(&memory[to + bytes..])
-                            .all(|&byte| byte == 0xA5)
+                        memory[..to].iter().chain(&memory[to + bytes..]).all(|&byte| byte == 0xA5)
                     );
                 }
             }

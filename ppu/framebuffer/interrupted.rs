@@ -139,11 +139,7 @@ pub(super) fn is_ignored(signal: i32) -> io::Result<bool> {
 }
 
 fn on_signal(signal: i32) {
-    let first = || {
-        SIGNAL
-            .compare_exchange(0, signal, Ordering::SeqCst, Ordering::SeqCst)
-            .is_ok()
-    };
+    let first = || SIGNAL.compare_exchange(0, signal, Ordering::SeqCst, Ordering::SeqCst).is_ok();
     if ALIVE.load(Ordering::SeqCst) == 0 || !first() {
         last_resort::restore_screen();
         // This fails only for signals that can't be caught.
@@ -189,11 +185,8 @@ pub(super) mod tests {
     }
 
     fn readable(interrupted: &Interrupted) -> bool {
-        let mut poll = libc::pollfd {
-            fd: interrupted.as_fd().as_raw_fd(),
-            events: libc::POLLIN,
-            revents: 0,
-        };
+        let mut poll =
+            libc::pollfd { fd: interrupted.as_fd().as_raw_fd(), events: libc::POLLIN, revents: 0 };
         // SAFETY: the call reads and writes one record, and doesn't wait.
         unsafe { libc::poll(&mut poll, 1, 0) == 1 }
     }
@@ -210,10 +203,7 @@ pub(super) mod tests {
                 let other = Interrupted::install().unwrap();
                 assert!(interrupted.signal().is_none() && !readable(&interrupted));
                 raise(signal);
-                assert_eq!(
-                    (interrupted.signal(), other.signal()),
-                    (Some(signal), Some(signal))
-                );
+                assert_eq!((interrupted.signal(), other.signal()), (Some(signal), Some(signal)));
                 drop(other);
                 assert!(interrupted.signal() == Some(signal) && readable(&interrupted));
             }

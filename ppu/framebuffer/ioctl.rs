@@ -14,17 +14,9 @@ pub(super) struct Encoding {
 
 impl Encoding {
     /// The encoding of most machines: two direction bits above fourteen size bits.
-    pub(super) const GENERIC: Encoding = Encoding {
-        none: 0,
-        write: 1,
-        direction_shift: 30,
-    };
+    pub(super) const GENERIC: Encoding = Encoding { none: 0, write: 1, direction_shift: 30 };
     /// The encoding of PowerPC, MIPS and SPARC: three direction bits above thirteen size bits.
-    pub(super) const POWERPC: Encoding = Encoding {
-        none: 1,
-        write: 4,
-        direction_shift: 29,
-    };
+    pub(super) const POWERPC: Encoding = Encoding { none: 1, write: 4, direction_shift: 29 };
     /// The encoding of the machine that this is compiled for.
     pub(super) const HOST: Encoding = if cfg!(any(
         target_arch = "powerpc",

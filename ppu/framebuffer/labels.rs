@@ -29,9 +29,7 @@ impl Default for Labels {
     /// The program and its version alone.
     fn default() -> Self {
         let program = format!("{PROGRAM}{}", env!("CARGO_PKG_VERSION"));
-        Self {
-            texts: vec![(SOFTWARE.to_owned(), program)],
-        }
+        Self { texts: vec![(SOFTWARE.to_owned(), program)] }
     }
 }
 
@@ -50,11 +48,9 @@ impl Labels {
     /// Sets the options by which a view differs from the scene's own, and no others of a view.
     pub fn set_view(&mut self, view: &View, own: &View) {
         let triple = |vector: DVec3| vector.to_array().map(|number| number.to_string()).join(",");
-        for (option, now, before) in [
-            ("from", view.from, own.from),
-            ("look-at", view.at, own.at),
-            ("up", view.up, own.up),
-        ] {
+        for (option, now, before) in
+            [("from", view.from, own.from), ("look-at", view.at, own.at), ("up", view.up, own.up)]
+        {
             self.set_if(now != before, option, triple(now));
         }
         self.set_if(view.angle != own.angle, "angle", view.angle.to_string());

@@ -133,12 +133,7 @@ pub(crate) fn restore_screen() {
         let call = place.swap(ptr::null_mut(), Ordering::SeqCst);
         // SAFETY: the calls in places were leaked from boxes, and are not freed after they were
         // taken out.
-        let Some(Call {
-            descriptor,
-            request,
-            argument,
-        }) = (unsafe { call.as_ref() })
-        else {
+        let Some(Call { descriptor, request, argument }) = (unsafe { call.as_ref() }) else {
             continue;
         };
         let (descriptor, request) = (*descriptor, *request as libc::Ioctl);
@@ -230,11 +225,7 @@ extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_vo
     unsafe {
         if index < FAULTS && (*info).si_code > 0 {
             // A positive code means that the kernel sent it for a fault.
-            libc::sigaction(
-                signal,
-                BEFORE[index].load(Ordering::SeqCst),
-                ptr::null_mut(),
-            );
+            libc::sigaction(signal, BEFORE[index].load(Ordering::SeqCst), ptr::null_mut());
         } else {
             // The signal was sent, for example by a timer, so it must be sent again. It is pending
             // until this handler has returned. The runtime's handler would take it for a fault
@@ -263,12 +254,7 @@ mod tests {
     fn promise() -> RestorePromise {
         // SAFETY: the test keeps the pipe open.
         let pipe = unsafe { BorrowedFd::borrow_raw(SHARED.load(Ordering::SeqCst)) };
-        RestorePromise::promise(
-            Place::Console,
-            pipe,
-            libc::FIONBIO as u32,
-            Argument::Word(1),
-        )
+        RestorePromise::promise(Place::Console, pipe, libc::FIONBIO as u32, Argument::Word(1))
     }
 
     fn was_restored(pipe: &PipeReader) -> bool {

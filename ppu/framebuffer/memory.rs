@@ -15,9 +15,7 @@ impl Memory {
     /// # Errors
     /// The size is out of range, or there is not enough memory.
     pub fn new(geometry: Geometry) -> Result<Memory, FramebufferError> {
-        Ok(Memory {
-            frame: FrameBuffer::new(geometry)?,
-        })
+        Ok(Memory { frame: FrameBuffer::new(geometry)? })
     }
 
     /// A frame that shows a picture, until another is written over it.
@@ -41,9 +39,7 @@ impl Memory {
             let word = u32::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
             PixelFormat::ARGB.channels(word)
         };
-        self.frame
-            .rows()
-            .flat_map(move |row| row.chunks_exact(4).map(pixel))
+        self.frame.rows().flat_map(move |row| row.chunks_exact(4).map(pixel))
     }
 
     /// A copy of the frame as a picture.
@@ -80,11 +76,7 @@ impl Framebuffer for Memory {
     }
 
     fn describe(&self) -> String {
-        format!(
-            "memory, {}, stride {} bytes",
-            self.frame.geometry(),
-            self.frame.stride()
-        )
+        format!("memory, {}, stride {} bytes", self.frame.geometry(), self.frame.stride())
     }
 }
 
@@ -107,12 +99,7 @@ mod tests {
 
     #[test]
     fn a_side_of_zero_is_refused() {
-        let error = Memory::new(Geometry {
-            width: 0,
-            height: 4,
-        })
-        .err()
-        .unwrap();
+        let error = Memory::new(Geometry { width: 0, height: 4 }).err().unwrap();
         assert!(error.to_string().contains("0x4"), "{error}");
     }
 }

@@ -123,9 +123,7 @@ impl FromStr for Geometry {
 
     /// Parses `WIDTHxHEIGHT`, as in `1280x720`.
     fn from_str(text: &str) -> Result<Geometry, FramebufferError> {
-        let malformed = || FramebufferError::MalformedSize {
-            text: text.to_owned(),
-        };
+        let malformed = || FramebufferError::MalformedSize { text: text.to_owned() };
         let (width, height) = text.split_once('x').ok_or_else(malformed)?;
         let is_number =
             |digits: &str| !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
@@ -215,13 +213,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Options {
-        Options {
-            size: None,
-            raster: None,
-            mode: None,
-            two_frames: true,
-            vsync: true,
-        }
+        Options { size: None, raster: None, mode: None, two_frames: true, vsync: true }
     }
 }
 
@@ -231,22 +223,13 @@ mod tests {
 
     #[test]
     fn size_text_is_read_strictly() {
-        assert_eq!(
-            "1280x720".parse::<Geometry>().unwrap(),
-            Geometry {
-                width: 1280,
-                height: 720
-            }
-        );
+        assert_eq!("1280x720".parse::<Geometry>().unwrap(), Geometry { width: 1280, height: 720 });
         for text in [
             "", "x", "1280", "1280x", "x720", "1280X720", "+1x2", "-1x2", "1x2x3", "1 x2", "x2",
             "1x",
         ] {
             let error = text.parse::<Geometry>().unwrap_err();
-            assert!(
-                matches!(error, FramebufferError::MalformedSize { .. }),
-                "{text:?}: {error}"
-            );
+            assert!(matches!(error, FramebufferError::MalformedSize { .. }), "{text:?}: {error}");
             assert!(error.to_string().contains(&format!("{text:?}")));
         }
         for text in ["0x1", "1x0", "8193x1", "1x8193", "99999999999x1"] {

@@ -29,9 +29,7 @@ impl NumberedPath {
     pub fn new(pattern: impl AsRef<OsStr>) -> Result<Self, FramebufferError> {
         let pattern = pattern.as_ref();
         let path = Self::parse(pattern.as_bytes()).ok_or_else(|| {
-            FramebufferError::MalformedNumbering {
-                pattern: pattern.to_string_lossy().into_owned(),
-            }
+            FramebufferError::MalformedNumbering { pattern: pattern.to_string_lossy().into_owned() }
         })?;
         Format::of(&path.of(0))?;
         Ok(path)
@@ -63,21 +61,13 @@ impl NumberedPath {
             }
         }
         let (before, digits) = found?;
-        Some(Self {
-            before,
-            digits,
-            after: text,
-        })
+        Some(Self { before, digits, after: text })
     }
 
     /// The path for a number.
     #[must_use]
     pub fn of(&self, number: u64) -> PathBuf {
-        let Self {
-            before,
-            digits,
-            after,
-        } = self;
+        let Self { before, digits, after } = self;
         let number = format!("{number:0digits$}");
         let path = [before.as_slice(), number.as_bytes(), after].concat();
         OsString::from_vec(path).into()

@@ -13,13 +13,7 @@ use std::path::Path;
 /// # Errors
 /// As for [`open_with`].
 pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-    open_with(
-        path,
-        Options {
-            size,
-            ..Options::default()
-        },
-    )
+    open_with(path, Options { size, ..Options::default() })
 }
 
 /// Opens the framebuffer at `path`. A character device is opened with its driver. A regular file,
@@ -60,10 +54,7 @@ pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, 
         } else {
             "a socket"
         };
-        Err(FramebufferError::NotAFramebuffer {
-            path: path.to_owned(),
-            kind,
-        })
+        Err(FramebufferError::NotAFramebuffer { path: path.to_owned(), kind })
     }
 }
 
@@ -78,21 +69,14 @@ mod tests {
     #[test]
     fn a_directory_pipe_or_socket_is_no_framebuffer() {
         let folder = tempfile::tempdir().unwrap();
-        let size = Some(Geometry {
-            width: 4,
-            height: 4,
-        });
+        let size = Some(Geometry { width: 4, height: 4 });
         let socket = folder.path().join("socket");
         let _listener = UnixListener::bind(&socket).unwrap();
         let pipe = folder.path().join("pipe");
         let name = CString::new(pipe.as_os_str().as_bytes()).unwrap();
         // SAFETY: the name is a zero-terminated string.
         assert_eq!(unsafe { libc::mkfifo(name.as_ptr(), 0o600) }, 0);
-        let kinds = [
-            (folder.path(), "a directory"),
-            (&socket, "a socket"),
-            (&pipe, "a pipe"),
-        ];
+        let kinds = [(folder.path(), "a directory"), (&socket, "a socket"), (&pipe, "a pipe")];
         for (path, kind) in kinds {
             match open(path, size).err().unwrap() {
                 FramebufferError::NotAFramebuffer { kind: found, .. } => assert_eq!(found, kind),
@@ -105,35 +89,19 @@ mod tests {
     fn another_character_device_is_refused_by_its_answer() {
         let error = open(Path::new("/dev/null"), None).err().unwrap();
         let text = error.to_string();
-        assert!(
-            text.contains("/dev/null") && text.contains("FBIOGET_VSCREENINFO"),
-            "{text}"
-        );
+        assert!(text.contains("/dev/null") && text.contains("FBIOGET_VSCREENINFO"), "{text}");
     }
 
     #[test]
     fn an_absent_path_becomes_a_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
-        let size = Geometry {
-            width: 101,
-            height: 57,
-        };
+        let size = Geometry { width: 101, height: 57 };
         assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
         assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
-        assert!(matches!(
-            open(&path, None).err().unwrap(),
-            FramebufferError::SizeNeeded { .. }
-        ));
-        let full = Options {
-            size: Some(size),
-            raster: Some(Raster::Full),
-            ..Options::default()
-        };
+        assert!(matches!(open(&path, None).err().unwrap(), FramebufferError::SizeNeeded { .. }));
+        let full = Options { size: Some(size), raster: Some(Raster::Full), ..Options::default() };
         let text = open_with(&path, full).err().unwrap().to_string();
-        assert!(
-            text.contains("full-screen") && text.contains("file"),
-            "{text}"
-        );
+        assert!(text.contains("full-screen") && text.contains("file"), "{text}");
     }
 }

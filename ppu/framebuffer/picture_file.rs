@@ -42,10 +42,7 @@ pub fn write_labelled(
     labels: &Labels,
 ) -> Result<(), FramebufferError> {
     let format = Format::of(path)?;
-    let failed = |source| FramebufferError::Picture {
-        path: path.to_owned(),
-        source,
-    };
+    let failed = |source| FramebufferError::Picture { path: path.to_owned(), source };
     match Place::of(path)? {
         Place::Output => {
             let mut bytes = Vec::new();
@@ -83,19 +80,11 @@ impl Format {
         let Some(extension) = path.extension() else {
             return Ok(Self::Png);
         };
-        let known = [
-            ("png", Self::Png),
-            ("jpg", Self::Jpeg),
-            ("jpeg", Self::Jpeg),
-        ];
-        let found = known
-            .iter()
-            .find(|(name, _)| extension.eq_ignore_ascii_case(name));
+        let known = [("png", Self::Png), ("jpg", Self::Jpeg), ("jpeg", Self::Jpeg)];
+        let found = known.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name));
         found
             .map(|&(_, format)| format)
-            .ok_or_else(|| FramebufferError::PictureFormat {
-                path: path.to_owned(),
-            })
+            .ok_or_else(|| FramebufferError::PictureFormat { path: path.to_owned() })
     }
 
     fn encode(
@@ -171,18 +160,12 @@ impl Place {
                 ))
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                let folder = path
-                    .parent()
-                    .filter(|folder| !folder.as_os_str().is_empty());
+                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
                 match folder.filter(|folder| !folder.is_dir()) {
                     // Told before a frame is traced in vain.
                     Some(folder) => {
                         let missing = format!("there is no folder {}", folder.display());
-                        Err(FramebufferError::io(
-                            "write",
-                            path,
-                            io::Error::other(missing),
-                        ))
+                        Err(FramebufferError::io("write", path, io::Error::other(missing)))
                     }
                     None => Ok(Self::File(path.to_owned())),
                 }
@@ -204,11 +187,7 @@ fn partial_beside(place: &Path) -> Result<PathBuf, FramebufferError> {
     };
     let mut hidden = OsString::from(".");
     hidden.push(name);
-    hidden.push(format!(
-        ".{}-{}.partial",
-        process::id(),
-        SERIAL.fetch_add(1, Ordering::Relaxed)
-    ));
+    hidden.push(format!(".{}-{}.partial", process::id(), SERIAL.fetch_add(1, Ordering::Relaxed)));
     Ok(place.with_file_name(hidden))
 }
 
@@ -218,10 +197,7 @@ fn write_whole(
     picture: &RgbImage,
     labels: &Labels,
 ) -> Result<(), ImageError> {
-    let file = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(partial)?;
+    let file = OpenOptions::new().write(true).create_new(true).open(partial)?;
     let mut writer = BufWriter::new(file);
     format.encode(picture, labels, &mut writer)?;
     writer.flush()?;
@@ -257,11 +233,7 @@ impl PictureFile {
         Format::of(path)?;
         Place::of(path)?;
         let memory = Memory::new(geometry)?;
-        Ok(PictureFile {
-            path: path.to_owned(),
-            memory,
-            labels: Labels::default(),
-        })
+        Ok(PictureFile { path: path.to_owned(), memory, labels: Labels::default() })
     }
 
     /// The same with these labels in the file.
@@ -300,10 +272,8 @@ mod tests {
     use std::os::unix::fs::symlink;
 
     fn names(folder: &Path) -> Vec<OsString> {
-        let mut names: Vec<_> = fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name())
-            .collect();
+        let mut names: Vec<_> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
         names.sort();
         names
     }
@@ -312,14 +282,7 @@ mod tests {
     fn a_picture_survives_the_round_trip() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frame.png");
-        let mut file = PictureFile::new(
-            &path,
-            Geometry {
-                width: 101,
-                height: 57,
-            },
-        )
-        .unwrap();
+        let mut file = PictureFile::new(&path, Geometry { width: 101, height: 57 }).unwrap();
         assert!(names(folder.path()).is_empty());
         for seed in 0..2 {
             pattern::paint(file.target(), seed);
@@ -351,10 +314,7 @@ mod tests {
         let reader = png::Decoder::new(io::BufReader::new(file)).read_info();
         let info = reader.unwrap().info().clone();
         let latin = info.uncompressed_latin1_text;
-        let latin: Vec<_> = latin
-            .iter()
-            .map(|text| (&*text.keyword, &*text.text))
-            .collect();
+        let latin: Vec<_> = latin.iter().map(|text| (&*text.keyword, &*text.text)).collect();
         let version = concat!("cellray ", env!("CARGO_PKG_VERSION"));
         let expected = [("Software", version), ("cellray:contrast", "32")];
         assert_eq!(latin, expected);
@@ -383,10 +343,7 @@ mod tests {
     #[test]
     fn a_link_is_followed_and_kept() {
         let folder = tempfile::tempdir().unwrap();
-        let (real, link) = (
-            folder.path().join("real.png"),
-            folder.path().join("link.png"),
-        );
+        let (real, link) = (folder.path().join("real.png"), folder.path().join("link.png"));
         fs::write(&real, "old").unwrap();
         symlink(&real, &link).unwrap();
         write_picture(&link, &RgbImage::new(2, 2)).unwrap();

@@ -17,11 +17,7 @@ pub struct PixelFormat {
 
 impl PixelFormat {
     /// Bytes A, R, G, B in memory: the format of ps3fb, of files and of frames in memory.
-    pub const ARGB: PixelFormat = PixelFormat {
-        red_shift: 16,
-        green_shift: 8,
-        blue_shift: 0,
-    };
+    pub const ARGB: PixelFormat = PixelFormat { red_shift: 16, green_shift: 8, blue_shift: 0 };
 
     /// The format of a driver whose native 32-bit words have their channels at these bit offsets.
     /// `None` if a channel isn't a byte of its own.
@@ -64,32 +60,16 @@ mod tests {
 
     #[test]
     fn ps3_offsets_on_a_big_endian_host_are_argb() {
-        assert_eq!(
-            PixelFormat::from_native_offsets(16, 8, 0, true),
-            Some(PixelFormat::ARGB)
-        );
-        assert_eq!(
-            PixelFormat::ARGB.word([0x11, 0x22, 0x33]).to_be_bytes(),
-            [0, 0x11, 0x22, 0x33]
-        );
+        assert_eq!(PixelFormat::from_native_offsets(16, 8, 0, true), Some(PixelFormat::ARGB));
+        assert_eq!(PixelFormat::ARGB.word([0x11, 0x22, 0x33]).to_be_bytes(), [0, 0x11, 0x22, 0x33]);
     }
 
     #[test]
     fn same_offsets_on_a_little_endian_host_are_bgra_in_memory() {
         let format = PixelFormat::from_native_offsets(16, 8, 0, false).unwrap();
-        assert_eq!(
-            format,
-            PixelFormat {
-                red_shift: 8,
-                green_shift: 16,
-                blue_shift: 24
-            }
-        );
+        assert_eq!(format, PixelFormat { red_shift: 8, green_shift: 16, blue_shift: 24 });
         let native = 0x11u32 << 16 | 0x22 << 8 | 0x33;
-        assert_eq!(
-            format.word([0x11, 0x22, 0x33]).to_be_bytes(),
-            native.to_le_bytes()
-        );
+        assert_eq!(format.word([0x11, 0x22, 0x33]).to_be_bytes(), native.to_le_bytes());
     }
 
     #[test]
@@ -98,10 +78,7 @@ mod tests {
             for green in [0, 8, 16, 24] {
                 for blue in [0, 8, 16, 24] {
                     if red == green || green == blue || blue == red {
-                        assert_eq!(
-                            PixelFormat::from_native_offsets(red, green, blue, true),
-                            None
-                        );
+                        assert_eq!(PixelFormat::from_native_offsets(red, green, blue, true), None);
                         continue;
                     }
                     let native = 0xA1u32 << red | 0xB2 << green | 0xC3 << blue;

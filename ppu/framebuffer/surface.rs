@@ -97,11 +97,7 @@ impl Surface {
         let height = self.geometry.height;
         let steps_fit = self.ypanstep != 0 && height.is_multiple_of(self.ypanstep);
         if self.is_ps3fb() {
-            if self.is_main_memory() {
-                Scheme::Ps3fb
-            } else {
-                Scheme::Single
-            }
+            if self.is_main_memory() { Scheme::Ps3fb } else { Scheme::Single }
         } else if self.most_frames > 1
             && steps_fit
             && self.virtual_rows / 2 >= height
@@ -143,13 +139,9 @@ impl Surface {
         // If both are multiples of a quadword, a line with room for the shown pixels also has room
         // for their last group of four.
         if !address.is_multiple_of(DMA_ALIGN) {
-            Some(format!(
-                "a frame starts at address {address:#x}, not on {DMA_ALIGN} bytes"
-            ))
+            Some(format!("a frame starts at address {address:#x}, not on {DMA_ALIGN} bytes"))
         } else if !(line as usize).is_multiple_of(DMA_ALIGN) {
-            Some(format!(
-                "a line takes {line} bytes, which is not a multiple of {DMA_ALIGN}"
-            ))
+            Some(format!("a line takes {line} bytes, which is not a multiple of {DMA_ALIGN}"))
         } else if offset + u64::from(line) * u64::from(self.geometry.height) > self.smem_len as u64
         {
             Some("its memory ends within the padding of the last line".to_owned())
@@ -204,15 +196,10 @@ fn pixel_format(var: &FbVarScreeninfo, fix: &FbFixScreeninfo) -> Result<PixelFor
         return Err(format!("type {}, visual {}", fix.kind, fix.visual));
     }
     if var.grayscale != 0 || var.nonstd != 0 {
-        return Err(format!(
-            "grayscale or FOURCC {:#x}, nonstd {}",
-            var.grayscale, var.nonstd
-        ));
+        return Err(format!("grayscale or FOURCC {:#x}, nonstd {}", var.grayscale, var.nonstd));
     }
     let channels = [var.red, var.green, var.blue];
-    let bytes = channels
-        .iter()
-        .all(|channel| channel.length == 8 && channel.msb_right == 0);
+    let bytes = channels.iter().all(|channel| channel.length == 8 && channel.msb_right == 0);
     let [red, green, blue] = channels.map(|channel| channel.offset);
     PixelFormat::from_native_offsets(red, green, blue, cfg!(target_endian = "big"))
         .filter(|_| bytes)

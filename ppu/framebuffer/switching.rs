@@ -117,11 +117,8 @@ pub(super) fn watch() -> io::Result<()> {
 }
 
 fn register() -> io::Result<()> {
-    let flags = [
-        (leave_signal(), &LEAVE as &'static AtomicBool),
-        (back_signal(), &BACK),
-        (SIGTSTP, &STOP),
-    ];
+    let flags =
+        [(leave_signal(), &LEAVE as &'static AtomicBool), (back_signal(), &BACK), (SIGTSTP, &STOP)];
     for (signal, flag) in flags {
         if interrupted::is_ignored(signal)? {
             continue;
@@ -147,11 +144,7 @@ fn on_signal(signal: i32, flag: &AtomicBool) {
 /// Sleeps until a signal of this module or one that ends the program has come.
 fn sleep() {
     let Some((wake, _)) = WAKE.get() else { return };
-    let readable = |descriptor| libc::pollfd {
-        fd: descriptor,
-        events: libc::POLLIN,
-        revents: 0,
-    };
+    let readable = |descriptor| libc::pollfd { fd: descriptor, events: libc::POLLIN, revents: 0 };
     // poll ignores a negative descriptor.
     let ending = interrupted::wake().map_or(-1, |wake| wake.as_raw_fd());
     let mut polls = [readable(wake.as_fd().as_raw_fd()), readable(ending)];

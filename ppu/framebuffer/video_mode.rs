@@ -31,11 +31,7 @@ pub(super) struct VideoModeGuard {
 impl VideoModeGuard {
     /// Wraps a driver, and leaves its mode unchanged.
     pub(super) fn keep(driver: Box<dyn Driver>) -> VideoModeGuard {
-        VideoModeGuard {
-            driver,
-            found: None,
-            _promise: None,
-        }
+        VideoModeGuard { driver, found: None, _promise: None }
     }
 
     /// Changes the mode of ps3fb to the one with the same lines and rate, and with `raster`.
@@ -46,11 +42,8 @@ impl VideoModeGuard {
         name: &str,
         path: &Path,
     ) -> Result<(), FramebufferError> {
-        let refused = |why: String| FramebufferError::NoVideoMode {
-            path: path.to_owned(),
-            raster,
-            why,
-        };
+        let refused =
+            |why: String| FramebufferError::NoVideoMode { path: path.to_owned(), raster, why };
         if name != PS3FB {
             return Err(refused(format!("driver {name} is not {PS3FB}")));
         }
@@ -67,9 +60,7 @@ impl VideoModeGuard {
             return Ok(());
         }
         let request = const { Encoding::HOST.ps3fb_ioctl_setmode() };
-        let promise = self
-            .driver
-            .promise(Place::Mode, request, Argument::Word(found));
+        let promise = self.driver.promise(Place::Mode, request, Argument::Word(found));
         self.driver
             .ps3fb_setmode(wanted)
             .map_err(|error| refused(format!("PS3FB_IOCTL_SETMODE {wanted}: {error}")))?;

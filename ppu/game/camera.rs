@@ -128,12 +128,7 @@ impl WalkCamera {
     /// A camera that stands here, looks along -z, and walks at this speed.
     #[must_use]
     pub fn new(from: impl Into<DVec3>, speed: f64) -> Self {
-        Self {
-            from: from.into(),
-            turn: 0.0,
-            rise: 0.0,
-            speed,
-        }
+        Self { from: from.into(), turn: 0.0, rise: 0.0, speed }
     }
 
     /// Applies the player's input. W, S, A, D and the left stick walk, with Shift or L1 faster. The
@@ -160,11 +155,7 @@ impl WalkCamera {
         self.turn = libm::remainder(self.turn + turn, std::f64::consts::TAU);
         self.rise = (self.rise + rise).clamp(-STEEPEST, STEEPEST);
         let (sine, cosine) = libm::sincos(self.turn);
-        let way = DVec3::new(
-            right * cosine - ahead * sine,
-            0.0,
-            -right * sine - ahead * cosine,
-        );
+        let way = DVec3::new(right * cosine - ahead * sine, 0.0, -right * sine - ahead * cosine);
         // Whoever walks ahead and to the right at once isn't faster.
         let way = way / way.length().max(1.0);
         let step = way * (self.speed * seconds * if runs { RUN } else { 1.0 });
@@ -193,11 +184,7 @@ impl WalkCamera {
 fn direction(turn: f64, rise: f64) -> DVec3 {
     let (turn_sine, turn_cosine) = libm::sincos(turn);
     let (rise_sine, rise_cosine) = libm::sincos(rise);
-    DVec3::new(
-        turn_sine * rise_cosine,
-        rise_sine,
-        turn_cosine * rise_cosine,
-    )
+    DVec3::new(turn_sine * rise_cosine, rise_sine, turn_cosine * rise_cosine)
 }
 
 #[cfg(test)]
@@ -312,10 +299,7 @@ mod tests {
         assert!(camera.direction().x < -0.6);
         let pad = PadId(0);
         let mut input = Input::default();
-        input.apply(&InputEvent::PadConnected {
-            pad,
-            name: "a pad".into(),
-        });
+        input.apply(&InputEvent::PadConnected { pad, name: "a pad".into() });
         let (axis, value) = (Axis::RightY, -1.0);
         input.apply(&InputEvent::PadAxis { pad, axis, value });
         for _ in 0..9 {

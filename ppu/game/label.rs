@@ -70,12 +70,7 @@ impl Label {
     }
 
     fn new(text: String, anchor: Anchor) -> Self {
-        Self {
-            text,
-            anchor,
-            side: Side::Over,
-            colour: DVec3::ONE,
-        }
+        Self { text, anchor, side: Side::Over, colour: DVec3::ONE }
     }
 
     /// The label on a side of its place.
@@ -87,10 +82,7 @@ impl Label {
     /// The label in a colour: red, green and blue as a display has them, 0 to 1.
     #[must_use]
     pub fn coloured(self, red: f64, green: f64, blue: f64) -> Self {
-        Self {
-            colour: DVec3::new(red, green, blue),
-            ..self
-        }
+        Self { colour: DVec3::new(red, green, blue), ..self }
     }
 
     /// The label on a picture of a world; `None` if its place isn't in the picture. `told` is the
@@ -172,9 +164,6 @@ mod tests {
         // Pixels are those that the game is told, whatever the size of the picture.
         let pixel = |x: f32| place(Label::at_pixel("", [x, 179.5]));
         assert_eq!(pixel(159.5), Some([0.25, 0.5]));
-        assert_eq!(
-            (pixel(640.0), pixel(-1.0), pixel(f32::NAN)),
-            (None, None, None)
-        );
+        assert_eq!((pixel(640.0), pixel(-1.0), pixel(f32::NAN)), (None, None, None));
     }
 }

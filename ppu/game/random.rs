@@ -71,11 +71,7 @@ mod tests {
         let units = [0; 3].map(|_| random.unit() * (1u64 << 53) as f64);
         assert_eq!(
             units,
-            [
-                2_923_514_112_319_844.0,
-                3_442_905_506_672_666.0,
-                3_239_143_844_713_295.0
-            ]
+            [2_923_514_112_319_844.0, 3_442_905_506_672_666.0, 3_239_143_844_713_295.0]
         );
         let mut order = [0, 1, 2, 3, 4, 5, 6, 7];
         random.shuffle(&mut order);
@@ -90,10 +86,7 @@ mod tests {
             seen[random.below(6)] += 1;
             assert!((-2.0..3.0).contains(&random.between(-2.0, 3.0)));
         }
-        assert!(
-            seen.iter().all(|&count| (850..1150).contains(&count)),
-            "{seen:?}"
-        );
+        assert!(seen.iter().all(|&count| (850..1150).contains(&count)), "{seen:?}");
         assert_eq!(random.below(0), 0);
         assert_eq!(random.one_of::<u8>(&[]), None);
         assert_eq!(random.one_of(&[5]), Some(&5));

@@ -156,10 +156,7 @@ impl<G: Game> Session<G> {
     /// Records the session from its first frame on.
     #[must_use]
     pub fn record_to(self, writer: Box<dyn Write>) -> Self {
-        Self {
-            recorder: Some(Recorder::new(writer)),
-            ..self
-        }
+        Self { recorder: Some(Recorder::new(writer)), ..self }
     }
 
     /// Plays a recording back. The game receives the recorded seed, sizes, times and events,
@@ -176,10 +173,7 @@ impl<G: Game> Session<G> {
                 game: name.to_owned(),
             });
         }
-        Ok(Self {
-            replay: Some(recording),
-            ..self
-        })
+        Ok(Self { replay: Some(recording), ..self })
     }
 
     /// Runs with a clock and a source of input, and [finishes](Session::finish). Ends when the game
@@ -348,11 +342,7 @@ impl<G: Game> Session<G> {
 
     fn end_frame(&mut self) -> ControlFlow<()> {
         self.frame += 1;
-        if self.game.is_over() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
+        if self.game.is_over() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 
     /// Takes the frame's input and lets the game update the world.
@@ -397,10 +387,7 @@ impl<G: Game> Session<G> {
             return Ok(());
         }
         let replayed = self.replay.as_ref().map(Recording::start);
-        let start = replayed.unwrap_or(Start {
-            seed: self.seed,
-            size: self.size,
-        });
+        let start = replayed.unwrap_or(Start { seed: self.seed, size: self.size });
         self.game.set_up(&mut self.world, &start)?;
         if let Some(recorder) = &mut self.recorder {
             recorder.begin(&Header::new(self.game.name(), start))?;
@@ -425,11 +412,7 @@ impl<G: Game> Session<G> {
         // The input ignores numbers that aren't finite, and JSON can't represent them.
         record.events.retain(InputEvent::is_finite);
         merge::merge(&mut record.events);
-        record.set_step(if self.frame == 0 {
-            Duration::ZERO
-        } else {
-            step
-        });
+        record.set_step(if self.frame == 0 { Duration::ZERO } else { step });
         record.size = Some(self.size);
     }
 

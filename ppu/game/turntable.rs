@@ -22,11 +22,7 @@ impl Turntable {
     /// still.
     #[must_use]
     pub fn new(scene: nff::Scene, render_options: RenderOptions, frames: u32) -> Self {
-        Self {
-            scene,
-            render_options,
-            frames,
-        }
+        Self { scene, render_options, frames }
     }
 
     fn eye(&self, frame: u64) -> DVec3 {

@@ -42,9 +42,7 @@ use crate::scene::{Look, Model, RenderOptions};
 fn default_light() -> nff::Light {
     nff::Light {
         line: 0,
-        kind: nff::LightKind::Directional {
-            to_light: DVec3::new(1.0, 2.0, 1.5),
-        },
+        kind: nff::LightKind::Directional { to_light: DVec3::new(1.0, 2.0, 1.5) },
         colour: Some(daylight::SUN),
     }
 }
@@ -294,11 +292,8 @@ impl World {
     /// A number is out of range, or the view shows nothing.
     #[track_caller]
     pub fn set_view(&mut self, view: View) -> Result<(), WorldError> {
-        for (what, place) in [
-            ("view from", view.from),
-            ("view at", view.at),
-            ("view up", view.up),
-        ] {
+        for (what, place) in [("view from", view.from), ("view at", view.at), ("view up", view.up)]
+        {
             check::vector(what, place)?;
         }
         // Any size will do: the camera's other conditions concern only the view.
@@ -317,11 +312,7 @@ impl World {
         from: impl Into<DVec3>,
         at: impl Into<DVec3>,
     ) -> Result<(), WorldError> {
-        self.set_view(View {
-            from: from.into(),
-            at: at.into(),
-            ..self.view.clone()
-        })
+        self.set_view(View { from: from.into(), at: at.into(), ..self.view.clone() })
     }
 
     /// The background: the colour of rays that hit nothing, or with a sky of those to the horizon.
@@ -420,8 +411,7 @@ impl World {
     /// The options with which the world is traced.
     fn traced_options(&self) -> RenderOptions {
         let options = self.render_options;
-        self.look
-            .map_or(options, |look| look.of(options, self.light_count()))
+        self.look.map_or(options, |look| look.of(options, self.light_count()))
     }
 
     /// The distances between which depth shading fades, if [`World::set_fade`] set them.
@@ -449,13 +439,7 @@ impl World {
     #[must_use]
     pub fn checksum(&self) -> u64 {
         let mut sum = Checksum::new();
-        let View {
-            from,
-            at,
-            up,
-            angle,
-            ..
-        } = self.view;
+        let View { from, at, up, angle, .. } = self.view;
         for vector in [from, at, up, self.background(), self.ambient] {
             sum.vector(vector);
         }

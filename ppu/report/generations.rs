@@ -43,10 +43,7 @@ pub struct GenerationReport {
 impl GenerationReport {
     /// The generations, without rays.
     pub(super) fn all() -> [Self; GENERATIONS] {
-        NAMES.map(|name| Self {
-            name,
-            ..Self::default()
-        })
+        NAMES.map(|name| Self { name, ..Self::default() })
     }
 
     /// Adds an SPU's counts.
@@ -57,14 +54,7 @@ impl GenerationReport {
 
     /// Computes the quotients from the sums. `seconds` is the time of all SPUs.
     pub(super) fn share(&mut self, seconds: f64) {
-        let Generation {
-            rays,
-            packets,
-            packets_scattered,
-            nodes,
-            tests,
-            ..
-        } = self.sum;
+        let Generation { rays, packets, packets_scattered, nodes, tests, .. } = self.sum;
         let a_ray = |packets: u64| (packets * PACKET_RAYS) as f64 / rays.max(1) as f64;
         (self.rays, self.packets) = (rays, packets);
         self.packets_scattered = packets_scattered;

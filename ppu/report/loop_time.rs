@@ -13,10 +13,7 @@ impl LoopTime {
     /// The current time of this thread.
     #[must_use]
     pub fn now() -> Self {
-        Self {
-            passed: Instant::now(),
-            processor: processor_time(),
-        }
+        Self { passed: Instant::now(), processor: processor_time() }
     }
 
     /// The elapsed time and this thread's processor time since then.
@@ -28,10 +25,7 @@ impl LoopTime {
 
 /// This thread's processor time so far.
 fn processor_time() -> Duration {
-    let mut time = libc::timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
+    let mut time = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: the call writes only to `time`. It doesn't fail for a thread's own clock; if it did,
     // the time would be 0.
     unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) };

@@ -7,9 +7,7 @@ pub(super) fn peak_bytes() -> Option<u64> {
 
 /// The `VmHWM` line of Linux's `/proc/self/status`.
 fn peak_of(status: &str) -> Option<u64> {
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
     Some(kibibytes << 10)
 }

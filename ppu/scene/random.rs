@@ -21,8 +21,5 @@ pub fn unit(random: &mut ChaCha8Rng) -> DVec3 {
 
 /// A vector at right angles to a unit vector.
 pub fn across(random: &mut ChaCha8Rng, along: DVec3) -> DVec3 {
-    along
-        .cross(unit(random))
-        .try_normalize()
-        .unwrap_or_else(|| along.any_orthonormal_vector())
+    along.cross(unit(random)).try_normalize().unwrap_or_else(|| along.any_orthonormal_vector())
 }

@@ -61,11 +61,7 @@ impl Colour {
 
 /// The linear light of an sRGB value.
 fn decoded(value: f64) -> f64 {
-    if value <= 0.04045 {
-        value / 12.92
-    } else {
-        libm::pow((value + 0.055) / 1.055, 2.4)
-    }
+    if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
 }
 
 /// How many samples, evenly spread, an antialiased pixel is the mean of.
@@ -174,12 +170,7 @@ pub struct Look {
 
 impl Default for Look {
     fn default() -> Self {
-        Self {
-            samples: Samples::Four,
-            contrast: CONTRAST,
-            colour: None,
-            roll_off: false,
-        }
+        Self { samples: Samples::Four, contrast: CONTRAST, colour: None, roll_off: false }
     }
 }
 

@@ -21,11 +21,7 @@ pub(crate) fn singles(vector: DVec3) -> [F32; 3] {
 /// Rounds a number down to a single.
 pub(crate) fn down(value: f64) -> F32 {
     let nearest = value.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32;
-    F32::new(if f64::from(nearest) > value {
-        nearest.next_down()
-    } else {
-        nearest
-    })
+    F32::new(if f64::from(nearest) > value { nearest.next_down() } else { nearest })
 }
 
 /// Rounds a number up to a single; one beyond the largest single becomes the largest.

@@ -52,10 +52,7 @@ impl fmt::Display for Ended {
             Outcome::Fault(what) => write!(f, "stopped: {what}")?,
             Outcome::Dma(what, word) => write!(f, "stopped: {what} (event {word:#06x})")?,
             Outcome::Library(reason, result) => {
-                write!(
-                    f,
-                    "stopped: libspe2's stop reason {reason}, result {result}"
-                )?;
+                write!(f, "stopped: libspe2's stop reason {reason}, result {result}")?;
             }
         }
         let pc = self.npc.wrapping_sub(4);
@@ -90,9 +87,7 @@ impl Context {
     fn with_flags(flags: c_uint) -> Result<Self, SpeError> {
         // SAFETY: the only pointer is the gang, which may be null.
         let context = unsafe { sys::spe_context_create(flags, ptr::null_mut()) };
-        NonNull::new(context)
-            .map(Self)
-            .ok_or_else(|| SpeError::last("spe_context_create"))
+        NonNull::new(context).map(Self).ok_or_else(|| SpeError::last("spe_context_create"))
     }
 
     pub(super) fn as_ptr(&self) -> sys::spe_context_ptr_t {
@@ -108,11 +103,7 @@ impl Context {
         // SAFETY: the context lives. The handle points to a complete ELF file that lives forever,
         // and the library keeps no reference to the handle.
         let result = unsafe { sys::spe_program_load(self.as_ptr(), &raw mut handle) };
-        if result == 0 {
-            Ok(())
-        } else {
-            Err(SpeError::last("spe_program_load"))
-        }
+        if result == 0 { Ok(()) } else { Err(SpeError::last("spe_program_load")) }
     }
 
     /// Runs the loaded program from its entry until it ends, with `argument` in `$4`.
@@ -153,23 +144,15 @@ impl Context {
             reason => Outcome::Library(reason, info.result),
         };
         let npc = entry & !3;
-        Ended {
-            outcome,
-            npc,
-            instruction: self.local_store_word(npc.wrapping_sub(4)),
-        }
+        Ended { outcome, npc, instruction: self.local_store_word(npc.wrapping_sub(4)) }
     }
 
     /// The address of a word of local store; `address` wraps. `None` if libspe2 doesn't map local
     /// store.
     fn local_store(&self, address: u32) -> Option<*mut u32> {
         // SAFETY: the context lives.
-        let (base, size) = unsafe {
-            (
-                sys::spe_ls_area_get(self.as_ptr()),
-                sys::spe_ls_size_get(self.as_ptr()),
-            )
-        };
+        let (base, size) =
+            unsafe { (sys::spe_ls_area_get(self.as_ptr()), sys::spe_ls_size_get(self.as_ptr())) };
         if base.is_null() || size <= 0 {
             return None;
         }
@@ -183,8 +166,7 @@ impl Context {
     /// map it.
     #[must_use]
     pub fn local_store_address(&self) -> Option<u64> {
-        self.local_store(0)
-            .map(|base| base.expose_provenance() as u64)
+        self.local_store(0).map(|base| base.expose_provenance() as u64)
     }
 
     /// The effective address of signal register 1, for `sndsig` of other SPEs. `None` if libspe2
@@ -241,11 +223,7 @@ impl Context {
                 sys::SPE_MBOX_ALL_BLOCKING,
             )
         };
-        if written == count {
-            Ok(())
-        } else {
-            Err(SpeError::last("spe_in_mbox_write"))
-        }
+        if written == count { Ok(()) } else { Err(SpeError::last("spe_in_mbox_write")) }
     }
 
     /// Writes a word to signal register 1.
@@ -256,11 +234,7 @@ impl Context {
         // SAFETY: the context lives.
         let result =
             unsafe { sys::spe_signal_write(self.as_ptr(), sys::SPE_SIG_NOTIFY_REG_1, word) };
-        if result == 0 {
-            Ok(())
-        } else {
-            Err(SpeError::last("spe_signal_write"))
-        }
+        if result == 0 { Ok(()) } else { Err(SpeError::last("spe_signal_write")) }
     }
 
     /// Reads a word from the outbound interrupt mailbox; `None` if it is empty.
@@ -293,11 +267,7 @@ impl Context {
         let mut info = sys::spe_stop_info_t::default();
         // SAFETY: the context lives, and info is valid for writing.
         let result = unsafe { sys::spe_stop_info_read(self.as_ptr(), &raw mut info) };
-        if result == 0 {
-            Ok(())
-        } else {
-            Err(SpeError::last("spe_stop_info_read"))
-        }
+        if result == 0 { Ok(()) } else { Err(SpeError::last("spe_stop_info_read")) }
     }
 }
 

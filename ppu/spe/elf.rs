@@ -45,10 +45,7 @@ pub(super) fn loaded(image: &[u8], range: Range<u32>) -> Result<Vec<u8>, Program
         let start = header.p_vaddr(BigEndian);
         let outside = |()| ProgramError::Malformed("a segment is outside of the file".into());
         let data = header.data(BigEndian, image).map_err(outside)?;
-        let (low, high) = (
-            start.max(range.start),
-            range.end.min(start + data.len() as u32),
-        );
+        let (low, high) = (start.max(range.start), range.end.min(start + data.len() as u32));
         if header.p_type(BigEndian) != object::elf::PT_LOAD || low >= high {
             continue;
         }
@@ -98,13 +95,9 @@ pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
 /// The ranges of its instructions in local store.
 pub(super) fn code(image: &[u8]) -> Result<Vec<Range<u32>>, ProgramError> {
     let file = parse(image)?;
-    let code = file
-        .sections()
-        .filter(|section| section.kind() == SectionKind::Text);
+    let code = file.sections().filter(|section| section.kind() == SectionKind::Text);
     let range = |address: u64, size: u64| address as u32..address.saturating_add(size) as u32;
-    Ok(code
-        .map(|section| range(section.address(), section.size()))
-        .collect())
+    Ok(code.map(|section| range(section.address(), section.size())).collect())
 }
 
 /// The nearest symbol at or before an address of its instructions, and the distance to it.
@@ -149,10 +142,7 @@ mod tests {
     #[test]
     fn the_tracers_shaders_are_sorted_and_numbered() {
         let program = Program::from_image(Program::tracer().image()).expect("a program");
-        assert_eq!(
-            program.shaders().expect("a table"),
-            ["checker", "depth", "sky"]
-        );
+        assert_eq!(program.shaders().expect("a table"), ["checker", "depth", "sky"]);
         assert_eq!(program.shader("depth").expect("there"), 1);
         let error = program.shader("dept").expect_err("not there");
         assert_eq!(
@@ -166,10 +156,7 @@ mod tests {
         let image = Program::tracer().image();
         for length in (0..image.len()).step_by(97) {
             let error = Program::from_image(&image[..length]).expect_err("a part");
-            assert!(
-                matches!(error, ProgramError::Malformed(_)),
-                "{length}: {error}"
-            );
+            assert!(matches!(error, ProgramError::Malformed(_)), "{length}: {error}");
         }
     }
 

@@ -31,9 +31,7 @@ impl Events {
     pub fn create() -> Result<Self, SpeError> {
         // SAFETY: takes no arguments.
         let handler = unsafe { sys::spe_event_handler_create() };
-        NonNull::new(handler)
-            .map(Self)
-            .ok_or_else(|| SpeError::last("spe_event_handler_create"))
+        NonNull::new(handler).map(Self).ok_or_else(|| SpeError::last("spe_event_handler_create"))
     }
 
     /// Makes [`Events::wait`] report the events of this context under this number. The context
@@ -49,11 +47,7 @@ impl Events {
         };
         // SAFETY: handler and context live, and unit is valid for reading.
         let result = unsafe { sys::spe_event_handler_register(self.0.as_ptr(), &raw mut unit) };
-        if result == 0 {
-            Ok(())
-        } else {
-            Err(SpeError::last("spe_event_handler_register"))
-        }
+        if result == 0 { Ok(()) } else { Err(SpeError::last("spe_event_handler_register")) }
     }
 
     /// Sleeps until an event, and returns the context's number and the event; `None` after the
@@ -62,11 +56,7 @@ impl Events {
     /// # Errors
     /// libspe2 fails.
     pub fn wait(&self, timeout: Duration) -> Result<Option<(u32, Event)>, SpeError> {
-        let mut unit = sys::spe_event_unit_t {
-            events: 0,
-            spe: ptr::null_mut(),
-            data: 0,
-        };
+        let mut unit = sys::spe_event_unit_t { events: 0, spe: ptr::null_mut(), data: 0 };
         // At least a millisecond, because 0 would not sleep at all.
         let timeout = timeout.as_millis().clamp(1, c_int::MAX as u128) as c_int;
         // SAFETY: the handler lives, and one unit is valid for writing.

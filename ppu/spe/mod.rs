@@ -27,10 +27,7 @@ pub struct SpeError {
 
 impl SpeError {
     fn last(call: &'static str) -> Self {
-        Self {
-            call,
-            source: std::io::Error::last_os_error(),
-        }
+        Self { call, source: std::io::Error::last_os_error() }
     }
 }
 

@@ -41,9 +41,7 @@ impl Program {
     /// The tracer's program with the standard formulations.
     #[must_use]
     pub fn tracer() -> Self {
-        Self {
-            image: &TRACERS[0].1.0,
-        }
+        Self { image: &TRACERS[0].1.0 }
     }
 
     /// The tracer's program with these formulations, which must be among
@@ -59,9 +57,7 @@ impl Program {
             None => Err(ProgramError::NotShipped {
                 sphere: formulations.named_sphere().name,
                 triangle: formulations.triangle.name,
-                shipped: Formulations::shipped()
-                    .map(|of| of.named_sphere().name)
-                    .to_vec(),
+                shipped: Formulations::shipped().map(|of| of.named_sphere().name).to_vec(),
                 of_triangles: Formulations::standard().triangle.name,
             }),
         }
@@ -97,9 +93,7 @@ impl Program {
         memory.as_mut_slice().as_mut_bytes()[..image.len()].copy_from_slice(image);
         elf::check(&memory.as_slice().as_bytes()[..image.len()])?;
         let memory: &'static [Line] = memory.leak();
-        Ok(Self {
-            image: &memory.as_bytes()[..image.len()],
-        })
+        Ok(Self { image: &memory.as_bytes()[..image.len()] })
     }
 
     /// Reads an ELF file; see [`Program::from_image`].
@@ -107,10 +101,8 @@ impl Program {
     /// # Errors
     /// The file can't be read, or is not a valid SPU program.
     pub fn from_file(path: &Path) -> Result<Self, ProgramError> {
-        let image = fs::read(path).map_err(|source| ProgramError::File {
-            path: path.to_path_buf(),
-            source,
-        })?;
+        let image = fs::read(path)
+            .map_err(|source| ProgramError::File { path: path.to_path_buf(), source })?;
         Self::from_image(&image)
     }
 
@@ -131,10 +123,7 @@ impl Program {
         let number = known.iter().position(|known| known == name);
         number
             .map(|number| number as u32)
-            .ok_or_else(|| ProgramError::NoShader {
-                name: name.to_owned(),
-                known,
-            })
+            .ok_or_else(|| ProgramError::NoShader { name: name.to_owned(), known })
     }
 
     /// The code that traces meshes in main memory, with its constants and variables: what is

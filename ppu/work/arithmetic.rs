@@ -68,11 +68,7 @@ pub fn is_outside(sphere: &Sphere, normal: Singles) -> bool {
 
 /// A random form of the sphere records.
 pub fn form(random: &mut ChaCha8Rng) -> EyeRecord {
-    if random.random() {
-        EyeRecord::Centre
-    } else {
-        EyeRecord::Axis
-    }
+    if random.random() { EyeRecord::Centre } else { EyeRecord::Axis }
 }
 
 /// The distance at which a ray enters a sphere, as the kernel for records of this form computes
@@ -81,20 +77,12 @@ pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64
     let word = |value: F32| value.get().to_bits();
     let (centre, square) = (bits(sphere.centre), word(sphere.radius_squared));
     let found = match form {
-        EyeRecord::Centre => Perpendicular::entry(
-            direction,
-            &BareSphere {
-                centre,
-                radius_squared: square,
-            },
-        ),
+        EyeRecord::Centre => {
+            Perpendicular::entry(direction, &BareSphere { centre, radius_squared: square })
+        }
         EyeRecord::Axis => Constants::entry(
             direction,
-            &Axis {
-                axis: centre,
-                k: square,
-                distance: word(sphere.distance),
-            },
+            &Axis { axis: centre, k: square, distance: word(sphere.distance) },
         ),
     };
     (!is_negative(found.outside) && !is_negative(found.t)).then(|| to_f64(found.t))

@@ -75,14 +75,7 @@ pub struct Order<'a> {
 /// The record of a frame.
 #[must_use]
 pub fn describe(order: &Order) -> Frame {
-    let Order {
-        scene,
-        camera,
-        target,
-        addresses,
-        units,
-        ..
-    } = *order;
+    let Order { scene, camera, target, addresses, units, .. } = *order;
     let mut frame = Frame::new_zeroed();
     frame.magic = MAGIC.into();
     frame.version = VERSION.into();
@@ -118,11 +111,8 @@ pub fn describe(order: &Order) -> Frame {
     let depth = scene.depth();
     let range = (depth.far - depth.near) as f32;
     // If the range has no width, the brightness is clamped to 1 everywhere.
-    let (far, scale) = if range > 0.0 {
-        (depth.far as f32, range.recip())
-    } else {
-        (f32::MAX, 1.0)
-    };
+    let (far, scale) =
+        if range > 0.0 { (depth.far as f32, range.recip()) } else { (f32::MAX, 1.0) };
     frame.depth_far = far.into();
     frame.depth_scale = scale.into();
 

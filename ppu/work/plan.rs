@@ -53,9 +53,7 @@ impl Plan {
         if !self.keeps {
             self.pages.forget();
         }
-        let contents = self
-            .pages
-            .open(target, scene, camera, &projection, &mut self.tiles);
+        let contents = self.pages.open(target, scene, camera, &projection, &mut self.tiles);
         let most = policy.most_tiles.filter(|_| policy.retain);
         let is_put_off = most.is_some() && contents == Contents::Moved;
         // What was put off is begun anew.
@@ -65,8 +63,7 @@ impl Plan {
         let most = if is_put_off { Some(0) } else { most };
         self.tiles.keep(most, &mut self.missing);
         let tiles_left = self.missing.numbers().len() as u64;
-        self.spheres
-            .cull(scene.spheres(), &projection, policy.skip, policy.record);
+        self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
         let costs = self.costs.of(geometry);
         self.units.split(tiles, policy.spus, policy.split, costs);
@@ -74,10 +71,7 @@ impl Plan {
             self.units.mark_blank(blank);
         }
         self.size = Size {
-            pixels: tiles
-                .iter()
-                .map(|&tile| u64::from(tile_pixels(geometry, tile)))
-                .sum(),
+            pixels: tiles.iter().map(|&tile| u64::from(tile_pixels(geometry, tile))).sum(),
             tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
             tiles_left,
             is_put_off,
@@ -89,8 +83,7 @@ impl Plan {
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
         if self.keeps && !self.size.is_put_off {
-            self.pages
-                .close(self.units.lines(), costs, &mut self.missing);
+            self.pages.close(self.units.lines(), costs, &mut self.missing);
         }
     }
 

@@ -43,10 +43,7 @@ impl Rectangle {
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
         let both = |a: &Range<u32>, b: &Range<u32>| a.start.max(b.start)..a.end.min(b.end);
-        Self {
-            x: both(&self.x, &other.x),
-            y: both(&self.y, &other.y),
-        }
+        Self { x: both(&self.x, &other.x), y: both(&self.y, &other.y) }
     }
 
     /// Whether the rectangle has no pixels.
@@ -85,11 +82,7 @@ impl Projection {
     /// Converts a camera with a picture of this size.
     #[must_use]
     pub fn new(camera: &Camera, geometry: Geometry) -> Self {
-        Self {
-            eye: camera.eye,
-            geometry,
-            axes: Axes::new(camera, geometry),
-        }
+        Self { eye: camera.eye, geometry, axes: Axes::new(camera, geometry) }
     }
 
     /// The eye.
@@ -130,11 +123,7 @@ impl Projection {
         // least the plane's distance.
         let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
-        if (0.0..1.0).contains(&sine) {
-            libm::asin(sine)
-        } else {
-            f64::INFINITY
-        }
+        if (0.0..1.0).contains(&sine) { libm::asin(sine) } else { f64::INFINITY }
     }
 
     /// The pixels on which an object may be visible that is inside the convex hull of some
@@ -158,18 +147,14 @@ impl Projection {
             let both = |a: &Range<u32>, b: &Range<u32>| a.start.min(b.start)..a.end.max(b.end);
             found = Some(match found {
                 None => bounds,
-                Some(found) => Rectangle {
-                    x: both(&found.x, &bounds.x),
-                    y: both(&found.y, &bounds.y),
-                },
+                Some(found) => {
+                    Rectangle { x: both(&found.x, &bounds.x), y: both(&found.y, &bounds.y) }
+                }
             });
         }
         match found {
             None => nothing,
-            Some(_) if behind => Rectangle {
-                x: 0..width,
-                y: 0..height,
-            },
+            Some(_) if behind => Rectangle { x: 0..width, y: 0..height },
             Some(found) => found,
         }
     }
@@ -179,10 +164,7 @@ impl Projection {
     #[must_use]
     pub fn bounds(&self, centre: DVec3, radius: f64) -> Rectangle {
         let Geometry { width, height } = self.geometry;
-        let all = Rectangle {
-            x: 0..width,
-            y: 0..height,
-        };
+        let all = Rectangle { x: 0..width, y: 0..height };
         let Some(axes) = self.axes else {
             return all;
         };
@@ -204,11 +186,7 @@ impl Projection {
             let last = (pixel(aside * ahead + half) + margin).floor();
             // NaN must exclude no pixel.
             let first = if first > 0.0 { first } else { 0.0 };
-            let last = if last < f64::from(pixels) {
-                last
-            } else {
-                f64::from(pixels)
-            };
+            let last = if last < f64::from(pixels) { last } else { f64::from(pixels) };
             first as u32..((last + 1.0).max(0.0) as u32).min(pixels)
         };
         Rectangle {

@@ -63,9 +63,7 @@ impl Refusal {
         // A status of a block has the block's number in the higher bytes.
         let block = (status == Status::MeshBlock as u32).then_some(answer >> 8);
         let answer = block.map_or(answer, |_| status);
-        let known = Status::ALL
-            .iter()
-            .find(|(_, status, ..)| *status as u32 == answer);
+        let known = Status::ALL.iter().find(|(_, status, ..)| *status as u32 == answer);
         let Some(&(_, status, field, rule)) = known else {
             return Some(Self {
                 status: answer,
@@ -81,49 +79,25 @@ impl Refusal {
         } else if status == Status::Address {
             vec![address]
         } else {
-            field
-                .split(", ")
-                .filter_map(|field| value_of(frame, field))
-                .collect()
+            field.split(", ").filter_map(|field| value_of(frame, field)).collect()
         };
-        Some(Self {
-            status: answer,
-            field,
-            rule: rule.trim(),
-            values,
-            block,
-            shader: None,
-        })
+        Some(Self { status: answer, field, rule: rule.trim(), values, block, shader: None })
     }
 }
 
 /// The value of a field of the frame's record, by its name.
 fn value_of(frame: &Frame, name: &str) -> Option<u64> {
-    let field = Frame::RECORD
-        .fields
-        .iter()
-        .find(|field| field.name == name)?;
+    let field = Frame::RECORD.fields.iter().find(|field| field.name == name)?;
     if field.size > size_of::<u64>() {
         return None;
     }
-    let bytes = frame
-        .as_bytes()
-        .get(field.offset..field.offset + field.size)?;
-    Some(
-        bytes
-            .iter()
-            .fold(0, |value, byte| value << 8 | u64::from(*byte)),
-    )
+    let bytes = frame.as_bytes().get(field.offset..field.offset + field.size)?;
+    Some(bytes.iter().fold(0, |value, byte| value << 8 | u64::from(*byte)))
 }
 
 impl fmt::Display for ShaderFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            rule,
-            register,
-            shader,
-            name,
-        } = self;
+        let Self { rule, register, shader, name } = self;
         if *rule == RULE_KNOWN {
             return write!(f, "has no shader {shader}, which a material names");
         }
@@ -198,10 +172,7 @@ mod tests {
             told(RULE_LANES, 0, 0),
             "found that the shader checker breaks its contract: it changed surfaces that it must not shade"
         );
-        assert_eq!(
-            told(RULE_KNOWN, 0, 255),
-            "has no shader 255, which a material names"
-        );
+        assert_eq!(told(RULE_KNOWN, 0, 255), "has no shader 255, which a material names");
         assert_eq!(told(9, 1, 1), "answered with the unknown status 16845084");
     }
 }

@@ -138,10 +138,7 @@ mod tests {
     use crate::scene::random::{magnitude, unit};
     use crate::work::arithmetic::camera;
 
-    const SIZE: Geometry = Geometry {
-        width: 80,
-        height: 50,
-    };
+    const SIZE: Geometry = Geometry { width: 80, height: 50 };
 
     /// The pixel in which a point is visible.
     fn pixel(camera: &Camera, point: DVec3) -> Option<[u32; 2]> {
@@ -195,15 +192,9 @@ mod tests {
                 continue;
             };
             let mut pixels = Vec::new();
-            shadow.on(on, plane, &projection, &mut |found: &Rectangle| {
-                pixels.push(found.clone())
-            });
+            shadow.on(on, plane, &projection, &mut |found: &Rectangle| pixels.push(found.clone()));
             all += 1;
-            small += u32::from(
-                pixels
-                    .iter()
-                    .all(|found| found.x.len() < SIZE.width as usize),
-            );
+            small += u32::from(pixels.iter().all(|found| found.x.len() < SIZE.width as usize));
             for _ in 0..20 {
                 let mut away = unit(&mut random) * on.radius * random.random_range(0.0..1.0);
                 if plane.is_some() {

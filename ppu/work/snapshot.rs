@@ -195,12 +195,7 @@ impl Snapshot {
             }
         }
         if any && self.options.is_some_and(|options| options.ray_depth > 1) {
-            for seen in self
-                .objects
-                .iter()
-                .flatten()
-                .filter(|seen| seen.sees_others)
-            {
+            for seen in self.objects.iter().flatten().filter(|seen| seen.sees_others) {
                 changed.add(&place(seen, projection));
             }
         }
@@ -235,11 +230,7 @@ impl Snapshot {
         old: Option<&VisiblePrimitive>,
     ) -> Change {
         let (Some(new), Some(old)) = (new, old) else {
-            return if new.is_none() && old.is_none() {
-                Change::None
-            } else {
-                Change::Place
-            };
+            return if new.is_none() && old.is_none() { Change::None } else { Change::Place };
         };
         let (address, size) = new.record;
         if new.record != old.record
@@ -275,15 +266,10 @@ impl Snapshot {
                 }
                 // Computed only when needed, because the shadow misses most objects.
                 let mut bounds = None;
-                shadow.on(
-                    on.sphere,
-                    on.plane,
-                    projection,
-                    &mut |pixels: &Rectangle| {
-                        let bounds = bounds.get_or_insert_with(|| place(on, projection));
-                        changed.add(&pixels.intersection(bounds));
-                    },
-                );
+                shadow.on(on.sphere, on.plane, projection, &mut |pixels: &Rectangle| {
+                    let bounds = bounds.get_or_insert_with(|| place(on, projection));
+                    changed.add(&pixels.intersection(bounds));
+                });
             }
         }
         true

@@ -55,10 +55,8 @@ impl EyeSpheres {
         self.order
             .sort_unstable_by(|(a, first), (b, second)| a.total_cmp(b).then(first.cmp(second)));
         self.records.clear();
-        let records = self
-            .order
-            .iter()
-            .map(|&(_, index)| record(&spheres[index as usize], projection, form));
+        let records =
+            self.order.iter().map(|&(_, index)| record(&spheres[index as usize], projection, form));
         self.records.extend(records);
     }
 

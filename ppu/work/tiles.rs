@@ -33,9 +33,7 @@ fn stride(count: usize) -> usize {
         a
     };
     let from = count * 618 / 1000;
-    (from.max(1)..=count.max(1))
-        .find(|&step| gcd(step, count) == 1)
-        .unwrap_or(1)
+    (from.max(1)..=count.max(1)).find(|&step| gcd(step, count) == 1).unwrap_or(1)
 }
 
 /// A set of a picture's tiles. Its memory is reused for the next picture.
@@ -125,33 +123,19 @@ impl TileSet {
 mod tests {
     use super::*;
 
-    const ODD: Geometry = Geometry {
-        width: 200,
-        height: 50,
-    };
+    const ODD: Geometry = Geometry { width: 200, height: 50 };
 
     #[test]
     fn the_pixels_of_all_tiles_are_the_picture() {
-        for (width, height) in [
-            (1, 1),
-            (64, 16),
-            (65, 17),
-            (200, 50),
-            (1280, 720),
-            (8192, 8192),
-        ] {
+        for (width, height) in [(1, 1), (64, 16), (65, 17), (200, 50), (1280, 720), (8192, 8192)] {
             let geometry = Geometry { width, height };
-            let pixels: u32 = (0..tile_count(geometry))
-                .map(|tile| tile_pixels(geometry, tile))
-                .sum();
+            let pixels: u32 =
+                (0..tile_count(geometry)).map(|tile| tile_pixels(geometry, tile)).sum();
             assert_eq!(pixels, width * height);
         }
         // Four across, four down, the last column 8 wide, the last row 2 high.
         assert_eq!(tile_count(ODD), 16);
-        assert_eq!(
-            [0, 3, 12, 15].map(|tile| tile_pixels(ODD, tile)),
-            [1024, 128, 128, 16]
-        );
+        assert_eq!([0, 3, 12, 15].map(|tile| tile_pixels(ODD, tile)), [1024, 128, 128, 16]);
     }
 
     #[test]

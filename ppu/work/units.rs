@@ -101,16 +101,13 @@ impl Units {
         let cost = |tile: u32| u64::from(costs.get(tile as usize).copied().unwrap_or(0).max(1));
         self.by_cost.clear();
         self.by_cost.extend_from_slice(tiles);
-        self.by_cost
-            .sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
+        self.by_cost.sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
         let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
         let least = left / (PARTS_OF_THE_WHOLE * spus);
-        let expensive = self
-            .by_cost
-            .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
+        let expensive =
+            self.by_cost.partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
-        self.order
-            .extend(spread(&self.by_cost, expensive, spus as usize));
+        self.order.extend(spread(&self.by_cost, expensive, spus as usize));
 
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
@@ -164,21 +161,16 @@ fn spread(by_cost: &[u32], expensive: usize, spus: usize) -> impl Iterator<Item 
     let between = cheap.len().saturating_sub(CHEAP_AT_THE_END * spus);
     let (between, last) = cheap.split_at(between);
     let run = |number: usize| between.len() * number / expensive.len();
-    let mixed = expensive
-        .iter()
-        .enumerate()
-        .flat_map(move |(number, tile)| {
-            std::iter::once(tile).chain(&between[run(number)..run(number + 1)])
-        });
+    let mixed = expensive.iter().enumerate().flat_map(move |(number, tile)| {
+        std::iter::once(tile).chain(&between[run(number)..run(number + 1)])
+    });
     // Without expensive tiles, the others follow one another.
     let alone = if expensive.is_empty() { between } else { &[] };
     mixed.chain(alone).chain(last).copied()
 }
 
 fn run_length(tiles: usize, spus: u32) -> usize {
-    tiles
-        .div_ceil((UNITS_AN_SPU * spus) as usize)
-        .clamp(1, UNIT_TILES as usize)
+    tiles.div_ceil((UNITS_AN_SPU * spus) as usize).clamp(1, UNIT_TILES as usize)
 }
 
 /// The time that each tile of a picture took when it was last traced, in decrementer ticks.
@@ -215,10 +207,7 @@ pub(super) fn tiles_and_costs<'a>(
     units: &'a [WorkUnit],
     costs: &'a [UnitCost],
 ) -> impl Iterator<Item = (u32, u32)> + 'a {
-    let answered = units
-        .iter()
-        .zip(costs)
-        .filter(|(unit, cost)| unit.count == cost.count);
+    let answered = units.iter().zip(costs).filter(|(unit, cost)| unit.count == cost.count);
     answered.flat_map(|(unit, cost)| {
         let tiles = unit.tiles.iter().take(unit.count.get() as usize);
         let tiles = tiles.map(|tile| tile.get() & !TILE_BLANK);

@@ -17,32 +17,15 @@ pub fn constants() -> String {
         let _ = writeln!(text, ".set {name},{value:#x} #{doc}");
     }
     for record in layout::RECORDS {
-        let _ = writeln!(
-            text,
-            "\n#{}\n.set {}_SIZE,{}",
-            record.doc, record.name, record.size
-        );
+        let _ = writeln!(text, "\n#{}\n.set {}_SIZE,{}", record.doc, record.name, record.size);
         for field in record.fields {
-            let Field {
-                name,
-                kind,
-                offset,
-                size,
-                doc,
-            } = field;
-            let _ = writeln!(
-                text,
-                ".set {}_{name},{offset} # {kind}, {size} bytes:{doc}",
-                record.name
-            );
+            let Field { name, kind, offset, size, doc } = field;
+            let _ =
+                writeln!(text, ".set {}_{name},{offset} # {kind}, {size} bytes:{doc}", record.name);
         }
     }
     for (name, status, field, doc) in layout::Status::ALL {
-        let _ = writeln!(
-            text,
-            ".set STATUS_{name},{} # {field}:{doc}",
-            *status as u32
-        );
+        let _ = writeln!(text, ".set STATUS_{name},{} # {field}:{doc}", *status as u32);
     }
     text
 }

@@ -235,22 +235,13 @@ impl Formulations {
     #[must_use]
     pub fn named_sphere(&self) -> &'static SphereFormulation {
         let standard = Self::standard();
-        if self.eye == standard.eye {
-            self.bounced
-        } else {
-            self.eye
-        }
+        if self.eye == standard.eye { self.bounced } else { self.eye }
     }
 
     /// The formulations' names, in the order of the fields.
     #[must_use]
     pub fn names(&self) -> [&'static str; 4] {
-        [
-            self.eye.name,
-            self.seen.name,
-            self.bounced.name,
-            self.triangle.name,
-        ]
+        [self.eye.name, self.seen.name, self.bounced.name, self.triangle.name]
     }
 
     /// A name for the whole combination, for example for a file.
@@ -266,10 +257,7 @@ impl Formulations {
         [
             ("isect_eye_spheres", self.eye.eye.unwrap_or_default()),
             ("isect_seen_spheres", self.seen.general.unwrap_or_default()),
-            (
-                "isect_bounced_spheres",
-                self.bounced.general.unwrap_or_default(),
-            ),
+            ("isect_bounced_spheres", self.bounced.general.unwrap_or_default()),
             ("isect_triangles", self.triangle.kernel),
         ]
     }

@@ -82,10 +82,7 @@ impl Figures {
         line("instructions", self.instructions.to_string());
         line("single issue", self.single_issue.to_string());
         line("dual issue", self.dual_issue.to_string());
-        line(
-            "dual-issue rate",
-            format!("{:.1} %", self.dual_issue_rate * 100.0),
-        );
+        line("dual-issue rate", format!("{:.1} %", self.dual_issue_rate * 100.0));
         let mut stalls: Vec<_> = self.stalls.iter().collect();
         stalls.sort_by_key(|(_, cycles)| std::cmp::Reverse(**cycles));
         for (cause, &cycles) in stalls {
@@ -93,10 +90,7 @@ impl Figures {
             line(cause, format!("{cycles} {share:5.1} %"));
         }
         line("blocked in channels", self.blocked.to_string());
-        line(
-            "MFC commands",
-            (self.dma_commands + self.atomic_commands).to_string(),
-        );
+        line("MFC commands", (self.dma_commands + self.atomic_commands).to_string());
         line("  bytes", (self.bytes_in + self.bytes_out).to_string());
         text
     }

@@ -65,11 +65,7 @@ impl InstructionEntry {
     /// The cost of the instruction.
     #[must_use]
     pub fn tally(&self) -> Tally {
-        Tally {
-            issued: self.issued,
-            joined: self.joined,
-            stalls: self.stalls.clone(),
-        }
+        Tally { issued: self.issued, joined: self.joined, stalls: self.stalls.clone() }
     }
 }
 
@@ -94,16 +90,9 @@ impl SpeEntry {
     fn new(spe: &SpeProfile) -> Self {
         let programs = spe.programs.iter().map(|program| ProgramEntry {
             program: program.program,
-            instructions: program
-                .instructions
-                .iter()
-                .map(InstructionEntry::new)
-                .collect(),
+            instructions: program.instructions.iter().map(InstructionEntry::new).collect(),
         });
-        Self {
-            cycles: spe.cycles(),
-            programs: programs.collect(),
-        }
+        Self { cycles: spe.cycles(), programs: programs.collect() }
     }
 }
 
@@ -118,10 +107,7 @@ impl ProfileFile {
     /// Creates the profile from what each SPE ran.
     #[must_use]
     pub fn new(cycles_per_second: u64, spes: &[SpeProfile]) -> Self {
-        Self {
-            cycles_per_second,
-            spes: spes.iter().map(SpeEntry::new).collect(),
-        }
+        Self { cycles_per_second, spes: spes.iter().map(SpeEntry::new).collect() }
     }
 
     /// Reads a profile from JSON.
@@ -198,8 +184,7 @@ mod by_text {
         deserializer: D,
     ) -> Result<Option<ProgramId>, D::Error> {
         let text = Option::<String>::deserialize(deserializer)?;
-        text.map(|text| text.parse().map_err(de::Error::custom))
-            .transpose()
+        text.map(|text| text.parse().map_err(de::Error::custom)).transpose()
     }
 }
 

@@ -51,10 +51,7 @@ impl TimelineFile {
     /// Creates the file's contents from what each SPE recorded.
     #[must_use]
     pub fn new(cycles_per_second: u64, spes: &[Timeline]) -> Self {
-        Self {
-            cycles_per_second,
-            spes: spes.iter().map(SpeTimeline::new).collect(),
-        }
+        Self { cycles_per_second, spes: spes.iter().map(SpeTimeline::new).collect() }
     }
 }
 
@@ -72,9 +69,6 @@ impl SpeTimeline {
             ea: transfer.ea,
             bytes: transfer.bytes,
         });
-        Self {
-            sleeps: sleeps.collect(),
-            transfers: transfers.collect(),
-        }
+        Self { sleeps: sleeps.collect(), transfers: transfers.collect() }
     }
 }

@@ -77,12 +77,7 @@ pub struct Difference {
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            file,
-            line,
-            note,
-            model,
-        } = self;
+        let Self { file, line, note, model } = self;
         write!(f, "{}:{line}: note {note}, model {model}", file.display())
     }
 }
@@ -110,11 +105,7 @@ pub enum CheckError {
 /// The source files that the line table names.
 #[must_use]
 pub fn source_files(code: &Code) -> Vec<PathBuf> {
-    let files: BTreeSet<_> = code
-        .sources()
-        .iter()
-        .map(|(_, at)| at.file.clone())
-        .collect();
+    let files: BTreeSet<_> = code.sources().iter().map(|(_, at)| at.file.clone()).collect();
     files.into_iter().collect()
 }
 
@@ -161,12 +152,7 @@ pub fn check(
                 several => Model::Several(several.len()),
             };
             if model != Model::Slot(note) {
-                outcome.differences.push(Difference {
-                    file: path.clone(),
-                    line,
-                    note,
-                    model,
-                });
+                outcome.differences.push(Difference { file: path.clone(), line, note, model });
             }
         }
     }
@@ -200,10 +186,7 @@ pub(crate) fn slot(
             issue_in(&schedule.lines)?
         }
     };
-    Some(Slot {
-        cycle: issue.cycle,
-        pipe: issue.pipe,
-    })
+    Some(Slot { cycle: issue.cycle, pipe: issue.pipe })
 }
 
 /// The note in a source line.

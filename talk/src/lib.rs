@@ -116,10 +116,8 @@ mod tests {
     #[test]
     fn a_reader_that_has_gone_is_no_error() {
         for room in [0, 3] {
-            print_to(&mut Fails(ErrorKind::BrokenPipe, room), |out| {
-                out.write_all(b"data")
-            })
-            .unwrap();
+            print_to(&mut Fails(ErrorKind::BrokenPipe, room), |out| out.write_all(b"data"))
+                .unwrap();
         }
     }
 
@@ -138,10 +136,8 @@ mod tests {
 
     #[test]
     fn a_full_disk_is_an_error_that_names_the_output() {
-        let error = print_to(&mut Fails(ErrorKind::StorageFull, 3), |out| {
-            out.write_all(b"data")
-        })
-        .unwrap_err();
+        let error = print_to(&mut Fails(ErrorKind::StorageFull, 3), |out| out.write_all(b"data"))
+            .unwrap_err();
         assert_eq!(error.kind(), ErrorKind::StorageFull);
         assert!(error.to_string().starts_with("standard output: "));
     }
@@ -149,10 +145,8 @@ mod tests {
     #[test]
     fn everything_is_written() {
         let mut out = Vec::new();
-        print_to(&mut out, |out| {
-            (0..10_000).try_for_each(|number| writeln!(out, "{number}"))
-        })
-        .unwrap();
+        print_to(&mut out, |out| (0..10_000).try_for_each(|number| writeln!(out, "{number}")))
+            .unwrap();
         assert_eq!(out.iter().filter(|&&byte| byte == b'\n').count(), 10_000);
     }
 }

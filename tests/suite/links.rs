@@ -79,9 +79,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     let headings = prose.lines().filter(|line| line.starts_with('#'));
     let anchor = |line: &str| {
         let heading = line.trim_start_matches('#').trim().to_lowercase();
-        let kept = heading
-            .chars()
-            .filter(|&c| c.is_alphanumeric() || " -_".contains(c));
+        let kept = heading.chars().filter(|&c| c.is_alphanumeric() || " -_".contains(c));
         let anchor: String = kept.map(|c| if c == ' ' { '-' } else { c }).collect();
         let before = times.entry(anchor.clone()).or_insert(0);
         *before += 1;
@@ -117,24 +115,16 @@ fn broken(link: &str, folder: &Path, text: &str) -> Option<String> {
 fn check(folder: &Path, text: &str) -> (Vec<String>, usize) {
     let prose = prose(text);
     let (_, rest) = parted(&prose);
-    let links: Vec<_> = rest
-        .split("](")
-        .skip(1)
-        .filter_map(|link| link.split_once(')'))
-        .collect();
-    let wrong = links
-        .iter()
-        .filter_map(|(link, _)| broken(link, folder, text))
-        .collect();
+    let links: Vec<_> = rest.split("](").skip(1).filter_map(|link| link.split_once(')')).collect();
+    let wrong = links.iter().filter_map(|(link, _)| broken(link, folder, text)).collect();
     (wrong, links.len())
 }
 
 #[test]
 fn every_link_leads_somewhere() {
     let documents = files(Path::new(""));
-    let documents = documents
-        .iter()
-        .filter(|path| path.extension().is_some_and(|ending| ending == "md"));
+    let documents =
+        documents.iter().filter(|path| path.extension().is_some_and(|ending| ending == "md"));
     let (mut wrong, mut links) = (Vec::new(), 0);
     for path in documents {
         let (bad, count) = check(path.parent().unwrap(), &read(path));
@@ -155,10 +145,7 @@ fn every_path_in_backquotes_exists() {
     };
     let is_path = |c: char| c.is_ascii_alphanumeric() || "/._-".contains(c);
     let (mut wrong, mut paths) = (Vec::new(), 0);
-    for document in all
-        .iter()
-        .filter(|path| path.extension().is_some_and(|end| end == "md"))
-    {
+    for document in all.iter().filter(|path| path.extension().is_some_and(|end| end == "md")) {
         let prose = prose(&read(document));
         for span in parted(&prose).0 {
             let (path, name) = span.split_once(": ").unwrap_or((span, ""));
@@ -203,10 +190,7 @@ fn a_broken_link_is_found() {
         ("#no-heading", Some("no heading for #no-heading")),
     ] {
         let (found, count) = check(Path::new(""), &format!("{text}\n[a]({link}) `[b](c)`\n"));
-        assert_eq!(
-            found,
-            wrong.map(String::from).into_iter().collect::<Vec<_>>()
-        );
+        assert_eq!(found, wrong.map(String::from).into_iter().collect::<Vec<_>>());
         assert_eq!(count, 1, "{link}");
     }
 }

@@ -1,10 +1,7 @@
 //! All tests of the tracer from outside. They are one program, because linking several takes
 //! longer.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "the harness shows it with a failed test"
-)]
+#![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
 mod command_line;
 mod frames;

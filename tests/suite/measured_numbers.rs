@@ -21,9 +21,8 @@ fn documents() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let docs = fs::read_dir(root.join("docs")).unwrap();
     let docs = docs.map(|entry| entry.unwrap().path());
-    let mut documents: Vec<PathBuf> = docs
-        .filter(|path| path.extension().is_some_and(|ending| ending == "md"))
-        .collect();
+    let mut documents: Vec<PathBuf> =
+        docs.filter(|path| path.extension().is_some_and(|ending| ending == "md")).collect();
     documents.push(root.join("README.md"));
     documents
 }
@@ -49,9 +48,7 @@ fn speeds(text: &str) -> Vec<String> {
         let unit = word.starts_with("frames/s")
             || *word == "frames"
                 && words.get(place + 1) == Some(&"a")
-                && words
-                    .get(place + 2)
-                    .is_some_and(|word| word.starts_with("second"));
+                && words.get(place + 2).is_some_and(|word| word.starts_with("second"));
         if unit && let Some(before) = place.checked_sub(1).map(|at| words[at]).filter(number) {
             found.push(before.to_owned());
         }
@@ -62,9 +59,7 @@ fn speeds(text: &str) -> Vec<String> {
 /// Whether `number` equals one of these cells, rounded to the same number of decimals.
 fn is_among(number: &str, cells: &[f64]) -> bool {
     let decimals = number.split_once('.').map_or(0, |(_, behind)| behind.len());
-    cells
-        .iter()
-        .any(|cell| format!("{cell:.decimals$}") == number)
+    cells.iter().any(|cell| format!("{cell:.decimals$}") == number)
 }
 
 #[test]
@@ -76,21 +71,13 @@ fn every_speed_is_a_measured_one() {
         let name = path.strip_prefix(root).unwrap().display().to_string();
         let (written, rest) = parted(&fs::read_to_string(&path).unwrap());
         blocks += written.matches(WRITTEN).count();
-        let numbers = written
-            .split('|')
-            .filter_map(|cell| cell.trim().parse::<f64>().ok());
+        let numbers = written.split('|').filter_map(|cell| cell.trim().parse::<f64>().ok());
         cells.extend(numbers);
-        quoted.extend(
-            speeds(&rest)
-                .into_iter()
-                .map(|number| (name.clone(), number)),
-        );
+        quoted.extend(speeds(&rest).into_iter().map(|number| (name.clone(), number)));
     }
     assert_eq!(blocks, 12, "the tables of ci/measure");
     for (name, number, why) in OTHERS {
-        let is_in_document = quoted
-            .iter()
-            .any(|(file, quoted)| file == name && quoted == number);
+        let is_in_document = quoted.iter().any(|(file, quoted)| file == name && quoted == number);
         assert!(
             is_in_document,
             "{name} no longer says {number} frames/s ({why}): take it off the list"
@@ -103,10 +90,7 @@ fn every_speed_is_a_measured_one() {
             !OTHERS.iter().any(other) && !is_among(number, &cells)
         })
         .collect();
-    assert!(
-        strange.is_empty(),
-        "not measured by ci/measure: {strange:?}"
-    );
+    assert!(strange.is_empty(), "not measured by ci/measure: {strange:?}");
 }
 
 #[test]

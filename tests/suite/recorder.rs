@@ -20,13 +20,7 @@ impl Recorder {
     pub fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Snapshot) {
         let memory = Memory::new(Geometry { width, height }).unwrap();
         let shown = Snapshot::default();
-        (
-            Box::new(Self {
-                memory,
-                shown: Arc::clone(&shown),
-            }),
-            shown,
-        )
+        (Box::new(Self { memory, shown: Arc::clone(&shown) }), shown)
     }
 }
 
@@ -55,9 +49,7 @@ impl Framebuffer for Recorder {
 
 /// Reads one of the scenes that come with the program.
 pub fn nff_scene(name: &str) -> nff::Scene {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("scenes")
-        .join(name);
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name);
     nff::load(&path).unwrap()
 }
 
@@ -65,9 +57,7 @@ pub fn nff_scene(name: &str) -> nff::Scene {
 pub fn render(scene: &nff::Scene, width: u32, height: u32, settings: Settings) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);
     let mut engine = Engine::start(settings, framebuffer).unwrap();
-    engine
-        .render(&Scene::from_nff(scene).unwrap(), &mut |_| ())
-        .unwrap();
+    engine.render(&Scene::from_nff(scene).unwrap(), &mut |_| ()).unwrap();
     let picture = shown.lock().unwrap().take();
     picture.expect("the frame was presented")
 }

@@ -33,9 +33,7 @@ fn traced(scene: &str, options: &[&str]) -> Value {
 }
 
 fn number(statistics: &Value, name: &str) -> f64 {
-    statistics[name]
-        .as_f64()
-        .unwrap_or_else(|| panic!("no {name} in {statistics}"))
+    statistics[name].as_f64().unwrap_or_else(|| panic!("no {name} in {statistics}"))
 }
 
 /// Every ray is tested against every sphere: ten times the paper's 52 and 64 frames a second.
@@ -90,10 +88,7 @@ fn spus_are_busy() {
     assert!(number(&uneven, "busy_share") >= 0.95, "{uneven}");
     let slices = ["--retrace", "--frames", "6", "--split", "slices"];
     let slices = simulated("scenes/cluster.nff", &slices);
-    assert!(
-        number(&slices, "busy_share") < 0.7,
-        "the scene is uneven: {slices}"
-    );
+    assert!(number(&slices, "busy_share") < 0.7, "the scene is uneven: {slices}");
 }
 
 #[test]

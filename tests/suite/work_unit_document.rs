@@ -23,14 +23,7 @@ fn tables() -> String {
             record.doc.trim()
         );
         text.push_str("| offset | bytes | field | type | meaning |\n|---|---|---|---|---|\n");
-        for Field {
-            name,
-            kind,
-            offset,
-            size,
-            doc,
-        } in record.fields
-        {
+        for Field { name, kind, offset, size, doc } in record.fields {
             let _ = writeln!(text, "| {offset} | {size} | `{name}` | `{kind}` |{doc} |");
         }
     }
@@ -45,9 +38,7 @@ fn tables() -> String {
 fn the_document_has_the_layout() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/work-unit.md");
     let document = fs::read_to_string(&path).unwrap();
-    let (prose, written) = document
-        .split_once(START)
-        .expect("the line that starts the tables");
+    let (prose, written) = document.split_once(START).expect("the line that starts the tables");
     if std::env::var_os("MAKE_REF").is_some() {
         fs::write(&path, format!("{prose}{START}{}", tables())).unwrap();
     } else {

@@ -58,9 +58,7 @@ impl Driver {
         };
         for word in words.split_whitespace() {
             let (name, value) = word.split_once(':').unwrap_or((word, "0"));
-            let value: u32 = value
-                .parse()
-                .unwrap_or_else(|error| panic!("PS3FB: {word}: {error}"));
+            let value: u32 = value.parse().unwrap_or_else(|error| panic!("PS3FB: {word}: {error}"));
             match name {
                 "mode" => driver.mode = value,
                 "memory" => driver.smem_len = value * MIB - COMMANDS,
@@ -85,11 +83,7 @@ impl Driver {
     }
 
     fn line_length(&self) -> u32 {
-        if self.patched {
-            self.native().0 * 4
-        } else {
-            (self.shown().0 * 4).next_multiple_of(64)
-        }
+        if self.patched { self.native().0 * 4 } else { (self.shown().0 * 4).next_multiple_of(64) }
     }
 
     fn frames(&self) -> u32 {
@@ -200,9 +194,7 @@ impl Driver {
             self.mode = before;
             return Err(libc::ENOMEM);
         }
-        let cleared = self
-            .memory
-            .write_all_at(&vec![0; self.smem_len as usize], 0);
+        let cleared = self.memory.write_all_at(&vec![0; self.smem_len as usize], 0);
         cleared.map_err(|error| error.raw_os_error().unwrap_or(libc::EIO))
     }
 
@@ -253,11 +245,7 @@ mod tests {
             ("mode:3 patched", 5120, 9),
         ] {
             let driver = driver(words);
-            assert_eq!(
-                (driver.line_length(), driver.frames()),
-                (line, frames),
-                "{words}"
-            );
+            assert_eq!((driver.line_length(), driver.frames()), (line, frames), "{words}");
         }
     }
 

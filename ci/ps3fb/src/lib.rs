@@ -70,20 +70,10 @@ fn open(path: &CStr) -> Option<c_int> {
         return None;
     }
     if stands().is_none() {
-        let driver = Driver::new(
-            &variable("PS3FB"),
-            file("PS3FB_MEMORY"),
-            file("PS3FB_SCREEN"),
-        );
+        let driver = Driver::new(&variable("PS3FB"), file("PS3FB_MEMORY"), file("PS3FB_SCREEN"));
         let new = Stands {
-            driver: Stand {
-                device: driver,
-                descriptors: Vec::new(),
-            },
-            terminal: Stand {
-                device: Terminal::default(),
-                descriptors: Vec::new(),
-            },
+            driver: Stand { device: driver, descriptors: Vec::new() },
+            terminal: Stand { device: Terminal::default(), descriptors: Vec::new() },
             log: file("PS3FB_LOG"),
         };
         stands().get_or_insert(new);
@@ -92,11 +82,8 @@ fn open(path: &CStr) -> Option<c_int> {
     let descriptor = file("PS3FB_MEMORY").into_raw_fd();
     let mut stands = stands();
     let stands = stands.as_mut()?;
-    let descriptors = if is_device {
-        &mut stands.driver.descriptors
-    } else {
-        &mut stands.terminal.descriptors
-    };
+    let descriptors =
+        if is_device { &mut stands.driver.descriptors } else { &mut stands.terminal.descriptors };
     descriptors.push(descriptor);
     Some(descriptor)
 }
@@ -111,11 +98,7 @@ unsafe fn ioctl(
     argument: *mut c_void,
 ) -> Option<Result<(), Errno>> {
     let mut stands = stands();
-    let Stands {
-        driver,
-        terminal,
-        log,
-    } = stands.as_mut()?;
+    let Stands { driver, terminal, log } = stands.as_mut()?;
     let mut note = |line: String| {
         // A test that can't write its log fails by what it lacks.
         let _ = log.write_all((line + "\n").as_bytes());
@@ -135,13 +118,7 @@ unsafe fn ioctl(
 /// The program has closed `descriptor`.
 fn close(descriptor: c_int) {
     if let Some(stands) = stands().as_mut() {
-        stands
-            .driver
-            .descriptors
-            .retain(|&known| known != descriptor);
-        stands
-            .terminal
-            .descriptors
-            .retain(|&known| known != descriptor);
+        stands.driver.descriptors.retain(|&known| known != descriptor);
+        stands.terminal.descriptors.retain(|&known| known != descriptor);
     }
 }

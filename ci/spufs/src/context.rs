@@ -51,10 +51,7 @@ pub(crate) struct Context {
 impl Context {
     pub fn spe(&self) -> &Arc<Spe> {
         self.spe.get_or_init(|| {
-            let config = Config {
-                signal_modes: *lock(&self.modes),
-                ..Config::default()
-            };
+            let config = Config { signal_modes: *lock(&self.modes), ..Config::default() };
             let spe = Spe::new(machine(), config);
             let area = spe.local_store().as_ptr();
             spe.map_local_store(area.expose_provenance() as u64);
@@ -92,10 +89,7 @@ impl Context {
             if !wait {
                 return false;
             }
-            running = self
-                .runs
-                .wait(running)
-                .unwrap_or_else(PoisonError::into_inner);
+            running = self.runs.wait(running).unwrap_or_else(PoisonError::into_inner);
         }
         true
     }
@@ -107,9 +101,7 @@ impl Context {
             *areas = Some(Areas::map(self.spe(), &self.run_state)?);
         }
         let first = areas.as_ref().and_then(|areas| areas.area(0));
-        first
-            .map(|area| area.expose_provenance())
-            .ok_or(Errno(libc::EINVAL))
+        first.map(|area| area.expose_provenance()).ok_or(Errno(libc::EINVAL))
     }
 }
 

@@ -83,11 +83,8 @@ pub(crate) fn open(context: &Arc<Context>, name: &str, flags: c_int) -> Result<c
         context.spe();
     }
     let descriptor = into_raw(descriptor);
-    let file = Open::File {
-        context: Arc::clone(context),
-        kind,
-        waits: flags & libc::O_NONBLOCK == 0,
-    };
+    let file =
+        Open::File { context: Arc::clone(context), kind, waits: flags & libc::O_NONBLOCK == 0 };
     table().insert(descriptor, file);
     Ok(descriptor)
 }
@@ -228,13 +225,7 @@ impl File<'_> {
         if flags & libc::MAP_SHARED == 0 || size > most {
             return Err(Errno(libc::EINVAL));
         }
-        let store = || {
-            self.context
-                .spe()
-                .local_store()
-                .as_ptr()
-                .expose_provenance()
-        };
+        let store = || self.context.spe().local_store().as_ptr().expose_provenance();
         Ok(address.unwrap_or_else(store))
     }
 }

@@ -16,11 +16,8 @@ use crate::run;
 use crate::table::{self, Open, table};
 
 /// The library's numbers of the calls: the kernel's, negative where no kernel has them.
-const SIGN: c_long = if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) {
-    1
-} else {
-    -1
-};
+const SIGN: c_long =
+    if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) { 1 } else { -1 };
 const SPU_RUN: c_long = SIGN * 278;
 const SPU_CREATE: c_long = SIGN * 279;
 
@@ -32,10 +29,7 @@ struct Next {
 
 impl Next {
     const fn new(name: &'static CStr) -> Self {
-        Self {
-            name,
-            address: AtomicUsize::new(0),
-        }
+        Self { name, address: AtomicUsize::new(0) }
     }
 
     /// # Safety
@@ -65,20 +59,10 @@ fn answer<T: From<i8>>(result: Result<T, Errno>) -> T {
 
 /// Calls `body` with an open file of spufs.
 fn with_file<T>(descriptor: c_int, body: impl FnOnce(&File) -> T) -> Option<T> {
-    let Some(Open::File {
-        context,
-        kind,
-        waits,
-    }) = table::find(descriptor)
-    else {
+    let Some(Open::File { context, kind, waits }) = table::find(descriptor) else {
         return None;
     };
-    Some(body(&File {
-        descriptor,
-        context: &context,
-        kind,
-        waits,
-    }))
+    Some(body(&File { descriptor, context: &context, kind, waits }))
 }
 
 /// # Safety
@@ -182,9 +166,8 @@ pub unsafe extern "C" fn read(descriptor: c_int, into: *mut c_void, size: size_t
     type Read = unsafe extern "C" fn(c_int, *mut c_void, size_t) -> ssize_t;
     // SAFETY: the caller's promise.
     unsafe {
-        let read = with_file(descriptor, |file| {
-            file.read(slice::from_raw_parts_mut(into.cast(), size))
-        });
+        let read =
+            with_file(descriptor, |file| file.read(slice::from_raw_parts_mut(into.cast(), size)));
         match read {
             Some(result) => answer(result.map(|size| size as ssize_t)),
             None => NEXT_READ.get::<Read>()(descriptor, into, size),
@@ -201,9 +184,8 @@ pub unsafe extern "C" fn write(descriptor: c_int, from: *const c_void, size: siz
     type Write = unsafe extern "C" fn(c_int, *const c_void, size_t) -> ssize_t;
     // SAFETY: the caller's promise.
     unsafe {
-        let written = with_file(descriptor, |file| {
-            file.write(slice::from_raw_parts(from.cast(), size))
-        });
+        let written =
+            with_file(descriptor, |file| file.write(slice::from_raw_parts(from.cast(), size)));
         match written {
             Some(result) => answer(result.map(|size| size as ssize_t)),
             None => NEXT_WRITE.get::<Write>()(descriptor, from, size),
@@ -250,23 +232,13 @@ pub unsafe extern "C" fn mmap(
 ) -> *mut c_void {
     type Mmap =
         unsafe extern "C" fn(*mut c_void, size_t, c_int, c_int, c_int, off_t) -> *mut c_void;
-    let Some(Open::File {
-        context,
-        kind,
-        waits,
-    }) = table::find(descriptor)
-    else {
+    let Some(Open::File { context, kind, waits }) = table::find(descriptor) else {
         // SAFETY: the caller's promise.
         return unsafe {
             NEXT_MMAP.get::<Mmap>()(address, size, protection, flags, descriptor, offset)
         };
     };
-    let file = File {
-        descriptor,
-        context: &context,
-        kind,
-        waits,
-    };
+    let file = File { descriptor, context: &context, kind, waits };
     let mapped = match offset {
         0 => file.map(size, flags),
         _ => Err(Errno(libc::EINVAL)),

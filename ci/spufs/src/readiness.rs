@@ -20,11 +20,8 @@ pub(crate) struct Level {
 
 impl Level {
     fn new(counters: [u64; 2]) -> io::Result<Self> {
-        let level = Self {
-            file: File::from(event_descriptor()?),
-            counters,
-            ready: Mutex::new(true),
-        };
+        let level =
+            Self { file: File::from(event_descriptor()?), counters, ready: Mutex::new(true) };
         level.count(1)?;
         level.set(false);
         Ok(level)
@@ -53,9 +50,7 @@ impl Level {
         if *was != ready {
             *was = ready;
             if self.counters[usize::from(!ready)] != 0 {
-                (&self.file)
-                    .read_exact(&mut [0; 8])
-                    .expect("the counter is not 0");
+                (&self.file).read_exact(&mut [0; 8]).expect("the counter is not 0");
             }
             self.count(usize::from(ready)).expect("the counter is 0");
         }
@@ -81,11 +76,7 @@ pub(crate) fn event_descriptor() -> io::Result<OwnedFd> {
 /// Sleeps until a descriptor is ready for `events` of poll(2). A caught signal ends the sleep with
 /// an error.
 pub(crate) fn wait_for(descriptor: RawFd, events: i16) -> io::Result<()> {
-    let mut wait = libc::pollfd {
-        fd: descriptor,
-        events,
-        revents: 0,
-    };
+    let mut wait = libc::pollfd { fd: descriptor, events, revents: 0 };
     // SAFETY: the structure is valid, and there is one.
     if unsafe { libc::poll(&raw mut wait, 1, -1) } < 0 {
         return Err(io::Error::last_os_error());

@@ -36,11 +36,7 @@ fn after(context: &Context, stopped: &Stopped) -> Next {
     let events = context.flags & EVENTS_ENABLED != 0;
     let status = |status| Next::Return { status, event: 0 };
     let fault = |status, event, signal| {
-        if events {
-            Next::Return { status, event }
-        } else {
-            Next::Signal(signal)
-        }
+        if events { Next::Return { status, event } } else { Next::Signal(signal) }
     };
     match &stopped.reason {
         Stop::Signal(0x2104) if system_call::serve(context.spe().local_store(), stopped.npc) => {

@@ -30,10 +30,7 @@ pub(crate) struct Table {
     mapped: Vec<(usize, Arc<Context>)>,
 }
 
-static TABLE: Mutex<Table> = Mutex::new(Table {
-    open: BTreeMap::new(),
-    mapped: Vec::new(),
-});
+static TABLE: Mutex<Table> = Mutex::new(Table { open: BTreeMap::new(), mapped: Vec::new() });
 
 pub(crate) fn table() -> MutexGuard<'static, Table> {
     lock(&TABLE)

@@ -76,11 +76,8 @@ impl Emitter<'_> {
         if target == straight {
             return;
         }
-        let (compare, other) = if next == target {
-            (compare.complement(), straight)
-        } else {
-            (compare, target)
-        };
+        let (compare, other) =
+            if next == target { (compare.complement(), straight) } else { (compare, target) };
         let value = self.tested(i, tested);
         let zero = self.word(0);
         let condition = self.b.ins().icmp(compare, value, zero);
@@ -147,10 +144,7 @@ impl Emitter<'_> {
 
     fn halt_immediate(&mut self, i: Instruction, compare: IntCC) {
         let a = self.scalar(i.ra);
-        let b = self
-            .b
-            .ins()
-            .iconst(types::I32, i64::from(i.immediate as u32));
+        let b = self.b.ins().iconst(types::I32, i64::from(i.immediate as u32));
         let condition = self.b.ins().icmp(compare, a, b);
         self.halt_if(condition);
     }

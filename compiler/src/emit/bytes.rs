@@ -82,13 +82,7 @@ impl Emitter<'_> {
             self.b.ins().x86_pshufb(b, control)
         } else if from.contains(&0xff) {
             let one = from.map(|from| if from < 16 { from } else { 0x80 });
-            let other = from.map(|from| {
-                if (16..32).contains(&from) {
-                    from - 16
-                } else {
-                    0x80
-                }
-            });
+            let other = from.map(|from| if (16..32).contains(&from) { from - 16 } else { 0x80 });
             let one = self.constant_bytes(I8X16, one.to_vec());
             let other = self.constant_bytes(I8X16, other.to_vec());
             let from_a = self.b.ins().x86_pshufb(a, one);
@@ -118,10 +112,7 @@ impl Emitter<'_> {
         let mask = self.constant_bytes(ty, mask);
         let bit = self.b.ins().band(bits, mask);
         let ones = self.b.ins().icmp(IntCC::Equal, bit, mask);
-        let facts = Facts {
-            mask: ty == I32X4,
-            ..Facts::default()
-        };
+        let facts = Facts { mask: ty == I32X4, ..Facts::default() };
         self.set_with(i.rt, ones, facts);
     }
 

@@ -18,11 +18,7 @@ pub(super) struct Committed {
 
 impl Committed {
     pub fn at(pc: u32) -> Self {
-        Self {
-            changed: Vec::new(),
-            pc,
-            count: 0,
-        }
+        Self { changed: Vec::new(), pc, count: 0 }
     }
 }
 
@@ -86,12 +82,7 @@ impl Emitter<'_> {
         self.exit_if(&watched, Exit::WATCHED);
         for n in 0..self.pending.len() {
             let Pending { address, bytes, .. } = self.pending[n];
-            self.b.ins().store(
-                MemFlagsData::trusted(),
-                bytes,
-                address.pointer,
-                address.offset,
-            );
+            self.b.ins().store(MemFlagsData::trusted(), bytes, address.pointer, address.offset);
         }
         if let Some(RaisedFlags { fpscr, .. }) = raised {
             self.store_field(fpscr, field::FPSCR);
@@ -99,11 +90,8 @@ impl Emitter<'_> {
         if !self.in_side_exit {
             self.pending.clear();
             self.unverified = Unverified::default();
-            self.committed = Committed {
-                changed: self.file.changed(),
-                pc: self.pc,
-                count: self.count,
-            };
+            self.committed =
+                Committed { changed: self.file.changed(), pc: self.pc, count: self.count };
         }
     }
 
@@ -187,14 +175,9 @@ impl Emitter<'_> {
         let wide = self.b.ins().uextend(types::I64, pc);
         let distance = self.b.ins().ishl_imm_u(wide, 1);
         let place = self.b.ins().iadd(table, distance);
-        let target = self
-            .b
-            .ins()
-            .load(types::I64, MemFlagsData::trusted(), place, 0);
+        let target = self.b.ins().load(types::I64, MemFlagsData::trusted(), place, 0);
         let arguments = [self.registers, self.local_store, self.context, left, pc];
-        self.b
-            .ins()
-            .return_call_indirect(self.unit, target, &arguments);
+        self.b.ins().return_call_indirect(self.unit, target, &arguments);
     }
 
     /// Commits, and leaves the current instruction to the interpreter.
@@ -223,10 +206,7 @@ impl Emitter<'_> {
         let mut all = None;
         for (quadword, bytes, mask) in quadwords {
             let flags = MemFlagsData::trusted();
-            let found = self
-                .b
-                .ins()
-                .load(types::I8X16, flags, self.local_store, quadword as i32);
+            let found = self.b.ins().load(types::I8X16, flags, self.local_store, quadword as i32);
             let expected = self.constant_bytes(types::I8X16, bytes.to_vec());
             let mut different = self.b.ins().bxor(found, expected);
             if mask != [0xff; 16] {
@@ -281,10 +261,7 @@ impl Emitter<'_> {
         if let Some(magnitudes) = self.unverified.magnitudes {
             // An exponent of 255.
             let from = self.splat(0xff00_0000);
-            let beyond = self
-                .b
-                .ins()
-                .icmp(IntCC::UnsignedGreaterThanOrEqual, magnitudes, from);
+            let beyond = self.b.ins().icmp(IntCC::UnsignedGreaterThanOrEqual, magnitudes, from);
             special = Some(self.or(special, beyond));
         }
         if let Some(special) = special {

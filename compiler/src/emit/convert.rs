@@ -45,11 +45,7 @@ impl Emitter<'_> {
         };
         let scale = self.power(-i.immediate);
         let scaled = self.b.ins().fmul(converted, scale);
-        let facts = Facts {
-            plain: true,
-            no_negative_zero: true,
-            ..Facts::default()
-        };
+        let facts = Facts { plain: true, no_negative_zero: true, ..Facts::default() };
         self.set_with(i.rt, scaled, facts);
     }
 
@@ -61,11 +57,7 @@ impl Emitter<'_> {
     /// A mask of lanes where `magnitude` * 2^`scale` is at least 2^`bits`. `None` if no single is.
     fn reaches(&mut self, magnitude: Value, bits: i32, scale: i32) -> Option<Value> {
         let limit = self.splat(threshold(bits, scale)?);
-        Some(
-            self.b
-                .ins()
-                .icmp(IntCC::SignedGreaterThanOrEqual, magnitude, limit),
-        )
+        Some(self.b.ins().icmp(IntCC::SignedGreaterThanOrEqual, magnitude, limit))
     }
 
     /// `cflts` and `cfltu`. The host converts only numbers that fit, so it raises no exceptions.

@@ -129,14 +129,7 @@ impl Emitter<'_> {
     fn set_double_slices(&mut self, i: Instruction, slices: Value) {
         let words = self.shuffle(slices, slices, SWAPPED);
         let words = self.cast(I32X4, words);
-        self.put_node(
-            i.rt,
-            Node {
-                words: Some(words),
-                slices: Some(slices),
-                ..Node::default()
-            },
-        );
+        self.put_node(i.rt, Node { words: Some(words), slices: Some(slices), ..Node::default() });
     }
 
     /// The rounded sum, and its error, exactly.
@@ -166,18 +159,10 @@ impl Emitter<'_> {
         let unknown = self.b.create_block();
         let continuation = self.b.create_block();
         let none = self.splat(0);
-        self.b.ins().brif(
-            flags,
-            continuation,
-            &[none.into(), none.into()],
-            unknown,
-            &[],
-        );
+        self.b.ins().brif(flags, continuation, &[none.into(), none.into()], unknown, &[]);
         self.b.switch_to_block(unknown);
         let Errors { inexact, undecided } = errors(self);
-        self.b
-            .ins()
-            .jump(continuation, &[inexact.into(), undecided.into()]);
+        self.b.ins().jump(continuation, &[inexact.into(), undecided.into()]);
         self.b.switch_to_block(continuation);
         Errors {
             inexact: self.b.append_block_param(continuation, I32X4),
@@ -206,10 +191,7 @@ impl Emitter<'_> {
     }
 
     fn errors_of(&mut self, error: Value) -> Errors {
-        Errors {
-            inexact: self.is_not_zero(error),
-            undecided: self.splat(0),
-        }
+        Errors { inexact: self.is_not_zero(error), undecided: self.splat(0) }
     }
 
     /// The errors of `a * b + t`. The exact value less the result is the sum of `rest`, the sum's
@@ -226,10 +208,7 @@ impl Emitter<'_> {
         let is_more = self.is_not_zero(last);
         let negated = self.b.ins().fneg(error);
         let differs = self.differ(rest, negated);
-        Errors {
-            inexact: self.b.ins().bor(is_more, differs),
-            undecided,
-        }
+        Errors { inexact: self.b.ins().bor(is_more, differs), undecided }
     }
 
     fn is_not_zero(&mut self, value: Value) -> Value {

@@ -78,11 +78,7 @@ impl Emitter<'_> {
             Node {
                 doubles: Some(results),
                 is_of_doubles: true,
-                facts: Facts {
-                    no_negative_zero: true,
-                    flags_noted: true,
-                    ..Facts::default()
-                },
+                facts: Facts { no_negative_zero: true, flags_noted: true, ..Facts::default() },
                 ..Node::default()
             },
         );
@@ -289,12 +285,7 @@ impl Emitter<'_> {
         });
         self.put_node(
             i.rt,
-            Node {
-                doubles: Some(doubles),
-                is_of_doubles: true,
-                facts,
-                ..Node::default()
-            },
+            Node { doubles: Some(doubles), is_of_doubles: true, facts, ..Node::default() },
         );
     }
 }

@@ -40,22 +40,15 @@ impl Emitter<'_> {
             let entry = self.b.ins().load(types::I32, flags, at, 0);
             self.b.ins().insertlane(entries, entry, 1)
         });
-        let entries = self.shuffle(
-            low,
-            high,
-            [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23],
-        );
+        let entries =
+            self.shuffle(low, high, [0, 1, 2, 3, 4, 5, 6, 7, 16, 17, 18, 19, 20, 21, 22, 23]);
         self.cast(I32X4, entries)
     }
 
     /// Sets an estimate. It is `plain` in singles, where the unit fails if it is not.
     fn set_estimate(&mut self, register: u8, exponent: Value, entries: Value, plain: bool) {
         let estimate = self.b.ins().bor(exponent, entries);
-        let facts = Facts {
-            plain,
-            estimate: true,
-            ..Facts::default()
-        };
+        let facts = Facts { plain, estimate: true, ..Facts::default() };
         self.set_with(register, estimate, facts);
     }
 
@@ -73,10 +66,7 @@ impl Emitter<'_> {
             let one = self.splat(1 << 23);
             let lower = self.b.ins().isub(exponent, one);
             let limit = self.splat(252 << 23);
-            let special = self
-                .b
-                .ins()
-                .icmp(IntCC::UnsignedGreaterThanOrEqual, lower, limit);
+            let special = self.b.ins().icmp(IntCC::UnsignedGreaterThanOrEqual, lower, limit);
             self.fail_on(special);
             let exponent = self.b.ins().bor(exponent, sign);
             return self.set_estimate(i.rt, exponent, entries, true);
@@ -179,11 +169,7 @@ impl Emitter<'_> {
     }
 
     fn set_interpolated(&mut self, register: u8, result: Value, plain: bool) {
-        let facts = Facts {
-            plain,
-            no_negative_zero: true,
-            ..Facts::default()
-        };
+        let facts = Facts { plain, no_negative_zero: true, ..Facts::default() };
         self.set_with(register, result, facts);
     }
 }

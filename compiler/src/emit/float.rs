@@ -71,10 +71,7 @@ impl Emitter<'_> {
     /// `fceq` and `fcgt`, or with `magnitude` `fcmeq` and `fcmgt`.
     pub(super) fn compare_singles(&mut self, i: Instruction, compare: Compare, magnitude: bool) {
         let (a, b) = (self.get(i.ra), self.get(i.rb));
-        let facts = Facts {
-            mask: true,
-            ..Facts::default()
-        };
+        let facts = Facts { mask: true, ..Facts::default() };
         let in_doubles = |e: &mut Self, id: Id| {
             e.node(id).doubles.is_some() || e.in_doubles && e.constant(id).is_some()
         };

@@ -207,10 +207,7 @@ impl Emitter<'_> {
     pub(super) fn leading_zeros(&mut self, i: Instruction) {
         let a = self.lanes(I32X4, i.ra);
         let lanes: Vec<_> = self.extract(a);
-        let counts: Vec<_> = lanes
-            .into_iter()
-            .map(|lane| self.b.ins().clz(lane))
-            .collect();
+        let counts: Vec<_> = lanes.into_iter().map(|lane| self.b.ins().clz(lane)).collect();
         let counts = self.gather(I32X4, &counts);
         self.set(i.rt, counts);
     }
@@ -303,10 +300,7 @@ impl Emitter<'_> {
                 self.b.ins().bor(a, not)
             }
         };
-        let facts = Facts {
-            mask,
-            ..Facts::default()
-        };
+        let facts = Facts { mask, ..Facts::default() };
         self.set_with(i.rt, result, facts);
     }
 
@@ -354,11 +348,9 @@ impl Emitter<'_> {
             Facts::default()
         };
         let are_all = self.node(a).is_of_doubles && self.node(b).is_of_doubles;
-        if let (Some(one), Some(other), true) = (
-            self.node(a).doubles,
-            self.node(b).doubles,
-            self.facts(c).mask && are_all,
-        ) {
+        if let (Some(one), Some(other), true) =
+            (self.node(a).doubles, self.node(b).doubles, self.facts(c).mask && are_all)
+        {
             return self.select_doubles(i, [one, other], c, facts);
         }
         let (a, b, c) = (self.words(a), self.words(b), self.words(c));
@@ -379,10 +371,7 @@ impl Emitter<'_> {
 
     fn compared(&mut self, rt: u8, ty: Type, compare: IntCC, a: Value, b: Value) {
         let result = self.b.ins().icmp(compare, a, b);
-        let facts = Facts {
-            mask: ty == I32X4,
-            ..Facts::default()
-        };
+        let facts = Facts { mask: ty == I32X4, ..Facts::default() };
         self.set_with(rt, result, facts);
     }
 

@@ -8,9 +8,7 @@ impl Emitter<'_> {
     /// The lanes of a vector, in the host's order.
     pub(super) fn extract(&mut self, vector: Value) -> Vec<Value> {
         let lanes = self.b.func.dfg.value_type(vector).lane_count();
-        (0..lanes as u8)
-            .map(|lane| self.b.ins().extractlane(vector, lane))
-            .collect()
+        (0..lanes as u8).map(|lane| self.b.ins().extractlane(vector, lane)).collect()
     }
 
     /// A vector of these lanes.
@@ -18,9 +16,7 @@ impl Emitter<'_> {
         let first = self.b.ins().scalar_to_vector(ty, lanes[0]);
         (1u8..)
             .zip(&lanes[1..])
-            .fold(first, |vector, (lane, &value)| {
-                self.b.ins().insertlane(vector, value, lane)
-            })
+            .fold(first, |vector, (lane, &value)| self.b.ins().insertlane(vector, value, lane))
     }
 
     /// Each lane of `a` shifted left by a constant.

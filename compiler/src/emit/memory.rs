@@ -89,12 +89,7 @@ impl Emitter<'_> {
         let masked = self.b.ins().band_imm_u(sum, i64::from(QUADWORD_MASK));
         let wide = self.b.ins().uextend(types::I64, masked);
         let pointer = self.b.ins().iadd(self.local_store, wide);
-        Address {
-            key,
-            masked,
-            pointer,
-            offset: 0,
-        }
+        Address { key, masked, pointer, offset: 0 }
     }
 
     /// The address that is the sum of a register and a constant.
@@ -162,10 +157,7 @@ impl Emitter<'_> {
             Some(words) => words,
             None => {
                 let flags = MemFlagsData::trusted();
-                let bytes = self
-                    .b
-                    .ins()
-                    .load(types::I8X16, flags, address.pointer, address.offset);
+                let bytes = self.b.ins().load(types::I8X16, flags, address.pointer, address.offset);
                 self.shuffle(bytes, bytes, SWAPPED)
             }
         };
@@ -178,11 +170,7 @@ impl Emitter<'_> {
         let words = self.words(id);
         self.node(id).computed = true;
         let bytes = self.shuffle(words, words, SWAPPED);
-        self.pending.push(Pending {
-            address,
-            bytes,
-            words,
-        });
+        self.pending.push(Pending { address, bytes, words });
     }
 
     /// Sets rt to the control that inserts `1 << size` bytes at the address in `scalar`.
@@ -206,9 +194,7 @@ impl Emitter<'_> {
         let distance = self.b.ins().ishl_imm_u(wide, 4);
         let table = self.b.ins().iconst(types::I64, table as i64);
         let row = self.b.ins().iadd(table, distance);
-        self.b
-            .ins()
-            .load(types::I8X16, MemFlagsData::trusted(), row, 0)
+        self.b.ins().load(types::I8X16, MemFlagsData::trusted(), row, 0)
     }
 
     pub(super) fn insert_displaced(&mut self, i: Instruction, size: usize) {

@@ -183,12 +183,7 @@ impl<'a> Emitter<'a> {
     /// Emits the way to the block to which a loop returns. A loop whose only arithmetic is double
     /// precision keeps the host's rounding mode from one iteration to the next.
     fn begin(&mut self, trace: &Trace) {
-        let classes = || {
-            trace
-                .steps()
-                .iter()
-                .map(|step| step.instruction.op.row().class)
-        };
+        let classes = || trace.steps().iter().map(|step| step.instruction.op.row().class);
         let is_single = |class| matches!(class, Class::Fp6 | Class::Fp7);
         if trace.is_loop() && !classes().any(is_single) && classes().any(|c| c == Class::Fpd) {
             self.round_for(Class::Fpd);
@@ -237,10 +232,7 @@ impl<'a> Emitter<'a> {
     /// local store holds its code. Then it counts the entry.
     fn enter(&mut self, steps: usize) {
         let longest = self.b.ins().iconst(types::I64, steps as i64);
-        let short = self
-            .b
-            .ins()
-            .icmp(IntCC::SignedLessThan, self.budget, longest);
+        let short = self.b.ins().icmp(IntCC::SignedLessThan, self.budget, longest);
         self.side_exit_if(short, |e| e.exit(Exit::LEFT));
         let different = self.code_differs();
         self.side_exit_if(different, |e| e.exit(Exit::STALE));
@@ -279,9 +271,7 @@ impl<'a> Emitter<'a> {
     fn call_with_context(&mut self, function: extern "C" fn()) {
         let function = function as *const () as i64;
         let function = self.b.ins().iconst(types::I64, function);
-        self.b
-            .ins()
-            .call_indirect(self.context_function, function, &[self.context]);
+        self.b.ins().call_indirect(self.context_function, function, &[self.context]);
     }
 
     /// A 32-bit constant.

@@ -66,11 +66,7 @@ pub(super) struct Registers {
 
 impl Default for Registers {
     fn default() -> Self {
-        Self {
-            nodes: Vec::new(),
-            slots: [None; 128],
-            changed: [false; 128],
-        }
+        Self { nodes: Vec::new(), slots: [None; 128], changed: [false; 128] }
     }
 }
 
@@ -153,14 +149,7 @@ impl Emitter<'_> {
 
     pub(super) fn set_with(&mut self, register: u8, value: Value, facts: Facts) {
         let words = self.cast(types::I32X4, value);
-        self.put_node(
-            register,
-            Node {
-                words: Some(words),
-                facts,
-                ..Node::default()
-            },
-        );
+        self.put_node(register, Node { words: Some(words), facts, ..Node::default() });
     }
 
     pub(super) fn set_constant(&mut self, register: u8, words: [u32; 4]) {
@@ -172,14 +161,7 @@ impl Emitter<'_> {
             mask: words.iter().all(|&word| word == 0 || word == u32::MAX),
             ..Facts::default()
         };
-        self.put_node(
-            register,
-            Node {
-                constant: Some(words),
-                facts,
-                ..Node::default()
-            },
-        );
+        self.put_node(register, Node { constant: Some(words), facts, ..Node::default() });
     }
 
     /// A value's four words.
@@ -240,11 +222,7 @@ impl Emitter<'_> {
         let words = self.b.ins().insertlane(zeros, value, 0);
         self.put_node(
             register,
-            Node {
-                words: Some(words),
-                scalar: Some(value),
-                ..Node::default()
-            },
+            Node { words: Some(words), scalar: Some(value), ..Node::default() },
         );
     }
 

@@ -40,21 +40,12 @@ impl Emitter<'_> {
                     self.b.ins().fma(a, b, c)
                 } else {
                     let c = self.canonical(idc);
-                    let a = if i.op == Op::Fnms {
-                        self.b.ins().fneg(a)
-                    } else {
-                        a
-                    };
+                    let a = if i.op == Op::Fnms { self.b.ins().fneg(a) } else { a };
                     self.b.ins().fma(a, b, c)
                 }
             }
         };
-        let facts = Facts {
-            plain: true,
-            no_negative_zero: true,
-            raises: true,
-            ..Facts::default()
-        };
+        let facts = Facts { plain: true, no_negative_zero: true, raises: true, ..Facts::default() };
         self.set_with(i.rt, result, facts);
     }
 

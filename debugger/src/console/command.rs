@@ -110,11 +110,7 @@ fn word(text: &str) -> Result<u32, String> {
     };
     let value = number(digits)?;
     let word = u32::try_from(value).map_err(|_| format!("{text} does not fit in 32 bits"))?;
-    Ok(if is_negative {
-        word.wrapping_neg()
-    } else {
-        word
-    })
+    Ok(if is_negative { word.wrapping_neg() } else { word })
 }
 
 fn place(text: &str) -> Result<Target, String> {
@@ -137,9 +133,7 @@ fn register(text: &str) -> Result<u8, String> {
     let named = match text {
         "$lr" => Some(0),
         "$sp" => Some(1),
-        _ => text
-            .strip_prefix('$')
-            .and_then(|digits| digits.parse().ok()),
+        _ => text.strip_prefix('$').and_then(|digits| digits.parse().ok()),
     };
     named
         .filter(|&number| number < COUNT)
@@ -168,10 +162,7 @@ fn set(arguments: &[&str]) -> Result<Command, String> {
         ("$pc", [to]) => Ok(Command::SetPc(place(to)?)),
         (_, [_] | [_, _, _, _]) if target.starts_with('$') => {
             let words = values.iter().map(|value| word(value));
-            Ok(Command::SetRegister(
-                register(target)?,
-                words.collect::<Result<_, _>>()?,
-            ))
+            Ok(Command::SetRegister(register(target)?, words.collect::<Result<_, _>>()?))
         }
         (_, [value]) if !target.starts_with('$') => {
             Ok(Command::SetWord(place(target)?, word(value)?))
@@ -183,9 +174,7 @@ fn set(arguments: &[&str]) -> Result<Command, String> {
 
 /// The command's whole name.
 fn known(asked: &str) -> Result<&'static str, String> {
-    let named = NAMES
-        .iter()
-        .find(|(name, others)| *name == asked || others.contains(&asked));
+    let named = NAMES.iter().find(|(name, others)| *name == asked || others.contains(&asked));
     if let Some((name, _)) = named {
         return Ok(name);
     }
@@ -280,10 +269,7 @@ mod tests {
             ("break *0x100", Command::Break(Target::Address(0x100))),
             ("info registers", Command::Registers(Wanted::default())),
             ("x main+0x10 4", Command::Memory(symbol("main", 16), 4)),
-            (
-                "set $3 = 1 2 3 -1",
-                Command::SetRegister(3, vec![1, 2, 3, u32::MAX]),
-            ),
+            ("set $3 = 1 2 3 -1", Command::SetRegister(3, vec![1, 2, 3, u32::MAX])),
             ("set 0x100 7", Command::SetWord(Target::Address(0x100), 7)),
             ("set $pc $pc", Command::SetPc(Target::Here)),
             ("c # go on", Command::Continue),

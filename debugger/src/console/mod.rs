@@ -96,10 +96,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
     /// `interrupted` tells whether the user has interrupted the program since it was last asked.
     #[must_use]
     pub fn interrupted_by(self, interrupted: fn() -> bool) -> Self {
-        Self {
-            interrupted,
-            ..self
-        }
+        Self { interrupted, ..self }
     }
 
     /// Whether the user has ended the session.
@@ -130,11 +127,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
                 self.say(why);
             }
             self.tell_place(spu.pc(), store);
-            self.obey(&mut Scene {
-                spu,
-                store,
-                runs: true,
-            });
+            self.obey(&mut Scene { spu, store, runs: true });
         }
         if self.has_quit {
             return ControlFlow::Break(());
@@ -159,11 +152,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         self.cycles = halted.cycles();
         self.say(&format!("The program has failed: {what}"));
         self.tell_place(spu.pc(), store);
-        self.obey(&mut Scene {
-            spu,
-            store,
-            runs: false,
-        });
+        self.obey(&mut Scene { spu, store, runs: false });
     }
 
     /// The program has ended with this exit status.
@@ -173,11 +162,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
 
     /// Counts calls and returns.
     fn follow(&mut self, spu: &Spu, store: &LocalStore) {
-        let Some(Last {
-            pc,
-            instruction: Some(instruction),
-        }) = self.last.take()
-        else {
+        let Some(Last { pc, instruction: Some(instruction) }) = self.last.take() else {
             return;
         };
         let after = pc.wrapping_add(4);
@@ -293,9 +278,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         if address < SIZE {
             Ok(address)
         } else {
-            Err(format!(
-                "{address:#x} is beyond local store, which ends at {SIZE:#x}"
-            ))
+            Err(format!("{address:#x} is beyond local store, which ends at {SIZE:#x}"))
         }
     }
 
@@ -365,13 +348,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
                     None => show::before(self.image, pc),
                     Some(target) => self.address(&target, pc)?,
                 };
-                show::code(
-                    self.image,
-                    scene.store,
-                    (start, count),
-                    pc,
-                    &self.breakpoints,
-                )
+                show::code(self.image, scene.store, (start, count), pc, &self.breakpoints)
             }
             Command::Backtrace => {
                 let frames = frames::backtrace(self.image, scene.store, scene.spu);

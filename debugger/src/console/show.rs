@@ -20,12 +20,7 @@ const BEFORE: u32 = 4;
 /// An instruction's text. A stop includes its code, which objdump leaves out.
 #[must_use]
 pub fn instruction_text(word: u32, address: u32) -> String {
-    if let Some(Instruction {
-        op: Op::Stop,
-        immediate,
-        ..
-    }) = Instruction::decode(word)
-    {
+    if let Some(Instruction { op: Op::Stop, immediate, .. }) = Instruction::decode(word) {
         return format!("stop {immediate:#06x}");
     }
     let text = disassemble(word, address).to_string();
@@ -116,10 +111,7 @@ fn show_float(word: u32) -> String {
     let value = sign * value;
     let magnitude = value.abs();
     if magnitude == 0.0 || (1e-4..1e7).contains(&magnitude) {
-        format!("{:.7}", value)
-            .trim_end_matches('0')
-            .trim_end_matches('.')
-            .to_owned()
+        format!("{:.7}", value).trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {
         format!("{value:.6e}")
     }
@@ -133,11 +125,7 @@ pub fn frames(image: &Image<'_>, frames: &[u32]) -> String {
 fn tags(mask: u32) -> String {
     let tags = (0..32).filter(|tag| mask >> tag & 1 == 1);
     let tags: Vec<String> = tags.map(|tag| tag.to_string()).collect();
-    if tags.is_empty() {
-        "none".into()
-    } else {
-        tags.join(" ")
-    }
+    if tags.is_empty() { "none".into() } else { tags.join(" ") }
 }
 
 fn status(status: Option<u32>) -> String {

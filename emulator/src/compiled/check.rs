@@ -31,11 +31,7 @@ struct State {
 
 impl State {
     fn of(spu: &Spu) -> Self {
-        Self {
-            registers: spu.registers,
-            fpscr: spu.fpscr.words(),
-            pc: spu.pc(),
-        }
+        Self { registers: spu.registers, fpscr: spu.fpscr.words(), pc: spu.pc() }
     }
 }
 
@@ -72,10 +68,7 @@ impl fmt::Display for Difference {
             self.instructions, self.before.pc, compiled.pc, interpreted.pc
         )?;
         if let Some(stopped) = &self.stopped {
-            write!(
-                f,
-                "\nthe interpreter stopped, compiled code did not: {stopped}"
-            )?;
+            write!(f, "\nthe interpreter stopped, compiled code did not: {stopped}")?;
         }
         if let Some((address, compiled, interpreted)) = self.local_store {
             let (compiled, interpreted) = (words(compiled), words(interpreted));
@@ -84,10 +77,7 @@ impl fmt::Display for Difference {
                 "\nlocal store at {address:#07x}: {compiled} compiled, {interpreted} interpreted"
             )?;
         }
-        writeln!(
-            f,
-            "\nregister: before; compiled; interpreted, if it differs"
-        )?;
+        writeln!(f, "\nregister: before; compiled; interpreted, if it differs")?;
         writeln!(
             f,
             "FPSCR: {}; {}; {}",
@@ -152,12 +142,9 @@ impl Copies {
 
     /// The addresses of the chunks in which a run has changed its copy.
     fn changed(&mut self) -> Vec<u32> {
-        let [compiled, interpreted, original] = [
-            self.compiled.as_bytes(),
-            self.interpreted.as_bytes(),
-            self.original.as_bytes(),
-        ]
-        .map(|bytes| bytes.as_chunks::<CHUNK>().0);
+        let [compiled, interpreted, original] =
+            [self.compiled.as_bytes(), self.interpreted.as_bytes(), self.original.as_bytes()]
+                .map(|bytes| bytes.as_chunks::<CHUNK>().0);
         let differs = |&at: &usize| compiled[at] != original[at] || interpreted[at] != original[at];
         let chunks = (0..original.len()).filter(differs);
         chunks.map(|at| (at * CHUNK) as u32).collect()
@@ -188,9 +175,7 @@ impl Copies {
 
 /// The addresses of the quadwords in these chunks.
 fn quadwords(chunks: &[u32]) -> impl Iterator<Item = u32> {
-    chunks
-        .iter()
-        .flat_map(|&start| (start..start + CHUNK as u32).step_by(QUADWORD))
+    chunks.iter().flat_map(|&start| (start..start + CHUNK as u32).step_by(QUADWORD))
 }
 
 /// Runs units from the SPU's program counter on, then as many instructions with the interpreter,
@@ -254,14 +239,8 @@ fn compare<C: Channels>(
     if equal || interrupted {
         return (Ok(exit), changed);
     }
-    let difference = Difference {
-        before,
-        instructions,
-        compiled,
-        interpreted,
-        stopped,
-        local_store,
-    };
+    let difference =
+        Difference { before, instructions, compiled, interpreted, stopped, local_store };
     (Err(Box::new(difference)), changed)
 }
 
@@ -286,10 +265,7 @@ mod tests {
             copies.interpreted.store_quadword(0x400, two);
             copies.compiled.store_quadword(0x400, two);
             let same = copies.changed();
-            assert_eq!(
-                (same.as_slice(), copies.difference(&same)),
-                (&[0x400][..], None)
-            );
+            assert_eq!((same.as_slice(), copies.difference(&same)), (&[0x400][..], None));
             copies.compiled.store_quadword(place, one);
             let changed = copies.changed();
             assert_eq!(copies.difference(&changed), Some((place, one, [0; 4])));
@@ -309,10 +285,8 @@ mod tests {
     /// With wrong tables compiled code differs, and the message names the place.
     #[test]
     fn a_difference_is_found_and_told() {
-        let estimates = Estimates {
-            reciprocal: &[0; 32],
-            reciprocal_root: reciprocal_root_words(),
-        };
+        let estimates =
+            Estimates { reciprocal: &[0; 32], reciprocal_root: reciprocal_root_words() };
         let mut compiler = Compiler::new(estimates, UnitOptions::default())
             .expect("the hosts of the tests have AVX2 and FMA");
         let instruction = Instruction {
@@ -325,16 +299,9 @@ mod tests {
             immediate: 0,
         };
         let word = instruction.encode();
-        let step = Step {
-            pc: 0,
-            word,
-            instruction,
-            next: 4,
-        };
+        let step = Step { pc: 0, word, instruction, next: 4 };
         let trace = Trace::new(vec![step]).expect("the instruction can be compiled");
-        let unit = compiler
-            .compile(trace, FloatMode::SINGLES)
-            .expect("there is room");
+        let unit = compiler.compile(trace, FloatMode::SINGLES).expect("there is room");
         let mut cpu = compiler.new_cpu();
         cpu.install(&unit);
         let local_store = LocalStore::new();
@@ -351,10 +318,7 @@ mod tests {
             100,
         );
         let difference = difference.expect_err("the tables are wrong").to_string();
-        assert!(
-            difference.starts_with("1 instructions from 0x00000"),
-            "{difference}"
-        );
+        assert!(difference.starts_with("1 instructions from 0x00000"), "{difference}");
         let register = "$5: 00000000 00000000 00000000 00000000; 3f000000 3f000000 3f000000 3f000000; \
                         3f7ffbe0 3f7ffbe0 3f7ffbe0 3f7ffbe0";
         assert!(difference.contains(register), "{difference}");

@@ -36,12 +36,7 @@ impl Recorder {
             return false;
         };
         self.seen.insert(pc);
-        self.steps.push(Step {
-            pc,
-            word,
-            instruction,
-            next,
-        });
+        self.steps.push(Step { pc, word, instruction, next });
         true
     }
 

@@ -65,11 +65,7 @@ pub struct Runner {
 }
 
 fn requested(pc: u32) -> Stopped {
-    Stopped {
-        reason: Stop::Requested,
-        pc,
-        npc: pc,
-    }
+    Stopped { reason: Stop::Requested, pc, npc: pc }
 }
 
 /// What to compile instead of a unit that fails too often.
@@ -179,11 +175,7 @@ impl Runner {
                     next
                 }
                 _ => {
-                    let limit = if let Dispatch::InterpretOne = next {
-                        1
-                    } else {
-                        left
-                    };
+                    let limit = if let Dispatch::InterpretOne = next { 1 } else { left };
                     let stopped = interpret(spu, local_store, channels, limit, observer);
                     let left = end - spu.executed();
                     match stopped {
@@ -415,12 +407,8 @@ impl Runner {
         if !unit.trace().matches(|pc| local_store.load_word(pc)) {
             return;
         }
-        let specials = self
-            .specials
-            .get_or_insert_with(|| Box::new(Specials::new()));
-        failures.special = failures
-            .special
-            .with(specials.find(unit.trace(), spu, local_store));
+        let specials = self.specials.get_or_insert_with(|| Box::new(Specials::new()));
+        failures.special = failures.special.with(specials.find(unit.trace(), spu, local_store));
         if count < MIN_FAILURES || !often {
             return;
         }

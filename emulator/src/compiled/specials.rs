@@ -28,11 +28,7 @@ fn is_special(quad: Quad) -> bool {
 
 impl Specials {
     pub fn new() -> Self {
-        Self {
-            spu: Spu::new(),
-            local_store: LocalStore::new(),
-            bytes: vec![0; SIZE as usize],
-        }
+        Self { spu: Spu::new(), local_store: LocalStore::new(), bytes: vec![0; SIZE as usize] }
     }
 
     /// Replays a trace from the SPU's program counter on, and returns the instructions that

@@ -92,14 +92,9 @@ impl Translations {
     /// As [`new`](Self::new). With `watches`, compiled code leaves accesses to the quadwords that
     /// are [marked](crate::simulated::Marks) to the interpreter.
     pub(crate) fn with(check: bool, timed: bool, watches: bool) -> Option<Arc<Self>> {
-        let options = UnitOptions {
-            logs: timed,
-            watches,
-        };
-        let estimates = Estimates {
-            reciprocal: reciprocal_words(),
-            reciprocal_root: reciprocal_root_words(),
-        };
+        let options = UnitOptions { logs: timed, watches };
+        let estimates =
+            Estimates { reciprocal: reciprocal_words(), reciprocal_root: reciprocal_root_words() };
         let compiler = Compiler::new(estimates, options)?;
         Some(Arc::new(Self {
             shared: Arc::new(Shared {
@@ -130,10 +125,7 @@ impl Translations {
         let thread = thread::Builder::new().name("SPU compiler".into());
         if self.background.get().is_none() && thread.spawn(compile).is_ok() {
             // If another caller was faster, this thread ends at once.
-            self.background.get_or_init(|| Background {
-                requests: sender,
-                first: OnceLock::new(),
-            });
+            self.background.get_or_init(|| Background { requests: sender, first: OnceLock::new() });
         }
     }
 
@@ -268,8 +260,6 @@ impl Units {
 
     fn find(&self, pc: u32, local_store: &LocalStore) -> Option<&Arc<Unit>> {
         let here = self.by_address.get(&pc)?;
-        here.iter()
-            .rev()
-            .find(|unit| unit.trace().matches(|pc| local_store.load_word(pc)))
+        here.iter().rev().find(|unit| unit.trace().matches(|pc| local_store.load_word(pc)))
     }
 }

@@ -41,12 +41,12 @@ fn product(x: Value, y: Value) -> Option<Value> {
         (Nan { signalling }, _) | (_, Nan { signalling }) => Nan { signalling },
         (Infinity { .. }, Zero { .. }) | (Zero { .. }, Infinity { .. }) => return None,
         (Finite(x), Finite(y)) => Finite(x.times(y)),
-        (Infinity { negative: x }, other) | (other, Infinity { negative: x }) => Infinity {
-            negative: x != is_negative(other),
-        },
-        (Zero { negative: x }, other) | (other, Zero { negative: x }) => Zero {
-            negative: x != is_negative(other),
-        },
+        (Infinity { negative: x }, other) | (other, Infinity { negative: x }) => {
+            Infinity { negative: x != is_negative(other) }
+        }
+        (Zero { negative: x }, other) | (other, Zero { negative: x }) => {
+            Zero { negative: x != is_negative(other) }
+        }
     })
 }
 
@@ -80,11 +80,7 @@ fn sum(x: Value, y: Value, rounding: Rounding) -> (u64, Flags) {
 }
 
 fn negated(value: u64) -> u64 {
-    if value == DEFAULT_NAN {
-        value
-    } else {
-        value ^ SIGN
-    }
+    if value == DEFAULT_NAN { value } else { value ^ SIGN }
 }
 
 fn raise((value, raised): (u64, Flags), flags: Flags) -> (u64, Flags) {

@@ -163,10 +163,7 @@ pub fn fma(a: Words, b: Words, c: Words) -> Option<Words> {
             return None;
         }
     }
-    finished(
-        sum,
-        from_fn(|n| denormal(a[n]) | denormal(b[n]) | denormal(c[n])),
-    )
+    finished(sum, from_fn(|n| denormal(a[n]) | denormal(b[n]) | denormal(c[n])))
 }
 
 /// `a * b - c`, truncated once.
@@ -201,9 +198,7 @@ pub fn fi(a: Words, estimate: Words) -> Option<Words> {
 
 #[inline(always)]
 fn converted(x: [f64; 4], scale: i32) -> Option<Words> {
-    SCALES
-        .contains(&scale)
-        .then(|| narrowed(x.map(|x| x * power_of_two(-scale))))
+    SCALES.contains(&scale).then(|| narrowed(x.map(|x| x * power_of_two(-scale))))
 }
 
 /// Signed integers divided by 2^scale, truncated.

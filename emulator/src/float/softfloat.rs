@@ -19,14 +19,8 @@ pub(super) struct Format {
     pub largest_exponent: i32,
 }
 
-pub(super) const SINGLE: Format = Format {
-    fraction_bits: 23,
-    largest_exponent: 127,
-};
-pub(super) const DOUBLE: Format = Format {
-    fraction_bits: 52,
-    largest_exponent: 1023,
-};
+pub(super) const SINGLE: Format = Format { fraction_bits: 23, largest_exponent: 127 };
+pub(super) const DOUBLE: Format = Format { fraction_bits: 52, largest_exponent: 1023 };
 
 impl Format {
     const fn exponent_field(self) -> u64 {
@@ -122,11 +116,7 @@ impl Number {
         } else {
             significand << (TOP - highest)
         };
-        Self {
-            negative,
-            exponent: exponent + highest as i32 - TOP as i32,
-            significand,
-        }
+        Self { negative, exponent: exponent + highest as i32 - TOP as i32, significand }
     }
 
     /// The exact product of two unpacked numbers.
@@ -162,10 +152,7 @@ impl Number {
     /// Converts the number to a format, with one rounding.
     pub fn round(self, format: Format, rounding: Rounding) -> (u64, Flags) {
         let tiny = self.exponent < format.smallest_exponent();
-        let below = format
-            .smallest_exponent()
-            .saturating_sub(self.exponent)
-            .max(0) as u32;
+        let below = format.smallest_exponent().saturating_sub(self.exponent).max(0) as u32;
         let dropped = (TOP - format.fraction_bits + below).min(127);
         let kept = (self.significand >> dropped) as u64;
         let rest = self.significand & ((1 << dropped) - 1);
@@ -179,11 +166,7 @@ impl Number {
         };
         let kept = kept + u64::from(away);
         // The leading bit in `kept` adds one to the exponent, so the field starts one lower.
-        let field = if tiny {
-            0
-        } else {
-            (self.exponent - format.smallest_exponent()) as u64
-        };
+        let field = if tiny { 0 } else { (self.exponent - format.smallest_exponent()) as u64 };
         let magnitude = (field << format.fraction_bits) + kept;
         let infinity = format.infinity(false);
         if magnitude >= infinity {

@@ -81,10 +81,7 @@ impl Spu {
                 break;
             }
         }
-        (!instructions.is_empty()).then(|| Block {
-            start,
-            instructions: instructions.into(),
-        })
+        (!instructions.is_empty()).then(|| Block { start, instructions: instructions.into() })
     }
 
     /// How often an instruction of a [`block`](Self::block) was found changed. While the number
@@ -99,9 +96,7 @@ impl Spu {
     /// those.
     pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
         let decoded = &mut self.decoded;
-        block
-            .instructions()
-            .all(|(pc, instruction)| decoded.has_for_block(pc, instruction))
+        block.instructions().all(|(pc, instruction)| decoded.has_for_block(pc, instruction))
     }
 
     /// The instruction at `pc` as it was decoded last.
@@ -119,7 +114,6 @@ impl Spu {
     /// Whether [`run_decoded`](Self::run_decoded) would run the instruction at the program counter,
     /// because its word is the one that was decoded last.
     pub(crate) fn is_decoded(&self, local_store: &LocalStore) -> bool {
-        self.decoded
-            .is_current(self.pc, local_store.load_word(self.pc))
+        self.decoded.is_current(self.pc, local_store.load_word(self.pc))
     }
 }

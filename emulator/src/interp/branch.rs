@@ -19,11 +19,7 @@ fn absolute(i: Instruction) -> Flow {
 
 #[inline]
 fn relative_if(condition: bool, pc: u32, i: Instruction) -> Flow {
-    if condition {
-        relative(pc, i)
-    } else {
-        Flow::Next
-    }
+    if condition { relative(pc, i) } else { Flow::Next }
 }
 
 /// Branches to `target`, and obeys the d and e bits. The architecture does not define both bits at
@@ -126,11 +122,7 @@ pub(super) fn bisl(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Inst
 pub(super) fn bisled(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
     let target = spu.ra(i).preferred();
     set_link(spu, pc, i);
-    if channels.external_condition() {
-        indirect(spu, channels, i, target)
-    } else {
-        Flow::Next
-    }
+    if channels.external_condition() { indirect(spu, channels, i, target) } else { Flow::Next }
 }
 
 #[inline]
@@ -161,11 +153,7 @@ pub(super) fn bihnz(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Inst
 
 #[inline]
 fn halt_if(condition: bool, pc: u32) -> Flow {
-    if condition {
-        Flow::stop_after(pc, Stop::Halt)
-    } else {
-        Flow::Next
-    }
+    if condition { Flow::stop_after(pc, Stop::Halt) } else { Flow::Next }
 }
 
 #[inline]

@@ -35,12 +35,7 @@ impl DecodeCache {
         let Ok(entries) = entries.try_into() else {
             unreachable!("the vector was made with this length");
         };
-        Self {
-            entries,
-            double_extension,
-            in_blocks: vec![0; ENTRIES / 64].into(),
-            code_changes: 0,
-        }
+        Self { entries, double_extension, in_blocks: vec![0; ENTRIES / 64].into(), code_changes: 0 }
     }
 
     /// Whether `word` is the word that was decoded last at `pc`.

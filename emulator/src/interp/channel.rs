@@ -42,11 +42,7 @@ pub(super) fn wrch(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Inst
         // The MFC checks a command after it was enqueued, so the write itself is complete.
         Err(reason @ Stop::Dma(_)) => {
             let next = next(pc);
-            Flow::Stop(Stopped {
-                reason,
-                pc: next,
-                npc: next,
-            })
+            Flow::Stop(Stopped { reason, pc: next, npc: next })
         }
         Err(reason) => stop_before(pc, reason),
     }

@@ -23,13 +23,7 @@ struct Fields {
 impl From<Instruction> for Fields {
     #[inline]
     fn from(i: Instruction) -> Self {
-        Self {
-            rt: i.rt,
-            ra: i.ra,
-            rb: i.rb,
-            rc: i.rc,
-            immediate: i.immediate,
-        }
+        Self { rt: i.rt, ra: i.ra, rb: i.rb, rc: i.rc, immediate: i.immediate }
     }
 }
 
@@ -92,11 +86,7 @@ impl Spu {
             None => specially(self, i.into(), move |spu, i| {
                 spu.raise_and_set(
                     i.rt,
-                    full(
-                        spu.register(i.ra).0,
-                        spu.register(i.rb).0,
-                        spu.register(i.rc).0,
-                    ),
+                    full(spu.register(i.ra).0, spu.register(i.rb).0, spu.register(i.rc).0),
                 );
             }),
         }
@@ -192,9 +182,7 @@ pub(super) fn frsqest(spu: &mut Spu, i: Instruction) {
 
 #[inline]
 pub(super) fn fi(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, ordinary::fi, |a, b| {
-        split(from_fn(|n| estimate::fi_flagged(a[n], b[n])))
-    });
+    spu.single_binary(i, ordinary::fi, |a, b| split(from_fn(|n| estimate::fi_flagged(a[n], b[n]))));
 }
 
 #[inline]

@@ -123,9 +123,7 @@ pub(super) fn mpyui(spu: &mut Spu, i: Instruction) {
 
 #[inline]
 pub(super) fn mpya(spu: &mut Spu, i: Instruction) {
-    spu.word_ternary(i, |a, b, c| {
-        c.wrapping_add_signed(signed_low(a) * signed_low(b))
-    });
+    spu.word_ternary(i, |a, b, c| c.wrapping_add_signed(signed_low(a) * signed_low(b)));
 }
 
 #[inline]
@@ -150,9 +148,7 @@ pub(super) fn mpyhhu(spu: &mut Spu, i: Instruction) {
 
 #[inline]
 pub(super) fn mpyhha(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| {
-        t.wrapping_add_signed(signed_high(a) * signed_high(b))
-    });
+    spu.word_accumulate(i, |a, b, t| t.wrapping_add_signed(signed_high(a) * signed_high(b)));
 }
 
 #[inline]
@@ -199,10 +195,7 @@ pub(super) fn xshw(spu: &mut Spu, i: Instruction) {
 #[inline]
 pub(super) fn xswd(spu: &mut Spu, i: Instruction) {
     let doublewords = spu.ra(i).doublewords();
-    spu.set_rt(
-        i,
-        Quad::from_doublewords(doublewords.map(|a| a as i32 as u64)),
-    );
+    spu.set_rt(i, Quad::from_doublewords(doublewords.map(|a| a as i32 as u64)));
 }
 
 #[inline]
@@ -343,10 +336,7 @@ fn shuffled_bytes(source: [u32; 8], control: Quad) -> Quad {
     const CONSTANTS: u32 = 0x0000_ff80;
     const FIRST_CONSTANT: u32 = 0x2020_2020;
     let mut bytes = [0; 64];
-    for (bytes, word) in bytes
-        .chunks_exact_mut(4)
-        .zip(source.into_iter().chain([CONSTANTS]))
-    {
+    for (bytes, word) in bytes.chunks_exact_mut(4).zip(source.into_iter().chain([CONSTANTS])) {
         bytes.copy_from_slice(&word.to_be_bytes());
     }
     let indices = control.0.map(|control| {

@@ -90,11 +90,6 @@ impl Quad {
     #[inline]
     #[must_use]
     pub const fn from_u128(all: u128) -> Self {
-        Self([
-            (all >> 96) as u32,
-            (all >> 64) as u32,
-            (all >> 32) as u32,
-            all as u32,
-        ])
+        Self([(all >> 96) as u32, (all >> 64) as u32, (all >> 32) as u32, all as u32])
     }
 }

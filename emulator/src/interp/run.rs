@@ -135,11 +135,7 @@ impl Spu {
             }
             let Some(instruction) = self.decoded.latest(pc) else {
                 let reason = Stop::InvalidInstruction(word);
-                break Ended::Stopped(Stopped {
-                    reason,
-                    pc,
-                    npc: pc,
-                });
+                break Ended::Stopped(Stopped { reason, pc, npc: pc });
             };
             observer.before_instruction(self, instruction);
             match execute(self, local_store, channels, pc, instruction) {
@@ -163,11 +159,7 @@ impl Spu {
             }
             if channels.stop_requested() {
                 let reason = Stop::Requested;
-                break Ended::Stopped(Stopped {
-                    reason,
-                    pc,
-                    npc: pc,
-                });
+                break Ended::Stopped(Stopped { reason, pc, npc: pc });
             }
             if to_branch {
                 break Ended::Branched;

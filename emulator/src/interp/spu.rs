@@ -106,14 +106,10 @@ impl Spu {
     pub fn access(&self, i: Instruction) -> Option<QuadwordAccess> {
         let preferred = |register| self.register(register).preferred();
         let (address, is_store) = match i.op {
-            Op::Lqd | Op::Stqd => (
-                preferred(i.ra).wrapping_add_signed(i.immediate),
-                i.op == Op::Stqd,
-            ),
-            Op::Lqx | Op::Stqx => (
-                preferred(i.ra).wrapping_add(preferred(i.rb)),
-                i.op == Op::Stqx,
-            ),
+            Op::Lqd | Op::Stqd => {
+                (preferred(i.ra).wrapping_add_signed(i.immediate), i.op == Op::Stqd)
+            }
+            Op::Lqx | Op::Stqx => (preferred(i.ra).wrapping_add(preferred(i.rb)), i.op == Op::Stqx),
             Op::Lqr | Op::Stqr => (self.pc.wrapping_add_signed(i.immediate), i.op == Op::Stqr),
             Op::Lqa | Op::Stqa => (i.immediate as u32, i.op == Op::Stqa),
             _ => return None,

@@ -53,10 +53,7 @@ impl Operation {
 
     /// Whether this is an atomic command that bypasses the queue.
     pub(crate) fn is_immediate(self) -> bool {
-        matches!(
-            self,
-            Self::GetLine | Self::PutLineConditional | Self::PutLineUnconditional
-        )
+        matches!(self, Self::GetLine | Self::PutLineConditional | Self::PutLineUnconditional)
     }
 }
 
@@ -128,10 +125,7 @@ fn decode(opcode: u8) -> Option<(Operation, Order, bool)> {
 impl Command {
     /// Checks the command word `word` (opcode in the low 16 bits) with its parameters.
     pub(crate) fn new(word: u32, parameters: Parameters, side: Side) -> Result<Self, DmaError> {
-        let invalid = |what| DmaError::InvalidCommand {
-            what,
-            command: word,
-        };
+        let invalid = |what| DmaError::InvalidCommand { what, command: word };
         if word & 0xff00 != 0 {
             return Err(invalid("the upper half of the opcode must be 0"));
         }
@@ -159,15 +153,7 @@ impl Command {
         if tag >= TAGS && !operation.is_immediate() {
             return Err(invalid("the tag is not in 0 to 31"));
         }
-        let mut command = Self {
-            operation,
-            order,
-            opcode,
-            lsa,
-            ea,
-            size,
-            tag: (tag % TAGS) as u8,
-        };
+        let mut command = Self { operation, order, opcode, lsa, ea, size, tag: (tag % TAGS) as u8 };
         match operation {
             Operation::Put | Operation::Get => command.check_transfer()?,
             Operation::ZeroRange if size > MAX_TRANSFER => {
@@ -209,12 +195,7 @@ impl Command {
     }
 
     pub(crate) fn storage(&self, ea: u64) -> DmaError {
-        DmaError::Storage {
-            command: self.opcode,
-            lsa: self.lsa,
-            ea,
-            size: self.size,
-        }
+        DmaError::Storage { command: self.opcode, lsa: self.lsa, ea, size: self.size }
     }
 
     fn check_transfer(&self) -> Result<(), DmaError> {
@@ -286,12 +267,7 @@ mod tests {
     use super::*;
 
     fn at(lsa: u32, ea: u64, size: u32) -> Parameters {
-        Parameters {
-            lsa,
-            ea,
-            size,
-            tag: 0,
-        }
+        Parameters { lsa, ea, size, tag: 0 }
     }
 
     #[test]
@@ -324,13 +300,7 @@ mod tests {
 
     #[test]
     fn sizes_and_alignments() {
-        let good = [
-            (0x10, 0x20, 16),
-            (0, 0, 16384),
-            (3, 0x13, 1),
-            (8, 0x48, 8),
-            (5, 9, 0),
-        ];
+        let good = [(0x10, 0x20, 16), (0, 0, 16384), (3, 0x13, 1), (8, 0x48, 8), (5, 9, 0)];
         for (lsa, ea, size) in good {
             Command::new(0x40, at(lsa, ea, size), Side::Spu).unwrap();
         }
@@ -361,15 +331,8 @@ mod tests {
     #[test]
     fn words_and_tags_outside_their_fields() {
         let refused = |word, tag, side| {
-            let parameters = Parameters {
-                size: 16,
-                tag,
-                ..Parameters::default()
-            };
-            matches!(
-                Command::new(word, parameters, side),
-                Err(DmaError::InvalidCommand { .. })
-            )
+            let parameters = Parameters { size: 16, tag, ..Parameters::default() };
+            matches!(Command::new(word, parameters, side), Err(DmaError::InvalidCommand { .. }))
         };
         assert!(refused(0x0140, 0, Side::Spu));
         assert!(refused(0x40, 32, Side::Spu));

@@ -39,10 +39,7 @@ pub(crate) struct Reservation {
 
 impl Reservation {
     pub(crate) fn new() -> Self {
-        Self {
-            line: AtomicU64::new(NO_LINE),
-            place: Mutex::default(),
-        }
+        Self { line: AtomicU64::new(NO_LINE), place: Mutex::default() }
     }
 
     fn holds(&self, line: u64) -> bool {
@@ -62,10 +59,7 @@ impl Reservation {
     fn break_within(&self, first: u64, last: u64) -> bool {
         let held = self.line.load(SeqCst);
         (first..=last).contains(&held)
-            && self
-                .line
-                .compare_exchange(held, NO_LINE, SeqCst, SeqCst)
-                .is_ok()
+            && self.line.compare_exchange(held, NO_LINE, SeqCst, SeqCst).is_ok()
     }
 
     /// The address of the reserved line, if any.
@@ -186,12 +180,8 @@ impl Interconnect {
     pub(crate) fn attach(&self, unit: &Arc<dyn Unit>) {
         let mut members = write_lock(&self.members);
         members.units.retain(|(_, unit)| unit.strong_count() > 0);
-        members
-            .signals
-            .retain(|(_, unit, _)| unit.strong_count() > 0);
-        members
-            .local_stores
-            .retain(|(_, store)| store.strong_count() > 0);
+        members.signals.retain(|(_, unit, _)| unit.strong_count() > 0);
+        members.local_stores.retain(|(_, store)| store.strong_count() > 0);
         let reservation = Arc::clone(unit.reservation());
         members.units.push((reservation, Arc::downgrade(unit)));
     }
@@ -215,11 +205,7 @@ impl Interconnect {
         let (store, address) = members.local_store(ea, from.len())?;
         self.written(&members, &[(ea, from.len())], None);
         let bytes = from.into();
-        Some(PendingWrite {
-            store,
-            address,
-            bytes,
-        })
+        Some(PendingWrite { store, address, bytes })
     }
 
     /// In simulated time: delivers data in flight to these addresses at once.

@@ -112,12 +112,7 @@ impl State {
     fn arrive(&mut self, writes: bool, lines: Lines) -> u64 {
         let ticket = self.next_ticket;
         self.next_ticket += 1;
-        self.accesses.push(Access {
-            ticket,
-            writes,
-            lines,
-            stage: Stage::Waits,
-        });
+        self.accesses.push(Access { ticket, writes, lines, stage: Stage::Waits });
         ticket
     }
 
@@ -193,10 +188,7 @@ impl LineLocks {
             };
         }
         state.set_stage(ticket, Stage::UnderWay);
-        Held {
-            locks: self,
-            ticket,
-        }
+        Held { locks: self, ticket }
     }
 
     fn sleep<'a>(&'a self, mut state: MutexGuard<'a, State>) -> MutexGuard<'a, State> {
@@ -254,10 +246,7 @@ mod tests {
         assert!(!second_waits((true, line), (true, next)));
         assert!(second_waits((true, &[(0x1000, 129)]), (true, next)));
         assert!(!second_waits((true, &[(0x1000, 0)]), (true, line)));
-        assert!(second_waits(
-            (true, &[(u64::MAX, 16)]),
-            (true, &[(u64::MAX, 1)])
-        ));
+        assert!(second_waits((true, &[(u64::MAX, 16)]), (true, &[(u64::MAX, 1)])));
     }
 
     #[test]

@@ -82,12 +82,7 @@ struct Entry {
 
 impl Entry {
     fn new(command: Command) -> Self {
-        Self {
-            command,
-            list_done: 0,
-            list_lsa: command.lsa,
-            stalled: false,
-        }
+        Self { command, list_done: 0, list_lsa: command.lsa, stalled: false }
     }
 
     /// The list's next element, and whether the list stalls after it.
@@ -160,11 +155,7 @@ impl Queue {
             _ => return None,
         };
         let length: u32 = elements.iter().map(|element| element.size).sum();
-        Some(Put {
-            command: *command,
-            bytes: self.buffer[..length as usize].into(),
-            elements,
-        })
+        Some(Put { command: *command, bytes: self.buffer[..length as usize].into(), elements })
     }
 
     /// The commands in the queue, oldest first.
@@ -180,9 +171,7 @@ impl Queue {
 
     /// Tags that have outstanding commands.
     pub(crate) fn busy_tags(&self) -> u32 {
-        self.entries
-            .iter()
-            .fold(0, |tags, entry| tags | entry.command.tag_bit())
+        self.entries.iter().fold(0, |tags, entry| tags | entry.command.tag_bit())
     }
 
     /// Resumes the stalled lists of a tag.
@@ -331,21 +320,11 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
         entry.pass(&element);
         if stall {
             entry.stalled = true;
-            path.note(|| Movement {
-                command: list,
-                pieces,
-                stalled: true,
-                atomic: None,
-            });
+            path.note(|| Movement { command: list, pieces, stalled: true, atomic: None });
             return Ok(RunOutcome::Stalled(list.tag));
         }
     }
-    path.note(|| Movement {
-        command: list,
-        pieces,
-        stalled: false,
-        atomic: None,
-    });
+    path.note(|| Movement { command: list, pieces, stalled: false, atomic: None });
     Ok(RunOutcome::Complete)
 }
 
@@ -440,9 +419,7 @@ fn run_simple(
         Operation::PutLineQueued => {
             let mut line = [0; LINE];
             path.local_store.read(lsa, &mut line);
-            path.interconnect
-                .put_line(ea, path.unit.reservation(), &line)
-                .map(|()| None)
+            path.interconnect.put_line(ea, path.unit.reservation(), &line).map(|()| None)
         }
         _ => Ok(None),
     };
@@ -458,10 +435,7 @@ mod tests {
     fn queue(commands: &[(u32, u32)]) -> Queue {
         let mut queue = Queue::new(16, Policy::AtLast);
         for &(word, tag) in commands {
-            let parameters = Parameters {
-                tag,
-                ..Parameters::default()
-            };
+            let parameters = Parameters { tag, ..Parameters::default() };
             queue.push(Command::new(word, parameters, Side::Spu).unwrap());
         }
         queue

@@ -16,12 +16,8 @@ const PUT_UNCONDITIONAL_DONE: u32 = 2;
 const GET_LINE_DONE: u32 = 4;
 
 /// The value of parameters that a program did not write. No command accepts it.
-const STALE: Parameters = Parameters {
-    lsa: 0xdead_beef,
-    ea: 0xdead_beef_dead_beef,
-    size: 0xdead,
-    tag: 0xdead,
-};
+const STALE: Parameters =
+    Parameters { lsa: 0xdead_beef, ea: 0xdead_beef_dead_beef, size: 0xdead, tag: 0xdead };
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Condition {
@@ -129,17 +125,10 @@ impl SpuSide {
             Operation::PutLineConditional => path
                 .interconnect
                 .put_line_conditional(command.ea, own, &self.seen, &line)
-                .map(|done| {
-                    if done {
-                        PUT_CONDITIONAL_DONE
-                    } else {
-                        PUT_CONDITIONAL_FAILED
-                    }
-                }),
-            _ => path
-                .interconnect
-                .put_line(command.ea, own, &line)
-                .map(|()| PUT_UNCONDITIONAL_DONE),
+                .map(|done| if done { PUT_CONDITIONAL_DONE } else { PUT_CONDITIONAL_FAILED }),
+            _ => {
+                path.interconnect.put_line(command.ea, own, &line).map(|()| PUT_UNCONDITIONAL_DONE)
+            }
         };
         let status = status.map_err(|fault| command.storage(fault.ea))?;
         self.atomic_status = Some(status);
@@ -174,9 +163,7 @@ impl SpuSide {
     }
 
     fn free_places(&self) -> usize {
-        let incomplete = self
-            .transfers()
-            .map_or(0, |transfers| transfers.incomplete());
+        let incomplete = self.transfers().map_or(0, |transfers| transfers.incomplete());
         self.queue.room().saturating_sub(incomplete)
     }
 
@@ -232,9 +219,7 @@ impl SpuSide {
     }
 
     fn idle(&self) -> u32 {
-        let incomplete = self
-            .transfers()
-            .map_or(0, |transfers| transfers.busy_tags());
+        let incomplete = self.transfers().map_or(0, |transfers| transfers.busy_tags());
         self.tag_mask & !self.queue.busy_tags() & !incomplete
     }
 

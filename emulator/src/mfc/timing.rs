@@ -29,10 +29,7 @@ impl PendingWrite {
 
     /// Whether some of its bytes go to the `length` bytes at `address` of a store.
     pub fn overlaps(&self, store: &LocalStore, address: u32, length: usize) -> bool {
-        let (first, end) = (
-            self.address as usize,
-            self.address as usize + self.bytes.len(),
-        );
+        let (first, end) = (self.address as usize, self.address as usize + self.bytes.len());
         let (from, to) = (address as usize, address as usize + length);
         std::ptr::eq(&*self.store, store) && first < to && from < end
     }

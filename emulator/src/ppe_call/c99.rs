@@ -105,22 +105,15 @@ pub(super) struct Streams {
 impl Streams {
     pub fn new(host: &dyn Host) -> Self {
         let mut open = [const { Mutex::new(None) }; HANDLES];
-        let output = if host.is_terminal(libc::STDOUT_FILENO) {
-            Buffering::Line
-        } else {
-            Buffering::Full
-        };
+        let output =
+            if host.is_terminal(libc::STDOUT_FILENO) { Buffering::Line } else { Buffering::Full };
         let standard = [
             (STDIN, libc::STDIN_FILENO, true, Buffering::Full),
             (STDOUT, libc::STDOUT_FILENO, false, output),
             (STDERR, libc::STDERR_FILENO, false, Buffering::None),
         ];
         for (handle, descriptor, readable, buffering) in standard {
-            let buffering = if host.buffers(descriptor) {
-                Buffering::None
-            } else {
-                buffering
-            };
+            let buffering = if host.buffers(descriptor) { Buffering::None } else { buffering };
             let stream = Stream::new(descriptor, readable, !readable, buffering);
             open[handle as usize] = Mutex::new(Some(stream));
         }
@@ -145,9 +138,7 @@ impl Streams {
 
     fn slot(&self, handle: u32) -> Result<MutexGuard<'_, Option<Stream>>, Errno> {
         let slot = self.open.get(handle as usize);
-        slot.filter(|_| handle != 0)
-            .map(lock)
-            .ok_or(Errno(libc::EBADF))
+        slot.filter(|_| handle != 0).map(lock).ok_or(Errno(libc::EBADF))
     }
 
     /// A free slot for a stream that is to be opened. A slot that another thread has locked is in
@@ -213,9 +204,7 @@ impl Library {
                 Ok(())
             });
         }
-        self.stream(handle, Stream::read_byte)
-            .map(|byte| byte.map_or(EOF, i32::from))
-            .into()
+        self.stream(handle, Stream::read_byte).map(|byte| byte.map_or(EOF, i32::from)).into()
     }
 
     fn put(&self, handle: u32, bytes: &[u8]) -> Result<(), Errno> {
@@ -235,9 +224,7 @@ impl Library {
     fn fgets(&self, block: Block<'_>) -> Reply {
         let (address, size) = (block.word(0), block.int(1));
         let line = self.stream(block.word(2), |stream, host| {
-            let most = usize::try_from(size)
-                .ok()
-                .and_then(|size| size.checked_sub(1));
+            let most = usize::try_from(size).ok().and_then(|size| size.checked_sub(1));
             let most = most.ok_or(Errno(libc::EINVAL))?;
             stream.read_line(most.min(SIZE as usize - 1), host)
         });
@@ -320,9 +307,7 @@ impl Library {
     }
 
     fn seek(&self, handle: u32, offset: i32, whence: i32) -> Result<(), Errno> {
-        self.stream(handle, |stream, host| {
-            stream.seek(offset.into(), whence, host)
-        })
+        self.stream(handle, |stream, host| stream.seek(offset.into(), whence, host))
     }
 
     fn ftell(&self, handle: u32) -> Result<i32, Errno> {
@@ -341,9 +326,7 @@ impl Library {
     fn fread(&self, block: Block<'_>) -> Reply {
         let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
         let most = (u64::from(size) * u64::from(count)).min(SIZE.into());
-        let read = self.stream(block.word(3), |stream, host| {
-            stream.read(most as usize, host)
-        });
+        let read = self.stream(block.word(3), |stream, host| stream.read(most as usize, host));
         match read {
             Ok(bytes) => {
                 block.guest.write(address, &bytes);
@@ -369,11 +352,7 @@ impl Library {
             && self
                 .stream(handle, |stream, _| Ok(stream.push_back(character as u8)))
                 .is_ok_and(|pushed| pushed);
-        if pushed {
-            i32::from(character as u8).into()
-        } else {
-            EOF.into()
-        }
+        if pushed { i32::from(character as u8).into() } else { EOF.into() }
     }
 
     fn perror(&self, block: Block<'_>) -> Reply {
@@ -424,10 +403,7 @@ fn print_string(block: Block<'_>, size: u32, format: u32) -> Result<i32, Errno> 
 fn scan_string(block: Block<'_>) -> Result<i32, Errno> {
     const FORMAT: u32 = 1;
     let arguments = VaList::at(block.guest, block.cell(FORMAT + 1));
-    let mut input = Text {
-        bytes: block.string(0),
-        at: 0,
-    };
+    let mut input = Text { bytes: block.string(0), at: 0 };
     scan(block.guest, &block.string(FORMAT), arguments, &mut input)
 }
 
@@ -446,9 +422,7 @@ fn rename(block: Block<'_>) -> Result<i32, Errno> {
 /// A null pointer queries whether there is a command processor.
 fn system(block: Block<'_>) -> Result<i32, Errno> {
     let command: Option<CString> = block.optional_string(0).map(c_path).transpose()?;
-    let command = command
-        .as_ref()
-        .map_or(std::ptr::null(), |text| text.as_ptr());
+    let command = command.as_ref().map_or(std::ptr::null(), |text| text.as_ptr());
     // SAFETY: the command is null or ends in 0.
     check(unsafe { libc::system(command) })
 }

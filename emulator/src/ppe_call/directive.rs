@@ -74,11 +74,7 @@ impl<'a> Format<'a> {
         while let Some(digit @ b'0'..=b'9') = self.peek() {
             self.next();
             let before: usize = number.unwrap_or(0);
-            number = Some(
-                before
-                    .saturating_mul(10)
-                    .saturating_add(usize::from(digit - b'0')),
-            );
+            number = Some(before.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
         }
         number
     }
@@ -95,20 +91,12 @@ impl<'a> Format<'a> {
         match self.peek() {
             Some(b'h') => {
                 self.next();
-                let length = if self.take(b'h') {
-                    Length::Char
-                } else {
-                    Length::Short
-                };
+                let length = if self.take(b'h') { Length::Char } else { Length::Short };
                 (length, false)
             }
             Some(b'l') => {
                 self.next();
-                if self.take(b'l') {
-                    (Length::Long, false)
-                } else {
-                    (Length::Word, true)
-                }
+                if self.take(b'l') { (Length::Long, false) } else { (Length::Word, true) }
             }
             Some(b'j' | b'q') => {
                 self.next();

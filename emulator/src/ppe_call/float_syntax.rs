@@ -32,38 +32,22 @@ impl State {
     fn after(self, byte: u8) -> Option<Self> {
         let lower = byte.to_ascii_lowercase();
         let digit = |hex: bool| {
-            if hex {
-                byte.is_ascii_hexdigit()
-            } else {
-                byte.is_ascii_digit()
-            }
+            if hex { byte.is_ascii_hexdigit() } else { byte.is_ascii_digit() }
         };
         let exponent = |hex: bool| lower == if hex { b'p' } else { b'e' };
         Some(match self {
             Self::Start if matches!(byte, b'+' | b'-') => Self::Signed,
             Self::Start | Self::Signed => match lower {
                 b'0' => Self::Zero,
-                b'1'..=b'9' => Self::Whole {
-                    hex: false,
-                    digits: true,
-                },
-                b'.' => Self::Fraction {
-                    hex: false,
-                    digits: false,
-                },
+                b'1'..=b'9' => Self::Whole { hex: false, digits: true },
+                b'.' => Self::Fraction { hex: false, digits: false },
                 b'i' => Self::Infinity(1),
                 b'n' => Self::Nan(1),
                 _ => return None,
             },
-            Self::Zero if lower == b'x' => Self::Whole {
-                hex: true,
-                digits: false,
-            },
+            Self::Zero if lower == b'x' => Self::Whole { hex: true, digits: false },
             Self::Zero => {
-                let whole = Self::Whole {
-                    hex: false,
-                    digits: true,
-                };
+                let whole = Self::Whole { hex: false, digits: true };
                 return whole.after(byte);
             }
             Self::Whole { hex, .. } if digit(hex) => Self::Whole { hex, digits: true },
@@ -98,8 +82,7 @@ impl State {
 }
 
 fn state(text: &[u8]) -> Option<State> {
-    text.iter()
-        .try_fold(State::Start, |state, &byte| state.after(byte))
+    text.iter().try_fold(State::Start, |state, &byte| state.after(byte))
 }
 
 /// Whether a number can start with `text`.
@@ -127,11 +110,7 @@ pub(super) fn value(text: &[u8]) -> Option<f64> {
 fn hexadecimal(text: &str) -> f64 {
     let (digits, exponent) = text.split_once('p').unwrap_or((text, "0"));
     // An exponent that does not fit is too large for any number of digits that fits.
-    let limit = if exponent.starts_with('-') {
-        -(1 << 20)
-    } else {
-        1 << 20
-    };
+    let limit = if exponent.starts_with('-') { -(1 << 20) } else { 1 << 20 };
     let mut exponent: i64 = exponent.parse().unwrap_or(limit).clamp(-(1 << 20), 1 << 20);
     let mut mantissa: u64 = 0;
     let mut after_point = false;

@@ -139,8 +139,7 @@ impl Block<'_> {
             Reply::Word(word, errno) => (word, 0, errno),
             Reply::Doubleword(value, errno) => ((value >> 32) as u32, value as u32, errno),
         };
-        self.guest
-            .set_words(self.address, &[high, low, 0, errno as u32]);
+        self.guest.set_words(self.address, &[high, low, 0, errno as u32]);
     }
 }
 

@@ -291,17 +291,13 @@ fn carry_out(call: &SystemCall, parameters: &Parameters) -> Result<i64, Errno> {
 /// The host's longs of the guest's, which are doublewords.
 fn host_longs(guest: &[u8]) -> Vec<u8> {
     let doublewords = guest.as_chunks().0.iter();
-    doublewords
-        .flat_map(|&bytes| (u64::from_be_bytes(bytes) as c_long).to_ne_bytes())
-        .collect()
+    doublewords.flat_map(|&bytes| (u64::from_be_bytes(bytes) as c_long).to_ne_bytes()).collect()
 }
 
 #[allow(clippy::unnecessary_cast, reason = "a long has 32 bits on some hosts")]
 fn guest_longs(host: &[u8]) -> Vec<u8> {
     let longs = host.as_chunks().0.iter();
-    longs
-        .flat_map(|&bytes| (c_long::from_ne_bytes(bytes) as i64).to_be_bytes())
-        .collect()
+    longs.flat_map(|&bytes| (c_long::from_ne_bytes(bytes) as i64).to_be_bytes()).collect()
 }
 
 #[derive(Clone, Copy)]
@@ -321,10 +317,6 @@ impl Aligned {
     }
 
     fn bytes(&self, length: usize) -> Vec<u8> {
-        self.0
-            .iter()
-            .flat_map(|doubleword| doubleword.0)
-            .take(length)
-            .collect()
+        self.0.iter().flat_map(|doubleword| doubleword.0).take(length).collect()
     }
 }

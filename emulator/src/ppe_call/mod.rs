@@ -149,12 +149,7 @@ impl Library {
     #[must_use]
     pub fn new(host: Box<dyn Host>, heap: Box<dyn Heap>) -> Self {
         let streams = c99::Streams::new(host.as_ref());
-        Self {
-            host,
-            heap: Mutex::new(heap),
-            streams,
-            directories: Mutex::default(),
-        }
+        Self { host, heap: Mutex::new(heap), streams, directories: Mutex::default() }
     }
 
     fn heap(&self) -> MutexGuard<'_, Box<dyn Heap>> {
@@ -186,15 +181,8 @@ impl Library {
         let call = usize::from(opcode)
             .checked_sub(1)
             .and_then(|index| class.calls().get(index))
-            .ok_or(CallError::UnknownOpcode {
-                class,
-                opcode,
-                last: class.calls().len(),
-            })?;
-        let block = Block {
-            guest,
-            address: word & LIMIT_MASK,
-        };
+            .ok_or(CallError::UnknownOpcode { class, opcode, last: class.calls().len() })?;
+        let block = Block { guest, address: word & LIMIT_MASK };
         block.put((call.serve)(self, block));
         Ok(())
     }

@@ -34,11 +34,7 @@ pub(super) fn text(value: f64, conversion: u8, precision: Option<usize>, style: 
             _ => hexadecimal(value, precision, style.alternate),
         }
     };
-    if style.upper {
-        text.to_ascii_uppercase()
-    } else {
-        text
-    }
+    if style.upper { text.to_ascii_uppercase() } else { text }
 }
 
 fn zeros(text: &mut String, count: usize) {
@@ -79,11 +75,7 @@ fn scientific(value: f64, precision: usize, point: bool) -> String {
 }
 
 fn without_trailing_zeros(text: &str) -> &str {
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        text
-    }
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
 /// `%g`: the exponent that `%e` would print decides between the two forms.
@@ -93,11 +85,7 @@ fn shorter(value: f64, precision: usize, keep_zeros: bool) -> String {
     if fits && exponent >= -4 {
         let after_point = (precision as i64 - 1 - i64::from(exponent)) as usize;
         let text = fixed(value, after_point, keep_zeros);
-        return if keep_zeros {
-            text
-        } else {
-            without_trailing_zeros(&text).to_owned()
-        };
+        return if keep_zeros { text } else { without_trailing_zeros(&text).to_owned() };
     }
     if keep_zeros {
         return with_exponent(digits, exponent, true);
@@ -126,11 +114,7 @@ fn hexadecimal(value: f64, precision: Option<usize>, point: bool) -> String {
             }
             leading = rounded >> (kept * 4);
             fraction = rounded & ((1 << (kept * 4)) - 1);
-            if kept == 0 {
-                String::new()
-            } else {
-                format!("{fraction:0kept$x}")
-            }
+            if kept == 0 { String::new() } else { format!("{fraction:0kept$x}") }
         }
         Some(wanted) => {
             let mut text = format!("{fraction:0MANTISSA_DIGITS$x}");
@@ -153,10 +137,7 @@ mod tests {
     /// Provenance: typed by hand from the output of C's printf (glibc 2.36).
     #[test]
     fn doubles_print_as_in_c() {
-        let plain = Style {
-            upper: false,
-            alternate: false,
-        };
+        let plain = Style { upper: false, alternate: false };
         let cases: &[(f64, u8, Option<usize>, &str)] = &[
             (0.5, b'f', Some(0), "0"),
             (1.5, b'f', Some(0), "2"),
@@ -189,10 +170,7 @@ mod tests {
             let found = text(value, conversion, precision, plain);
             assert_eq!(found, expected, "{value:e} %{}", conversion as char);
         }
-        let alternate = Style {
-            upper: true,
-            alternate: true,
-        };
+        let alternate = Style { upper: true, alternate: true };
         assert_eq!(text(1.0, b'g', None, alternate), "1.00000");
         assert_eq!(text(1e10, b'g', Some(1), alternate), "1.E+10");
         assert_eq!(text(2.0, b'f', Some(0), alternate), "2.");

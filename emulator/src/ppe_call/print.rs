@@ -65,11 +65,7 @@ pub(super) fn print(
     format: &[u8],
     arguments: VaList<'_>,
 ) -> Result<Vec<u8>, Errno> {
-    let mut printer = Printer {
-        guest,
-        arguments,
-        text: Vec::new(),
-    };
+    let mut printer = Printer { guest, arguments, text: Vec::new() };
     let mut format = Format::new(format);
     while let Some(byte) = format.next() {
         if byte == b'%' {
@@ -186,11 +182,7 @@ impl Printer<'_> {
             b'p' => {
                 let value = self.arguments.word();
                 flags.zeros = false;
-                let text = if value == 0 {
-                    "(nil)".to_owned()
-                } else {
-                    format!("{value:#x}")
-                };
+                let text = if value == 0 { "(nil)".to_owned() } else { format!("{value:#x}") };
                 self.field(flags, width, &[], text.as_bytes())
             }
             b'a' | b'A' | b'e' | b'E' | b'f' | b'F' | b'g' | b'G' => {
@@ -278,11 +270,7 @@ impl Printer<'_> {
                 digits.insert(0, '0');
             }
         }
-        let prefix = if flags.alternate && !is_zero {
-            prefix
-        } else {
-            ""
-        };
+        let prefix = if flags.alternate && !is_zero { prefix } else { "" };
         self.integer(flags, width, precision, prefix, &digits, is_zero)
     }
 
@@ -294,20 +282,14 @@ impl Printer<'_> {
         conversion: u8,
         value: f64,
     ) -> Result<(), Errno> {
-        let style = Style {
-            upper: conversion.is_ascii_uppercase(),
-            alternate: flags.alternate,
-        };
+        let style = Style { upper: conversion.is_ascii_uppercase(), alternate: flags.alternate };
         let lower = conversion.to_ascii_lowercase();
         let text = number::text(value.abs(), lower, precision, style);
         flags.zeros &= value.is_finite();
         let sign = flags.sign(value.is_sign_negative());
         // Zeros go after the `0x` too.
-        let (base, digits) = if lower == b'a' && value.is_finite() {
-            text.split_at(2)
-        } else {
-            ("", text.as_str())
-        };
+        let (base, digits) =
+            if lower == b'a' && value.is_finite() { text.split_at(2) } else { ("", text.as_str()) };
         let prefix = format!("{sign}{base}");
         self.field(flags, width, prefix.as_bytes(), digits.as_bytes())
     }

@@ -67,14 +67,8 @@ pub(super) fn scan<'a>(
     arguments: VaList<'a>,
     input: &'a mut dyn Input,
 ) -> Result<i32, Errno> {
-    let mut scanner = Scanner {
-        guest,
-        arguments,
-        input,
-        consumed: 0,
-        assigned: 0,
-        converted: false,
-    };
+    let mut scanner =
+        Scanner { guest, arguments, input, consumed: 0, assigned: 0, converted: false };
     match scanner.run(&mut Format::new(format)) {
         Ok(()) | Err(End::Mismatch) => Ok(scanner.assigned),
         Err(End::Input) if scanner.converted => Ok(scanner.assigned),
@@ -188,8 +182,7 @@ impl Scanner<'_> {
 
     fn store_integer(&mut self, value: u64, length: Length) {
         let address = self.arguments.word();
-        self.guest
-            .write(address, &value.to_be_bytes()[8 - length.bytes()..]);
+        self.guest.write(address, &value.to_be_bytes()[8 - length.bytes()..]);
     }
 
     /// Reads bytes as long as `goes_on` accepts them. It receives the bytes read so far.
@@ -383,9 +376,5 @@ fn integer_value(token: &[u8], base: u32) -> Option<u64> {
             .and_then(|value| value.checked_add(u64::from(digit)))
             .unwrap_or(u64::MAX);
     }
-    Some(if negative {
-        value.wrapping_neg()
-    } else {
-        value
-    })
+    Some(if negative { value.wrapping_neg() } else { value })
 }

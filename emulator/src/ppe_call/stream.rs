@@ -48,16 +48,8 @@ impl Mode {
             (false, _) => libc::O_WRONLY,
             (true, false) => libc::O_RDONLY,
         };
-        let exclusive = if mode.contains(&b'x') {
-            libc::O_EXCL
-        } else {
-            0
-        };
-        Ok(Self {
-            flags: flags | access | exclusive,
-            read,
-            write,
-        })
+        let exclusive = if mode.contains(&b'x') { libc::O_EXCL } else { 0 };
+        Ok(Self { flags: flags | access | exclusive, read, write })
     }
 }
 
@@ -104,11 +96,8 @@ impl Stream {
         let mode = Mode::parse(mode)?;
         let path = c_path(path)?;
         let descriptor = cpuinfo::open(&path, mode.flags, EVERYONE)?;
-        let buffering = if host.is_terminal(descriptor) {
-            Buffering::Line
-        } else {
-            Buffering::Full
-        };
+        let buffering =
+            if host.is_terminal(descriptor) { Buffering::Line } else { Buffering::Full };
         Ok(Self::new(descriptor, mode.read, mode.write, buffering))
     }
 
@@ -125,10 +114,7 @@ impl Stream {
             let moved = check(unsafe { libc::dup2(new.descriptor, old) });
             // SAFETY: the new descriptor belongs to the new stream, which uses the old number.
             unsafe { libc::close(new.descriptor) };
-            moved.map(|_| Self {
-                descriptor: old,
-                ..new
-            })
+            moved.map(|_| Self { descriptor: old, ..new })
         });
         if opened.is_err() {
             // SAFETY: the descriptor belongs to the old stream, which ends here.
@@ -243,11 +229,7 @@ impl Stream {
         if self.at_end {
             return Ok(false);
         }
-        let wanted = if self.buffering == Buffering::None {
-            1
-        } else {
-            BUFFER
-        };
+        let wanted = if self.buffering == Buffering::None { 1 } else { BUFFER };
         self.ahead.resize(wanted, 0);
         self.taken = 0;
         let read = host.read_stream(self.descriptor, &mut self.ahead);

@@ -35,10 +35,7 @@ impl ProgramProfile {
         };
         let mut instructions: Vec<_> = entries.map(charge).collect();
         instructions.sort_by_key(|entry| (entry.address, entry.word));
-        Self {
-            program,
-            instructions,
-        }
+        Self { program, instructions }
     }
 }
 

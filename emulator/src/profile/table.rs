@@ -27,10 +27,7 @@ pub(crate) struct Profile {
 
 impl Default for Profile {
     fn default() -> Self {
-        Self {
-            entries: Vec::new(),
-            latest: vec![0; WORDS].into_boxed_slice(),
-        }
+        Self { entries: Vec::new(), latest: vec![0; WORDS].into_boxed_slice() }
     }
 }
 
@@ -59,11 +56,7 @@ impl Profile {
             self.entries.iter().position(same)
         };
         let at = known.unwrap_or_else(|| {
-            self.entries.push(Entry {
-                pc,
-                instruction,
-                tally: Tally::default(),
-            });
+            self.entries.push(Entry { pc, instruction, tally: Tally::default() });
             self.entries.len() - 1
         });
         self.latest[word] = at as u32 + 1;
@@ -72,12 +65,7 @@ impl Profile {
 
     /// Adds the contents of `other`, and empties it.
     pub fn take(&mut self, other: &mut Self) {
-        for Entry {
-            pc,
-            instruction,
-            tally,
-        } in other.entries.drain(..)
-        {
+        for Entry { pc, instruction, tally } in other.entries.drain(..) {
             other.latest[pc as usize / 4 % WORDS] = 0;
             self.tally(pc, instruction).add(&tally);
         }
@@ -173,9 +161,7 @@ mod tests {
     /// How often each entry issued, in the order of creation.
     fn issued(profile: &Profile) -> Vec<(u32, u32, u64)> {
         let entries = profile.entries.iter();
-        entries
-            .map(|entry| (entry.pc, entry.instruction.encode(), entry.tally.issued))
-            .collect()
+        entries.map(|entry| (entry.pc, entry.instruction.encode(), entry.tally.issued)).collect()
     }
 
     const NOP: u32 = 0x4020_0000;

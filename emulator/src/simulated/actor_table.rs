@@ -115,10 +115,7 @@ pub(super) struct ActorTable {
 
 impl ActorTable {
     pub fn leader(&self) -> Option<(u64, Rank)> {
-        self.actors
-            .iter()
-            .filter_map(|(&rank, entry)| Some((entry.place()?, rank)))
-            .min()
+        self.actors.iter().filter_map(|(&rank, entry)| Some((entry.place()?, rank))).min()
     }
 
     /// The first deferred act, if no actor can act before it.

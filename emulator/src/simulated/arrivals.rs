@@ -26,11 +26,7 @@ pub(crate) struct Arrivals {
 
 impl Default for Arrivals {
     fn default() -> Self {
-        Self {
-            next: AtomicU64::new(NEVER),
-            pending: Mutex::default(),
-            sent: AtomicU64::new(0),
-        }
+        Self { next: AtomicU64::new(NEVER), pending: Mutex::default(), sent: AtomicU64::new(0) }
     }
 }
 
@@ -91,11 +87,7 @@ mod tests {
     use std::sync::Arc;
 
     fn write(store: &Arc<LocalStore>, address: u32, bytes: &[u8]) -> PendingWrite {
-        PendingWrite {
-            store: Arc::clone(store),
-            address,
-            bytes: bytes.into(),
-        }
+        PendingWrite { store: Arc::clone(store), address, bytes: bytes.into() }
     }
 
     fn bytes(store: &LocalStore) -> [u8; 4] {

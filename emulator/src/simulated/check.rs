@@ -23,11 +23,7 @@ pub struct Difference {
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            address,
-            memoised,
-            by_instruction,
-        } = self;
+        let Self { address, memoised, by_instruction } = self;
         write!(
             f,
             "memoised timing differs at {address:#07x}: {memoised}, by instruction {by_instruction}"
@@ -61,11 +57,7 @@ impl Check {
 
     fn differ(&mut self, address: u32, memoised: String, by_instruction: String) {
         if memoised != by_instruction {
-            self.difference.get_or_insert(Difference {
-                address,
-                memoised,
-                by_instruction,
-            });
+            self.difference.get_or_insert(Difference { address, memoised, by_instruction });
         }
     }
 
@@ -133,10 +125,7 @@ impl Check {
         };
         let sorted = |recording: &Recording| ProgramProfile::new(None, recording.profile());
         let (memoised, by_instruction) = (sorted(recording), sorted(&own));
-        let both = memoised
-            .instructions
-            .iter()
-            .zip(&by_instruction.instructions);
+        let both = memoised.instructions.iter().zip(&by_instruction.instructions);
         if let Some((one, other)) = both.into_iter().find(|(one, other)| one != other) {
             self.differ(one.address, format!("{one:?}"), format!("{other:?}"));
         }
@@ -183,10 +172,7 @@ mod tests {
             }
         }
         differs(&mut check, &timer, &recording);
-        check
-            .difference()
-            .map(Difference::to_string)
-            .unwrap_or_default()
+        check.difference().map(Difference::to_string).unwrap_or_default()
     }
 
     #[test]

@@ -51,44 +51,14 @@ impl Timing {
             ("memory", "command_cycles", memory.command_cycles, 0),
             ("memory", "get_latency", memory.get_latency, 0),
             ("memory", "put_latency", memory.put_latency, 0),
-            (
-                "memory",
-                "local_store_latency",
-                memory.local_store_latency,
-                0,
-            ),
+            ("memory", "local_store_latency", memory.local_store_latency, 0),
             ("memory", "outstanding_lines", memory.outstanding_lines, 1),
-            (
-                "memory",
-                "list_element_cycles",
-                memory.list_element_cycles,
-                0,
-            ),
-            (
-                "memory",
-                "put_line_conflict_cycles",
-                memory.put_line_conflict_cycles,
-                0,
-            ),
+            ("memory", "list_element_cycles", memory.list_element_cycles, 0),
+            ("memory", "put_line_conflict_cycles", memory.put_line_conflict_cycles, 0),
             ("memory", "atomic_latency", memory.atomic_latency, 0),
-            (
-                "memory",
-                "putllc_lost_latency",
-                memory.putllc_lost_latency,
-                0,
-            ),
-            (
-                "memory",
-                "getllar_line_cycles",
-                memory.getllar_line_cycles,
-                0,
-            ),
-            (
-                "memory",
-                "atomic_write_line_cycles",
-                memory.atomic_write_line_cycles,
-                0,
-            ),
+            ("memory", "putllc_lost_latency", memory.putllc_lost_latency, 0),
+            ("memory", "getllar_line_cycles", memory.getllar_line_cycles, 0),
+            ("memory", "atomic_write_line_cycles", memory.atomic_write_line_cycles, 0),
             ("pipelines", "miss_cycles", rules.miss_cycles, 0),
             ("pipelines", "hint_cycles", rules.hint_cycles, 1),
             ("pipelines", "channel_interval", rules.channel_interval, 1),
@@ -97,12 +67,7 @@ impl Timing {
             ("ppe", "wake_cycles", ppe.wake_cycles, 0),
         ]
         .into_iter()
-        .map(|(table, name, value, least)| Figure {
-            table,
-            name,
-            value,
-            least,
-        })
+        .map(|(table, name, value, least)| Figure { table, name, value, least })
     }
 }
 
@@ -254,11 +219,7 @@ pub struct PpeFigures {
 
 impl PpeFigures {
     /// The console's values.
-    pub const CONSOLE: Self = Self {
-        call_cycles: 1_600,
-        run_cycles: 32_000,
-        wake_cycles: 9_600,
-    };
+    pub const CONSOLE: Self = Self { call_cycles: 1_600, run_cycles: 32_000, wake_cycles: 9_600 };
 }
 
 impl Default for PpeFigures {

@@ -84,9 +84,7 @@ fn sleep_of(status: &str) -> Option<Sleep> {
         let line = status.lines().find(|line| line.starts_with(name))?;
         line.split(':').nth(1).map(str::trim)
     };
-    field("State")?
-        .starts_with('S')
-        .then(|| field("voluntary_ctxt_switches").map(str::to_owned))?
+    field("State")?.starts_with('S').then(|| field("voluntary_ctxt_switches").map(str::to_owned))?
 }
 
 /// Whether a thread's `syscall` is a wait for another thread that has no time limit: in a lock, a
@@ -112,10 +110,7 @@ struct Sleeps {
 fn sleeps(behind: &[ThreadId]) -> Option<Sleeps> {
     let this = this_thread()?;
     let helpers = lock(&HELPERS).clone();
-    let mut sleeps = Sleeps {
-        others: Vec::new(),
-        behind: Some(Vec::new()),
-    };
+    let mut sleeps = Sleeps { others: Vec::new(), behind: Some(Vec::new()) };
     for entry in fs::read_dir(TASKS).ok()? {
         let folder = entry.ok()?.path();
         let thread = folder.file_name()?.to_str()?.parse().ok()?;

@@ -80,10 +80,8 @@ impl Port {
         let mut begins = time;
         loop {
             begins = self.tables[direction as usize].first_free(begins);
-            let in_flight = self
-                .tables
-                .iter()
-                .map(|table| table.taken_before(begins, slots) as u64);
+            let in_flight =
+                self.tables.iter().map(|table| table.taken_before(begins, slots) as u64);
             if in_flight.sum::<u64>() < self.outstanding_lines {
                 return begins;
             }
@@ -151,13 +149,7 @@ pub(crate) struct MemorySystem {
 
 impl MemorySystem {
     pub fn new(figures: MemoryFigures) -> Self {
-        let MemoryFigures {
-            port_line,
-            get_line,
-            put_line,
-            ring_line,
-            ..
-        } = figures;
+        let MemoryFigures { port_line, get_line, put_line, ring_line, .. } = figures;
         let lines = [port_line, get_line, put_line, ring_line];
         assert!(
             lines.iter().all(|line| line.0 > 0) && figures.outstanding_lines > 0,
@@ -307,9 +299,7 @@ mod tests {
     const FIGURES: MemoryFigures = MemoryFigures::CONSOLE;
 
     fn ports(count: u64) -> Vec<Port> {
-        (0..count)
-            .map(|number| Port::new(number, &FIGURES))
-            .collect()
+        (0..count).map(|number| Port::new(number, &FIGURES)).collect()
     }
 
     fn get(system: &mut MemorySystem, port: &mut Port, size: u32, at: u64) -> u64 {
@@ -322,13 +312,7 @@ mod tests {
         let port = &mut ports(1)[0];
         assert_eq!(get(&mut system, port, 128, 0), 17 + 280);
         assert_eq!(get(&mut system, port, 0, 1600), 1600);
-        let put = system.transfer(
-            port,
-            Direction::Out,
-            Peer::Memory,
-            (0, 128),
-            (17_000, 17_000),
-        );
+        let put = system.transfer(port, Direction::Out, Peer::Memory, (0, 128), (17_000, 17_000));
         // The port's slots are 17.3 cycles long, so a line waits up to that for the next.
         assert!((17_318..17_336).contains(&put), "{put}");
         assert_eq!(lines(0x7f, 2), 2);

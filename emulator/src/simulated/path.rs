@@ -38,9 +38,6 @@ impl Path {
                 });
             }
         }
-        Self {
-            words: words.into(),
-            ends: ends.into(),
-        }
+        Self { words: words.into(), ends: ends.into() }
     }
 }

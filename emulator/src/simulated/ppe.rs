@@ -88,9 +88,7 @@ impl Simulation {
     pub fn act<T>(&self, body: impl FnOnce() -> T) -> T {
         let thread = self.this_thread(None);
         if thread.call_depth.get() == 0 {
-            thread
-                .actor
-                .turn(thread.resume() + self.timing().ppe.call_cycles);
+            thread.actor.turn(thread.resume() + self.timing().ppe.call_cycles);
         }
         let _guard = CallGuard::enter(&thread.call_depth);
         body()

@@ -26,10 +26,9 @@ impl Published {
     pub fn new(options: SimulationOptions) -> Self {
         Self {
             report: SpeReport::default(),
-            profiles: options.profile.then(|| Profiles {
-                programs: vec![(None, Profile::default())],
-                loaded: 0,
-            }),
+            profiles: options
+                .profile
+                .then(|| Profiles { programs: vec![(None, Profile::default())], loaded: 0 }),
             timeline: options.timeline.then(Timeline::default),
         }
     }
@@ -48,9 +47,7 @@ impl Published {
         let programs = self.profiles.iter().flat_map(|profiles| &profiles.programs);
         let ran = programs.filter(|(_, profile)| !profile.entries().is_empty());
         SpeProfile {
-            programs: ran
-                .map(|(id, profile)| ProgramProfile::new(*id, profile))
-                .collect(),
+            programs: ran.map(|(id, profile)| ProgramProfile::new(*id, profile)).collect(),
         }
     }
 

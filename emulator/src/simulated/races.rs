@@ -180,16 +180,7 @@ impl Race {
     /// Describes it in sentences. `place` names an address of the program.
     #[must_use]
     pub fn describe(&self, place: impl Fn(u32) -> String) -> String {
-        let CommandInFlight {
-            opcode,
-            lsa,
-            ea,
-            size,
-            tag,
-            is_atomic,
-            writes,
-            pc,
-        } = self.command;
+        let CommandInFlight { opcode, lsa, ea, size, tag, is_atomic, writes, pc } = self.command;
         let what = match self.by {
             Use::Load => "a load reads",
             Use::Store => "a store writes",
@@ -263,15 +254,7 @@ struct InFlight {
 
 impl InFlight {
     fn new(movement: &Movement, pc: u32) -> Self {
-        let Command {
-            operation,
-            opcode,
-            lsa,
-            ea,
-            size,
-            tag,
-            ..
-        } = movement.command;
+        let Command { operation, opcode, lsa, ea, size, tag, .. } = movement.command;
         Self {
             command: CommandInFlight {
                 pc,
@@ -290,10 +273,7 @@ impl InFlight {
     }
 
     fn writing(&self, writes: bool) -> CommandInFlight {
-        CommandInFlight {
-            writes,
-            ..self.command
-        }
+        CommandInFlight { writes, ..self.command }
     }
 }
 
@@ -312,11 +292,7 @@ fn ranges(movement: &Movement, operation: Operation) -> Vec<Range> {
             return Vec::new();
         }
     };
-    let range = |start: u32, length: u32| Range {
-        start: start & (SIZE - 1),
-        length,
-        is_written,
-    };
+    let range = |start: u32, length: u32| Range { start: start & (SIZE - 1), length, is_written };
     if movement.atomic.is_some() {
         return vec![range(command.lsa, LINE as u32)];
     }
@@ -403,18 +379,13 @@ impl Races {
         self.in_flight.retain(|command| {
             let stays = command.complete.cycle() > now;
             if !stays {
-                let quadwords = command
-                    .ranges
-                    .iter()
-                    .flat_map(|range| marks.quadwords(range));
+                let quadwords = command.ranges.iter().flat_map(|range| marks.quadwords(range));
                 quadwords.for_each(|mark| mark.store(0, Relaxed));
             }
             stays
         });
         if self.in_flight.len() < before {
-            self.in_flight
-                .iter()
-                .for_each(|command| mark(&marks, command));
+            self.in_flight.iter().for_each(|command| mark(&marks, command));
         }
     }
 
@@ -423,12 +394,7 @@ impl Races {
     pub fn give(&mut self, movement: &Movement) -> Option<Given> {
         self.simulation.as_ref()?;
         let given = InFlight::new(movement, self.channel_pc);
-        let Command {
-            operation,
-            order,
-            tag,
-            ..
-        } = movement.command;
+        let Command { operation, order, tag, .. } = movement.command;
         let (own, follows) = (1 << tag, order != Order::Free);
         for earlier in &mut self.in_flight {
             let same_tag = earlier.command.tag == tag && !earlier.command.is_atomic;
@@ -505,11 +471,7 @@ impl Races {
         // is.
         let changed = {
             let old = store.load_quadword(address).map(u32::to_be_bytes).concat();
-            let new = spu
-                .register(instruction.rt)
-                .0
-                .map(u32::to_be_bytes)
-                .concat();
+            let new = spu.register(instruction.rt).0.map(u32::to_be_bytes).concat();
             let differs = |byte: &usize| old[*byte] != new[*byte];
             let bytes = (0..QUADWORD as usize).filter(differs);
             bytes.fold(0, |mask: u16, byte| mask | 0x8000 >> byte)
@@ -522,11 +484,7 @@ impl Races {
                     (_, true) => range.bytes_of(address),
                 };
                 if common != 0 {
-                    let by = if access.is_store {
-                        Use::Store
-                    } else {
-                        Use::Load
-                    };
+                    let by = if access.is_store { Use::Store } else { Use::Load };
                     let first = address + common.leading_zeros();
                     let command = command.writing(range.is_written);
                     self.report(spu.pc(), by, first, command);
@@ -553,11 +511,7 @@ pub(crate) struct Given(InFlight);
 
 fn mark(marks: &Marks, command: &InFlight) {
     for range in &command.ranges {
-        let kinds = if range.is_written {
-            LOADS | STORES
-        } else {
-            STORES
-        };
+        let kinds = if range.is_written { LOADS | STORES } else { STORES };
         for quadword in marks.quadwords(range) {
             quadword.store(quadword.load(Relaxed) | kinds, Relaxed);
         }

@@ -19,11 +19,7 @@ pub(super) struct ReservationTable {
 
 impl ReservationTable {
     pub fn new(slot: u64) -> Self {
-        Self {
-            slot,
-            first: 0,
-            taken: VecDeque::new(),
-        }
+        Self { slot, first: 0, taken: VecDeque::new() }
     }
 
     /// Drops the slots before `time`.
@@ -31,10 +27,7 @@ impl ReservationTable {
         let word = time / self.slot / SLOTS_PER_WORD * SLOTS_PER_WORD;
         if word > self.first {
             let words = (word - self.first) / SLOTS_PER_WORD;
-            let known = self
-                .taken
-                .len()
-                .min(usize::try_from(words).unwrap_or(usize::MAX));
+            let known = self.taken.len().min(usize::try_from(words).unwrap_or(usize::MAX));
             self.taken.drain(..known);
             self.first = word;
         }
@@ -79,8 +72,7 @@ impl ReservationTable {
 
     fn word(&self, number: u64) -> u64 {
         let word = usize::try_from(number).ok();
-        word.and_then(|word| self.taken.get(word))
-            .map_or(0, |bits| *bits)
+        word.and_then(|word| self.taken.get(word)).map_or(0, |bits| *bits)
     }
 }
 

@@ -79,11 +79,7 @@ impl Scheduler {
         let now = table.now;
         let mut woken = false;
         for entry in table.actors.values_mut() {
-            if let Status::Waiting {
-                wanted,
-                since,
-                key: its,
-            } = &mut entry.status
+            if let Status::Waiting { wanted, since, key: its } = &mut entry.status
                 && *its == Some(key)
             {
                 *wanted = (now + 1).max(*since).min(*wanted);
@@ -235,21 +231,20 @@ impl Scheduler {
                         }
                     }
                 }
-                Some((_, rank)) => match table
-                    .timeout(rank)
-                    .map(|timeout| timeout.look(Instant::now()))
-                {
-                    None => {}
-                    Some(Verdict::Wait(time)) => limit = Some(time),
-                    Some(Verdict::Ask) => {
-                        table = self.ask_about(table, rank, false);
-                        continue;
+                Some((_, rank)) => {
+                    match table.timeout(rank).map(|timeout| timeout.look(Instant::now())) {
+                        None => {}
+                        Some(Verdict::Wait(time)) => limit = Some(time),
+                        Some(Verdict::Ask) => {
+                            table = self.ask_about(table, rank, false);
+                            continue;
+                        }
+                        Some(Verdict::GiveUp) => {
+                            table = self.ask_about(table, rank, true);
+                            continue;
+                        }
                     }
-                    Some(Verdict::GiveUp) => {
-                        table = self.ask_about(table, rank, true);
-                        continue;
-                    }
-                },
+                }
                 None => {}
             }
             let called = &me.runner.called;
@@ -295,12 +290,7 @@ impl Actor {
         };
         table.actors.insert(rank, entry);
         drop(table);
-        Self {
-            scheduler: Arc::clone(scheduler),
-            runner,
-            rank,
-            is_ppe,
-        }
+        Self { scheduler: Arc::clone(scheduler), runner, rank, is_ppe }
     }
 
     pub fn spe(scheduler: &Arc<Scheduler>, rank: Rank) -> Self {
@@ -351,14 +341,7 @@ impl Actor {
     pub fn turn(&self, clock: u64) {
         let clock = clock.max(self.clock());
         let mut table = lock(&self.scheduler.table);
-        table.set(
-            self.rank,
-            Status::Waiting {
-                wanted: clock,
-                since: clock,
-                key: None,
-            },
-        );
+        table.set(self.rank, Status::Waiting { wanted: clock, since: clock, key: None });
         self.scheduler.await_turn(table, self, None, None);
     }
 
@@ -388,11 +371,7 @@ impl Actor {
         }
         self.runner.clock.store(clock, SeqCst);
         self.runner.awaited.store(tags, SeqCst);
-        let status = Status::Waiting {
-            wanted: clock,
-            since: clock,
-            key: None,
-        };
+        let status = Status::Waiting { wanted: clock, since: clock, key: None };
         table.set(self.rank, status);
         self.scheduler.await_turn(table, self, None, Some(tags));
         self.runner.awaited.store(0, SeqCst);
@@ -451,9 +430,7 @@ impl Actor {
     /// Shows how far it has run without acting.
     pub fn progress(&self, clock: u64) {
         self.runner.clock.store(clock, SeqCst);
-        self.runner
-            .limit
-            .store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
+        self.runner.limit.store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
         let deferred = self.runner.last_deferred.load(Relaxed);
         if self.deferred() > 0 && clock > deferred + CYCLES_AHEAD {
             return self.await_deferred(clock, u32::MAX);
@@ -463,10 +440,7 @@ impl Actor {
         // Compiled code comes here every few microseconds, and several SPEs would otherwise keep
         // the table locked.
         if clock >= first_wait
-            && self
-                .runner
-                .passed_wait
-                .swap(first_wait.wrapping_add(1), SeqCst)
+            && self.runner.passed_wait.swap(first_wait.wrapping_add(1), SeqCst)
                 != first_wait.wrapping_add(1)
         {
             drop(self.scheduler.proceed(lock(&self.scheduler.table)));

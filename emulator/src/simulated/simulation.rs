@@ -128,14 +128,9 @@ impl Simulation {
     /// sleeps in a channel or stops.
     #[must_use]
     pub fn report(&self) -> Report {
-        let spes = lock(&self.spes)
-            .iter()
-            .map(|published| lock(published).report().clone())
-            .collect();
-        Report {
-            timeouts: self.scheduler.timeouts(),
-            spes,
-        }
+        let spes =
+            lock(&self.spes).iter().map(|published| lock(published).report().clone()).collect();
+        Report { timeouts: self.scheduler.timeouts(), spes }
     }
 
     /// The profile of every SPE, published at the same moments as the [`report`](Self::report).

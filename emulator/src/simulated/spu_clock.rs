@@ -195,8 +195,7 @@ impl SpuClock {
     }
 
     fn bring_up_to(&mut self, state: StateId) {
-        self.memo
-            .bring_up_to(state, &mut self.timer, self.recording.as_mut());
+        self.memo.bring_up_to(state, &mut self.timer, self.recording.as_mut());
         self.ahead = 0;
     }
 
@@ -337,10 +336,8 @@ impl SpuClock {
         let Some(left) = length.checked_sub(transition.length) else {
             return self.time_by_instruction(spu);
         };
-        self.untimed = Untimed {
-            start: start.wrapping_add(4 * transition.length) & LIMIT_MASK,
-            length: left,
-        };
+        self.untimed =
+            Untimed { start: start.wrapping_add(4 * transition.length) & LIMIT_MASK, length: left };
         if self.check.is_some() {
             let block = Arc::clone(transition.block());
             self.issue_block_in_check(&block, usize::MAX);

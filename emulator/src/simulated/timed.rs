@@ -14,11 +14,7 @@ use crate::stop::{Stop, Stopped};
 use spu_isa::{Class, Instruction, LIMIT_MASK};
 
 fn requested(pc: u32) -> Stopped {
-    Stopped {
-        reason: Stop::Requested,
-        pc,
-        npc: pc,
-    }
+    Stopped { reason: Stop::Requested, pc, npc: pc }
 }
 
 /// Runs an SPU and its clock, block by block.
@@ -110,11 +106,7 @@ impl<'a> Timed<'a> {
                 continue;
             }
             next = Dispatch::Any;
-            let block = if may_compile {
-                self.begin(spu, local_store, left)
-            } else {
-                None
-            };
+            let block = if may_compile { self.begin(spu, local_store, left) } else { None };
             let Some(block) = block else {
                 if let Some(runner) = &mut self.runner {
                     runner.end_recording();

@@ -75,13 +75,7 @@ impl Timeline {
             | Operation::CacheHint
             | Operation::ZeroRange => "order",
         };
-        self.transfers.push(Transfer {
-            start,
-            end,
-            kind,
-            ea,
-            bytes,
-        });
+        self.transfers.push(Transfer { start, end, kind, ea, bytes });
     }
 }
 

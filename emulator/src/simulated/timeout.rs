@@ -62,13 +62,7 @@ impl Timeout {
     }
 
     fn of(thread: Option<PathBuf>) -> Self {
-        Self {
-            since: Instant::now(),
-            thread,
-            last: None,
-            held_up: None,
-            next_look: FIRST_LOOK,
-        }
+        Self { since: Instant::now(), thread, last: None, held_up: None, next_look: FIRST_LOOK }
     }
 
     /// Decides what to do about the actor.
@@ -98,10 +92,7 @@ impl Timeout {
     }
 
     fn has_expired(&mut self, now: Instant) -> bool {
-        let checked = self
-            .last
-            .as_ref()
-            .map_or(self.since, |(checked, _)| *checked);
+        let checked = self.last.as_ref().map_or(self.since, |(checked, _)| *checked);
         if now.saturating_duration_since(checked) < POLL_INTERVAL {
             return false;
         }
@@ -145,10 +136,7 @@ mod tests {
             waited += POLL_INTERVAL;
             thread::yield_now();
         }
-        assert!(
-            waited >= 2 * POLL_INTERVAL && waited < TIME_LIMIT,
-            "{waited:?}"
-        );
+        assert!(waited >= 2 * POLL_INTERVAL && waited < TIME_LIMIT, "{waited:?}");
         drop(end);
         sleeper.join().unwrap();
 

@@ -65,18 +65,14 @@ impl Timing {
     /// Fails if the file can't be read, names something that a timing has not, or has a value out
     /// of range.
     pub fn read(path: &Path) -> Result<Self, TimingFileError> {
-        let text = fs::read_to_string(path).map_err(|source| TimingFileError::Read {
-            path: path.to_owned(),
-            source,
-        })?;
+        let text = fs::read_to_string(path)
+            .map_err(|source| TimingFileError::Read { path: path.to_owned(), source })?;
         Self::parse(path, &text)
     }
 
     fn parse(path: &Path, text: &str) -> Result<Self, TimingFileError> {
-        let failed = |source| TimingFileError::Parse {
-            path: path.to_owned(),
-            source: Box::new(source),
-        };
+        let failed =
+            |source| TimingFileError::Parse { path: path.to_owned(), source: Box::new(source) };
         let timing: Self = toml::from_str(text).map_err(failed)?;
         let document = DeTable::parse(text).map_err(failed)?;
         for figure in timing.figures() {
@@ -168,27 +164,18 @@ mod tests {
         for (text, parts) in [
             ("[memory]\n\nget_lime = 1", &["line 3", "get_lime"][..]),
             ("[pipeline]", &["line 1", "pipeline", "pipelines"]),
-            (
-                "[memory]\nget_line = 17.35",
-                &["line 2", "get_line", "17.35"],
-            ),
+            ("[memory]\nget_line = 17.35", &["line 2", "get_line", "17.35"]),
             ("[memory]\nget_line = -1", &["line 2", "get_line", "-1"]),
             ("[memory]\nget_line = inf", &["line 2", "get_line", "inf"]),
             ("[ppe]\ncall_cycles = \"x\"", &["line 2", "call_cycles"]),
             ("[ppe]\ncall_cycles = -4", &["line 2", "call_cycles", "-4"]),
             ("[ppe", &["line 1"]),
-            (
-                "[memory]\nget_line = 0",
-                &[":2: memory.get_line is 0.1 to 1000000, not 0"],
-            ),
+            ("[memory]\nget_line = 0", &[":2: memory.get_line is 0.1 to 1000000, not 0"]),
             (
                 "[ppe]\n\nrun_cycles = 99999999",
                 &[":3: ppe.run_cycles is 0 to 10000000, not 99999999"],
             ),
-            (
-                "memory = { outstanding_lines = 0 }",
-                &[":1: memory.outstanding_lines is 1"],
-            ),
+            ("memory = { outstanding_lines = 0 }", &[":1: memory.outstanding_lines is 1"]),
         ] {
             let error = parse(text).unwrap_err();
             assert!(error.starts_with("slow.toml"), "{error}");

@@ -54,9 +54,7 @@ impl Transfers {
     }
 
     fn busy_tags(&self) -> u32 {
-        self.outstanding
-            .iter()
-            .fold(0, |tags, command| tags | 1 << command.tag)
+        self.outstanding.iter().fold(0, |tags, command| tags | 1 << command.tag)
     }
 
     fn next(&self, tags: u32) -> Option<u64> {
@@ -69,11 +67,7 @@ impl Transfers {
 
     fn last(&self, of: impl Fn(u8) -> bool) -> u64 {
         let complete = |command: &Outstanding| of(command.tag).then_some(command.complete);
-        self.outstanding
-            .iter()
-            .filter_map(complete)
-            .max()
-            .unwrap_or(0)
+        self.outstanding.iter().filter_map(complete).max().unwrap_or(0)
     }
 
     /// Times a movement that was made at `now`, and sends its data if it is delivered later.
@@ -85,13 +79,7 @@ impl Transfers {
         memory: &mut MemorySystem,
         arrivals: &Arrivals,
     ) -> u64 {
-        let Command {
-            operation,
-            order,
-            tag,
-            ea,
-            ..
-        } = movement.command;
+        let Command { operation, order, tag, ea, .. } = movement.command;
         if let Some(atomic) = movement.atomic {
             self.atomic = memory.atomic(ea, atomic, now);
             self.commands.atomic += 1;
@@ -152,10 +140,7 @@ impl SpuTransfers {
     /// The transfers of SPE `number`.
     pub fn new(number: u64, simulation: &Arc<Simulation>) -> Self {
         Self {
-            transfers: Arc::new(Mutex::new(Transfers::new(
-                number,
-                simulation.timing().memory,
-            ))),
+            transfers: Arc::new(Mutex::new(Transfers::new(number, simulation.timing().memory))),
             simulation: Arc::clone(simulation),
         }
     }
@@ -222,20 +207,10 @@ mod tests {
     };
 
     fn movement(word: u32, tag: u32) -> Movement {
-        let parameters = Parameters {
-            size: 128,
-            tag,
-            ..Parameters::default()
-        };
+        let parameters = Parameters { size: 128, tag, ..Parameters::default() };
         Movement {
             command: Command::new(word, parameters, Side::Spu).unwrap(),
-            pieces: vec![Piece {
-                lsa: 0,
-                ea: 0,
-                size: 128,
-                peer: Peer::Memory,
-                pending: None,
-            }],
+            pieces: vec![Piece { lsa: 0, ea: 0, size: 128, peer: Peer::Memory, pending: None }],
             stalled: false,
             atomic: None,
         }
@@ -269,22 +244,13 @@ mod tests {
         let arrivals = Arrivals::default();
         transfers.add(movement(0x40, 1), 0, &mut memory, &arrivals);
         transfers.add(movement(0x20, 5), 0, &mut memory, &arrivals);
-        assert_eq!(
-            (transfers.busy_tags(), transfers.outstanding.len()),
-            (0b10_0010, 2)
-        );
+        assert_eq!((transfers.busy_tags(), transfers.outstanding.len()), (0b10_0010, 2));
         let first = transfers.next(u32::MAX).unwrap();
         transfers.advance(first - 1);
         assert_eq!(transfers.outstanding.len(), 2);
         transfers.advance(first);
-        assert_eq!(
-            (transfers.busy_tags(), transfers.outstanding.len()),
-            (0b10_0000, 1)
-        );
+        assert_eq!((transfers.busy_tags(), transfers.outstanding.len()), (0b10_0000, 1));
         let commands = &transfers.commands;
-        assert_eq!(
-            (commands.queued, commands.bytes_in, commands.bytes_out),
-            (2, 128, 128)
-        );
+        assert_eq!((commands.queued, commands.bytes_in, commands.bytes_out), (2, 128, 128));
     }
 }

@@ -52,8 +52,7 @@ impl Channels for RunningChannels<'_> {
         match channel {
             WR_EVENT_MASK => {
                 self.turn();
-                self.problem_state()
-                    .with(|state| state.events.set_mask(value));
+                self.problem_state().with(|state| state.events.set_mask(value));
             }
             WR_EVENT_ACK => {
                 self.turn();
@@ -89,11 +88,7 @@ impl Channels for RunningChannels<'_> {
             CMD if self.defer_put(value) => {}
             CMD => self.sleep_for_mfc(Wait::Queue, |mfc, path| mfc.command(value, path))?,
             WR_TAG_MASK => {
-                let tags = if self.own.mfc.awaits_tags() {
-                    u32::MAX
-                } else {
-                    0
-                };
+                let tags = if self.own.mfc.awaits_tags() { u32::MAX } else { 0 };
                 self.mfc_for(tags, |mfc, _| {
                     mfc.set_tag_mask(value);
                     Ok(())
@@ -146,10 +141,7 @@ impl Channels for RunningChannels<'_> {
 /// Whether the channel's value or count depends on the MFC or on another unit, so that the program
 /// may conclude from it that a command is complete.
 fn tells_of_others(channel: u8) -> bool {
-    !matches!(
-        channel,
-        RD_DEC | RD_EVENT_MASK | RD_TAG_MASK | RD_MACH_STAT | RD_SRR0
-    )
+    !matches!(channel, RD_DEC | RD_EVENT_MASK | RD_TAG_MASK | RD_MACH_STAT | RD_SRR0)
 }
 
 impl RunningChannels<'_> {
@@ -214,15 +206,11 @@ impl RunningChannels<'_> {
                 let count = self.own.mfc.atomic_status_count();
                 Ok(count * self.arrived(|transfers| transfers.atomic_at()))
             }
-            WR_OUT_MBOX => Ok(self
-                .problem_state()
-                .with(|state| count(state.outbound.room()))),
-            RD_IN_MBOX => Ok(self
-                .problem_state()
-                .with(|state| count(state.inbound.waiting()))),
-            WR_OUT_INTR_MBOX => Ok(self
-                .problem_state()
-                .with(|state| count(state.outbound_interrupt.room()))),
+            WR_OUT_MBOX => Ok(self.problem_state().with(|state| count(state.outbound.room()))),
+            RD_IN_MBOX => Ok(self.problem_state().with(|state| count(state.inbound.waiting()))),
+            WR_OUT_INTR_MBOX => {
+                Ok(self.problem_state().with(|state| count(state.outbound_interrupt.room())))
+            }
             WR_EVENT_MASK..=WR_EVENT_ACK
             | WR_DEC..=WR_MS_SYNC_REQ
             | RD_EVENT_MASK..=TAG_ID

@@ -68,11 +68,7 @@ struct Parts<'a, 'b> {
 }
 
 fn stop_at(pc: u32, reason: Stop) -> Stopped {
-    Stopped {
-        reason,
-        pc,
-        npc: pc,
-    }
+    Stopped { reason, pc, npc: pc }
 }
 
 /// A synergistic processor element.
@@ -90,9 +86,7 @@ impl Spe {
     #[must_use]
     pub fn new(machine: &Arc<Machine>, config: Config) -> Arc<Self> {
         let simulated = machine.simulation().map(SpeSide::new);
-        let sleepers = simulated
-            .as_ref()
-            .map(|side| (Arc::clone(&side.simulation), side.key()));
+        let sleepers = simulated.as_ref().map(|side| (Arc::clone(&side.simulation), side.key()));
         let policy = match simulated {
             Some(_) => Policy::AtOnce,
             None => config.policy,
@@ -158,13 +152,7 @@ impl Spe {
         prepare: impl FnOnce(&mut Spu),
     ) -> Option<Stopped> {
         self.run_by(entry, prepare, |parts| {
-            let Parts {
-                spu,
-                channels,
-                runner,
-                clock,
-                races,
-            } = parts;
+            let Parts { spu, channels, runner, clock, races } = parts;
             let runner = runner.filter(|_| !observer.wants_all());
             let store = &self.local_store;
             match (&self.simulated, runner) {
@@ -201,13 +189,7 @@ impl Spe {
     ) -> Option<Stopped> {
         const ONE: u64 = 1;
         self.run_by(entry, prepare, |parts| {
-            let Parts {
-                spu,
-                channels,
-                clock,
-                races,
-                ..
-            } = parts;
+            let Parts { spu, channels, clock, races, .. } = parts;
             let store = &self.local_store;
             loop {
                 if look(spu, &Halted::new(channels)).is_break() {
@@ -236,35 +218,19 @@ impl Spe {
         run: impl FnOnce(Parts<'_, '_>) -> Option<Stopped>,
     ) -> Option<Stopped> {
         let mut engine = lock(&self.engine);
-        let Engine {
-            spu,
-            state,
-            clock,
-            races,
-            runner,
-        } = &mut *engine;
+        let Engine { spu, state, clock, races, runner } = &mut *engine;
         let (clock, races): (&RefCell<SpuClock>, &RefCell<Races>) = (clock, races);
         spu.set_pc(entry);
         prepare(spu);
         if let Some(side) = &self.simulated {
             side.start(clock);
         }
-        let mut channels = RunningChannels {
-            own: state,
-            spe: self,
-            clock,
-            races,
-        };
+        let mut channels = RunningChannels { own: state, spe: self, clock, races };
         let mut stopped = if self.problem_state.stop_requested() {
             Some(stop_at(spu.pc(), Stop::Requested))
         } else {
-            let parts = Parts {
-                spu,
-                channels: &mut channels,
-                runner: runner.as_mut(),
-                clock,
-                races,
-            };
+            let parts =
+                Parts { spu, channels: &mut channels, runner: runner.as_mut(), clock, races };
             run(parts)
         };
         if let Err(fault) = channels.finish_commands() {
@@ -327,9 +293,7 @@ impl Spe {
     /// or of counting its cycles: the address, and a description.
     #[must_use]
     pub fn difference(&self) -> Option<(u32, String)> {
-        let counted = self
-            .simulation()
-            .and_then(|simulation| simulation.difference());
+        let counted = self.simulation().and_then(|simulation| simulation.difference());
         let counted = counted.map(|difference| (difference.address, difference.to_string()));
         let run = || Some(self.machine.difference()?.described());
         counted.or_else(run)

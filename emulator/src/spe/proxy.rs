@@ -43,9 +43,7 @@ pub(super) struct Proxy {
 
 impl Proxy {
     pub(super) fn new(policy: Policy) -> Self {
-        Self {
-            queue: Queue::new(PROXY_QUEUE_DEPTH, policy),
-        }
+        Self { queue: Queue::new(PROXY_QUEUE_DEPTH, policy) }
     }
 }
 
@@ -75,12 +73,8 @@ impl Spe {
     /// Gives a command to the proxy queue. Returns an error if the command itself is wrong. A
     /// storage fault does not return an error, but ends the SPU's run.
     pub fn proxy_command(&self, command: ProxyCommand) -> Result<(), DmaError> {
-        let parameters = Parameters {
-            lsa: command.lsa,
-            ea: command.ea,
-            size: command.size,
-            tag: command.tag,
-        };
+        let parameters =
+            Parameters { lsa: command.lsa, ea: command.ea, size: command.size, tag: command.tag };
         let command = Command::new(command.opcode, parameters, Side::Proxy)?;
         self.act(|| self.enqueue_proxy(command));
         Ok(())

@@ -99,9 +99,7 @@ impl<'a> RunningChannels<'a> {
     fn advance_transfers(&mut self) {
         if self.simulated().is_some() {
             let now = self.clock.borrow().now();
-            self.own
-                .mfc
-                .change_transfers(|transfers| transfers.advance(now));
+            self.own.mfc.change_transfers(|transfers| transfers.advance(now));
             self.problem_state().raise(self.own.mfc.take_events());
         }
     }
@@ -178,10 +176,8 @@ impl<'a> RunningChannels<'a> {
             return false;
         };
         let now = self.clock.borrow().now();
-        let (machine, problem_state) = (
-            Arc::clone(&self.spe.machine),
-            Arc::clone(&self.spe.problem_state),
-        );
+        let (machine, problem_state) =
+            (Arc::clone(&self.spe.machine), Arc::clone(&self.spe.problem_state));
         let mut transfers = transfers.shared();
         let tag = put.tag_bit();
         let told = {
@@ -327,12 +323,7 @@ impl<'a> RunningChannels<'a> {
             if let Some(value) = self.mfc_for(tags, &mut poll)? {
                 return Ok(value);
             }
-            match self
-                .own
-                .mfc
-                .transfers()
-                .and_then(|transfers| transfers.next(tags))
-            {
+            match self.own.mfc.transfers().and_then(|transfers| transfers.next(tags)) {
                 Some(complete) => self.sleep_until(complete, wait),
                 None => return self.sleep_for_ever(wait),
             }
@@ -402,16 +393,9 @@ impl<'a> RunningChannels<'a> {
         let decrementer = self
             .decrementer_ticks()
             .map(|ticks| simulated::cycle_of_tick(self.now().saturating_add(ticks)));
-        let line = self
-            .line_watch()
-            .map(|watch| now + simulated::cycles(watch));
+        let line = self.line_watch().map(|watch| now + simulated::cycles(watch));
         let mfc = (self.event_mask() & (event::TAG_STATUS | event::QUEUE_ROOM) != 0)
-            .then(|| {
-                self.own
-                    .mfc
-                    .transfers()
-                    .and_then(|transfers| transfers.next(u32::MAX))
-            })
+            .then(|| self.own.mfc.transfers().and_then(|transfers| transfers.next(u32::MAX)))
             .flatten();
         [decrementer, line, mfc].into_iter().flatten().min()
     }

@@ -1,10 +1,7 @@
 //! The emulator's tests. They are one program, because linking takes most of a test program's
 //! time.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "the harness shows it with a failed test"
-)]
+#![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
 #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
 mod compiled;

@@ -49,15 +49,7 @@ impl Channels for Open {
 }
 
 fn i(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction {
-        op,
-        rt,
-        ra,
-        rb: 0,
-        rc: 0,
-        branch_distance: 0,
-        immediate,
-    }
+    Instruction { op, rt, ra, rb: 0, rc: 0, branch_distance: 0, immediate }
 }
 
 fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stopped) {
@@ -66,9 +58,8 @@ fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stop
         local_store.write(address, &instruction.encode().to_be_bytes());
     }
     let mut timer = Timer::default();
-    let stopped = spu
-        .run_observed(&local_store, channels, 10_000, &mut timer)
-        .expect("the program stops");
+    let stopped =
+        spu.run_observed(&local_store, channels, 10_000, &mut timer).expect("the program stops");
     (timer, stopped)
 }
 
@@ -104,15 +95,9 @@ fn each_taken_branch_misses_without_a_hint() {
 
 #[test]
 fn a_hint_saves_all_but_the_last_pass() {
-    let relative = Instruction {
-        branch_distance: 0x38 - 8,
-        ..i(Op::Hbrr, 0, 0, 8)
-    };
+    let relative = Instruction { branch_distance: 0x38 - 8, ..i(Op::Hbrr, 0, 0, 8) };
     // For an hbr, the timer reads the target from the register, which must be set before: il at 1.
-    let register = Instruction {
-        branch_distance: 0x38 - 8,
-        ..i(Op::Hbr, 0, 4, 0)
-    };
+    let register = Instruction { branch_distance: 0x38 - 8, ..i(Op::Hbr, 0, 4, 0) };
     // The hint issues at 2 (hbr: at 3, after waiting for il) and works at 18 (19). The first brnz
     // would issue at 4 + 10 = 14 (15), so it waits 4 cycles. Leaving the loop is a miss.
     for (hint, late) in [(relative, 0), (register, 1)] {
@@ -128,10 +113,7 @@ fn a_hint_saves_all_but_the_last_pass() {
 fn a_hint_whose_register_is_wrong_misses_always() {
     // $5 is 0, not 0x10: the hint is wrong when the branch is taken, and also when it is not taken
     // at the end.
-    let wrong = Instruction {
-        branch_distance: 0x38 - 8,
-        ..i(Op::Hbr, 0, 5, 0)
-    };
+    let wrong = Instruction { branch_distance: 0x38 - 8, ..i(Op::Hbr, 0, 5, 0) };
     let (timer, _) = counted(10, Some(wrong));
     assert_eq!(timer.pipeline.account().waited(Cause::BranchMiss), 10 * 18);
 }
@@ -157,12 +139,8 @@ fn an_interrupt_is_a_miss() {
 
 #[test]
 fn timing_changes_nothing() {
-    let code = [
-        i(Op::Il, 3, 0, 5),
-        i(Op::Rdch, 4, 29, 0),
-        i(Op::Ai, 3, 4, 3),
-        i(Op::Stop, 0, 0, 1),
-    ];
+    let code =
+        [i(Op::Il, 3, 0, 5), i(Op::Rdch, 4, 29, 0), i(Op::Ai, 3, 4, 3), i(Op::Stop, 0, 0, 1)];
     let (mut plain, mut timed) = (Spu::new(), Spu::new());
     run(&code, &mut timed, &mut Open::default());
     let local_store = LocalStore::new();

@@ -82,23 +82,14 @@ pub fn rows() -> Result<Vec<Row>, FftError> {
         (Size::Large, 6),
         (Size::Large, 8),
     ];
-    all.into_iter()
-        .map(|(size, spus)| row(size, spus))
-        .collect()
+    all.into_iter().map(|(size, spus)| row(size, spus)).collect()
 }
 
 fn row(size: Size, spus: u32) -> Result<Row, FftError> {
     let input = example(size, 1);
     let done = transform(size, &input, spus, TIMES)?;
     let (mean_error, largest_error) = errors(&done.output, &reference(&input));
-    Ok(Row {
-        size,
-        spus,
-        cycles: done.cycles,
-        bound: bound(size, spus),
-        mean_error,
-        largest_error,
-    })
+    Ok(Row { size, spus, cycles: done.cycles, bound: bound(size, spus), mean_error, largest_error })
 }
 
 /// The whole page.
@@ -146,10 +137,7 @@ pub fn errors(output: &[Complex], exact: &[[f64; 2]]) -> (f64, f64) {
     let square = |[real, imaginary]: [f64; 2]| real * real + imaginary * imaginary;
     let (mut sum, mut largest, mut scale) = (0.0, 0.0_f64, 0.0);
     for (output, exact) in output.iter().zip(exact) {
-        let error = square([
-            f64::from(output[0]) - exact[0],
-            f64::from(output[1]) - exact[1],
-        ]);
+        let error = square([f64::from(output[0]) - exact[0], f64::from(output[1]) - exact[1]]);
         sum += error;
         largest = largest.max(error);
         scale += square(*exact);
@@ -161,34 +149,19 @@ pub fn errors(output: &[Complex], exact: &[[f64; 2]]) -> (f64, f64) {
 /// The transform by f64 and by another algorithm: halves of even and odd numbers.
 #[must_use]
 pub fn reference(input: &[Complex]) -> Vec<[f64; 2]> {
-    halves(
-        &input
-            .iter()
-            .map(|number| number.map(f64::from))
-            .collect::<Vec<_>>(),
-    )
+    halves(&input.iter().map(|number| number.map(f64::from)).collect::<Vec<_>>())
 }
 
 fn halves(input: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if input.len() == 1 {
         return input.to_vec();
     }
-    let every_second = |first| {
-        input
-            .iter()
-            .skip(first)
-            .step_by(2)
-            .copied()
-            .collect::<Vec<_>>()
-    };
+    let every_second = |first| input.iter().skip(first).step_by(2).copied().collect::<Vec<_>>();
     let (even, odd) = (halves(&every_second(0)), halves(&every_second(1)));
     let mut result = vec![[0.0; 2]; input.len()];
     for (k, (even, odd)) in even.iter().zip(&odd).enumerate() {
         let (sine, cosine) = libm::sincos(-std::f64::consts::TAU * k as f64 / input.len() as f64);
-        let turned = [
-            cosine * odd[0] - sine * odd[1],
-            cosine * odd[1] + sine * odd[0],
-        ];
+        let turned = [cosine * odd[0] - sine * odd[1], cosine * odd[1] + sine * odd[0]];
         for part in 0..2 {
             result[k][part] = even[part] + turned[part];
             result[k + input.len() / 2][part] = even[part] - turned[part];

@@ -26,10 +26,7 @@ impl Butterfly {
             let (sine, cosine) = libm::sincos(TAU * number as f64 / length as f64);
             [(sine / cosine) as f32, cosine as f32]
         };
-        Self {
-            square: pair(2 * number),
-            first: pair(number),
-        }
+        Self { square: pair(2 * number), first: pair(number) }
     }
 
     /// A record of `plain/transform.s`.
@@ -69,18 +66,16 @@ pub(crate) fn lines(numbers: &[Complex]) -> Vec<u8> {
 pub(crate) fn coarse_bytes(size: Size) -> Vec<u8> {
     let side = size.side();
     let batches = side / LINE;
-    let factors: Vec<Complex> = (0..batches)
-        .flat_map(|batch| (0..side).map(move |row| coarse(size, row, batch)))
-        .collect();
+    let factors: Vec<Complex> =
+        (0..batches).flat_map(|batch| (0..side).map(move |row| coarse(size, row, batch))).collect();
     split(&factors, 4)
 }
 
 /// The fine factors, a line for each row.
 pub(crate) fn fine_bytes(size: Size) -> Vec<u8> {
     let rows = 0..size.side();
-    let factors: Vec<Complex> = rows
-        .flat_map(|row| (0..LINE).map(move |place| fine(size, row, place)))
-        .collect();
+    let factors: Vec<Complex> =
+        rows.flat_map(|row| (0..LINE).map(move |place| fine(size, row, place))).collect();
     lines(&factors)
 }
 
@@ -108,8 +103,5 @@ pub(crate) fn numbers(bytes: &[u8]) -> Vec<Complex> {
         let words: Vec<f32> = line.chunks_exact(4).map(word).collect();
         (0..LINE).map(move |at| [words[at], words[LINE + at]])
     };
-    bytes
-        .chunks_exact(8 * LINE)
-        .flat_map(|line| of_line(line).collect::<Vec<_>>())
-        .collect()
+    bytes.chunks_exact(8 * LINE).flat_map(|line| of_line(line).collect::<Vec<_>>()).collect()
 }

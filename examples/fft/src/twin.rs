@@ -22,10 +22,7 @@ type Bits = [u32; 2];
 #[must_use]
 pub fn transform(size: Size, input: &[Complex]) -> Vec<Complex> {
     assert_eq!(input.len(), size.numbers());
-    let input: Vec<Bits> = input
-        .iter()
-        .map(|number| number.map(f32::to_bits))
-        .collect();
+    let input: Vec<Bits> = input.iter().map(|number| number.map(f32::to_bits)).collect();
     let output = match size {
         Size::Small => {
             let columns = stages(64, &input);
@@ -52,18 +49,13 @@ pub fn transform(size: Size, input: &[Complex]) -> Vec<Complex> {
             output
         }
     };
-    output
-        .iter()
-        .map(|number| number.map(f32::from_bits))
-        .collect()
+    output.iter().map(|number| number.map(f32::from_bits)).collect()
 }
 
 /// The lines of a matrix's columns 16 `number` to 16 `number` + 15.
 fn batch(size: Size, matrix: &[Bits], number: usize) -> Vec<Bits> {
     let rows = matrix.chunks_exact(size.side());
-    rows.flat_map(|row| &row[number * LINE..][..LINE])
-        .copied()
-        .collect()
+    rows.flat_map(|row| &row[number * LINE..][..LINE]).copied().collect()
 }
 
 /// Transforms of length `length` of what is in the same place of lines `LINES / length` apart.
@@ -136,10 +128,7 @@ fn stage(joined: usize, lines: &[Bits]) -> Vec<Bits> {
 fn twiddle(x: Bits, z: Bits, [tangent, cosine]: [u32; 2]) -> (Bits, Bits) {
     let u = fma(z[1], tangent, z[0]);
     let v = fnms(z[0], tangent, z[1]);
-    (
-        [fma(u, cosine, x[0]), fma(v, cosine, x[1])],
-        [fnms(u, cosine, x[0]), fnms(v, cosine, x[1])],
-    )
+    ([fma(u, cosine, x[0]), fma(v, cosine, x[1])], [fnms(u, cosine, x[0]), fnms(v, cosine, x[1])])
 }
 
 /// The lines of a batch times their factors, column after column.
@@ -157,8 +146,5 @@ fn turn(size: Size, number: usize, lines: &[Bits]) -> Vec<Bits> {
 }
 
 fn times(a: Bits, b: Bits) -> Bits {
-    [
-        fms(a[0], b[0], fm(a[1], b[1])),
-        fma(a[0], b[1], fm(a[1], b[0])),
-    ]
+    [fms(a[0], b[0], fm(a[1], b[1])), fma(a[0], b[1], fm(a[1], b[0]))]
 }

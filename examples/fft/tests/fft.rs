@@ -2,10 +2,7 @@
 //! the scheduled loops with the plain ones. It sets the whole process's environment, so it is a
 //! program of its own. `MAKE_REF=1` writes the scheduled file and the page instead of comparing.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::fs;
 use std::path::Path;
@@ -32,12 +29,7 @@ fn main() {
     compare(&Path::new(HERE).join("README.md"), &page(&rows));
     the_loops_are_what_the_scheduler_makes();
     an_impulse_gives_the_roots_of_unity();
-    for (size, spus) in [
-        (Size::Small, 1),
-        (Size::Large, 1),
-        (Size::Large, 6),
-        (Size::Large, 16),
-    ] {
+    for (size, spus) in [(Size::Small, 1), (Size::Large, 1), (Size::Large, 6), (Size::Large, 16)] {
         agrees_with_twin_and_f64(size, spus);
     }
 }
@@ -49,10 +41,7 @@ fn compare(path: &Path, text: &str) {
     }
     let found = fs::read_to_string(path).expect("the file is there");
     let path = path.display();
-    assert!(
-        found == text,
-        "{path} is stale: MAKE_REF=1 cargo test -p fft"
-    );
+    assert!(found == text, "{path} is stale: MAKE_REF=1 cargo test -p fft");
 }
 
 fn the_loops_are_what_the_scheduler_makes() {
@@ -84,15 +73,9 @@ fn agrees_with_twin_and_f64(size: Size, spus: u32) {
     for seed in 1..3 {
         let input = example(size, seed);
         let done = transform(size, &input, spus, 1).expect("libspe2 runs it");
-        assert!(
-            done.output == twin::transform(size, &input),
-            "{size:?} on {spus}: other bits"
-        );
+        assert!(done.output == twin::transform(size, &input), "{size:?} on {spus}: other bits");
         let (mean, largest) = errors(&done.output, &reference(&input));
-        assert!(
-            mean < MEAN_ERROR && largest < LARGEST_ERROR,
-            "{mean:e} {largest:e}"
-        );
+        assert!(mean < MEAN_ERROR && largest < LARGEST_ERROR, "{mean:e} {largest:e}");
     }
 }
 
@@ -100,9 +83,7 @@ fn agrees_with_twin_and_f64(size: Size, spus: u32) {
 fn an_impulse_gives_the_roots_of_unity() {
     let mut input: Vec<Complex> = vec![[0.0; 2]; Size::Small.numbers()];
     input[1] = [1.0, 0.0];
-    let output = transform(Size::Small, &input, 1, 1)
-        .expect("libspe2 runs it")
-        .output;
+    let output = transform(Size::Small, &input, 1, 1).expect("libspe2 runs it").output;
     for (k, [real, imaginary]) in output.into_iter().enumerate() {
         let (sine, cosine) = libm::sincos(std::f64::consts::TAU * k as f64 / 4096.0);
         let error = libm::hypot(f64::from(real) - cosine, f64::from(imaginary) + sine);

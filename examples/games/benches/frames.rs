@@ -3,10 +3,7 @@
 //!
 //!     cargo bench -p games
 
-#![expect(
-    clippy::print_stdout,
-    reason = "a benchmark has nothing to lose but its output"
-)]
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
 use std::error::Error;
 use std::process::Command;
@@ -21,17 +18,12 @@ const TIMING: &str = "LIBSPE2_TIMING";
 fn main() -> Result<(), Box<dyn Error>> {
     if std::env::var_os(TIMING).is_none() {
         // The library reads the variable when a program starts.
-        let status = Command::new(std::env::current_exe()?)
-            .env(TIMING, "1")
-            .status()?;
+        let status = Command::new(std::env::current_exe()?).env(TIMING, "1").status()?;
         std::process::exit(status.code().unwrap_or(1));
     }
     println!("| game | frames/s | million rays: eye, reflected, refracted, shadow | objects |");
     println!("|---|---|---|---|");
-    let settings = Settings {
-        retain: false,
-        ..Settings::default()
-    };
+    let settings = Settings { retain: false, ..Settings::default() };
     for demo in DEMOS {
         let mut report = Report::new(demo.name, SIZE, settings.spus);
         let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;

@@ -23,16 +23,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let frames: u64 = arguments.next().ok_or(usage)?.parse()?;
     let file = Path::new(&name);
     let is_file = file.extension().is_some_and(|extension| extension == "nff");
-    let settings = Settings {
-        retain: !is_file,
-        ..Settings::default()
-    };
+    let settings = Settings { retain: !is_file, ..Settings::default() };
     let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
     let started = match arguments.next() {
-        Some(file) => Settings {
-            program: Program::from_file(Path::new(&file))?,
-            ..settings
-        },
+        Some(file) => Settings { program: Program::from_file(Path::new(&file))?, ..settings },
         None => settings,
     };
     let mut engine = Engine::start(started, Box::new(picture))?;

@@ -52,10 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn world() -> Result<(World, Vec<MeshId>), WorldError> {
     let mut world = World::new();
-    world.set_render_options(RenderOptions {
-        ray_depth: 4,
-        ..RenderOptions::default()
-    });
+    world.set_render_options(RenderOptions { ray_depth: 4, ..RenderOptions::default() });
     world.look_from([0.0, 3.4, 9.6], [0.0, 0.1, 0.0])?;
     world.set_background([0.24, 0.36, 0.55])?;
     world.set_ambient(DVec3::splat(0.12))?;
@@ -64,10 +61,7 @@ fn world() -> Result<(World, Vec<MeshId>), WorldError> {
     let mirror = world.add_material(Material {
         colour: DVec3::new(0.62, 0.58, 0.52),
         specular: 0.3,
-        shader: Shader::Checker {
-            other: DVec3::new(0.25, 0.22, 0.2),
-            size: 1.0,
-        },
+        shader: Shader::Checker { other: DVec3::new(0.25, 0.22, 0.2), size: 1.0 },
         ..Material::matte(0.5, 0.5, 0.5)
     })?;
     let floor = [[-12, 9], [12, 9], [12, -12], [-12, -12]];
@@ -118,11 +112,7 @@ fn knot() -> Mesh {
     let middle = |along: u32| {
         let (sine, cosine) = libm::sincos(TAU * f64::from(along) / f64::from(ALONG));
         let (two, three) = (2.0 * cosine * cosine - 1.0, 3.0 - 4.0 * sine * sine);
-        DVec3::new(
-            sine + 4.0 * sine * cosine,
-            -0.9 * sine * three,
-            cosine - 2.0 * two,
-        ) * 0.5
+        DVec3::new(sine + 4.0 * sine * cosine, -0.9 * sine * three, cosine - 2.0 * two) * 0.5
     };
     let mut mesh = Mesh::default();
     for along in 0..ALONG {

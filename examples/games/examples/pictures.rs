@@ -21,11 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let named: Vec<_> = arguments
         .map(|name| demo(&name).ok_or(format!("no demonstration is called {name}")))
         .collect::<Result<_, _>>()?;
-    let wanted: Vec<&Demo> = if named.is_empty() {
-        DEMOS.iter().collect()
-    } else {
-        named
-    };
+    let wanted: Vec<&Demo> = if named.is_empty() { DEMOS.iter().collect() } else { named };
     for demo in wanted {
         let path = folder.join(demo.name).with_extension("png");
         demo.play((width, height), 1, |world| -> Result<(), Box<dyn Error>> {

@@ -28,12 +28,7 @@ impl Body {
     /// A ball at rest with the mass that fits its size.
     #[must_use]
     pub fn new(centre: DVec3, radius: f64) -> Self {
-        Self {
-            centre,
-            velocity: DVec3::ZERO,
-            radius,
-            mass: radius * radius * radius,
-        }
+        Self { centre, velocity: DVec3::ZERO, radius, mass: radius * radius * radius }
     }
 
     /// The energy of its velocity.
@@ -107,11 +102,7 @@ fn line_between(a: &Body, b: &Body) -> (DVec3, f64) {
     let between = b.centre - a.centre;
     let distance = between.length();
     // Two balls in one place may separate in any direction, as long as it is always the same.
-    let normal = if distance > 0.0 {
-        between / distance
-    } else {
-        DVec3::X
-    };
+    let normal = if distance > 0.0 { between / distance } else { DVec3::X };
     (normal, distance)
 }
 
@@ -128,11 +119,7 @@ fn since_contact(between: DVec3, closing: DVec3, reach: f64) -> f64 {
         return 0.0;
     }
     let root = (along * along + speed * depth).sqrt();
-    let since = if along > 0.0 {
-        depth / (along + root)
-    } else {
-        (root - along) / speed
-    };
+    let since = if along > 0.0 { depth / (along + root) } else { (root - along) / speed };
     if since <= STEP { since } else { 0.0 }
 }
 
@@ -190,10 +177,8 @@ mod tests {
         let radius = 0.0286;
         let contact = (4.0 * radius * radius - offset * offset).sqrt();
         let moved = speed * STEP * part;
-        let a = Body {
-            velocity: DVec3::X * speed,
-            ..Body::new(DVec3::X * (moved - contact), radius)
-        };
+        let a =
+            Body { velocity: DVec3::X * speed, ..Body::new(DVec3::X * (moved - contact), radius) };
         (a, Body::new(DVec3::Z * offset, radius))
     }
 
@@ -240,10 +225,7 @@ mod tests {
     #[test]
     fn equal_balls_exchange_what_is_along_the_line_between_them() {
         let mut balls = [
-            Body {
-                velocity: DVec3::new(2.0, 1.0, 0.0),
-                ..Body::new(DVec3::ZERO, 0.5)
-            },
+            Body { velocity: DVec3::new(2.0, 1.0, 0.0), ..Body::new(DVec3::ZERO, 0.5) },
             Body::new(DVec3::X * 0.9, 0.5),
         ];
         pairs(&mut balls, |a, b| {

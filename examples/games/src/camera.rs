@@ -10,11 +10,7 @@ const ARRIVED: f64 = 1e-5;
 #[must_use]
 pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
     let way = to - from;
-    if way.length_squared() < ARRIVED * ARRIVED {
-        to
-    } else {
-        from + way * part
-    }
+    if way.length_squared() < ARRIVED * ARRIVED { to } else { from + way * part }
 }
 
 #[cfg(test)]

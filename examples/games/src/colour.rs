@@ -6,13 +6,9 @@ use cellray::game::DVec3;
 #[must_use]
 pub fn hue(turn: f64, grey: f64) -> DVec3 {
     let sixth = (turn - turn.floor()) * 6.0;
-    let pure = DVec3::new(
-        (sixth - 3.0).abs() - 1.0,
-        2.0 - (sixth - 2.0).abs(),
-        2.0 - (sixth - 4.0).abs(),
-    );
-    pure.clamp(DVec3::ZERO, DVec3::ONE)
-        .lerp(DVec3::splat(0.75), grey)
+    let pure =
+        DVec3::new((sixth - 3.0).abs() - 1.0, 2.0 - (sixth - 2.0).abs(), 2.0 - (sixth - 4.0).abs());
+    pure.clamp(DVec3::ZERO, DVec3::ONE).lerp(DVec3::splat(0.75), grey)
 }
 
 #[cfg(test)]

@@ -32,41 +32,18 @@ pub const DEMOS: &[Demo] = &[
     Demo {
         name: "billiards-aim",
         game: &billiards::ENTRY,
-        keys: &[
-            (Key::Up, 1, 12),
-            (Key::Space, 20, 22),
-            (Key::Left, 470, 512),
-        ],
+        keys: &[(Key::Up, 1, 12), (Key::Space, 20, 22), (Key::Left, 470, 512)],
         frame: 540,
     },
     Demo {
         name: "marbles",
         game: &marbles::ENTRY,
-        keys: &[
-            (Key::Right, 5, 24),
-            (Key::Down, 14, 40),
-            (Key::Left, 34, 60),
-        ],
+        keys: &[(Key::Right, 5, 24), (Key::Down, 14, 40), (Key::Left, 34, 60)],
         frame: 62,
     },
-    Demo {
-        name: "orrery",
-        game: &orrery::ENTRY,
-        keys: &[],
-        frame: 240,
-    },
-    Demo {
-        name: "orrery-saturn",
-        game: &orrery::ENTRY,
-        keys: &[(Key::Digit6, 2, 4)],
-        frame: 260,
-    },
-    Demo {
-        name: "screensaver",
-        game: &screensaver::ENTRY,
-        keys: &[],
-        frame: 130,
-    },
+    Demo { name: "orrery", game: &orrery::ENTRY, keys: &[], frame: 240 },
+    Demo { name: "orrery-saturn", game: &orrery::ENTRY, keys: &[(Key::Digit6, 2, 4)], frame: 260 },
+    Demo { name: "screensaver", game: &screensaver::ENTRY, keys: &[], frame: 130 },
     Demo {
         name: "screensaver-lights",
         game: &screensaver::ENTRY,
@@ -96,11 +73,7 @@ impl Demo {
                     input.apply(&InputEvent::Key { key, down });
                 }
             }
-            let step = if frame == 0 {
-                0.0
-            } else {
-                1.0 / f64::from(RATE)
-            };
+            let step = if frame == 0 { 0.0 } else { 1.0 / f64::from(RATE) };
             let frame = Frame {
                 number: frame,
                 time: frame as f64 / f64::from(RATE),

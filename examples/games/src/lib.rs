@@ -19,12 +19,7 @@ pub mod steps;
 use cellray::game::Entry;
 
 /// All games.
-pub const GAMES: &[Entry] = &[
-    billiards::ENTRY,
-    marbles::ENTRY,
-    orrery::ENTRY,
-    screensaver::ENTRY,
-];
+pub const GAMES: &[Entry] = &[billiards::ENTRY, marbles::ENTRY, orrery::ENTRY, screensaver::ENTRY];
 
 /// The game with this name.
 #[must_use]

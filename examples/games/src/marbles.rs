@@ -117,11 +117,7 @@ impl Marbles {
         for (number, body) in self.bodies.iter_mut().enumerate() {
             // Rows of four, with the player's marble in front.
             let (across, deep) = (number % 4, number / 4);
-            let radius = if number == 0 {
-                0.34
-            } else {
-                self.chance.random_range(0.22..0.4)
-            };
+            let radius = if number == 0 { 0.34 } else { self.chance.random_range(0.22..0.4) };
             let mut within = || self.chance.random_range(-0.2..0.2);
             let place = DVec3::new(
                 (across as f64 - 1.5) * 1.5 + within(),
@@ -138,11 +134,8 @@ impl Marbles {
         let mut place = DVec3::ZERO;
         // All marbles together cover a small part of the tray, so one or two tries are enough.
         for _ in 0..16 {
-            place = DVec3::new(
-                self.chance.random_range(-x..x),
-                GEM,
-                self.chance.random_range(-z..z),
-            );
+            place =
+                DVec3::new(self.chance.random_range(-x..x), GEM, self.chance.random_range(-z..z));
             let clear = |body: &Body| body.centre.distance(place) > body.radius + 3.0 * GEM;
             if self.bodies.iter().all(clear) {
                 break;
@@ -156,10 +149,7 @@ impl Marbles {
             diffuse: 0.22,
             specular: 0.66,
             shine: 120.0,
-            shader: Shader::Checker {
-                other: DVec3::new(0.1, 0.13, 0.2),
-                size: TRAY.0 / 6.0,
-            },
+            shader: Shader::Checker { other: DVec3::new(0.1, 0.13, 0.2), size: TRAY.0 / 6.0 },
             ..Material::matte(0.62, 0.66, 0.74)
         })?;
         let wood = world.add_material(Material {
@@ -172,47 +162,16 @@ impl Marbles {
         let p = DVec3::new;
         let low = -0.12;
         let fixed = [
-            (
-                mirror,
-                [p(-x, 0., z), p(x, 0., z), p(x, 0., -z), p(-x, 0., -z)],
-            ),
+            (mirror, [p(-x, 0., z), p(x, 0., z), p(x, 0., -z), p(-x, 0., -z)]),
             // The tops of the rim. The long ones include the corners.
-            (
-                wood,
-                [
-                    p(-far_x, h, far_z),
-                    p(far_x, h, far_z),
-                    p(far_x, h, z),
-                    p(-far_x, h, z),
-                ],
-            ),
-            (
-                wood,
-                [
-                    p(-far_x, h, -z),
-                    p(far_x, h, -z),
-                    p(far_x, h, -far_z),
-                    p(-far_x, h, -far_z),
-                ],
-            ),
-            (
-                wood,
-                [p(-far_x, h, z), p(-x, h, z), p(-x, h, -z), p(-far_x, h, -z)],
-            ),
-            (
-                wood,
-                [p(x, h, z), p(far_x, h, z), p(far_x, h, -z), p(x, h, -z)],
-            ),
+            (wood, [p(-far_x, h, far_z), p(far_x, h, far_z), p(far_x, h, z), p(-far_x, h, z)]),
+            (wood, [p(-far_x, h, -z), p(far_x, h, -z), p(far_x, h, -far_z), p(-far_x, h, -far_z)]),
+            (wood, [p(-far_x, h, z), p(-x, h, z), p(-x, h, -z), p(-far_x, h, -z)]),
+            (wood, [p(x, h, z), p(far_x, h, z), p(far_x, h, -z), p(x, h, -z)]),
             // The rim's inner sides.
-            (
-                wood,
-                [p(-x, 0., -z), p(x, 0., -z), p(x, h, -z), p(-x, h, -z)],
-            ),
+            (wood, [p(-x, 0., -z), p(x, 0., -z), p(x, h, -z), p(-x, h, -z)]),
             (wood, [p(x, 0., z), p(-x, 0., z), p(-x, h, z), p(x, h, z)]),
-            (
-                wood,
-                [p(-x, 0., z), p(-x, 0., -z), p(-x, h, -z), p(-x, h, z)],
-            ),
+            (wood, [p(-x, 0., z), p(-x, 0., -z), p(-x, h, -z), p(-x, h, z)]),
             (wood, [p(x, 0., -z), p(x, 0., z), p(x, h, z), p(x, h, -z)]),
             // The rim's outer sides.
             (
@@ -268,10 +227,7 @@ impl Marbles {
                     shine: 60.0,
                     ..Material::matte(1.0, 0.74, 0.22)
                 },
-                3 | 8 => Material {
-                    refraction_index: 1.3,
-                    ..Material::glass()
-                },
+                3 | 8 => Material { refraction_index: 1.3, ..Material::glass() },
                 _ => Material {
                     diffuse: 0.78,
                     specular: 0.22,
@@ -331,21 +287,14 @@ impl Marbles {
         // The direction is relative to the eye, which may be anywhere around the tray.
         let (sine, cosine) = libm::sincos(self.orbit.turn);
         let goal = goal.clamp(DVec3::splat(-TILT), DVec3::splat(TILT));
-        self.goal = DVec3::new(
-            goal.x * cosine + goal.z * sine,
-            0.0,
-            goal.z * cosine - goal.x * sine,
-        );
+        self.goal =
+            DVec3::new(goal.x * cosine + goal.z * sine, 0.0, goal.z * cosine - goal.x * sine);
     }
 
     /// A tilt relative to the eye: to the right and towards it.
     fn seen_from_the_eye(&self, tilt: DVec3) -> DVec3 {
         let (sine, cosine) = libm::sincos(self.orbit.turn);
-        DVec3::new(
-            tilt.x * cosine - tilt.z * sine,
-            0.0,
-            tilt.x * sine + tilt.z * cosine,
-        )
+        DVec3::new(tilt.x * cosine - tilt.z * sine, 0.0, tilt.x * sine + tilt.z * cosine)
     }
 
     fn roll(&mut self) {
@@ -354,11 +303,8 @@ impl Marbles {
         for body in &mut self.bodies {
             body.velocity += self.tilt * (PULL * STEP);
             let speed = body.velocity.length();
-            body.velocity = if speed > slower {
-                body.velocity * (1.0 - slower / speed)
-            } else {
-                DVec3::ZERO
-            };
+            body.velocity =
+                if speed > slower { body.velocity * (1.0 - slower / speed) } else { DVec3::ZERO };
             body.centre += body.velocity * STEP;
         }
         pairs(&mut self.bodies, |a, b| {
@@ -438,10 +384,7 @@ impl Game for Marbles {
             ..RenderOptions::default()
         });
         world.set_background(DVec3::new(0.46, 0.59, 0.74))?;
-        world.set_sky(Some(Sky {
-            zenith: DVec3::new(0.07, 0.15, 0.38),
-            up: DVec3::Y,
-        }))?;
+        world.set_sky(Some(Sky { zenith: DVec3::new(0.07, 0.15, 0.38), up: DVec3::Y }))?;
         world.set_ambient(DVec3::splat(0.11))?;
         world.add_light(Light::at(DVec3::new(-4.0, 7.0, 3.0)).coloured(0.66, 0.62, 0.55))?;
         world.add_light(Light::at(DVec3::new(5.0, 5.0, -2.0)).coloured(0.3, 0.34, 0.42))?;
@@ -472,10 +415,7 @@ mod tests {
     #[test]
     fn gems_and_rounds_are_counted() {
         let status = |won| {
-            let marbles = Marbles {
-                won,
-                ..Marbles::default()
-            };
+            let marbles = Marbles { won, ..Marbles::default() };
             marbles.status()
         };
         assert_eq!(status(0), "Gems: 0\nRound 1: 0 of 8");

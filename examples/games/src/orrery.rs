@@ -197,11 +197,7 @@ impl Orrery {
             diffuse: 1.0,
             specular: shine,
             shine: 14.0,
-            shader: if shine > 0.0 {
-                Shader::Phong
-            } else {
-                Shader::Lambert
-            },
+            shader: if shine > 0.0 { Shader::Phong } else { Shader::Lambert },
             ..Material::matte(red, green, blue)
         };
         for (number, planet) in PLANETS.iter().enumerate() {
@@ -232,9 +228,7 @@ impl Orrery {
             world.move_to(object, self.places[moon.planet] + moon.place(self.days))?;
         }
         for &(ring, stone, object) in &self.stones {
-            let centre = ring
-                .planet
-                .map_or(DVec3::ZERO, |planet| self.places[planet]);
+            let centre = ring.planet.map_or(DVec3::ZERO, |planet| self.places[planet]);
             world.move_to(object, centre + ring.place(stone, self.days))?;
         }
         Ok(())
@@ -279,10 +273,7 @@ impl Orrery {
     }
 
     fn look(&mut self, world: &mut World, input: &Input, seconds: f64) -> Result<(), WorldError> {
-        let goal = self
-            .followed
-            .checked_sub(1)
-            .map_or(DVec3::ZERO, |planet| self.places[planet]);
+        let goal = self.followed.checked_sub(1).map_or(DVec3::ZERO, |planet| self.places[planet]);
         let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
         let near = ARRIVED * self.orbit.distance;
         self.at = match self.at.distance(goal) < near {
@@ -342,9 +333,9 @@ impl Orrery {
     fn clear(&self, eye: DVec3) -> DVec3 {
         let radii = PLANETS.iter().map(|planet| planet.radius);
         let planets = self.places.iter().copied().zip(radii);
-        std::iter::once((DVec3::ZERO, SUN_RADIUS))
-            .chain(planets)
-            .fold(eye, |eye, (centre, radius)| {
+        std::iter::once((DVec3::ZERO, SUN_RADIUS)).chain(planets).fold(
+            eye,
+            |eye, (centre, radius)| {
                 let (away, least) = (eye - centre, radius + ROOM);
                 let distance = away.length();
                 if distance >= least {
@@ -354,7 +345,8 @@ impl Orrery {
                 } else {
                     centre + DVec3::Z * least
                 }
-            })
+            },
+        )
     }
 }
 
@@ -403,12 +395,7 @@ impl Game for Orrery {
         }
         let followed = self.followed.checked_sub(1);
         let planet = |number: usize| {
-            let Planet {
-                name,
-                radius,
-                colour,
-                ..
-            } = PLANETS[number];
+            let Planet { name, radius, colour, .. } = PLANETS[number];
             self.name(name, self.places[number], radius, colour.into())
         };
         let others = (0..PLANETS.len()).filter(|number| Some(*number) != followed);
@@ -460,11 +447,7 @@ impl Ring {
         let own = (f64::from(stone) * 0.618_034).fract() * 2.0 - 1.0;
         let radius = self.distance + self.width * own;
         let (tilt_sine, tilt_cosine) = libm::sincos(self.tilt.to_radians());
-        DVec3::new(
-            cosine * radius,
-            sine * radius * tilt_sine,
-            -sine * radius * tilt_cosine,
-        )
+        DVec3::new(cosine * radius, sine * radius * tilt_sine, -sine * radius * tilt_cosine)
     }
 }
 
@@ -509,17 +492,12 @@ mod tests {
     fn shell(places: impl Iterator<Item = DVec3>, radius: f64) -> (f64, f64) {
         let (least, most) = places
             .map(DVec3::length)
-            .fold((f64::INFINITY, 0.0_f64), |(least, most), off| {
-                (least.min(off), most.max(off))
-            });
+            .fold((f64::INFINITY, 0.0_f64), |(least, most), off| (least.min(off), most.max(off)));
         (least - radius, most + radius)
     }
 
     fn ring_shell(ring: &Ring) -> (f64, f64) {
-        let shell = shell(
-            (0..ring.stones).map(|stone| ring.place(stone, 3.0)),
-            ring.stone,
-        );
+        let shell = shell((0..ring.stones).map(|stone| ring.place(stone, 3.0)), ring.stone);
         let stray = ring.width + ring.stone + 1e-12;
         assert!(ring.distance - shell.0 <= stray && shell.1 - ring.distance <= stray);
         (ring.distance - stray, ring.distance + stray)
@@ -558,10 +536,8 @@ mod tests {
             (planet.distance - stray, planet.distance + stray)
         });
         let rings = RINGS.iter().filter(|ring| ring.planet.is_none());
-        let mut shells: Vec<_> = systems
-            .chain(rings.map(ring_shell))
-            .chain([(0.0, SUN_RADIUS)])
-            .collect();
+        let mut shells: Vec<_> =
+            systems.chain(rings.map(ring_shell)).chain([(0.0, SUN_RADIUS)]).collect();
         are_apart(&mut shells);
         assert_eq!(shells.len(), PLANETS.len() + 2);
     }

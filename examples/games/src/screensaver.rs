@@ -94,11 +94,7 @@ impl Screensaver {
 
     fn render_options(&self) -> RenderOptions {
         RenderOptions {
-            model: if self.whitted {
-                Model::Whitted
-            } else {
-                Model::Depth
-            },
+            model: if self.whitted { Model::Whitted } else { Model::Depth },
             ray_depth: RAY_DEPTH,
             ..RenderOptions::default()
         }
@@ -124,10 +120,7 @@ impl Screensaver {
 
     fn add_room(world: &mut World) -> Result<(), WorldError> {
         let floor = world.add_material(Material {
-            shader: Shader::Checker {
-                other: DVec3::new(0.2, 0.23, 0.3),
-                size: ROOM.x / 4.0,
-            },
+            shader: Shader::Checker { other: DVec3::new(0.2, 0.23, 0.3), size: ROOM.x / 4.0 },
             specular: 0.18,
             shine: 30.0,
             ..Material::matte(0.75, 0.74, 0.7)
@@ -140,41 +133,11 @@ impl Screensaver {
         let corner = |i: f64, j: f64, k: f64| DVec3::new(i * x, j * y, k * z);
         // The walls face inwards, so that they are invisible from outside.
         for (material, corners) in [
-            (
-                floor,
-                [
-                    [-1., -1., 1.],
-                    [1., -1., 1.],
-                    [1., -1., -1.],
-                    [-1., -1., -1.],
-                ],
-            ),
-            (
-                wall,
-                [
-                    [-1., -1., -1.],
-                    [1., -1., -1.],
-                    [1., 1., -1.],
-                    [-1., 1., -1.],
-                ],
-            ),
-            (
-                wall,
-                [[1., -1., 1.], [-1., -1., 1.], [-1., 1., 1.], [1., 1., 1.]],
-            ),
-            (
-                wall,
-                [
-                    [-1., -1., 1.],
-                    [-1., -1., -1.],
-                    [-1., 1., -1.],
-                    [-1., 1., 1.],
-                ],
-            ),
-            (
-                wall,
-                [[1., -1., -1.], [1., -1., 1.], [1., 1., 1.], [1., 1., -1.]],
-            ),
+            (floor, [[-1., -1., 1.], [1., -1., 1.], [1., -1., -1.], [-1., -1., -1.]]),
+            (wall, [[-1., -1., -1.], [1., -1., -1.], [1., 1., -1.], [-1., 1., -1.]]),
+            (wall, [[1., -1., 1.], [-1., -1., 1.], [-1., 1., 1.], [1., 1., 1.]]),
+            (wall, [[-1., -1., 1.], [-1., -1., -1.], [-1., 1., -1.], [-1., 1., 1.]]),
+            (wall, [[1., -1., -1.], [1., -1., 1.], [1., 1., 1.], [1., 1., -1.]]),
         ] {
             let side = world.add_polygon(&corners.map(|[i, j, k]| corner(i, j, k)), material)?;
             world.fix(side)?;

@@ -1,10 +1,7 @@
 //! The product compared with f64, and the cycles with the pipelines' bound. It sets the environment
 //! of the whole process, so it is a program of its own.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "a test has nothing to lose but its output"
-)]
+#![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use matrix::{SIDE, example, multiply};
 
@@ -33,18 +30,12 @@ fn main() {
                 let largest = f64::from(c[at]).abs() + passes * size;
                 let bound = passes * SIDE as f64 * largest * f64::powi(2.0, -23);
                 let error = (f64::from(product.c[at]) - exact).abs();
-                assert!(
-                    error <= bound,
-                    "row {row}, column {column}: {error} of {bound}"
-                );
+                assert!(error <= bound, "row {row}, column {column}: {error} of {bound}");
             }
         }
         if times > 1 {
             let cycles = product.cycles;
-            println!(
-                "{cycles:.0} cycles, {:.2} % above the bound",
-                100.0 * (cycles / BOUND - 1.0)
-            );
+            println!("{cycles:.0} cycles, {:.2} % above the bound", 100.0 * (cycles / BOUND - 1.0));
             assert!(cycles < 1.003 * BOUND, "{cycles}");
         }
     }

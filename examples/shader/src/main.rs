@@ -24,10 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let program = Program::from_image(IMAGE)?;
     let scene = nff::parse(SCENE, "still_life.nff", &nff::Limits::default())?;
     let scene = Scene::new(&scene, RenderOptions::default(), &program)?;
-    let settings = Settings {
-        program,
-        ..Settings::default()
-    };
+    let settings = Settings { program, ..Settings::default() };
     let geometry = match size {
         Some(text) => text.to_string_lossy().parse()?,
         None => {

@@ -58,9 +58,7 @@ impl Choices<'_> {
     fn byte(&mut self) -> u32 {
         let byte = self.rest.next().map_or(0, |&byte| u32::from(byte));
         // A linear congruential generator. Its upper bits are used.
-        self.state = (self.state ^ byte)
-            .wrapping_mul(0x915f_77f5)
-            .wrapping_add(0x3c6e_f35f);
+        self.state = (self.state ^ byte).wrapping_mul(0x915f_77f5).wrapping_add(0x3c6e_f35f);
         byte ^ self.state >> 24
     }
 
@@ -92,36 +90,12 @@ impl Choices<'_> {
 
     /// A word of code.
     fn code(&mut self) -> u32 {
-        const BRANCHES: [Op; 8] = [
-            Op::Br,
-            Op::Brz,
-            Op::Brnz,
-            Op::Brhz,
-            Op::Brhnz,
-            Op::Brsl,
-            Op::Brnz,
-            Op::Brz,
-        ];
-        const INDIRECT: [Op; 8] = [
-            Op::Bi,
-            Op::Bisl,
-            Op::Biz,
-            Op::Binz,
-            Op::Bihz,
-            Op::Bihnz,
-            Op::Iret,
-            Op::Bisled,
-        ];
-        const MEMORY: [Op; 8] = [
-            Op::Lqd,
-            Op::Stqd,
-            Op::Lqx,
-            Op::Stqx,
-            Op::Lqa,
-            Op::Stqa,
-            Op::Lqr,
-            Op::Stqr,
-        ];
+        const BRANCHES: [Op; 8] =
+            [Op::Br, Op::Brz, Op::Brnz, Op::Brhz, Op::Brhnz, Op::Brsl, Op::Brnz, Op::Brz];
+        const INDIRECT: [Op; 8] =
+            [Op::Bi, Op::Bisl, Op::Biz, Op::Binz, Op::Bihz, Op::Bihnz, Op::Iret, Op::Bisled];
+        const MEMORY: [Op; 8] =
+            [Op::Lqd, Op::Stqd, Op::Lqx, Op::Stqx, Op::Lqa, Op::Stqa, Op::Lqr, Op::Stqr];
         const FLOATS: [Op; 17] = [
             Op::Fa,
             Op::Fs,
@@ -158,12 +132,8 @@ impl Choices<'_> {
         if i.op != op {
             i.op = op;
         }
-        (i.rt, i.ra, i.rb, i.rc) = (
-            self.register(),
-            self.register(),
-            self.register(),
-            self.register(),
-        );
+        (i.rt, i.ra, i.rb, i.rc) =
+            (self.register(), self.register(), self.register(), self.register());
         match op {
             Op::Wrch | Op::Rdch => i.ra = self.below(3) as u8,
             Op::Br | Op::Brz | Op::Brnz | Op::Brhz | Op::Brhnz | Op::Brsl => {
@@ -199,10 +169,7 @@ impl Channels for TestChannels<'_> {
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop> {
         self.written = self.written.wrapping_add(1);
         if channel == 0 {
-            let mut choices = Choices {
-                rest: [].iter(),
-                state: value % 16,
-            };
+            let mut choices = Choices { rest: [].iter(), state: value % 16 };
             let code = choices.code().to_be_bytes();
             let address = choices.below(CODE_WORDS) * 4;
             self.local_store.write(address, &code);
@@ -242,10 +209,7 @@ struct Side<'a> {
 
 impl<'a> Side<'a> {
     fn new(input: &[u8], local_store: &'a LocalStore) -> Self {
-        let mut choices = Choices {
-            rest: input.iter(),
-            state: 0,
-        };
+        let mut choices = Choices { rest: input.iter(), state: 0 };
         for word in 0..CODE_WORDS {
             local_store.write(4 * word, &choices.code().to_be_bytes());
         }
@@ -260,12 +224,7 @@ impl<'a> Side<'a> {
             spu.set_register(register, Quad(std::array::from_fn(lane)));
         }
         spu.fpscr = Fpscr::from_words([choices.number(), 0, choices.number(), 0]);
-        let channels = TestChannels {
-            local_store,
-            written: 0,
-            looks: 0,
-            srr0: 0,
-        };
+        let channels = TestChannels { local_store, written: 0, looks: 0, srr0: 0 };
         Self { spu, channels }
     }
 }
@@ -305,28 +264,17 @@ pub fn engines(input: &[u8]) -> (u64, u64) {
         let (a, b) = (&interpreted.spu, &compiled.spu);
         assert_eq!(a.executed(), b.executed(), "piece {pieces}");
         assert_eq!(a.pc(), b.pc(), "piece {pieces}");
-        assert_eq!(
-            a.interrupts_enabled(),
-            b.interrupts_enabled(),
-            "piece {pieces}"
-        );
+        assert_eq!(a.interrupts_enabled(), b.interrupts_enabled(), "piece {pieces}");
         assert_eq!(a.fpscr.words(), b.fpscr.words(), "FPSCR, piece {pieces}");
         for register in 0..128 {
             let (a, b) = (a.register(register), b.register(register));
             assert_eq!(a, b, "${register}, piece {pieces}");
         }
-        assert!(
-            bytes(&stores[0]) == bytes(&stores[1]),
-            "local store, piece {pieces}"
-        );
+        assert!(bytes(&stores[0]) == bytes(&stores[1]), "local store, piece {pieces}");
         if one.is_some() {
             // Continue at the next instruction, or at the start again.
             for side in [&mut interpreted, &mut compiled] {
-                let next = if pieces.is_multiple_of(2) {
-                    side.spu.pc() + 4
-                } else {
-                    0
-                };
+                let next = if pieces.is_multiple_of(2) { side.spu.pc() + 4 } else { 0 };
                 side.spu.set_pc(next % (4 * CODE_WORDS));
             }
         }

@@ -12,10 +12,8 @@ use spu_emulator::spe::{Config, Spe};
 
 /// What the two SPEs run. The first stores and loads for ever: `ai $3,$3,1`, `stqa $3,0x100`,
 /// `lqa $4,0x100`, `br 0`. The second waits for a mail: `nop`, `rdch $3,$ch29`.
-const PROGRAMS: [&[u32]; 2] = [
-    &[0x1c00_4183, 0x2080_2003, 0x3080_2004, 0x327f_fe80],
-    &[0x4020_0000, 0x01a0_0e83],
-];
+const PROGRAMS: [&[u32]; 2] =
+    [&[0x1c00_4183, 0x2080_2003, 0x3080_2004, 0x327f_fe80], &[0x4020_0000, 0x01a0_0e83]];
 
 /// Parameters are the bytes of a packet after its first.
 fn packet(bytes: &[u8]) -> String {
@@ -30,11 +28,7 @@ fn packet(bytes: &[u8]) -> String {
         1 => "g".into(),
         2 => format!("G{}", "0123456789abcdef".repeat(usize::from(at(5)) * 2)),
         3 => format!("m{address:x},{length:x}"),
-        4 => format!(
-            "M{address:x},{:x}:{}",
-            length % 16,
-            "5a".repeat(length as usize % 18)
-        ),
+        4 => format!("M{address:x},{:x}:{}", length % 16, "5a".repeat(length as usize % 18)),
         5 => format!("Z{kind},{address:x},{length:x}"),
         6 => format!("z{kind},{address:x},{length:x}"),
         7 => "c".into(),
@@ -50,11 +44,7 @@ fn packet(bytes: &[u8]) -> String {
         17 => format!("qXfer:features:read:target.xml:{address:x},{length:x}"),
         18 => "qRcmd,6379636c6573".into(),
         19 => "qSupported:multiprocess+;swbreak+;vContSupported+".into(),
-        20 => format!(
-            "X{address:x},{:x}:{}",
-            length % 8,
-            "a".repeat(length as usize % 8)
-        ),
+        20 => format!("X{address:x},{:x}:{}", length % 8, "a".repeat(length as usize % 8)),
         21 => String::from_utf8_lossy(bytes).into_owned(),
         22 if at(1) < 16 => "D".into(),
         23 if at(1) < 16 => "k".into(),

@@ -60,20 +60,12 @@ fn watchdog() -> &'static mpsc::SyncSender<(Arc<Spe>, mpsc::Receiver<()>)> {
 fn run(policy: Policy, code: &[u8], data: &[u8]) {
     let memory = Arc::new(RegisteredMemory::new());
     let register = |ea, byte, access| {
-        memory
-            .register(ea, vec![byte; REGION], access)
-            .expect("the regions do not overlap");
+        memory.register(ea, vec![byte; REGION], access).expect("the regions do not overlap");
     };
     register(WRITABLE, 0, Access::ReadWrite);
     register(READ_ONLY, READ_ONLY_BYTE, Access::ReadOnly);
     let machine = Machine::new(memory.clone());
-    let spe = Spe::new(
-        &machine,
-        Config {
-            policy,
-            ..Config::default()
-        },
-    );
+    let spe = Spe::new(&machine, Config { policy, ..Config::default() });
     spe.local_store().write(0, code);
     spe.local_store().write(0x8000, data);
     for word in [1, 2, 3] {
@@ -81,21 +73,14 @@ fn run(policy: Policy, code: &[u8], data: &[u8]) {
     }
 
     let (end, ended) = mpsc::channel();
-    watchdog()
-        .send((Arc::clone(&spe), ended))
-        .expect("the watchdog lives as long as the process");
+    watchdog().send((Arc::clone(&spe), ended)).expect("the watchdog lives as long as the process");
     let stopped = spe.run(0);
     drop(end);
     assert!(!stopped.to_string().is_empty());
 
     let mut after = vec![0; REGION];
-    memory
-        .read(READ_ONLY, &mut after)
-        .expect("the region is there");
-    assert!(
-        after.iter().all(|byte| *byte == READ_ONLY_BYTE),
-        "read-only memory was written"
-    );
+    memory.read(READ_ONLY, &mut after).expect("the region is there");
+    assert!(after.iter().all(|byte| *byte == READ_ONLY_BYTE), "read-only memory was written");
 }
 
 /// Runs a random program. The first byte of the input chooses when its MFC commands are carried
@@ -140,20 +125,14 @@ pub fn dma(input: &[u8]) {
         write(18, word(5) & 0x3_ffff);
         write(19, half(9));
         write(20, half(11) & if command[13] == 0xff { 0xffff } else { 31 });
-        write(
-            21,
-            u32::from(command[14]) | if command[15] == 0xff { 0x0100_0000 } else { 0 },
-        );
+        write(21, u32::from(command[14]) | if command[15] == 0xff { 0x0100_0000 } else { 0 });
     }
     write(22, 0xffff_ffff);
     write(23, 2);
     write(26, 1);
     code.push(0x00d << 21 | 24 << 7 | 10);
     code.push(0x2000);
-    let code: Vec<u8> = code
-        .iter()
-        .flat_map(|word: &u32| word.to_be_bytes())
-        .collect();
+    let code: Vec<u8> = code.iter().flat_map(|word: &u32| word.to_be_bytes()).collect();
     run(policy(*choice), &code, data);
 }
 
@@ -185,9 +164,5 @@ pub fn elf(input: &[u8]) {
 }
 
 fn policy(choice: u8) -> Policy {
-    if choice & 1 == 0 {
-        Policy::AtOnce
-    } else {
-        Policy::AtLast
-    }
+    if choice & 1 == 0 { Policy::AtOnce } else { Policy::AtLast }
 }

@@ -9,13 +9,9 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 fn replay(target: &str, oracle: fn(&[u8])) {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../corpus")
-        .join(target);
-    let mut seeds: Vec<_> = fs::read_dir(&folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
-        .collect();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../corpus").join(target);
+    let mut seeds: Vec<_> =
+        fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     seeds.sort();
     assert!(!seeds.is_empty(), "no seeds in {}", folder.display());
     for seed in seeds {
@@ -80,17 +76,13 @@ fn library_calls() {
         let mut input: Vec<u8> = Vec::new();
         for _ in 0..64 {
             input.push(random.random());
-            input.extend((0..63).map(|at| {
-                match at % 16 {
-                    0 | 1 => 0,
-                    2 => random.random_range(0..4),
-                    3 if random.random() => random.random_range(0..8),
-                    3 => random.random(),
-                    _ if random.random_ratio(1, 8) => random.random(),
-                    _ => *b"%dslc[-].*09xafn "
-                        .get(random.random_range(0..24))
-                        .unwrap_or(&0),
-                }
+            input.extend((0..63).map(|at| match at % 16 {
+                0 | 1 => 0,
+                2 => random.random_range(0..4),
+                3 if random.random() => random.random_range(0..8),
+                3 => random.random(),
+                _ if random.random_ratio(1, 8) => random.random(),
+                _ => *b"%dslc[-].*09xafn ".get(random.random_range(0..24)).unwrap_or(&0),
             }));
         }
         input
@@ -107,10 +99,7 @@ fn both_engines_on_random_programs() {
     let (mut executed, mut compiled) = (0, 0);
     for seed in first.. {
         if Instant::now() > end {
-            println!(
-                "{} programs, {executed} instructions, {compiled} compiled",
-                seed - first
-            );
+            println!("{} programs, {executed} instructions, {compiled} compiled", seed - first);
             break;
         }
         let input = seed.to_be_bytes();

@@ -58,13 +58,8 @@ impl Instruction {
     /// instructions can be written in assembly.
     #[must_use]
     pub fn without_reserved(self) -> Self {
-        let named = |field| {
-            self.op
-                .row()
-                .operands
-                .iter()
-                .any(|operand| operand.field() == Some(field))
-        };
+        let named =
+            |field| self.op.row().operands.iter().any(|operand| operand.field() == Some(field));
         let keep = |field, register| if named(field) { register } else { 0 };
         Self {
             rt: keep(Field::Rt, self.rt),
@@ -81,12 +76,10 @@ impl Instruction {
         let operands = self.op.row().operands.iter();
         let registers =
             operands.filter(|operand| !matches!(operand, Operand::Channel | Operand::Special));
-        registers
-            .filter_map(|operand| operand.field())
-            .fold(self, |mut i, field| {
-                *i.register_mut(field) = 0;
-                i
-            })
+        registers.filter_map(|operand| operand.field()).fold(self, |mut i, field| {
+            *i.register_mut(field) = 0;
+            i
+        })
     }
 
     /// The number in a register field.
@@ -133,10 +126,6 @@ impl Instruction {
     }
 
     fn target_if(self, wanted: Target) -> RegisterSet {
-        if self.op.row().target == wanted {
-            RegisterSet::of(self.rt)
-        } else {
-            RegisterSet::EMPTY
-        }
+        if self.op.row().target == wanted { RegisterSet::of(self.rt) } else { RegisterSet::EMPTY }
     }
 }

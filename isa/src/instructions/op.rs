@@ -160,10 +160,7 @@ const fn index_by_opcode() -> [Option<Op>; 2048] {
     while row < CLAIMS.len() {
         let (op, opcode, format) = CLAIMS[row];
         let span = 1 << (11 - format.opcode_bits());
-        assert!(
-            opcode & (span - 1) == 0,
-            "opcode has bits outside its format"
-        );
+        assert!(opcode & (span - 1) == 0, "opcode has bits outside its format");
         let mut value = opcode;
         while value < opcode + span {
             assert!(table[value as usize].is_none(), "opcode assigned twice");
@@ -200,8 +197,6 @@ impl Op {
     /// recognised.
     #[must_use]
     pub fn of_mnemonic(mnemonic: &str) -> Option<Self> {
-        ROWS.iter()
-            .find(|row| row.mnemonic == mnemonic)
-            .map(|row| row.op)
+        ROWS.iter().find(|row| row.mnemonic == mnemonic).map(|row| row.op)
     }
 }

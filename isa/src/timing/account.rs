@@ -140,9 +140,7 @@ impl Stalls {
     #[inline]
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
-        Self(std::array::from_fn(|cause| {
-            self.0[cause] - earlier.0[cause]
-        }))
+        Self(std::array::from_fn(|cause| self.0[cause] - earlier.0[cause]))
     }
 
     /// Adds `cycles` of one cause.

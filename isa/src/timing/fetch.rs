@@ -25,12 +25,7 @@ pub(super) struct InlineBuffer {
 /// The state after a branch to the start of a line.
 impl Default for InlineBuffer {
     fn default() -> Self {
-        Self {
-            buffered: CAPACITY,
-            arrival: None,
-            cycle: 0,
-            port_taken: false,
-        }
+        Self { buffered: CAPACITY, arrival: None, cycle: 0, port_taken: false }
     }
 }
 

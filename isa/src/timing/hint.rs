@@ -57,12 +57,7 @@ impl Hint {
             Op::Hbrr => Prediction::To(pc.wrapping_add_signed(i.immediate) & LIMIT_MASK),
             _ => Prediction::Right,
         };
-        Some(Self {
-            branch,
-            prediction,
-            ready,
-            number,
-        })
+        Some(Self { branch, prediction, ready, number })
     }
 
     /// Whether the hint is this instruction of the stream.
@@ -88,22 +83,12 @@ impl Hint {
     /// equally.
     pub fn relative(&self, clock: u64, number: u64) -> Self {
         // Once a hint is old enough, its age no longer matters.
-        let age = number
-            .saturating_sub(self.number)
-            .min(HINT_MINIMUM_INSTRUCTIONS + 1);
-        Self {
-            ready: self.ready.saturating_sub(clock),
-            number: age,
-            ..*self
-        }
+        let age = number.saturating_sub(self.number).min(HINT_MINIMUM_INSTRUCTIONS + 1);
+        Self { ready: self.ready.saturating_sub(clock), number: age, ..*self }
     }
 
     /// The inverse of [`relative`](Self::relative), for another `clock` and instruction `number`.
     pub fn at(&self, clock: u64, number: u64) -> Self {
-        Self {
-            ready: clock + self.ready,
-            number: number - self.number,
-            ..*self
-        }
+        Self { ready: clock + self.ready, number: number - self.number, ..*self }
     }
 }

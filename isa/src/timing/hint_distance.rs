@@ -43,9 +43,7 @@ pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
         let (_, branch_issue) = behind[instructions].issued?;
         let cycles = branch_issue.cycle - issue.cycle;
         let hints = |line: &&Line| {
-            let hint = line
-                .issued
-                .and_then(|(i, _)| hinted_branch(line.address, i));
+            let hint = line.issued.and_then(|(i, _)| hinted_branch(line.address, i));
             hint.is_some()
         };
         let later = behind[..instructions].iter().find(hints);
@@ -59,13 +57,7 @@ pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
         } else {
             Verdict::Free
         };
-        Some(HintDistance {
-            address: line.address,
-            branch,
-            instructions,
-            cycles,
-            verdict,
-        })
+        Some(HintDistance { address: line.address, branch, instructions, cycles, verdict })
     };
     lines.iter().enumerate().filter_map(distance).collect()
 }

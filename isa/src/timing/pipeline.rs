@@ -120,11 +120,7 @@ impl Pipeline {
         let pipe = class.pipe();
         let may_join = pipe == Pipe::Odd && self.partner == Some(pc);
         let start = self.clock - u64::from(may_join);
-        let mut wait = Wait {
-            cycle: start,
-            longest: 0,
-            cause: None,
-        };
+        let mut wait = Wait { cycle: start, longest: 0, cause: None };
 
         if self.rules.inline_prefetch {
             let there = self.inline_buffer.available(start);
@@ -294,8 +290,7 @@ impl Pipeline {
         self.partner = leads.then_some(pc.wrapping_add(4));
         if self.rules.inline_prefetch {
             let fetches = class == Class::Hb && !reserves_prefetch(i);
-            self.inline_buffer
-                .issued(cycle, class == Class::Ls || fetches);
+            self.inline_buffer.issued(cycle, class == Class::Ls || fetches);
         }
         match class {
             Class::Fpd if blocks => self.stall(cycle + DOUBLE_INTERVAL, Cause::DoubleStall),

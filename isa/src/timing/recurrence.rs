@@ -31,10 +31,7 @@ type Arrivals = [Option<u64>; 128];
 fn pass(body: &[Instruction], mut arrivals: Arrivals, rules: Rules) -> Arrivals {
     for &i in body {
         let sources = sources(i);
-        let start = sources
-            .iter()
-            .filter_map(|r| arrivals[usize::from(r)])
-            .max();
+        let start = sources.iter().filter_map(|r| arrivals[usize::from(r)]).max();
         let done = start.map(|start| start + rules.latency(i.op.row().class));
         for target in i.writes().iter() {
             arrivals[usize::from(target)] = done;
@@ -44,11 +41,7 @@ fn pass(body: &[Instruction], mut arrivals: Arrivals, rules: Rules) -> Arrivals 
 }
 
 fn sources(i: Instruction) -> RegisterSet {
-    if reserves_prefetch(i) {
-        RegisterSet::EMPTY
-    } else {
-        i.reads()
-    }
+    if reserves_prefetch(i) { RegisterSet::EMPTY } else { i.reads() }
 }
 
 /// The cycles of the longest chain in one pass, if all registers are ready at its start.
@@ -78,10 +71,7 @@ fn carried(body: &[Instruction]) -> Vec<u8> {
         }
         written = written.union(i.writes());
     }
-    read_first
-        .iter()
-        .filter(|&register| written.contains(register))
-        .collect()
+    read_first.iter().filter(|&register| written.contains(register)).collect()
 }
 
 /// The chain with the most cycles a pass. The graph has the carried registers as vertices, and the

@@ -45,11 +45,7 @@ pub const LINE_CYCLES: u64 = HINT_CYCLES;
 
 /// The model's assumptions where sources disagree or are silent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(
-    feature = "serde",
-    derive(serde::Deserialize),
-    serde(default, deny_unknown_fields)
-)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(default, deny_unknown_fields))]
 pub struct Rules {
     /// Extra cycles after a mispredicted branch: [`MISS_CYCLES`] by default. Some sources give 19.
     pub miss_cycles: u64,

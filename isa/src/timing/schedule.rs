@@ -32,20 +32,11 @@ pub struct Schedule {
 /// the start.
 #[must_use]
 pub fn straight_line(code: &[(u32, u32)], rules: Rules) -> Schedule {
-    let rules = Rules {
-        hints: false,
-        ..rules
-    };
+    let rules = Rules { hints: false, ..rules };
     let mut feed = Feed::new(Pipeline::new(rules));
-    let lines: Vec<Line> = code
-        .iter()
-        .map(|&(address, word)| feed.next(address, word))
-        .collect();
+    let lines: Vec<Line> = code.iter().map(|&(address, word)| feed.next(address, word)).collect();
     let known = lines.iter().all(|line| line.issued.is_some());
-    Schedule {
-        lines,
-        account: known.then(|| feed.pipeline.account().clone()),
-    }
+    Schedule { lines, account: known.then(|| feed.pipeline.account().clone()) }
 }
 
 /// A pipeline, and for each register the instruction that wrote it.
@@ -56,20 +47,12 @@ pub(super) struct Feed {
 
 impl Feed {
     pub fn new(pipeline: Pipeline) -> Self {
-        Self {
-            pipeline,
-            writers: [None; 128],
-        }
+        Self { pipeline, writers: [None; 128] }
     }
 
     pub fn next(&mut self, address: u32, word: u32) -> Line {
         let Some(instruction) = Instruction::decode(word) else {
-            return Line {
-                address,
-                word,
-                issued: None,
-                producer: None,
-            };
+            return Line { address, word, issued: None, producer: None };
         };
         let issue = self.pipeline.issue(address, instruction);
         let waited = issue.waited_register;
@@ -77,11 +60,6 @@ impl Feed {
         for register in instruction.writes().iter() {
             self.writers[usize::from(register)] = Some(address);
         }
-        Line {
-            address,
-            word,
-            issued: Some((instruction, issue)),
-            producer,
-        }
+        Line { address, word, issued: Some((instruction, issue)), producer }
     }
 }

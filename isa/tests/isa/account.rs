@@ -22,11 +22,7 @@ fn word() -> impl Strategy<Value = u32> {
         let row = &rows[row];
         let opcode = u32::from(row.opcode) << 21;
         let mask = u32::MAX >> row.format.opcode_bits();
-        let fields = if crowded {
-            fields & !0x01c3_8f1e
-        } else {
-            fields
-        };
+        let fields = if crowded { fields & !0x01c3_8f1e } else { fields };
         opcode | fields & mask
     })
 }

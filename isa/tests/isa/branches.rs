@@ -27,10 +27,7 @@ fn an_unhinted_branch_costs_its_cycle_or_a_miss() {
     assert_eq!(after_branch(rules, false), 1);
     // t + 1 + 18
     assert_eq!(after_branch(rules, true), 19);
-    let rules = Rules {
-        miss_cycles: 19,
-        ..rules
-    };
+    let rules = Rules { miss_cycles: 19, ..rules };
     assert_eq!(after_branch(rules, true), 20);
 }
 
@@ -175,10 +172,7 @@ fn a_prefetch_hint_hints_nothing_and_reads_nothing() {
 
 #[test]
 fn without_hints_every_taken_branch_misses() {
-    let mut pipeline = Pipeline::new(Rules {
-        hints: false,
-        ..Rules::default()
-    });
+    let mut pipeline = Pipeline::new(Rules { hints: false, ..Rules::default() });
     pipeline.issue(0, hint("hbra", 0x40, 0x800));
     feed(&mut pipeline, 4, &nops(15));
     let branch = pipeline.issue(0x40, i("br", 0, &[])).cycle;

@@ -8,15 +8,7 @@ use spu_isa::{Instruction, Op};
 const START: u32 = 0x100;
 
 fn i(op: Op, rt: u8, ra: u8, rb: u8) -> Instruction {
-    Instruction {
-        op,
-        rt,
-        ra,
-        rb,
-        rc: 0,
-        branch_distance: 0,
-        immediate: 0,
-    }
+    Instruction { op, rt, ra, rb, rc: 0, branch_distance: 0, immediate: 0 }
 }
 
 /// The loop of `body` and a branch back, which is hinted from far ahead.
@@ -28,20 +20,10 @@ fn hinted_loop(body: &[Instruction]) -> Loop {
         immediate: (START - hint_at) as i32,
         ..i(Op::Hbrr, 0, 0, 0)
     };
-    let back = Instruction {
-        immediate: START as i32 - branch as i32,
-        ..i(Op::Br, 0, 0, 0)
-    };
+    let back = Instruction { immediate: START as i32 - branch as i32, ..i(Op::Br, 0, 0, 0) };
     let run_up = std::iter::repeat_n(i(Op::Nop, 127, 0, 0), 15);
-    let stream = [hint]
-        .into_iter()
-        .chain(run_up)
-        .chain(body.iter().copied())
-        .chain([back]);
-    let code: Vec<_> = (hint_at..)
-        .step_by(4)
-        .zip(stream.map(Instruction::encode))
-        .collect();
+    let stream = [hint].into_iter().chain(run_up).chain(body.iter().copied()).chain([back]);
+    let code: Vec<_> = (hint_at..).step_by(4).zip(stream.map(Instruction::encode)).collect();
     let mut loops = find_loops(&code, Rules::default());
     assert_eq!(loops.len(), 1);
     loops.remove(0)
@@ -109,10 +91,7 @@ fn double_precision_takes_both_pipes() {
 
 #[test]
 fn a_call_backwards_is_no_loop() {
-    let call = Instruction {
-        immediate: -8,
-        ..i(Op::Brsl, 0, 0, 0)
-    };
+    let call = Instruction { immediate: -8, ..i(Op::Brsl, 0, 0, 0) };
     let code = [(0, 0x4020_0000), (4, 0x4020_0000), (8, call.encode())];
     assert_eq!(find_loops(&code, Rules::default()), []);
 }

@@ -94,11 +94,7 @@ fn instances() -> Vec<Instruction> {
         let base = Instruction {
             op: row.op,
             // The assembler ignores the operand of nop.
-            rt: if row.op == Op::Nop {
-                0
-            } else {
-                register(Operand::Rt, 3)
-            },
+            rt: if row.op == Op::Nop { 0 } else { register(Operand::Rt, 3) },
             ra: if in_ra.into_iter().any(has) { 70 } else { 0 },
             rb: register(Operand::Rb, 101),
             rc: register(Operand::Rc, 127),
@@ -108,17 +104,10 @@ fn instances() -> Vec<Instruction> {
         match row.format {
             Format::Hint => {
                 for branch_distance in [-1024, -4, 4, 1020] {
-                    all.push(Instruction {
-                        branch_distance,
-                        ..base
-                    });
+                    all.push(Instruction { branch_distance, ..base });
                 }
                 let immediate = feature::CHANNEL_OR_PREFETCH;
-                all.push(Instruction {
-                    ra: 0,
-                    immediate,
-                    ..base
-                });
+                all.push(Instruction { ra: 0, immediate, ..base });
             }
             Format::Flagged if row.op == Op::Sync => {
                 for immediate in [0, feature::CHANNEL_OR_PREFETCH] {
@@ -133,11 +122,7 @@ fn instances() -> Vec<Instruction> {
             Format::HintAbsolute | Format::HintRelative => {
                 for &immediate in constants(row.operands) {
                     for branch_distance in [-1024, 4, 1020] {
-                        all.push(Instruction {
-                            branch_distance,
-                            immediate,
-                            ..base
-                        });
+                        all.push(Instruction { branch_distance, immediate, ..base });
                     }
                 }
             }
@@ -176,11 +161,7 @@ fn source_line(i: Instruction) -> String {
     for (operand, separator) in operands.zip(std::iter::once(" ").chain(std::iter::repeat(","))) {
         line = line + separator + &operand;
     }
-    if i.op == Op::Nop {
-        row.mnemonic.to_owned()
-    } else {
-        line
-    }
+    if i.op == Op::Nop { row.mnemonic.to_owned() } else { line }
 }
 
 #[test]
@@ -208,9 +189,8 @@ fn every_row_is_assembled_and_dumped_as_by_the_gnu_tools() {
 #[test]
 fn any_word_is_dumped_as_by_objdump() {
     // Every value of the first eleven bits. The other bits count up by an odd stride.
-    let words: Vec<u32> = (0..2048u32 * 16)
-        .map(|n| (n % 2048) << 21 | n.wrapping_mul(0x9e37_79b9) >> 11)
-        .collect();
+    let words: Vec<u32> =
+        (0..2048u32 * 16).map(|n| (n % 2048) << 21 | n.wrapping_mul(0x9e37_79b9) >> 11).collect();
     let mut source = String::from("\t.text\n");
     for word in &words {
         writeln!(source, "\t.long {word:#010x}").unwrap();
@@ -219,10 +199,6 @@ fn any_word_is_dumped_as_by_objdump() {
     assert_eq!(dumped.len(), words.len());
     for ((pc, word), (dumped_word, text)) in (0..).step_by(4).zip(&words).zip(&dumped) {
         assert_eq!(word, dumped_word);
-        assert_eq!(
-            disassemble(*word, pc).to_string(),
-            *text,
-            "word {word:08x} at {pc:x}"
-        );
+        assert_eq!(disassemble(*word, pc).to_string(), *text, "word {word:08x} at {pc:x}");
     }
 }

@@ -11,11 +11,7 @@ use super::sequences::{cycles, cycles_by, cycles_from, feed, i};
 #[test]
 fn an_even_and_an_odd_instruction_of_a_group_issue_together() {
     // a | lqd in one aligned doubleword.
-    let issues = feed(
-        &mut Pipeline::default(),
-        0x100,
-        &[i("a", 3, &[4, 5]), i("lqd", 6, &[7])],
-    );
+    let issues = feed(&mut Pipeline::default(), 0x100, &[i("a", 3, &[4, 5]), i("lqd", 6, &[7])]);
     assert_eq!(issues.iter().map(|i| i.cycle).collect::<Vec<_>>(), [0, 0]);
     assert_eq!(issues[0].pipe, Pipe::Even);
     assert_eq!(issues[1].pipe, Pipe::Odd);
@@ -25,10 +21,7 @@ fn an_even_and_an_odd_instruction_of_a_group_issue_together() {
 #[test]
 fn the_same_two_across_a_group_border_do_not() {
     // The first is at 4 mod 8, so it is alone in its group.
-    assert_eq!(
-        cycles_from(0x104, &[i("a", 3, &[4, 5]), i("lqd", 6, &[7])]),
-        [0, 1]
-    );
+    assert_eq!(cycles_from(0x104, &[i("a", 3, &[4, 5]), i("lqd", 6, &[7])]), [0, 1]);
 }
 
 #[test]
@@ -52,23 +45,14 @@ fn nop_and_lnop_pair_like_others() {
 #[test]
 fn a_group_that_was_split_does_not_pair_with_the_next() {
     // [a | lqd needs a] splits: lqd waits until 2. The next group is a pair and issues in cycle 3.
-    let code = [
-        i("a", 3, &[4, 5]),
-        i("lqd", 6, &[3]),
-        i("a", 8, &[9, 10]),
-        i("lqd", 11, &[12]),
-    ];
+    let code = [i("a", 3, &[4, 5]), i("lqd", 6, &[3]), i("a", 8, &[9, 10]), i("lqd", 11, &[12])];
     assert_eq!(cycles(&code), [0, 2, 3, 3]);
 }
 
 #[test]
 fn a_dependence_within_a_group_costs_the_pair_and_the_whole_latency() {
     let mut pipeline = Pipeline::default();
-    let issues = feed(
-        &mut pipeline,
-        0,
-        &[i("a", 3, &[4, 5]), i("shufb", 6, &[3, 3, 7])],
-    );
+    let issues = feed(&mut pipeline, 0, &[i("a", 3, &[4, 5]), i("shufb", 6, &[3, 3, 7])]);
     assert_eq!(issues[1].cycle, 2);
     assert!(issues[1].missed_dual);
     assert_eq!(issues[1].waited, Some(Cause::Operand(Class::Fx2)));
@@ -206,22 +190,13 @@ fn the_youngest_write_wins_without_a_wait() {
 fn double_precision_blocks_six_cycles_and_pairs_with_nothing() {
     // (DP, odd) in a group: the odd one issues at 7. The next DP issues at 8 because it depends on
     // nothing, the one after it at 15.
-    let code = [
-        i("dfa", 3, &[4, 5]),
-        i("lqd", 6, &[7]),
-        i("dfa", 8, &[9, 10]),
-        i("il", 11, &[]),
-    ];
+    let code = [i("dfa", 3, &[4, 5]), i("lqd", 6, &[7]), i("dfa", 8, &[9, 10]), i("il", 11, &[])];
     assert_eq!(cycles(&code), [0, 7, 8, 15]);
     // (even, DP): the DP issues a cycle later.
     assert_eq!(cycles(&[i("il", 3, &[]), i("dfa", 4, &[5, 6])]), [0, 1]);
     // The result is ready at 13, and 7 of these cycles are the block.
     let mut pipeline = Pipeline::default();
-    let issues = feed(
-        &mut pipeline,
-        0,
-        &[i("dfa", 3, &[4, 5]), i("dfa", 6, &[3, 3])],
-    );
+    let issues = feed(&mut pipeline, 0, &[i("dfa", 3, &[4, 5]), i("dfa", 6, &[3, 3])]);
     assert_eq!(issues[1].cycle, 13);
     assert_eq!(pipeline.account().waited(Cause::DoubleStall), 6 + 6);
     assert_eq!(pipeline.account().waited(Cause::Operand(Class::Fpd)), 6);
@@ -229,10 +204,7 @@ fn double_precision_blocks_six_cycles_and_pairs_with_nothing() {
 
 #[test]
 fn the_double_extension_pipelines_double_precision() {
-    let rules = Rules {
-        double_extension: true,
-        ..Rules::default()
-    };
+    let rules = Rules { double_extension: true, ..Rules::default() };
     let code = [
         i("dfa", 3, &[4, 5]),  // 0
         i("lqd", 6, &[7]),     // 0, paired
@@ -256,10 +228,7 @@ fn fp6_right_behind_fp7_waits_a_cycle() {
     let issues = feed(&mut pipeline, 0, &[fp7, fp6]);
     assert_eq!(issues[1].waited, Some(Cause::FloatConflict));
     assert_eq!(pipeline.account().waited(Cause::FloatConflict), 1);
-    let rules = Rules {
-        float_conflict: false,
-        ..Rules::default()
-    };
+    let rules = Rules { float_conflict: false, ..Rules::default() };
     assert_eq!(cycles_by(rules, &[fp7, fp6]), [0, 1]);
 }
 
@@ -267,10 +236,7 @@ fn fp6_right_behind_fp7_waits_a_cycle() {
 fn false_targets_delay_readers_only_if_asked() {
     let code = [i("fscrwr", 3, &[4]), i("a", 5, &[3, 3])];
     assert_eq!(cycles(&code), [0, 1]);
-    let rules = Rules {
-        false_targets: true,
-        ..Rules::default()
-    };
+    let rules = Rules { false_targets: true, ..Rules::default() };
     // fscrwr is FP7, a halt is FX2, and a nop counts as FX2.
     assert_eq!(cycles_by(rules, &code), [0, 7]);
     let halt = [i("heqi", 3, &[4]), i("a", 5, &[3, 3])];
@@ -286,15 +252,9 @@ fn false_targets_delay_readers_only_if_asked() {
 fn dsync_waits_for_memory_and_sync_fetches_again() {
     // The load is complete at 6.
     let load = i("lqd", 3, &[4]);
-    assert_eq!(
-        cycles(&[load, i("dsync", 0, &[]), i("il", 5, &[])]),
-        [0, 6, 7]
-    );
+    assert_eq!(cycles(&[load, i("dsync", 0, &[]), i("il", 5, &[])]), [0, 6, 7]);
     // Then the line is fetched again: 6 + 1 + 18.
-    assert_eq!(
-        cycles(&[load, i("sync", 0, &[]), i("il", 5, &[])]),
-        [0, 6, 25]
-    );
+    assert_eq!(cycles(&[load, i("sync", 0, &[]), i("il", 5, &[])]), [0, 6, 25]);
     // dsync does not wait for arithmetic.
     assert_eq!(cycles(&[i("fm", 3, &[4, 4]), i("dsync", 0, &[])]), [0, 0]);
     // It waits for stores and channel instructions.
@@ -306,10 +266,7 @@ fn dsync_waits_for_memory_and_sync_fetches_again() {
 fn channel_instructions_keep_their_interval() {
     let code = vec![i("wrch", 3, &[21]); 3];
     assert_eq!(cycles(&code), [0, 1, 2]);
-    let rules = Rules {
-        channel_interval: 2,
-        ..Rules::default()
-    };
+    let rules = Rules { channel_interval: 2, ..Rules::default() };
     assert_eq!(cycles_by(rules, &code), [0, 2, 4]);
 }
 
@@ -344,10 +301,7 @@ fn a_stall_from_outside_holds_issue_and_the_channel_instruction() {
 
 #[test]
 fn loads_in_every_cycle_starve_straight_line_code() {
-    let rules = Rules {
-        inline_prefetch: true,
-        ..Rules::default()
-    };
+    let rules = Rules { inline_prefetch: true, ..Rules::default() };
     let loads = |count| vec![i("lqd", 3, &[4]); count];
     // 64 instructions are buffered and the port is never free. The 65th requests its line in cycle
     // 64, and the line arrives 16 cycles later.

@@ -18,11 +18,7 @@ pub fn i(mnemonic: &str, rt: u8, sources: &[u8]) -> Instruction {
 }
 
 pub fn hint(mnemonic: &str, branch_distance: i16, immediate: i32) -> Instruction {
-    Instruction {
-        branch_distance,
-        immediate,
-        ..i(mnemonic, 0, &[90])
-    }
+    Instruction { branch_distance, immediate, ..i(mnemonic, 0, &[90]) }
 }
 
 /// Feeds straight-line code that starts at `pc`.

@@ -25,10 +25,7 @@ fn instruction() -> impl Strategy<Value = Instruction> {
         "brnz", "bi", "rdch", "wrch", "sync", "dsync", "cntb", "cflts", "stop",
     ];
     let register = 0_u8..12;
-    let plain = (
-        prop::sample::select(ops.to_vec()),
-        prop::array::uniform4(register),
-    )
+    let plain = (prop::sample::select(ops.to_vec()), prop::array::uniform4(register))
         .prop_map(|(op, [rt, ra, rb, rc])| i(op, rt, &[ra, rb, rc]));
     let near = prop::sample::select(vec!["hbr", "hbrr"]);
     let hinting = (near, 1_i16..16, 0_i32..16)
@@ -88,11 +85,7 @@ impl Stream {
 /// An issue relative to the cycle before `clock`, because the second of a pair issues in that
 /// cycle.
 fn seen_from(issue: Issue, clock: u64) -> Issue {
-    Issue {
-        cycle: issue.cycle + 1 - clock,
-        ready_cycle: issue.ready_cycle - issue.cycle,
-        ..issue
-    }
+    Issue { cycle: issue.cycle + 1 - clock, ready_cycle: issue.ready_cycle - issue.cycle, ..issue }
 }
 
 /// Instructions, dual cycles, all cycles.

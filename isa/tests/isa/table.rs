@@ -27,11 +27,7 @@ fn known_encodings_decode_to_their_text() {
         (0x7b01_0180, "heq\t$0,$3,$4"),
     ];
     for (word, text) in known {
-        assert_eq!(
-            spu_isa::disassemble(word, 0).to_string(),
-            text,
-            "{word:08x}"
-        );
+        assert_eq!(spu_isa::disassemble(word, 0).to_string(), text, "{word:08x}");
         assert_eq!(Instruction::decode(word).unwrap().encode(), word, "{text}");
     }
 }
@@ -40,13 +36,9 @@ fn known_encodings_decode_to_their_text() {
 #[test]
 fn the_table_has_every_instruction() {
     assert_eq!(Op::rows().len(), 199);
-    let assigned = (0..2048u32)
-        .filter(|top| Op::of_word(top << 21).is_some())
-        .count();
+    let assigned = (0..2048u32).filter(|top| Op::of_word(top << 21).is_some()).count();
     assert_eq!(assigned, 1264);
-    let extension = Op::rows()
-        .iter()
-        .filter(|row| row.machine == Machine::DoubleExtension);
+    let extension = Op::rows().iter().filter(|row| row.machine == Machine::DoubleExtension);
     assert_eq!(extension.count(), 5);
     for (index, row) in Op::rows().iter().enumerate() {
         assert_eq!(row.op as usize, index);
@@ -94,10 +86,7 @@ fn decoding_and_encoding_are_inverse() {
 fn every_constant_is_an_operand() {
     for row in Op::rows() {
         let registers = [Operand::Rt, Operand::Ra, Operand::Rb, Operand::Rc];
-        let others = row
-            .operands
-            .iter()
-            .filter(|operand| !registers.contains(operand));
+        let others = row.operands.iter().filter(|operand| !registers.contains(operand));
         let constants = match row.format {
             Format::Rr | Format::Rrr | Format::Flagged => 0,
             Format::HintAbsolute | Format::HintRelative => 2,
@@ -105,12 +94,7 @@ fn every_constant_is_an_operand() {
         };
         let numbered = matches!(row.operands, [Operand::Rt, other] | [other, Operand::Rt]
             if [Operand::Channel, Operand::Special].contains(other));
-        assert_eq!(
-            others.count(),
-            constants + usize::from(numbered),
-            "{}",
-            row.mnemonic
-        );
+        assert_eq!(others.count(), constants + usize::from(numbered), "{}", row.mnemonic);
     }
 }
 
@@ -162,17 +146,8 @@ fn classes_name_pipe_and_latency() {
     let class = |mnemonic| Op::of_mnemonic(mnemonic).unwrap().row().class;
     assert_eq!(class("fa"), Class::Fp6);
     assert_eq!(class("orx"), Class::Shuf);
-    assert_eq!(
-        (class("shl").pipe(), class("shl").latency()),
-        (Pipe::Even, 4)
-    );
-    assert_eq!(
-        (class("lqd").pipe(), class("lqd").latency()),
-        (Pipe::Odd, 6)
-    );
-    assert_eq!(
-        (class("dfma").pipe(), class("dfma").latency()),
-        (Pipe::Even, 13)
-    );
+    assert_eq!((class("shl").pipe(), class("shl").latency()), (Pipe::Even, 4));
+    assert_eq!((class("lqd").pipe(), class("lqd").latency()), (Pipe::Odd, 6));
+    assert_eq!((class("dfma").pipe(), class("dfma").latency()), (Pipe::Even, 13));
     assert_eq!((class("br").pipe(), class("br").latency()), (Pipe::Odd, 4));
 }

@@ -27,17 +27,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         host_time: true,
     };
     let results = run(&order, |next| eprintln!("accuracy: {next}"))?;
-    let document = Document {
-        origin: Some(Origin::here()),
-        results,
-    };
+    let document = Document { origin: Some(Origin::here()), results };
     output::write(&document, folder)?;
-    plots::write(
-        &plots::plots(&document.results),
-        folder,
-        "",
-        &[Format::Svg, Format::Png],
-    )?;
+    plots::write(&plots::plots(&document.results), folder, "", &[Format::Svg, Format::Png])?;
     for plot in plots::plots(&document.results) {
         if !plot.front.is_empty() {
             println!("{}: not beaten: {}", plot.title, plot.front.join(", "));

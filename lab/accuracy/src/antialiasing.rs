@@ -58,15 +58,9 @@ impl Way {
         let spread = [Samples::Four, Samples::Sixteen].into_iter();
         let adaptive = spread.flat_map(|samples| {
             let everywhere = std::iter::once(0);
-            everywhere
-                .chain(CONTRASTS)
-                .map(move |contrast| Self::Spread(samples, contrast))
+            everywhere.chain(CONTRASTS).map(move |contrast| Self::Spread(samples, contrast))
         });
-        [1, 2, 4]
-            .map(Self::Grid)
-            .into_iter()
-            .chain(adaptive)
-            .collect()
+        [1, 2, 4].map(Self::Grid).into_iter().chain(adaptive).collect()
     }
 
     /// Its name.
@@ -99,17 +93,11 @@ impl Way {
             Self::Grid(_) => (Samples::One, CONTRAST),
             Self::Spread(samples, contrast) => (samples, contrast),
         };
-        let options = RenderOptions {
-            samples,
-            contrast,
-            ..subject.render_options()
-        };
+        let options = RenderOptions { samples, contrast, ..subject.render_options() };
         let size = (side * SIZE.0, side * SIZE.1);
         let traced = trace(subject.name, scene, options, size, Program::tracer())?;
         let pixels = traced.picture.pixels().iter();
-        let light: Vec<_> = pixels
-            .map(|pixel| DVec3::from(pixel.map(f64::from)))
-            .collect();
+        let light: Vec<_> = pixels.map(|pixel| DVec3::from(pixel.map(f64::from))).collect();
         Ok((means(&light, side), traced))
     }
 }
@@ -123,8 +111,7 @@ fn means(samples: &[DVec3], side: u32) -> Vec<DVec3> {
         let sum: DVec3 = lines.flat_map(|line| &line[side * x..side * (x + 1)]).sum();
         sum / (side * side) as f64
     };
-    rows.flat_map(|row| (0..width).map(move |x| pixel(row, x)))
-        .collect()
+    rows.flat_map(|row| (0..width).map(move |x| pixel(row, x))).collect()
 }
 
 /// What a ray through a point of a picture of [`SIZE`] sees, channels from 0 to 1.
@@ -193,9 +180,7 @@ pub fn measure(mut progress: impl FnMut(&str)) -> Result<Vec<Row>, PictureError>
             progress(&format!("{}: {}", subject.name, way.name()));
             let (pixels, traced) = way.pixels(subject, &scene)?;
             let side = way.side();
-            let expected = references
-                .entry(side)
-                .or_insert_with(|| light.picture(side));
+            let expected = references.entry(side).or_insert_with(|| light.picture(side));
             let errors = pixels.iter().zip(&*expected);
             let errors: Vec<_> = errors.map(|(found, exact)| (found - exact).abs()).collect();
             let squares: f64 = errors.iter().map(|error| error.length_squared()).sum();
@@ -207,10 +192,7 @@ pub fn measure(mut progress: impl FnMut(&str)) -> Result<Vec<Row>, PictureError>
                 rays_a_pixel: traced.primary_rays as f64 / count,
                 frames_per_second: traced.frames_per_second,
                 rmse: (squares / (3.0 * count)).sqrt(),
-                max_error: errors
-                    .iter()
-                    .map(|error| error.max_element())
-                    .fold(0.0, f64::max),
+                max_error: errors.iter().map(|error| error.max_element()).fold(0.0, f64::max),
                 visible_percent: 100.0 * visible.count() as f64 / count,
             });
         }
@@ -226,9 +208,8 @@ mod tests {
     fn a_mean_is_of_a_square() {
         let (width, height) = SIZE;
         let value = |x: u32, y: u32| DVec3::new(f64::from(x), f64::from(y), 1.0);
-        let samples: Vec<_> = (0..2 * height)
-            .flat_map(|y| (0..2 * width).map(move |x| value(x, y)))
-            .collect();
+        let samples: Vec<_> =
+            (0..2 * height).flat_map(|y| (0..2 * width).map(move |x| value(x, y))).collect();
         let means = means(&samples, 2);
         assert_eq!(means.len(), (width * height) as usize);
         assert_eq!(means[(3 * width + 5) as usize], DVec3::new(10.5, 6.5, 1.0));

@@ -98,11 +98,7 @@ impl Errors {
     fn add(&mut self, any_length: bool, t: f64, truth: &Truth, hit: &Hit) {
         let Truth { line, scene, .. } = truth;
         // If directions have length 1 except for rounding, the kernel's result is a distance.
-        let unit = if any_length {
-            length(line.direction)
-        } else {
-            1.0
-        };
+        let unit = if any_length { length(line.direction) } else { 1.0 };
         let off = (t * unit - hit.distance).abs();
         self.distance_ulps.push(off / spacing(hit.distance));
         self.distance_relative.push(off / scene);
@@ -128,9 +124,7 @@ pub fn compare<'a>(
     found: impl Iterator<Item = Option<f64>>,
     truths: impl Iterator<Item = &'a Truth> + Clone,
 ) -> (Figures, Option<Summary>) {
-    let conditions = truths
-        .clone()
-        .filter_map(|truth| truth.hit.as_ref()?.condition);
+    let conditions = truths.clone().filter_map(|truth| truth.hit.as_ref()?.condition);
     let condition = Summary::of(conditions.collect());
     let mut errors = Errors::default();
     let (mut rays, mut hits, mut wrong_hits, mut wrong_misses) = (0, 0, 0, 0);
@@ -199,17 +193,10 @@ mod tests {
             distance: 6.0,
             point: [6.0, 0.0, 0.0],
             condition: Some(1.0),
-            normal: Some(Normal {
-                exact: [-1.0, 0.0, 0.0],
-                centre: [8.0, 0.0, 0.0],
-                radius: 2.0,
-            }),
+            normal: Some(Normal { exact: [-1.0, 0.0, 0.0], centre: [8.0, 0.0, 0.0], radius: 2.0 }),
         };
         let truth = Truth {
-            line: Line {
-                origin: [0.0; 3],
-                direction: [1.0, 0.0, 0.0],
-            },
+            line: Line { origin: [0.0; 3], direction: [1.0, 0.0, 0.0] },
             hit: None,
             scene: 10.0,
         };

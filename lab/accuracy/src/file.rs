@@ -16,9 +16,6 @@ impl OutputError {
     /// Makes an error about a file, a folder or a part of the results.
     pub(crate) fn of<E: Display>(what: impl Display) -> impl Fn(E) -> Self {
         let what = what.to_string();
-        move |reason| Self {
-            what: what.clone(),
-            reason: reason.to_string(),
-        }
+        move |reason| Self { what: what.clone(), reason: reason.to_string() }
     }
 }

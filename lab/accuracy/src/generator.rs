@@ -12,11 +12,9 @@ pub type Generator = Xoshiro256PlusPlus;
 pub fn generator(seed: u64, purpose: &[&str], round: u32) -> Generator {
     let bytes = purpose.iter().flat_map(|name| name.bytes().chain([0]));
     // FNV-1a.
-    let hash = bytes
-        .chain(round.to_le_bytes())
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        });
+    let hash = bytes.chain(round.to_le_bytes()).fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
     Generator::seed_from_u64(seed ^ hash)
 }
 
@@ -29,12 +27,8 @@ mod tests {
     #[test]
     fn a_purpose_and_a_round_have_numbers_of_their_own() {
         let first = |purpose: &[&str], round| generator(7, purpose, round).next_u64();
-        let numbers = [
-            first(&["a"], 0),
-            first(&["a"], 1),
-            first(&["a", "b"], 0),
-            first(&["ab"], 0),
-        ];
+        let numbers =
+            [first(&["a"], 0), first(&["a"], 1), first(&["a", "b"], 0), first(&["ab"], 0)];
         for (place, number) in numbers.iter().enumerate() {
             assert!(!numbers[..place].contains(number), "{numbers:x?}");
         }

@@ -35,11 +35,7 @@ mod tests {
         // The numbers 1 to 2000 in some order: 99.9 % of them are at most 1998.
         let errors = (0..2000).map(|n| f64::from(n * 1237 % 2000 + 1));
         let summary = Summary::of(errors.collect()).unwrap();
-        let expected = Summary {
-            max: 2000.0,
-            mean: 1000.5,
-            p999: 1998.0,
-        };
+        let expected = Summary { max: 2000.0, mean: 1000.5, p999: 1998.0 };
         assert_eq!(summary, expected);
     }
 

@@ -29,15 +29,10 @@ fn machine() -> String {
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = cpuinfo.lines().find_map(|line| {
         let (key, value) = line.split_once(':')?;
-        ["model name", "cpu", "Model"]
-            .contains(&key.trim())
-            .then(|| value.trim().to_owned())
+        ["model name", "cpu", "Model"].contains(&key.trim()).then(|| value.trim().to_owned())
     });
     let model = model.unwrap_or_else(|| UNKNOWN.to_owned());
-    format!(
-        "{model} ({}), {processors} processors",
-        std::env::consts::ARCH
-    )
+    format!("{model} ({}), {processors} processors", std::env::consts::ARCH)
 }
 
 /// The commit of the sources from which this was built, if they still exist.
@@ -57,11 +52,7 @@ mod tests {
 
     #[test]
     fn nothing_of_an_origin_is_empty() {
-        let Origin {
-            machine,
-            commit,
-            command,
-        } = Origin::here();
+        let Origin { machine, commit, command } = Origin::here();
         assert!(machine.contains(std::env::consts::ARCH), "{machine}");
         let hex = |c: char| c.is_ascii_hexdigit();
         let known = commit.trim_end_matches("-dirty").chars().all(hex);

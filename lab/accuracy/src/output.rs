@@ -44,10 +44,7 @@ pub fn folder(path: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(path).map_err(OutputError::of(path.display()))?;
     let probe = path.join(JSON);
     let mut open = fs::OpenOptions::new();
-    open.append(true)
-        .create(true)
-        .open(&probe)
-        .map_err(OutputError::of(probe.display()))?;
+    open.append(true).create(true).open(&probe).map_err(OutputError::of(probe.display()))?;
     Ok(())
 }
 
@@ -82,8 +79,7 @@ fn tables(results: &Results, folder: &Path) -> Result<(), OutputError> {
         let path = folder.join(name);
         let mut file = csv::Writer::from_path(&path).map_err(OutputError::of(path.display()))?;
         for row in rows {
-            file.write_record(row)
-                .map_err(OutputError::of(path.display()))?;
+            file.write_record(row).map_err(OutputError::of(path.display()))?;
         }
         file.flush().map_err(OutputError::of(path.display()))?;
     }
@@ -105,10 +101,7 @@ fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
         let kernel = kernels.find(|kernel| kernel.formulation == formulation);
         cells
             .number("cycles_a_ray", kernel.map(|kernel| kernel.cycles_a_ray))
-            .number(
-                "host_ns_a_ray",
-                kernel.and_then(|kernel| kernel.host_ns_a_ray),
-            )
+            .number("host_ns_a_ray", kernel.and_then(|kernel| kernel.host_ns_a_ray))
     };
     let spheres = results.spheres.iter().map(|row| {
         let cells = Cells::default()
@@ -121,9 +114,8 @@ fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
             .summary("normal_ulps", row.normal_ulps)
     });
     let triangles = results.triangles.iter().map(|row| {
-        let cells = Cells::default()
-            .text("formulation", &row.formulation)
-            .text("family", &row.family);
+        let cells =
+            Cells::default().text("formulation", &row.formulation).text("family", &row.family);
         costs(cells, &row.formulation, "triangle").figures(&row.figures)
     });
     let roots = results.roots.iter().map(|row| {
@@ -186,10 +178,7 @@ impl Cells {
 
     /// A number with all its digits, or an empty cell.
     fn number(self, name: &str, value: Option<f64>) -> Self {
-        self.text(
-            name,
-            value.map_or_else(String::new, |value| value.to_string()),
-        )
+        self.text(name, value.map_or_else(String::new, |value| value.to_string()))
     }
 
     fn summary(self, name: &str, summary: Option<Summary>) -> Self {

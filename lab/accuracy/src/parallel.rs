@@ -44,11 +44,6 @@ mod tests {
     fn results_come_in_the_order_of_their_items() {
         let items: Vec<u64> = (0..1000).collect();
         let squares = map(&items, || (), |(), item| item * item);
-        assert!(
-            squares
-                .iter()
-                .zip(&items)
-                .all(|(square, item)| *square == item * item)
-        );
+        assert!(squares.iter().zip(&items).all(|(square, item)| *square == item * item));
     }
 }

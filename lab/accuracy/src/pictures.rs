@@ -149,10 +149,7 @@ impl Subject {
     }
 
     pub(crate) fn render_options(&self) -> RenderOptions {
-        RenderOptions {
-            model: self.model,
-            ..RenderOptions::default()
-        }
+        RenderOptions { model: self.model, ..RenderOptions::default() }
     }
 
     fn reference(&self, scene: &nff::Scene, size: (u32, u32)) -> Result<Reference, oracle::Error> {
@@ -230,17 +227,11 @@ pub(crate) fn trace(
     (width, height): (u32, u32),
     program: Program,
 ) -> Result<Traced, PictureError> {
-    let settings = Settings {
-        retain: false,
-        program,
-        ..Settings::default()
-    };
+    let settings = Settings { retain: false, program, ..Settings::default() };
     let scene = Scene::new(scene, options, &program)?;
     let shown = Shown::default();
-    let framebuffer = Kept {
-        memory: Memory::new(Geometry::new(width, height)?)?,
-        shown: Arc::clone(&shown),
-    };
+    let framebuffer =
+        Kept { memory: Memory::new(Geometry::new(width, height)?)?, shown: Arc::clone(&shown) };
     let mut report = Report::new(name, (width, height), settings.spus);
     let mut engine = Engine::start(settings, Box::new(framebuffer))?;
     engine.render(&scene, &mut |_| ())?;
@@ -252,11 +243,7 @@ pub(crate) fn trace(
     for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {
         *to = from.0;
     }
-    Ok(Traced {
-        picture,
-        frames_per_second: report.frames_per_second,
-        primary_rays,
-    })
+    Ok(Traced { picture, frames_per_second: report.frames_per_second, primary_rays })
 }
 
 /// The SPU program with these formulations: one of `cellray`'s own, or else one that is built now.
@@ -272,9 +259,8 @@ fn rmse(picture: &Picture, reference: &Picture) -> f64 {
     let pairs = picture.pixels().iter().zip(reference.pixels());
     let channels = pairs.flat_map(|(found, expected)| found.iter().zip(expected));
     // The values are integers, so the sum is exact.
-    let sum: u64 = channels
-        .map(|(found, expected)| u64::from(found.abs_diff(*expected)).pow(2))
-        .sum();
+    let sum: u64 =
+        channels.map(|(found, expected)| u64::from(found.abs_diff(*expected)).pow(2)).sum();
     (sum as f64 / (3 * picture.pixels().len()) as f64).sqrt()
 }
 
@@ -326,10 +312,7 @@ mod tests {
 
     #[test]
     fn the_default_formulation_draws_all_scenes_as_the_reference_has_them() {
-        let sizes = Sizes {
-            depth: (160, 90),
-            whitted: (64, 36),
-        };
+        let sizes = Sizes { depth: (160, 90), whitted: (64, 36) };
         let standard = Formulations::standard();
         let default = |name: &str| name == standard.eye.name || name == STANDARD;
         let rows = measure(default, &sizes, |_| ()).unwrap();

@@ -62,11 +62,7 @@ fn of_function(bench: &mut Bench, function: &Function) -> RootRow {
         cycles_an_operand: cycles.expect("the catalogue contains the kernel"),
         host_ns_an_operand: None,
         operands: function.quantity.all_fractions().count(),
-        ulps: Summary {
-            max: accuracy.largest,
-            mean: accuracy.mean,
-            p999: accuracy.most,
-        },
+        ulps: Summary { max: accuracy.largest, mean: accuracy.mean, p999: accuracy.most },
         worst: format!("{:08x}", accuracy.worst),
     }
 }

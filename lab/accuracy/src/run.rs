@@ -104,9 +104,7 @@ pub struct Results {
 impl Results {
     /// The costs of a form's kernels.
     pub fn kernels_of(&self, form: &str) -> impl Iterator<Item = &KernelRow> {
-        self.kernels
-            .iter()
-            .filter(move |kernel| kernel.form == form)
+        self.kernels.iter().filter(move |kernel| kernel.form == form)
     }
 
     /// A formulation's rows of a form, one for each family.
@@ -162,10 +160,9 @@ impl Order {
         let known: Vec<&str> = spheres.chain(triangles).collect();
         let mut only = self.only.iter();
         match only.find(|name| !known.contains(&name.as_str())) {
-            Some(name) => Err(RunError::Formulation {
-                name: name.clone(),
-                known: known.join(", "),
-            }),
+            Some(name) => {
+                Err(RunError::Formulation { name: name.clone(), known: known.join(", ") })
+            }
             None => Ok(()),
         }
     }
@@ -178,13 +175,10 @@ impl Order {
 /// Fails for unknown formulations and if a picture can't be traced.
 pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, RunError> {
     order.check()?;
-    let subjects: Vec<Subject> = subject::all()
-        .filter(|subject| order.asks_for(subject.formulation.name))
-        .collect();
-    let flat: Vec<&TriangleFormulation> = TRIANGLES
-        .iter()
-        .filter(|formulation| order.asks_for(formulation.name))
-        .collect();
+    let subjects: Vec<Subject> =
+        subject::all().filter(|subject| order.asks_for(subject.formulation.name)).collect();
+    let flat: Vec<&TriangleFormulation> =
+        TRIANGLES.iter().filter(|formulation| order.asks_for(formulation.name)).collect();
     progress("cycles of the kernels");
     let kernels = kernels(order, &subjects, &flat)?;
     let shots = order.extent.shots();
@@ -224,26 +218,17 @@ fn kernels(
         let SphereFormulation { name, doc, .. } = *subject.formulation;
         (name, doc, subject.form.name(), subject.kernel)
     });
-    let of_triangles = flat
-        .iter()
-        .map(|flat| (flat.name, flat.doc, "triangle", flat.kernel));
+    let of_triangles = flat.iter().map(|flat| (flat.name, flat.doc, "triangle", flat.kernel));
     let mut bench = Bench::new();
     let row = |(formulation, doc, form, kernel): (&'static str, &str, &str, &'static str)| {
-        let missing = RunError::Kernel {
-            formulation,
-            kernel,
-        };
+        let missing = RunError::Kernel { formulation, kernel };
         Ok(KernelRow {
             formulation: formulation.to_owned(),
             form: form.to_owned(),
             doc: doc.to_owned(),
             kernel: kernel.to_owned(),
             cycles_a_ray: cycles_a_ray(&mut bench, kernel).ok_or(missing)?,
-            host_ns_a_ray: if order.host_time {
-                host_time(&mut bench, kernel)
-            } else {
-                None
-            },
+            host_ns_a_ray: if order.host_time { host_time(&mut bench, kernel) } else { None },
         })
     };
     of_spheres.chain(of_triangles).map(row).collect()

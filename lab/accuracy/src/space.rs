@@ -12,20 +12,12 @@ use crate::truth::Vector;
 
 /// A ray that has hit nothing yet.
 pub fn fresh(origin: [Single; 3], direction: [Single; 3]) -> Ray {
-    Ray {
-        origin,
-        direction,
-        t: FARTHEST,
-        object: 0,
-    }
+    Ray { origin, direction, t: FARTHEST, object: 0 }
 }
 
 /// A triangle that is visible from both sides.
 pub fn two_sided(vertices: Triangle) -> TriangleObject {
-    TriangleObject {
-        vertices,
-        both: true,
-    }
+    TriangleObject { vertices, both: true }
 }
 
 /// A vector's length.
@@ -76,9 +68,7 @@ pub fn direction(random: &mut impl Rng) -> Vector {
 
 /// Two directions that are perpendicular to a third and to each other.
 pub fn across(axis: Vector) -> [Vector; 2] {
-    let least = (0..3)
-        .min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs()))
-        .unwrap_or(0);
+    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let mut other = [0.0; 3];
     other[least] = 1.0;
     let first = unit(along(other, -dot(other, axis), axis));

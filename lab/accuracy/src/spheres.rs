@@ -65,10 +65,7 @@ fn of_family<'a>(
         let record = subject.formulation.record;
         let truths = match known.take() {
             Some((of, truths)) if of == record => truths,
-            _ => shots
-                .iter()
-                .flat_map(|shot| truths(family, subject, shot))
-                .collect(),
+            _ => shots.iter().flat_map(|shot| truths(family, subject, shot)).collect(),
         };
         let found = shots.iter().flat_map(|shot| subject.hits(bench, shot));
         let (figures, normal_ulps) = compare(family.any_length, found, truths.iter());
@@ -100,11 +97,7 @@ fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
             point: along(centre, radius, exact),
             condition: (passing.beyond <= edge)
                 .then(|| condition(form, shot, &line, (distance, exact))),
-            normal: Some(Normal {
-                exact,
-                centre,
-                radius,
-            }),
+            normal: Some(Normal { exact, centre, radius }),
         });
         let scene = length(less(centre, line.origin)) + radius;
         Truth { line, hit, scene }
@@ -140,9 +133,7 @@ mod tests {
     }
 
     fn row<'a>(rows: &'a [SphereRow], form: Form, family: &str) -> &'a SphereRow {
-        let found = rows
-            .iter()
-            .find(|row| row.form == form && row.family == family);
+        let found = rows.iter().find(|row| row.form == form && row.family == family);
         found.unwrap()
     }
 

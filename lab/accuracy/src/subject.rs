@@ -31,11 +31,7 @@ pub struct Subject {
 pub fn all() -> impl Iterator<Item = Subject> {
     Form::ALL.into_iter().flat_map(|form| {
         SPHERES.iter().filter_map(move |formulation| {
-            Some(Subject {
-                formulation,
-                form,
-                kernel: form.kernel(formulation)?,
-            })
+            Some(Subject { formulation, form, kernel: form.kernel(formulation)? })
         })
     })
 }
@@ -51,14 +47,7 @@ pub enum Given {
 
 /// A sphere that is visible from inside and outside.
 pub fn sphere(centre: [Single; 3], radius: Single) -> SphereObject {
-    SphereObject {
-        centre,
-        offset: radius,
-        sides: Sides {
-            both: true,
-            exit: false,
-        },
-    }
+    SphereObject { centre, offset: radius, sides: Sides { both: true, exit: false } }
 }
 
 impl Given {
@@ -86,10 +75,9 @@ impl Given {
     /// The exact sphere that the record represents.
     pub fn sphere(&self) -> Sphere {
         match *self {
-            Self::Eye(EyeSphere::Centre {
-                centre,
-                radius_squared,
-            }) => Sphere::of_radius_squared(centre, radius_squared),
+            Self::Eye(EyeSphere::Centre { centre, radius_squared }) => {
+                Sphere::of_radius_squared(centre, radius_squared)
+            }
             Self::Eye(EyeSphere::Axis { axis, k, distance }) => Sphere::of_axis(axis, k, distance),
             Self::General(object) => Sphere::of_radius(object.centre, object.offset),
         }
@@ -107,9 +95,8 @@ impl Subject {
         let hits = match self.given(shot) {
             Given::Eye(sphere) => {
                 let directions = shot.packets.iter();
-                let directions: Vec<Vectors> = directions
-                    .map(|rays| rays.map(|ray| ray.direction))
-                    .collect();
+                let directions: Vec<Vectors> =
+                    directions.map(|rays| rays.map(|ray| ray.direction)).collect();
                 spheres::eye(bench, self.kernel, &directions, &sphere)
             }
             Given::General(sphere) => spheres::general(bench, self.kernel, &shot.packets, &sphere),

@@ -39,9 +39,7 @@ pub fn measure(formulations: &[&TriangleFormulation], seed: u64, shots: usize) -
         let shots = family.shots(seed, shots);
         let truths: Vec<Truth> = shots.iter().flat_map(truths).collect();
         let row = |formulation: &&TriangleFormulation| {
-            let found = shots
-                .iter()
-                .flat_map(|shot| hits(bench, formulation.kernel, shot));
+            let found = shots.iter().flat_map(|shot| hits(bench, formulation.kernel, shot));
             let (figures, _) = compare(false, found, truths.iter());
             TriangleRow {
                 formulation: formulation.name.to_owned(),
@@ -106,8 +104,7 @@ fn hits(bench: &mut Bench, kernel: &str, shot: &Shot) -> Vec<Option<f64>> {
     bench.call(kernel, &[placed.candidates, list.len() as u32]);
     let after: Vec<RayPacket> = bench.read_all(placed.packets);
     let rays = after.iter().flat_map(call::rays);
-    rays.map(|ray| (ray.object != 0).then(|| to_f64(ray.t)))
-        .collect()
+    rays.map(|ray| (ray.object != 0).then(|| to_f64(ray.t))).collect()
 }
 
 #[cfg(test)]
@@ -118,10 +115,8 @@ mod tests {
 
     #[test]
     fn the_watertight_formulation_does_not_leak_and_is_right_to_some_ulps() {
-        let watertight: Vec<_> = TRIANGLES
-            .iter()
-            .filter(|formulation| formulation.name == "watertight")
-            .collect();
+        let watertight: Vec<_> =
+            TRIANGLES.iter().filter(|formulation| formulation.name == "watertight").collect();
         let rows = measure(&watertight, 1, 4);
         assert_eq!(rows.len(), FAMILIES.len());
         for row in &rows {

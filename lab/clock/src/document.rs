@@ -109,11 +109,7 @@ pub fn page(rows: &[Row], values: &[Value]) -> String {
     for (row, value) in pairs(rows, values) {
         if row.console.is_none() {
             let value = figure(value);
-            let _ = writeln!(
-                text,
-                "| {} | {} | {} | {value} |",
-                row.name, row.what, row.unit
-            );
+            let _ = writeln!(text, "| {} | {} | {} | {value} |", row.name, row.what, row.unit);
         }
     }
     text.push_str(CHOICES);

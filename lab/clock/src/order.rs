@@ -47,16 +47,7 @@ pub struct Order {
 impl Order {
     /// An order without commands.
     pub fn new(benchmark: Benchmark, passes: u32) -> Self {
-        Self {
-            benchmark,
-            passes,
-            opcode: GET,
-            size: 0,
-            depth: 1,
-            ea: 0,
-            mask: 0,
-            number: 0,
-        }
+        Self { benchmark, passes, opcode: GET, size: 0, depth: 1, ea: 0, mask: 0, number: 0 }
     }
 
     /// The order as the SPU reads it.
@@ -96,9 +87,6 @@ impl Measured {
             let bytes = [bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]];
             u32::from_be_bytes(bytes)
         };
-        Self {
-            ticks: word(0),
-            done: word(16),
-        }
+        Self { ticks: word(0), done: word(16) }
     }
 }

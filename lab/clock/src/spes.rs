@@ -122,11 +122,7 @@ pub fn run(
     };
     let place = Place {
         memory: area.address(),
-        mapped: contexts
-            .iter()
-            .enumerate()
-            .map(address)
-            .collect::<Result<_, _>>()?,
+        mapped: contexts.iter().enumerate().map(address).collect::<Result<_, _>>()?,
     };
     let mut orders = SharedMemory::new(count * 2 * BYTES);
     let all: Vec<Order> = (0..count).map(|number| order(&place, number)).collect();
@@ -139,11 +135,8 @@ pub fn run(
     let first = orders.address() as usize;
     thread::scope(|scope| {
         let run = |(number, context): (usize, &Context)| context.run(first + number * 2 * BYTES);
-        let threads: Vec<_> = contexts
-            .iter()
-            .enumerate()
-            .map(|spe| scope.spawn(move || run(spe)))
-            .collect();
+        let threads: Vec<_> =
+            contexts.iter().enumerate().map(|spe| scope.spawn(move || run(spe))).collect();
         let served = begin(&contexts).and_then(|()| serve(&contexts, ppe, all[0].passes));
         if served.is_err() {
             for context in &contexts {

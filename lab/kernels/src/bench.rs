@@ -47,10 +47,8 @@ const LIMIT: u64 = 10_000_000;
     reason = "the test harness shows this output if a test fails, and only then"
 )]
 pub fn random() -> ChaCha8Rng {
-    let seed = std::env::var("CELLRAY_SEED")
-        .ok()
-        .and_then(|text| text.parse().ok())
-        .unwrap_or(SEED);
+    let seed =
+        std::env::var("CELLRAY_SEED").ok().and_then(|text| text.parse().ok()).unwrap_or(SEED);
     println!("CELLRAY_SEED={seed}");
     ChaCha8Rng::seed_from_u64(seed)
 }
@@ -104,8 +102,7 @@ impl Machine {
     fn load(&self) {
         self.fill_with_stops(0, SIZE);
         self.image.load(&self.store, 0);
-        self.store
-            .write(RETURN_ADDRESS, &u32::from(RETURN).to_be_bytes());
+        self.store.write(RETURN_ADDRESS, &u32::from(RETURN).to_be_bytes());
     }
 
     /// Fills local store from `start` to `end` with the `stop` that no program should run into.
@@ -118,8 +115,7 @@ impl Machine {
     fn run(&mut self, kernel: &str, registers: &[Quad; 128], observer: &mut impl Observer) -> u64 {
         self.spu.registers = *registers;
         let entry = self.image.symbol(kernel);
-        self.spu
-            .set_pc(entry.unwrap_or_else(|| panic!("no kernel {kernel}")));
+        self.spu.set_pc(entry.unwrap_or_else(|| panic!("no kernel {kernel}")));
         let executed = self.spu.executed();
         let stopped = self
             .spu
@@ -212,10 +208,7 @@ impl Bench {
 
     /// Adds a buffer with guards around it.
     pub fn place(&mut self, bytes: &[u8]) -> Place {
-        let place = Place {
-            address: self.free + GUARD as u32,
-            size: bytes.len(),
-        };
+        let place = Place { address: self.free + GUARD as u32, size: bytes.len() };
         let end = place.address + place.size as u32;
         self.free = (end + GUARD as u32).next_multiple_of(128);
         assert!(self.free <= ARENA_END, "the arena is full");
@@ -294,10 +287,7 @@ impl Bench {
         self.check_guards(kernel);
         self.scheduled.run(kernel, &registers, &mut ());
         self.compare(&source);
-        Returned {
-            value,
-            instructions,
-        }
+        Returned { value, instructions }
     }
 
     /// Times a call of one version without the checks. The memory that it writes is not restored.

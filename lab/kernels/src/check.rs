@@ -115,11 +115,7 @@ fn schedule(workshop: &Workshop, source: &Source, out: &mut impl Write) -> Resul
             differences: lines.collect::<Vec<_>>().join("\n"),
         });
     }
-    writeln!(
-        out,
-        "  schedule  up to date; {} notes agree with the model",
-        outcome.notes
-    )?;
+    writeln!(out, "  schedule  up to date; {} notes agree with the model", outcome.notes)?;
     Ok(())
 }
 
@@ -136,11 +132,7 @@ fn error(
     let stated = stated.ok_or(CheckError::Unstated(kernel.name))?;
     let measured = error(bench, &mut ChaCha8Rng::seed_from_u64(SEED));
     if measured > stated {
-        return Err(CheckError::Error {
-            kernel: kernel.name,
-            measured,
-            stated,
-        });
+        return Err(CheckError::Error { kernel: kernel.name, measured, stated });
     }
     writeln!(out, "  error     {measured:.2}, at most {stated} stated")?;
     Ok(())
@@ -156,10 +148,7 @@ fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
     command.args(["test", "--quiet", "--offline"]);
     command.args(["--test", "kernel_tests", "--"]).args(tests);
     if !command.status()?.success() {
-        return Err(CheckError::Tests {
-            kernel: kernel.name,
-            command: format!("{command:?}"),
-        });
+        return Err(CheckError::Tests { kernel: kernel.name, command: format!("{command:?}") });
     }
     writeln!(out, "  tests     {} pass", tests.join(" and "))?;
     Ok(())

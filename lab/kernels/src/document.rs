@@ -77,9 +77,7 @@ pub fn check(path: &Path, table: &str) -> Result<(), DocumentError> {
 }
 
 fn renewed(path: &Path, text: &str, table: &str) -> Result<String, DocumentError> {
-    let markers = || DocumentError::Markers {
-        path: path.to_path_buf(),
-    };
+    let markers = || DocumentError::Markers { path: path.to_path_buf() };
     let (before, rest) = text.split_once(BEGIN).ok_or_else(markers)?;
     let (_, after) = rest.split_once(END).ok_or_else(markers)?;
     Ok(format!("{before}{BEGIN}\n\n{table}\n{END}{after}"))
@@ -90,8 +88,5 @@ fn read(path: &Path) -> Result<String, DocumentError> {
 }
 
 fn file_error(path: &Path, source: std::io::Error) -> DocumentError {
-    DocumentError::File {
-        path: path.to_path_buf(),
-        source,
-    }
+    DocumentError::File { path: path.to_path_buf(), source }
 }

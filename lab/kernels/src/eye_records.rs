@@ -39,10 +39,7 @@ pub fn directions(packet: &Packet) -> Vectors {
 /// The hits in a packet.
 #[must_use]
 pub fn hits(packet: &Packet) -> Hits {
-    std::array::from_fn(|lane| Hit {
-        t: bits(packet.t[lane]),
-        object: packet.object[lane].get(),
-    })
+    std::array::from_fn(|lane| Hit { t: bits(packet.t[lane]), object: packet.object[lane].get() })
 }
 
 /// A sphere of which only the position and the size are set.
@@ -58,20 +55,13 @@ pub fn sphere(bare: &BareSphere) -> Sphere {
 /// The position and the size of a sphere.
 #[must_use]
 pub fn bare_sphere(sphere: &Sphere) -> BareSphere {
-    BareSphere {
-        centre: sphere.centre.map(bits),
-        radius_squared: bits(sphere.radius_squared),
-    }
+    BareSphere { centre: sphere.centre.map(bits), radius_squared: bits(sphere.radius_squared) }
 }
 
 /// A pair.
 #[must_use]
 pub fn pair(object: u32, packet: u32) -> Pair {
-    Pair {
-        object: object.into(),
-        packet: packet.into(),
-        ..Pair::new_zeroed()
-    }
+    Pair { object: object.into(), packet: packet.into(), ..Pair::new_zeroed() }
 }
 
 /// A camera.
@@ -87,10 +77,7 @@ pub fn basis(basis: &ray_setup::Basis) -> Basis {
 /// Depth shading.
 #[must_use]
 pub fn depth(depth: shade_depth::Depth) -> Depth {
-    Depth {
-        far: splat(depth.far),
-        scale: splat(depth.scale),
-    }
+    Depth { far: splat(depth.far), scale: splat(depth.scale) }
 }
 
 /// The colours of a packet.

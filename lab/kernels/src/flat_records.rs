@@ -40,22 +40,13 @@ pub struct Ray {
 }
 
 /// The hit of a ray that has hit nothing.
-pub const NO_HIT: FlatHit = FlatHit {
-    t: FARTHEST,
-    object: 0,
-    u: 0,
-    v: 0,
-};
+pub const NO_HIT: FlatHit = FlatHit { t: FARTHEST, object: 0, u: 0, v: 0 };
 
 impl Ray {
     /// A ray that has hit nothing.
     #[must_use]
     pub fn new(origin: Point, direction: Point) -> Self {
-        Self {
-            origin,
-            direction,
-            hit: NO_HIT,
-        }
+        Self { origin, direction, hit: NO_HIT }
     }
 
     /// A ray of random bits.

@@ -31,19 +31,11 @@ pub fn check() -> Result<(), WorkshopError> {
             stale.push(format!("spu/images/{}", name.display()));
         }
     }
-    if stale.is_empty() {
-        Ok(())
-    } else {
-        Err(WorkshopError::StaleImages(stale))
-    }
+    if stale.is_empty() { Ok(()) } else { Err(WorkshopError::StaleImages(stale)) }
 }
 
 fn build(folder: &Path) -> Result<(), WorkshopError> {
-    Ok(prebuilt::build(
-        &Tools::find()?,
-        temporary()?.path(),
-        folder,
-    )?)
+    Ok(prebuilt::build(&Tools::find()?, temporary()?.path(), folder)?)
 }
 
 fn temporary() -> Result<tempfile::TempDir, WorkshopError> {
@@ -66,8 +58,5 @@ fn read(path: &Path) -> Result<Vec<u8>, WorkshopError> {
 }
 
 fn failed(path: &Path, source: std::io::Error) -> WorkshopError {
-    WorkshopError::File {
-        path: path.to_path_buf(),
-        source,
-    }
+    WorkshopError::File { path: path.to_path_buf(), source }
 }

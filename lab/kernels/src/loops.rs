@@ -91,10 +91,7 @@ pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Schedule) -> Vec<Loop> 
         name: name.clone(),
         form: match outcome {
             Ok(cycles) => Form::Pipelined(*cycles),
-            Err(why) => Form::Straight {
-                why: why.clone(),
-                cycles: straight.next(),
-            },
+            Err(why) => Form::Straight { why: why.clone(), cycles: straight.next() },
         },
     });
     found.collect()
@@ -107,19 +104,16 @@ fn straight_cycles(kernels: &Kernels, kernel: &str, count: usize) -> Vec<Cycles>
     if plain.len() != count || scheduled.len() != count {
         return Vec::new();
     }
-    let cycles = plain
-        .iter()
-        .zip(&scheduled)
-        .filter_map(|(plain, scheduled)| {
-            Some(Cycles {
-                even: plain.even,
-                odd: plain.odd,
-                bound: plain.bound(),
-                interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
-                stages: 1,
-                passes: 1,
-            })
-        });
+    let cycles = plain.iter().zip(&scheduled).filter_map(|(plain, scheduled)| {
+        Some(Cycles {
+            even: plain.even,
+            odd: plain.odd,
+            bound: plain.bound(),
+            interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
+            stages: 1,
+            passes: 1,
+        })
+    });
     cycles.collect()
 }
 

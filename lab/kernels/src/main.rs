@@ -126,21 +126,13 @@ fn run(command: Command) -> Result<(), Failure> {
             let mut shipped = workshop.sources()?;
             shipped.retain(Source::shipped);
             let sources = named(&names, &shipped)?;
-            if check {
-                Ok(workshop.check(&sources)?)
-            } else {
-                Ok(workshop.write(&sources)?)
-            }
+            if check { Ok(workshop.check(&sources)?) } else { Ok(workshop.write(&sources)?) }
         }
         Command::Check { names } => {
             let kernels = chosen(&names)?;
             Ok(check(&kernels, &mut talk::Output)?)
         }
-        Command::Image {
-            sphere,
-            triangle,
-            out,
-        } => {
+        Command::Image { sphere, triangle, out } => {
             let sphere = formulation::sphere(&sphere).expect("clap has checked the name");
             let triangle = formulation::triangle(&triangle).expect("clap has checked the name");
             let image = set::tracer(Formulations::of(sphere, triangle))?;
@@ -195,8 +187,5 @@ fn named(names: &[String], sources: &[Source]) -> Result<Vec<Source>, Failure> {
 }
 
 fn unknown(name: &str, known: Vec<&str>) -> Failure {
-    Failure::Unknown {
-        name: name.to_owned(),
-        known: known.join(", "),
-    }
+    Failure::Unknown { name: name.to_owned(), known: known.join(", ") }
 }

@@ -98,9 +98,7 @@ impl Cost {
     /// the call's.
     #[must_use]
     pub fn main(&self) -> &Time {
-        self.stream
-            .as_ref()
-            .map_or(&self.call, |stream| &stream.time)
+        self.stream.as_ref().map_or(&self.call, |stream| &stream.time)
     }
 }
 
@@ -111,10 +109,7 @@ pub fn measure_all(
     let set = Kernels::here()?;
     let mut bench = Bench::of(set.clone());
     let workshop = Workshop::here()?;
-    kernels
-        .into_iter()
-        .map(|kernel| measure(set, &mut bench, &workshop, kernel))
-        .collect()
+    kernels.into_iter().map(|kernel| measure(set, &mut bench, &workshop, kernel)).collect()
 }
 
 fn measure(
@@ -185,10 +180,9 @@ pub(crate) fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Versio
     let call = time(case.objects.first());
     let stream = match case.objects {
         Objects::Fixed(_) => None,
-        Objects::List(short, long) => Some(Stream {
-            objects: long - short,
-            time: call.up_to(&time(long)),
-        }),
+        Objects::List(short, long) => {
+            Some(Stream { objects: long - short, time: call.up_to(&time(long)) })
+        }
     };
     Cost { call, stream }
 }

@@ -59,16 +59,10 @@ impl Rays {
     pub fn new(rays: &[sphere_ray::Ray; 16]) -> Self {
         let mut record = Self::new_zeroed();
         for (lane, ray) in rays.iter().enumerate() {
-            [
-                record.origin_x[lane],
-                record.origin_y[lane],
-                record.origin_z[lane],
-            ] = ray.origin.map(single);
-            [
-                record.direction_x[lane],
-                record.direction_y[lane],
-                record.direction_z[lane],
-            ] = ray.direction.map(single);
+            [record.origin_x[lane], record.origin_y[lane], record.origin_z[lane]] =
+                ray.origin.map(single);
+            [record.direction_x[lane], record.direction_y[lane], record.direction_z[lane]] =
+                ray.direction.map(single);
             record.t[lane] = single(ray.t);
             record.object[lane] = ray.object.into();
         }
@@ -119,9 +113,6 @@ impl BareSphere {
     /// The record of a sphere.
     #[must_use]
     pub fn new(sphere: &sphere_ray::BareSphere) -> Self {
-        Self {
-            centre: sphere.centre.map(single),
-            radius_squared: single(sphere.radius_squared),
-        }
+        Self { centre: sphere.centre.map(single), radius_squared: single(sphere.radius_squared) }
     }
 }

@@ -48,11 +48,7 @@ impl Kernels {
     fn made(workshop: &Workshop) -> Result<Self, WorkshopError> {
         let sources = workshop.sources()?;
         let [plain, scheduled] = workshop.images(&sources)?;
-        Ok(Self {
-            plain: plain.leak(),
-            scheduled: scheduled.leak(),
-            sources,
-        })
+        Ok(Self { plain: plain.leak(), scheduled: scheduled.leak(), sources })
     }
 
     fn unpacked(folder: &Path) -> Result<Self, WorkshopError> {

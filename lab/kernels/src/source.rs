@@ -7,14 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The folders of kernels: those for `cellray`'s programs, and those for the laboratory.
-const FOLDERS: [&str; 6] = [
-    "spu/isect",
-    "lab/spu/isect",
-    "lab/spu/math",
-    "spu/shade",
-    "spu/shaders",
-    "spu/trace",
-];
+const FOLDERS: [&str; 6] =
+    ["spu/isect", "lab/spu/isect", "lab/spu/math", "spu/shade", "spu/shaders", "spu/trace"];
 
 /// A kernel's hand-written source.
 #[derive(Clone, Copy, Debug)]
@@ -82,11 +76,7 @@ impl Source {
     /// The header, or `None` if it does not have the project's format.
     #[must_use]
     pub fn header(&self) -> Option<Header> {
-        let lines: Vec<&str> = self
-            .text
-            .lines()
-            .map_while(|line| line.strip_prefix('#'))
-            .collect();
+        let lines: Vec<&str> = self.text.lines().map_while(|line| line.strip_prefix('#')).collect();
         let doc = lines.first()?.trim_start().strip_prefix(self.name)?;
         let doc = doc.strip_prefix(' ')?.trim();
         Some(Header {
@@ -122,11 +112,7 @@ fn entry(lines: &[&str], key: &str) -> Option<String> {
     let prefix = format!("   {key} ");
     let at = lines.iter().position(|line| line.starts_with(&prefix))?;
     let first = lines[at][prefix.len()..].trim();
-    let further = lines[at + 1..]
-        .iter()
-        .take_while(|line| line.starts_with("           "));
-    let words: Vec<&str> = std::iter::once(first)
-        .chain(further.map(|line| line.trim()))
-        .collect();
+    let further = lines[at + 1..].iter().take_while(|line| line.starts_with("           "));
+    let words: Vec<&str> = std::iter::once(first).chain(further.map(|line| line.trim())).collect();
     Some(words.join(" "))
 }

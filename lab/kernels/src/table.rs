@@ -57,9 +57,7 @@ fn row(kernel: &Measured, timed: &Timed, version: &str, cost: &Cost) -> [String;
         version.into(),
         cost.call.cycles.to_string(),
         format!("{:.2}", timed.cycles_a_test(cost)),
-        timed
-            .cycles_in_stream(cost)
-            .map_or_else(String::new, |cycles| format!("{cycles:.2}")),
+        timed.cycles_in_stream(cost).map_or_else(String::new, |cycles| format!("{cycles:.2}")),
         percent(main.even_share()),
         percent(main.odd_share()),
         percent(main.dual_share()),
@@ -68,19 +66,13 @@ fn row(kernel: &Measured, timed: &Timed, version: &str, cost: &Cost) -> [String;
 
 fn percent(share: f64) -> String {
     // The time may be 0: a kernel that leaves a list early has no cost for further objects.
-    if share.is_finite() {
-        format!("{:.1} %", 100.0 * share)
-    } else {
-        String::new()
-    }
+    if share.is_finite() { format!("{:.1} %", 100.0 * share) } else { String::new() }
 }
 
 fn loops(text: &mut String, kernels: &[Measured]) {
     let mut rows = vec![
-        [
-            "kernel", "loop", "even", "odd", "bound", "interval", "stages", "reached",
-        ]
-        .map(String::from),
+        ["kernel", "loop", "even", "odd", "bound", "interval", "stages", "reached"]
+            .map(String::from),
     ];
     for kernel in kernels {
         for found in &kernel.loops {
@@ -114,11 +106,7 @@ fn errors(text: &mut String, kernels: &[Measured]) {
     let mut rows = vec![["kernel", "measured", "stated"].map(String::from)];
     for kernel in kernels {
         let Some(error) = kernel.error else { continue };
-        rows.push([
-            kernel.kernel.into(),
-            format!("{error:.2}"),
-            kernel.stated_error.clone(),
-        ]);
+        rows.push([kernel.kernel.into(), format!("{error:.2}"), kernel.stated_error.clone()]);
     }
     write_table(text, &rows, 1..2);
 }

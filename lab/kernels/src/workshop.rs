@@ -145,10 +145,7 @@ impl Workshop {
             return Ok(schedule);
         }
         let contents = |object: PathBuf| {
-            fs::read(&object).map_err(|source| WorkshopError::File {
-                path: object,
-                source,
-            })
+            fs::read(&object).map_err(|source| WorkshopError::File { path: object, source })
         };
         let object = self.object(&path).and_then(contents)?;
         let copy = kept.with_extension("s");
@@ -156,12 +153,8 @@ impl Workshop {
             store(&copy, text.as_bytes())?;
             self.object(&copy).and_then(contents)
         };
-        let made = scheduler::schedule(&object, &path.to_string_lossy(), &text, assemble).map_err(
-            |source| WorkshopError::Scheduler {
-                path: path.clone(),
-                source,
-            },
-        )?;
+        let made = scheduler::schedule(&object, &path.to_string_lossy(), &text, assemble)
+            .map_err(|source| WorkshopError::Scheduler { path: path.clone(), source })?;
         let loops = made.loops.into_iter().map(|report| {
             let outcome = match report.outcome {
                 Outcome::Pipelined(figures) => Ok((&figures).into()),
@@ -169,10 +162,7 @@ impl Workshop {
             };
             (report.name, outcome)
         });
-        let schedule = Schedule {
-            loops: loops.collect(),
-            text: made.text,
-        };
+        let schedule = Schedule { loops: loops.collect(), text: made.text };
         let json = serde_json::to_vec(&schedule).expect("texts and numbers can be written as JSON");
         store(&kept, &json)?;
         Ok(schedule)
@@ -223,11 +213,7 @@ impl Workshop {
                 stale.push(file);
             }
         }
-        if stale.is_empty() {
-            Ok(())
-        } else {
-            Err(WorkshopError::Stale(stale))
-        }
+        if stale.is_empty() { Ok(()) } else { Err(WorkshopError::Stale(stale)) }
     }
 
     /// Compares the notes in a kernel's schedule with the model, like `spu time --check`.
@@ -235,14 +221,10 @@ impl Workshop {
         let path = self.scheduled(kernel)?;
         let text = read(&path)?;
         let object = self.object(&path)?;
-        let bytes = fs::read(&object).map_err(|source| WorkshopError::File {
-            path: object,
-            source,
-        })?;
-        let code = Code::parse(&bytes).map_err(|source| WorkshopError::Code {
-            path: path.clone(),
-            source,
-        })?;
+        let bytes =
+            fs::read(&object).map_err(|source| WorkshopError::File { path: object, source })?;
+        let code = Code::parse(&bytes)
+            .map_err(|source| WorkshopError::Code { path: path.clone(), source })?;
         check::check(&code, &[(path.clone(), text)], Rules::default())
             .map_err(|source| WorkshopError::Check { path, source })
     }
@@ -250,12 +232,8 @@ impl Workshop {
     /// The images of all kernels, plain and scheduled. They contain no program around the kernels.
     pub fn images(&self, kernels: &[Source]) -> Result<[Vec<u8>; 2], WorkshopError> {
         let start = self.object(&self.root.join("lab/kernels/image/start.s"))?;
-        let plain = self.each(kernels, |this, kernel| {
-            this.object(&this.root.join(kernel.file))
-        })?;
-        let scheduled = self.each(kernels, |this, kernel| {
-            this.object(&this.scheduled(kernel)?)
-        })?;
+        let plain = self.each(kernels, |this, kernel| this.object(&this.root.join(kernel.file)))?;
+        let scheduled = self.each(kernels, |this, kernel| this.object(&this.scheduled(kernel)?))?;
         let link = |mut objects: Vec<PathBuf>| {
             objects.insert(0, start.clone());
             let image = Image::new(&self.root.join("linker/spu.ld"));
@@ -275,19 +253,15 @@ impl Workshop {
             }
         }
         let image = image.formulations(formulations);
-        let work = tempfile::tempdir().map_err(|source| WorkshopError::File {
-            path: std::env::temp_dir(),
-            source,
-        })?;
+        let work = tempfile::tempdir()
+            .map_err(|source| WorkshopError::File { path: std::env::temp_dir(), source })?;
         let objects = image.assemble(&self.tools, work.path())?;
         self.link(&image, &objects)
     }
 
     fn link(&self, image: &Image, objects: &[PathBuf]) -> Result<Vec<u8>, WorkshopError> {
-        let work = tempfile::tempdir().map_err(|source| WorkshopError::File {
-            path: std::env::temp_dir(),
-            source,
-        })?;
+        let work = tempfile::tempdir()
+            .map_err(|source| WorkshopError::File { path: std::env::temp_dir(), source })?;
         let file = work.path().join("image.elf");
         image.link(&self.tools, work.path(), objects, &file)?;
         fs::read(&file).map_err(|source| WorkshopError::File { path: file, source })
@@ -386,10 +360,7 @@ fn hash_of_files(folders: &[PathBuf]) -> Result<u64, WorkshopError> {
     let mut hasher = DefaultHasher::new();
     let mut open = folders.to_vec();
     while let Some(folder) = open.pop() {
-        let failed = |source| WorkshopError::File {
-            path: folder.clone(),
-            source,
-        };
+        let failed = |source| WorkshopError::File { path: folder.clone(), source };
         let entries = fs::read_dir(&folder).map_err(failed)?;
         let entries = entries.map(|entry| entry.map(|entry| entry.path()));
         let mut entries: Vec<PathBuf> = entries.collect::<Result<_, _>>().map_err(failed)?;
@@ -400,9 +371,7 @@ fn hash_of_files(folders: &[PathBuf]) -> Result<u64, WorkshopError> {
             } else {
                 path.file_name().hash(&mut hasher);
                 let bytes = fs::read(&path);
-                bytes
-                    .map_err(|source| WorkshopError::File { path, source })?
-                    .hash(&mut hasher);
+                bytes.map_err(|source| WorkshopError::File { path, source })?.hash(&mut hasher);
             }
         }
     }
@@ -422,15 +391,10 @@ fn store(path: &Path, bytes: &[u8]) -> Result<(), WorkshopError> {
         file.persist(path)?;
         Ok(())
     });
-    stored.map_err(|source| WorkshopError::File {
-        path: path.to_path_buf(),
-        source,
-    })
+    stored.map_err(|source| WorkshopError::File { path: path.to_path_buf(), source })
 }
 
 fn read(path: &Path) -> Result<String, WorkshopError> {
-    fs::read_to_string(path).map_err(|source| WorkshopError::File {
-        path: path.to_path_buf(),
-        source,
-    })
+    fs::read_to_string(path)
+        .map_err(|source| WorkshopError::File { path: path.to_path_buf(), source })
 }

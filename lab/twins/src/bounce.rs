@@ -50,10 +50,7 @@ pub struct Limits {
 
 impl Limits {
     /// Every ray is sent on.
-    pub const NONE: Self = Self {
-        least: 0,
-        deepest: i32::MAX as u32,
-    };
+    pub const NONE: Self = Self { least: 0, deepest: i32::MAX as u32 };
 }
 
 /// A ray that waits to be traced.

@@ -152,9 +152,7 @@ fn sum(vectors: &[[Single; 3]; 16], weight: &[Single; 16]) -> [Single; 3] {
         let values = vectors.map(|vector| vector[axis]);
         lanes(std::array::from_fn(|lane| {
             let (values, weight) = (rows(&values, lane), rows(weight, lane));
-            (1..4).fold(fm(values[0], weight[0]), |sum, row| {
-                fma(values[row], weight[row], sum)
-            })
+            (1..4).fold(fm(values[0], weight[0]), |sum, row| fma(values[row], weight[row], sum))
         }))
     })
 }

@@ -49,9 +49,7 @@ pub fn isect_cone(ray: Ray, cone: &ConeObject, object: u32) -> Ray {
     let turn = [[1, 2], [2, 0], [0, 1]].map(|[i, j]| fms(c[i], e[j], fm(c[j], e[i])));
     let v: [Single; 3] = std::array::from_fn(|axis| fms(k, e[axis], fm(m, c[axis])));
     let most = fma(v[2], v[2], fma(v[1], v[1], fms(v[0], v[0], TINY)));
-    let disc = turn
-        .iter()
-        .fold(most, |disc, turn| fnms(*turn, *turn, disc));
+    let disc = turn.iter().fold(most, |disc, turn| fnms(*turn, *turn, disc));
     let y = fi(disc, frsqest(disc));
     let s = fm(disc, y);
     let step = fma(fnms(s, y, ONE), HALF, ONE);

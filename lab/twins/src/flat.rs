@@ -40,12 +40,7 @@ impl Meeting {
     /// The nearer of `hit` and this.
     pub fn nearer(&self, hit: FlatHit, object: u32) -> FlatHit {
         if self.hits(hit.t) {
-            FlatHit {
-                t: self.n ^ SIGN,
-                object,
-                u: self.u,
-                v: self.v,
-            }
+            FlatHit { t: self.n ^ SIGN, object, u: self.u, v: self.v }
         } else {
             hit
         }

@@ -24,9 +24,5 @@ pub fn isect_pair<F: Eye>(
 ) -> Hit {
     let found = F::entry(direction, sphere);
     // Unsigned: a t below 0 is larger than any other.
-    if found.t < hit.t && !below_zero(found.outside) {
-        Hit { t: found.t, object }
-    } else {
-        hit
-    }
+    if found.t < hit.t && !below_zero(found.outside) { Hit { t: found.t, object } } else { hit }
 }

@@ -17,21 +17,13 @@ const ROOT2: Single = 0x3fb5_04f3;
 /// From here on 2^-n is 0: 126 with 23 bits behind the point.
 const NONE: u32 = 126 << FRACTION_BITS;
 /// log2(1 + u) / (2 u), from u^4 on.
-const LOG: [Single; 5] = [
-    0x3e02_6ed6,
-    0xbe48_230e,
-    0x3e78_7a18,
-    0xbeb8_764a,
-    0x3f38_a8a2,
-];
+const LOG: [Single; 5] = [0x3e02_6ed6, 0xbe48_230e, 0x3e78_7a18, 0xbeb8_764a, 0x3f38_a8a2];
 /// 2^(1 - g), from g^3 on.
 const EXP: [Single; 4] = [0xbd1f_cb52, 0x3eb1_b807, 0xbfa2_5452, 0x3ffa_e237];
 
 fn polynomial(coefficients: &[Single], x: Single) -> Single {
     let further = coefficients[1..].iter();
-    further.fold(coefficients[0], |sum, coefficient| {
-        fma(x, sum, *coefficient)
-    })
+    further.fold(coefficients[0], |sum, coefficient| fma(x, sum, *coefficient))
 }
 
 /// -log2(x) / 2.
@@ -39,11 +31,7 @@ fn minus_half_log2(x: Single) -> Single {
     let power = ROOT2.wrapping_sub(x) & !FRACTION;
     let mantissa = power.wrapping_add(x);
     let u = fs(mantissa, ONE);
-    fnms(
-        u,
-        polynomial(&LOG, u),
-        csflt(power, FRACTION_BITS as i32 + 1),
-    )
+    fnms(u, polynomial(&LOG, u), csflt(power, FRACTION_BITS as i32 + 1))
 }
 
 /// 2^-n, by n in fixed point.

@@ -18,9 +18,7 @@ pub fn list_places(masks: [u32; 4], places: &[Place; 64], origin: Place) -> Vec<
 /// of the packet.
 #[must_use]
 pub fn list_pairs(masks: [u32; 4], places: &[Place; 64], object: u32) -> Vec<[u32; 2]> {
-    named(masks, places)
-        .map(|&[packet, ..]| [object, packet])
-        .collect()
+    named(masks, places).map(|&[packet, ..]| [object, packet]).collect()
 }
 
 /// The masks that name packets of a tile, given by their numbers: one for each sixteen.
@@ -35,8 +33,5 @@ pub fn mask_pairs(packets: &[usize]) -> [u32; 4] {
 
 fn named(masks: [u32; 4], places: &[Place; 64]) -> impl Iterator<Item = &Place> {
     let is_named = move |number: usize| masks[number / 16] & FIRST >> (number % 16) != 0;
-    places
-        .iter()
-        .enumerate()
-        .filter_map(move |(number, place)| is_named(number).then_some(place))
+    places.iter().enumerate().filter_map(move |(number, place)| is_named(number).then_some(place))
 }

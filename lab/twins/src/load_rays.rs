@@ -20,23 +20,8 @@ pub struct Queued {
 /// reads.
 #[must_use]
 pub fn load_ray(queued: &Queued, is_there: bool, background: u32, dummy: u32) -> Ray {
-    let &Queued {
-        origin,
-        weight,
-        direction,
-        pixel,
-    } = queued;
-    let (t, weight, pixel) = if is_there {
-        (FARTHEST, weight, pixel)
-    } else {
-        (ABSENT, ZERO, dummy)
-    };
-    Ray {
-        origin,
-        direction,
-        t,
-        object: background,
-        weight,
-        pixel,
-    }
+    let &Queued { origin, weight, direction, pixel } = queued;
+    let (t, weight, pixel) =
+        if is_there { (FARTHEST, weight, pixel) } else { (ABSENT, ZERO, dummy) };
+    Ray { origin, direction, t, object: background, weight, pixel }
 }

@@ -184,10 +184,7 @@ pub fn any_enters(slack: Single, rays: &[Ray; 16], [lower, upper]: &Corners) -> 
             let shift = fnms(ray.origin[axis], inverse, ZERO);
             let at = fma(middle[axis], inverse, shift);
             let magnitude = inverse & !SIGN;
-            [
-                fnms(half[axis], magnitude, at),
-                fma(half[axis], magnitude, at),
-            ]
+            [fnms(half[axis], magnitude, at), fma(half[axis], magnitude, at)]
         });
         let [[near_x, far_x], [near_y, far_y], [near_z, far_z]] = times;
         let enter = maximum(maximum(near_x, near_y), near_z);

@@ -39,8 +39,6 @@ impl MeshBlock {
     /// The ray after its test with a run of triangles.
     #[must_use]
     pub fn isect_run(&self, ray: Ray, run: std::ops::Range<usize>) -> Ray {
-        run.fold(ray, |ray, index| {
-            isect_triangle(ray, &self.triangle(index), self.hit(index))
-        })
+        run.fold(ray, |ray, index| isect_triangle(ray, &self.triangle(index), self.hit(index)))
     }
 }

@@ -60,11 +60,7 @@ pub fn flat_patch(triangle: &Triangle) -> FlatPatch {
     let edge = |to: [Single; 3]| std::array::from_fn(|axis| fs(to[axis], a[axis]));
     let edges: [[Single; 3]; 2] = [edge(b), edge(c)];
     let [size_b, size_c] = edges.map(taxicab);
-    let size = if size_c as i32 > size_b as i32 {
-        size_c
-    } else {
-        size_b
-    };
+    let size = if size_c as i32 > size_b as i32 { size_c } else { size_b };
     let inverse = recip_interpolated(size);
     let [to_b, to_c] = edges.map(|edge| edge.map(|axis| fm(axis, inverse)));
     let across = |first: usize, second: usize| {

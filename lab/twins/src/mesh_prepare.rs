@@ -68,16 +68,7 @@ pub fn object(kind: u32) -> Option<usize> {
 }
 
 fn header(block: &[u32; WORDS], known: &Known) -> Option<Header> {
-    let [
-        magic,
-        number,
-        kind,
-        levels,
-        nodes,
-        triangles,
-        vertices,
-        sides,
-    ] = *block.first_chunk()?;
+    let [magic, number, kind, levels, nodes, triangles, vertices, sides] = *block.first_chunk()?;
     let most_nodes = ((WORDS - HEADER) / NODE) as u32;
     let right = magic == MAGIC
         && number == known.number

@@ -45,9 +45,7 @@ pub fn mesh_ray(ray: &Ray) -> MeshRay {
     let size = ray.origin.map(|c| c & !SIGN);
     let size = maximum(maximum(size[0], size[1]), size[2]);
     let slack = fm(size, SLACK);
-    let inverse = ray
-        .direction
-        .map(|d| reciprocal(select(d, TINY, fcmgt(TINY, d) != 0)));
+    let inverse = ray.direction.map(|d| reciprocal(select(d, TINY, fcmgt(TINY, d) != 0)));
     let shift = |moved: fn(Single, Single) -> Single| {
         std::array::from_fn(|axis| {
             let signed = slack & !SIGN | inverse[axis] & SIGN;
@@ -156,10 +154,7 @@ pub fn few_rays(
 ) -> Vec<(u32, u32)> {
     let mut left: [Vec<u32>; 4] = std::array::from_fn(|word| {
         let numbers = 32 * word as u32..32 * (word as u32 + 1);
-        numbers
-            .rev()
-            .filter(|number| bits & bit(*number) != 0)
-            .collect()
+        numbers.rev().filter(|number| bits & bit(*number) != 0).collect()
     });
     let mut found = Vec::new();
     while left.iter().any(|numbers| !numbers.is_empty()) {

@@ -77,11 +77,7 @@ pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
         slab([ZERO; 2], [least, most])
     });
     let farthest = over(&|ray| later(ABSENT, ray.t), later);
-    MeshBound {
-        slabs,
-        slack: 0,
-        farthest: extreme(farthest, greater),
-    }
+    MeshBound { slabs, slack: 0, farthest: extreme(farthest, greater) }
 }
 
 /// The window of a packet's rays, by `mesh_eye_bounds_r16`.
@@ -89,16 +85,10 @@ pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
 pub fn mesh_window(rays: &[Ray; 16]) -> MeshWindow {
     let [dx, dy, dz] = rays[0].direction;
     let of_two = usize::from(fcmgt(dy, dx) != 0);
-    let longest = if fcmgt(dz, [dx, dy][of_two]) != 0 {
-        2
-    } else {
-        of_two
-    };
+    let longest = if fcmgt(dz, [dx, dy][of_two]) != 0 { 2 } else { of_two };
     let axes = [(longest + 1) % 3, (longest + 2) % 3, longest];
     let sign = rays[0].direction[longest] & SIGN;
-    let is_wide = rays
-        .iter()
-        .any(|ray| fcgt(ray.direction[longest] ^ sign, BELOW_HALF) == 0);
+    let is_wide = rays.iter().any(|ray| fcgt(ray.direction[longest] ^ sign, BELOW_HALF) == 0);
     let limits = |row: usize, axis: usize| {
         let slopes: [Single; 4] = std::array::from_fn(|lane| {
             let direction = rays[4 * row + lane].direction;
@@ -109,23 +99,14 @@ pub fn mesh_window(rays: &[Ray; 16]) -> MeshWindow {
         if is_wide {
             [LEAST, MOST]
         } else {
-            [
-                fs(lesser(low, other_low), SLACK),
-                fa(greater(high, other_high), SLACK),
-            ]
+            [fs(lesser(low, other_low), SLACK), fa(greater(high, other_high), SLACK)]
         }
     };
     let window = |row| {
         let [x, y] = [0, 1].map(|axis| limits(row, axis));
-        RowWindow {
-            low: [x[0], y[0]],
-            high: [x[1], y[1]],
-        }
+        RowWindow { low: [x[0], y[0]], high: [x[1], y[1]] }
     };
-    MeshWindow {
-        axes,
-        rows: [0, 1, 2, 3].map(window),
-    }
+    MeshWindow { axes, rows: [0, 1, 2, 3].map(window) }
 }
 
 impl MeshWindow {

@@ -20,7 +20,5 @@ pub fn channel(value: Single) -> u8 {
 #[must_use]
 pub fn pack(colour: [Single; 3], shifts: [u32; 3]) -> u32 {
     let channels = colour.into_iter().zip(shifts);
-    channels.fold(0, |pixel, (value, shift)| {
-        pixel | u32::from(channel(value)) << shift
-    })
+    channels.fold(0, |pixel, (value, shift)| pixel | u32::from(channel(value)) << shift)
 }

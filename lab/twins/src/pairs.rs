@@ -16,9 +16,5 @@ pub struct Sides {
 /// there has a `t` below 0.
 pub(super) fn nearer(ray: Ray, t: Single, object: u32, misses: bool) -> Ray {
     let ahead = t as i32 > 0;
-    if ahead && (t as i32) < ray.t as i32 && !misses {
-        Ray { t, object, ..ray }
-    } else {
-        ray
-    }
+    if ahead && (t as i32) < ray.t as i32 && !misses { Ray { t, object, ..ray } } else { ray }
 }

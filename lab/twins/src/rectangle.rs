@@ -30,12 +30,7 @@ fn meet(origin: [Single; 3], direction: [Single; 3], rectangle: &Rectangle) -> M
     let inverse = reciprocal(dot(rectangle.normal, direction));
     let n = fm(dot(rectangle.normal, beside), inverse);
     let hit = std::array::from_fn(|axis| fnms(n, direction[axis], beside[axis]));
-    Meeting {
-        n,
-        u: dot(rectangle.dual_u, hit),
-        v: dot(rectangle.dual_v, hit),
-        outside: 0,
-    }
+    Meeting { n, u: dot(rectangle.dual_u, hit), v: dot(rectangle.dual_v, hit), outside: 0 }
 }
 
 /// As [`meet`], with the bounds: compared as unsigned integers, where all below 0 are above 1.
@@ -46,10 +41,7 @@ pub(super) fn meet_within(
 ) -> Meeting {
     let meeting = meet(origin, direction, rectangle);
     let beyond = meeting.u > ONE || meeting.v > ONE;
-    Meeting {
-        outside: u32::from(beyond).wrapping_neg(),
-        ..meeting
-    }
+    Meeting { outside: u32::from(beyond).wrapping_neg(), ..meeting }
 }
 
 /// The nearer of `hit` and the hit with the parallelogram.

@@ -11,11 +11,8 @@ pub fn reflect(hit: &Bounce, limits: Limits) -> Option<Queued> {
     let along_plane = dot(hit.direction, hit.plane);
     let cosine = dot(hit.normal, hit.plane);
     let off = fnms(fa(along, along), cosine, along_plane);
-    let (normal, along) = if off as i32 > 0 {
-        (hit.normal, along)
-    } else {
-        (hit.plane, along_plane)
-    };
+    let (normal, along) =
+        if off as i32 > 0 { (hit.normal, along) } else { (hit.plane, along_plane) };
     let direction = less(hit.direction, fa(along, along), normal);
     let origin = std::array::from_fn(|axis| fma(hit.leave, hit.plane[axis], hit.point[axis]));
     hit.queued(hit.mirror, limits, origin, direction)

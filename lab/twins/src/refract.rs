@@ -22,27 +22,15 @@ struct Beyond {
 pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);
     let first = beyond(hit, hit.normal, along);
-    let side = fnms(
-        first.cosine,
-        dot(hit.normal, hit.plane),
-        dot(first.sine, hit.plane),
-    );
+    let side = fnms(first.cosine, dot(hit.normal, hit.plane), dot(first.sine, hit.plane));
     let crosses = below_zero(side | first.squared);
     let normal = if crosses { hit.normal } else { hit.plane };
     let taken = beyond(hit, normal, dot(hit.direction, normal));
 
-    let off = if fcgt(hit.ratio, ONE) != 0 {
-        fs(ONE, taken.cosine)
-    } else {
-        fa(ONE, along)
-    };
+    let off = if fcgt(hit.ratio, ONE) != 0 { fs(ONE, taken.cosine) } else { fa(ONE, along) };
     let squared = fm(off, off);
     let fifth = fm(fm(squared, squared), off);
-    let share = if below_zero(taken.squared) {
-        ONE
-    } else {
-        fma(fifth, hit.grazing, hit.schlick)
-    };
+    let share = if below_zero(taken.squared) { ONE } else { fma(fifth, hit.grazing, hit.schlick) };
     let mirror = fma(hit.transmittance, share, hit.mirror);
     let through = fnms(hit.transmittance, share, hit.transmittance);
     let direction = less(taken.sine, taken.cosine, normal);
@@ -52,12 +40,6 @@ pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
 
 fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {
     let sine = less(hit.direction, along, normal).map(|component| fm(component, hit.ratio));
-    let squared = sine
-        .into_iter()
-        .fold(ONE, |rest, component| fnms(component, component, rest));
-    Beyond {
-        sine,
-        squared,
-        cosine: sqrt(squared),
-    }
+    let squared = sine.into_iter().fold(ONE, |rest, component| fnms(component, component, rest));
+    Beyond { sine, squared, cosine: sqrt(squared) }
 }

@@ -32,11 +32,7 @@ pub struct Pixel {
 #[must_use]
 pub fn sample_ray(basis: &Basis, background: u32, pixel: Pixel, across: u32, lane: usize) -> Ray {
     let (column, row) = (lane as u32 % 4, lane as u32 / 4);
-    let cell = if across == 2 {
-        [column % 2, column / 2]
-    } else {
-        [column, row]
-    };
+    let cell = if across == 2 { [column % 2, column / 2] } else { [column, row] };
     let offset = sample(across, cell).map(from_f64);
     let [fx, fy] = [pixel.x, pixel.y].map(|at| csflt(at as u32, 0));
     let within = pixel.x >= 0;

@@ -49,9 +49,5 @@ pub fn checker(
         let above = fcgt(csflt(cell, 0), place);
         cells.wrapping_add(cell).wrapping_add(above)
     });
-    if cells & 1 == 1 {
-        [red, green, blue]
-    } else {
-        colour
-    }
+    if cells & 1 == 1 { [red, green, blue] } else { colour }
 }

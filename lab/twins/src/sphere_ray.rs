@@ -49,11 +49,7 @@ pub(super) fn meet(ray: &Ray, sphere: &BareSphere) -> Meeting {
     let b = fma(cz, dz, fma(cy, dy, fm(cx, dx)));
     let (lx, ly, lz) = (fnms(b, dx, cx), fnms(b, dy, cy), fnms(b, dz, cz));
     let disc = fnms(lz, lz, fnms(ly, ly, fnms(lx, lx, sphere.radius_squared)));
-    Meeting {
-        b,
-        disc,
-        out: fms(b, b, disc),
-    }
+    Meeting { b, disc, out: fms(b, b, disc) }
 }
 
 /// The ray after its test with a sphere, which is object number `object`.

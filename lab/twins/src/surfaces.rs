@@ -153,7 +153,5 @@ pub fn surface(ray: &Ray, object: &Object, material: &Material) -> Surface {
 #[must_use]
 pub fn same_objects(packets: &[[u32; 16]]) -> u32 {
     let same = |objects: &[u32; 16]| objects.iter().all(|object| *object == objects[0]);
-    packets
-        .iter()
-        .fold(0, |bits, objects| bits << 1 | u32::from(same(objects)))
+    packets.iter().fold(0, |bits, objects| bits << 1 | u32::from(same(objects)))
 }

@@ -124,17 +124,11 @@ pub fn texel(hit: &Hit, angle: Single, texture: &Texture, levels: &[Level]) -> T
     let level = levels[level(breadth, texture) as usize];
     let wraps = texture.wraps;
     let u = fma(within(u, wraps & 8 != 0, wraps & 4 != 0), level.width, HALF);
-    let v = fma(
-        within(v, wraps & 2 != 0, wraps & 1 != 0),
-        level.height,
-        HALF,
-    );
+    let v = fma(within(v, wraps & 2 != 0, wraps & 1 != 0), level.height, HALF);
     let (column, row) = (cflts(u, 0), cflts(v, 0));
     let tiles = (row / STEP) * level.across;
     Texel {
-        tile: (column / STEP)
-            .wrapping_add(tiles)
-            .wrapping_add(level.first),
+        tile: (column / STEP).wrapping_add(tiles).wrapping_add(level.first),
         place: 4 * (column % STEP) + 4 * SIDE * (row % STEP),
         right: fs(u, csflt(column, 0)),
         down: fs(v, csflt(row, 0)),

@@ -32,11 +32,7 @@ pub struct Shear {
 pub fn shear(origin: [Single; 3], direction: [Single; 3]) -> Shear {
     let [dx, dy, dz] = direction;
     let of_two = usize::from(fcmgt(dy, dx) != 0);
-    let longest = if fcmgt(dz, direction[of_two]) != 0 {
-        2
-    } else {
-        of_two
-    };
+    let longest = if fcmgt(dz, direction[of_two]) != 0 { 2 } else { of_two };
     let axes = [(longest + 1) % 3, (longest + 2) % 3, longest];
     let [x, y, z] = axes.map(|axis| direction[axis]);
     let inverse = reciprocal(z);
@@ -45,12 +41,7 @@ pub fn shear(origin: [Single; 3], direction: [Single; 3]) -> Shear {
         let remainder = fnms(quotient, z, component);
         fma(remainder, inverse, quotient)
     });
-    Shear {
-        axes,
-        origin: axes.map(|axis| origin[axis]),
-        slopes,
-        minus_per_z: inverse ^ SIGN,
-    }
+    Shear { axes, origin: axes.map(|axis| origin[axis]), slopes, minus_per_z: inverse ^ SIGN }
 }
 
 /// a b - c d, right to its last bits.
@@ -76,12 +67,7 @@ pub(super) fn meet(ray: &Shear, triangle: &Triangle) -> (Meeting, Single) {
     let inverse = over(ABOVE_ONE, sum);
     let [u, v, w] = [u, v, w].map(|edge| fm(edge, inverse));
     let depth = fma(w, zc, fma(v, zb, fm(u, za)));
-    let meeting = Meeting {
-        n: fm(depth, ray.minus_per_z),
-        u,
-        v,
-        outside: u | v | w,
-    };
+    let meeting = Meeting { n: fm(depth, ray.minus_per_z), u, v, outside: u | v | w };
     (meeting, sum)
 }
 
@@ -90,15 +76,11 @@ pub(super) fn meet(ray: &Shear, triangle: &Triangle) -> (Meeting, Single) {
 pub fn isect_triangles(ray: &Shear, triangles: &[Triangle], first: u32, hit: FlatHit) -> FlatHit {
     (first..)
         .zip(triangles)
-        .fold(hit, |nearest, (object, triangle)| {
-            meet(ray, triangle).0.nearer(nearest, object)
-        })
+        .fold(hit, |nearest, (object, triangle)| meet(ray, triangle).0.nearer(nearest, object))
 }
 
 /// Whether any of `triangles` is hit nearer than `farthest`.
 #[must_use]
 pub fn any_triangle(ray: &Shear, triangles: &[Triangle], farthest: Single) -> bool {
-    triangles
-        .iter()
-        .any(|triangle| meet(ray, triangle).0.hits(farthest))
+    triangles.iter().any(|triangle| meet(ray, triangle).0.hits(farthest))
 }

@@ -13,10 +13,7 @@ use twins::sphere::{
 use twins::sphere_pairs::SphereObject;
 use twins::sphere_ray::{BareSphere, Ray};
 
-const FRONT: Sides = Sides {
-    both: false,
-    exit: false,
-};
+const FRONT: Sides = Sides { both: false, exit: false };
 
 fn forms_agree<F: General + Eye<Sphere = BareSphere>>() {
     let mut random = ChaCha8Rng::seed_from_u64(31);
@@ -31,21 +28,9 @@ fn forms_agree<F: General + Eye<Sphere = BareSphere>>() {
         let length = target.iter().map(|place| place * place).sum::<f64>().sqrt();
         let direction = target.map(|place| from_f64(place / length));
         let centre = centre.map(from_f64);
-        let ray = Ray {
-            origin: [0; 3],
-            direction,
-            t: FARTHEST,
-            object: 0,
-        };
-        let sphere = SphereObject {
-            centre,
-            offset: from_f64(radius),
-            sides: FRONT,
-        };
-        let bare = BareSphere {
-            centre,
-            radius_squared: from_f64(radius * radius),
-        };
+        let ray = Ray { origin: [0; 3], direction, t: FARTHEST, object: 0 };
+        let sphere = SphereObject { centre, offset: from_f64(radius), sides: FRONT };
+        let bare = BareSphere { centre, radius_squared: from_f64(radius * radius) };
         let (general, eye) = (F::crossing(&ray, &sphere), F::entry(direction, &bare));
         assert_eq!(general.outside >> 31, eye.outside >> 31);
         if eye.outside >> 31 == 0 {

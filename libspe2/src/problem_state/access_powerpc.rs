@@ -30,11 +30,7 @@ const NEXT: usize = 32;
 /// # Safety
 /// `context` is the context of a thread that was interrupted by a signal.
 unsafe fn registers(context: *mut c_void) -> *mut usize {
-    const POINTER: usize = if cfg!(target_pointer_width = "64") {
-        224
-    } else {
-        48
-    };
+    const POINTER: usize = if cfg!(target_pointer_width = "64") { 224 } else { 48 };
     // SAFETY: the kernel has put a valid pointer there.
     unsafe { context.byte_add(POINTER).cast::<*mut usize>().read() }
 }
@@ -75,11 +71,7 @@ pub(super) unsafe fn decode(context: *mut c_void) -> Option<Decoded> {
         (false, true) => Access::Store(value.swap_bytes()),
         (false, false) => Access::Store(value),
     };
-    Some(Decoded {
-        access,
-        register,
-        reversed,
-    })
+    Some(Decoded { access, register, reversed })
 }
 
 impl Decoded {
@@ -88,11 +80,7 @@ impl Decoded {
     /// # Safety
     /// `context` is the one that was decoded.
     pub unsafe fn set_result(&self, context: *mut c_void, value: u32) {
-        let value = if self.reversed {
-            value.swap_bytes()
-        } else {
-            value
-        };
+        let value = if self.reversed { value.swap_bytes() } else { value };
         // SAFETY: the caller vouches for the context, and there are 32 registers.
         unsafe { registers(context).add(self.register).write(value as usize) };
     }

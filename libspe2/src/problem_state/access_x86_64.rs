@@ -83,10 +83,7 @@ fn parse(code: &[u8]) -> Option<Move> {
         0x89 => Some(Move::Store(register, length)),
         0xc7 if modes >> 3 & 7 == 0 => {
             let immediate = rest.get(index + displacement..)?.first_chunk()?;
-            Some(Move::StoreImmediate(
-                u32::from_le_bytes(*immediate),
-                length + 4,
-            ))
+            Some(Move::StoreImmediate(u32::from_le_bytes(*immediate), length + 4))
         }
         _ => None,
     }
@@ -121,11 +118,7 @@ pub(super) unsafe fn decode(context: *mut c_void) -> Option<Decoded> {
         }
         Move::StoreImmediate(value, length) => (Access::Store(value), 0, length),
     };
-    Some(Decoded {
-        access,
-        register: REGISTERS[register] as usize,
-        length: length as greg_t,
-    })
+    Some(Decoded { access, register: REGISTERS[register] as usize, length: length as greg_t })
 }
 
 impl Decoded {
@@ -165,10 +158,7 @@ mod tests {
             (&[0x89, 0x04, 0x8a, 0, 0, 0, 0], Move::Store(0, 3)), // mov %eax,(%rdx,%rcx,4)
             (&[0x8b, 0x04, 0x25, 0, 0, 0, 1], Move::Load(0, 7)), // mov 0x1000000,%eax
             (&[0x8b, 0x0d, 1, 0, 0, 0, 0], Move::Load(1, 6)), // mov 1(%rip),%ecx
-            (
-                &[0xc7, 0x40, 0x0c, 4, 3, 2, 1],
-                Move::StoreImmediate(0x0102_0304, 7),
-            ),
+            (&[0xc7, 0x40, 0x0c, 4, 3, 2, 1], Move::StoreImmediate(0x0102_0304, 7)),
             (&[0x41, 0xc7, 0x01, 7, 0, 0, 0], Move::StoreImmediate(7, 7)),
         ];
         for (code, expected) in cases {

@@ -38,10 +38,7 @@ pub(super) fn install() -> Result<(), Errno> {
         // SAFETY: the call has filled it in.
         Ok(Before(unsafe { before.assume_init() }))
     });
-    installed
-        .as_ref()
-        .map(|_| ())
-        .map_err(|&errno| Errno(errno))
+    installed.as_ref().map(|_| ()).map_err(|&errno| Errno(errno))
 }
 
 /// Carries out an access to a register, or passes the fault on.

@@ -10,16 +10,9 @@
 //! must pass on the faults that are not its own.
 
 #[cfg_attr(target_arch = "x86_64", path = "access_x86_64.rs")]
+#[cfg_attr(any(target_arch = "powerpc64", target_arch = "powerpc"), path = "access_powerpc.rs")]
 #[cfg_attr(
-    any(target_arch = "powerpc64", target_arch = "powerpc"),
-    path = "access_powerpc.rs"
-)]
-#[cfg_attr(
-    not(any(
-        target_arch = "x86_64",
-        target_arch = "powerpc64",
-        target_arch = "powerpc"
-    )),
+    not(any(target_arch = "x86_64", target_arch = "powerpc64", target_arch = "powerpc")),
     path = "access_absent.rs"
 )]
 mod access;
@@ -102,8 +95,6 @@ impl Drop for Areas {
 /// The registers at an address, and the offset of the address.
 fn registers_at(address: usize) -> Option<(Arc<Registers>, usize)> {
     let mapped = MAPPED.read().unwrap_or_else(PoisonError::into_inner);
-    let found = mapped
-        .iter()
-        .find(|(base, _)| (*base..base + SIZE).contains(&address));
+    let found = mapped.iter().find(|(base, _)| (*base..base + SIZE).contains(&address));
     found.map(|(base, registers)| (Arc::clone(registers), address - base))
 }

@@ -101,10 +101,8 @@ impl Sequence {
     fn is_complete(&mut self) -> bool {
         const ALL: u8 = Sequence::LSA | Sequence::EA | Sequence::SIZE_AND_TAG;
         let is_complete = self.written == Some(ALL);
-        *self = Self {
-            status: if is_complete { SUCCESS } else { SEQUENCE_ERROR },
-            ..Self::default()
-        };
+        *self =
+            Self { status: if is_complete { SUCCESS } else { SEQUENCE_ERROR }, ..Self::default() };
         is_complete
     }
 
@@ -116,10 +114,7 @@ impl Sequence {
 
 impl Default for Sequence {
     fn default() -> Self {
-        Self {
-            written: Some(0),
-            status: SEQUENCE_ERROR,
-        }
+        Self { written: Some(0), status: SEQUENCE_ERROR }
     }
 }
 
@@ -143,11 +138,7 @@ pub(super) struct Registers {
 
 impl Registers {
     pub fn new(spe: Arc<Spe>, run: Arc<RunState>) -> Self {
-        Self {
-            spe,
-            run,
-            command: Mutex::default(),
-        }
+        Self { spe, run, command: Mutex::default() }
     }
 
     fn command(&self) -> std::sync::MutexGuard<'_, Command> {
@@ -176,11 +167,8 @@ impl Registers {
             }
             OUT_MAILBOX => spe.read_outbound(Some(Instant::now())).unwrap_or(0),
             MAILBOX_STATUS => {
-                let counts = [
-                    spe.outbound_waiting(),
-                    spe.inbound_room(),
-                    spe.outbound_interrupt_waiting(),
-                ];
+                let counts =
+                    [spe.outbound_waiting(), spe.inbound_room(), spe.outbound_interrupt_waiting()];
                 (counts[0] | counts[1] << 8 | counts[2] << 16) as u32
             }
             RUN_CONTROL => self.status() & RUNNING,

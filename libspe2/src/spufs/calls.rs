@@ -21,11 +21,7 @@ pub(super) const AFFINITY_MEMORY: c_uint = 0x20;
 /// The number of a system call. Other processors have none for it, and their kernels refuse a
 /// negative one; a stand-in for the kernel can serve it there.
 const fn number(powerpc: c_long) -> c_long {
-    if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) {
-        powerpc
-    } else {
-        -powerpc
-    }
+    if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) { powerpc } else { -powerpc }
 }
 
 const SPU_RUN: c_long = number(278);
@@ -54,13 +50,7 @@ pub(super) fn create(path: &CStr, flags: c_uint, neighbor: Option<RawFd>) -> io:
     let neighbor = neighbor.unwrap_or(NO_DESCRIPTOR);
     // SAFETY: the path is a C string; the kernel checks the other arguments.
     let result = unsafe {
-        libc::syscall(
-            SPU_CREATE,
-            path.as_ptr(),
-            flags as c_long,
-            MODE,
-            c_long::from(neighbor),
-        )
+        libc::syscall(SPU_CREATE, path.as_ptr(), flags as c_long, MODE, c_long::from(neighbor))
     };
     match RawFd::try_from(result) {
         // SAFETY: the descriptor was just created, and nothing else owns it.
@@ -80,12 +70,7 @@ pub(super) fn run(
     // SAFETY: the pointers are to words of the caller, and the second may be NULL. What the SPU
     // program itself accesses is the program's responsibility.
     let status = unsafe {
-        libc::syscall(
-            SPU_RUN,
-            c_long::from(directory.as_raw_fd()),
-            ptr::from_mut(npc),
-            events,
-        )
+        libc::syscall(SPU_RUN, c_long::from(directory.as_raw_fd()), ptr::from_mut(npc), events)
     };
     if status < 0 {
         return Err(io::Error::last_os_error());

@@ -93,15 +93,11 @@ impl Spufs {
         let folder = gang.as_ref().map_or(ROOT, |gang| gang.0.path());
         let path = format!("{folder}/spethread-{}-{number}", process::id());
         let directory = Directory::create(path, creation_flags(flags, neighbor), neighbor)?;
-        let signal_types = [
-            (c"signal1_type", SPE_CFG_SIGNOTIFY1_OR),
-            (c"signal2_type", SPE_CFG_SIGNOTIFY2_OR),
-        ];
+        let signal_types =
+            [(c"signal1_type", SPE_CFG_SIGNOTIFY1_OR), (c"signal2_type", SPE_CFG_SIGNOTIFY2_OR)];
         for (name, flag) in signal_types {
             if flags & flag != 0 {
-                let mut file = directory
-                    .open(name, O_RDWR)
-                    .map_err(|_| Errno(libc::EFAULT))?;
+                let mut file = directory.open(name, O_RDWR).map_err(|_| Errno(libc::EFAULT))?;
                 file.write_all(b"1").map_err(|_| Errno(libc::EFAULT))?;
             }
         }

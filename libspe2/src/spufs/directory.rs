@@ -56,17 +56,9 @@ impl Directory {
 
 /// What the library reports if the kernel refuses to create a context.
 fn refusal(error: &io::Error) -> Errno {
-    const PASSED_ON: [c_int; 6] = [
-        libc::ENOTSUP,
-        libc::EEXIST,
-        libc::EINVAL,
-        libc::EBUSY,
-        libc::ENODEV,
-        libc::EPERM,
-    ];
-    let errno = error
-        .raw_os_error()
-        .filter(|errno| PASSED_ON.contains(errno));
+    const PASSED_ON: [c_int; 6] =
+        [libc::ENOTSUP, libc::EEXIST, libc::EINVAL, libc::EBUSY, libc::ENODEV, libc::EPERM];
+    let errno = error.raw_os_error().filter(|errno| PASSED_ON.contains(errno));
     Errno(errno.unwrap_or(libc::EFAULT))
 }
 
@@ -79,11 +71,7 @@ pub(super) struct Words {
 
 impl Words {
     pub(super) const fn new(name: &'static CStr, flags: c_int) -> Self {
-        Self {
-            name,
-            flags,
-            file: OnceLock::new(),
-        }
+        Self { name, flags, file: OnceLock::new() }
     }
 
     pub(super) fn file(&self, directory: &Directory) -> io::Result<&File> {
@@ -97,9 +85,7 @@ impl Words {
     /// Reads a word. Returns `None` if there is none and the file does not wait for one.
     pub(super) fn read(&self, directory: &Directory) -> io::Result<Option<u32>> {
         let mut bytes = [0; 4];
-        let read = self
-            .file(directory)
-            .and_then(|mut file| file.read(&mut bytes));
+        let read = self.file(directory).and_then(|mut file| file.read(&mut bytes));
         Ok(whole(read)?.then(|| u32::from_be_bytes(bytes)))
     }
 

@@ -32,12 +32,7 @@ impl Epoll {
         };
         // SAFETY: the event is a valid structure.
         let result = unsafe {
-            libc::epoll_ctl(
-                self.0.as_raw_fd(),
-                libc::EPOLL_CTL_ADD,
-                file,
-                &raw mut event,
-            )
+            libc::epoll_ctl(self.0.as_raw_fd(), libc::EPOLL_CTL_ADD, file, &raw mut event)
         };
         if result != 0 {
             return Err(io::Error::last_os_error().into());
@@ -48,14 +43,7 @@ impl Epoll {
     /// Ends the waiting for a file.
     pub(crate) fn remove(&self, file: RawFd) {
         // SAFETY: removing needs no event.
-        unsafe {
-            libc::epoll_ctl(
-                self.0.as_raw_fd(),
-                libc::EPOLL_CTL_DEL,
-                file,
-                ptr::null_mut(),
-            )
-        };
+        unsafe { libc::epoll_ctl(self.0.as_raw_fd(), libc::EPOLL_CTL_DEL, file, ptr::null_mut()) };
     }
 
     /// Sleeps until a file is ready, and returns the numbers of at most `most` that are. There are
@@ -85,10 +73,7 @@ impl Epoll {
                     (error, _) => return Err(error.into()),
                 }
             };
-            return Ok(events[..ready]
-                .iter()
-                .map(|event| event.u64 as usize)
-                .collect());
+            return Ok(events[..ready].iter().map(|event| event.u64 as usize).collect());
         }
     }
 }

@@ -68,9 +68,7 @@ fn give(areas: &Mapping, transfer: &Transfer) {
 
 impl Spufs {
     fn issued(&self) -> MutexGuard<'_, u32> {
-        self.issued_tags
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner)
+        self.issued_tags.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(super) fn give_command(&self, transfer: &Transfer) -> Result<(), Errno> {

@@ -43,11 +43,7 @@ fn numbered(folder: &Path, prefix: &str) -> Result<usize, Errno> {
 
 /// The kind of Cell by the version of its PPE in the kernel's description.
 fn kind_in(description: &str) -> c_int {
-    if description.contains("(pvr 0070 3000)") {
-        SPE_CPU_IS_CELLEDP
-    } else {
-        SPE_CPU_IS_CELLBE
-    }
+    if description.contains("(pvr 0070 3000)") { SPE_CPU_IS_CELLEDP } else { SPE_CPU_IS_CELLBE }
 }
 
 #[cfg(test)]

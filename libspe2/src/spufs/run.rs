@@ -135,10 +135,7 @@ mod tests {
         assert_eq!(reported(exit, STORAGE), exception);
         let invalid = exit | SPE_SPU_INVALID_INSTR;
         let error = |bit, status| (SPE_RUNTIME_ERROR, bit, status);
-        assert_eq!(
-            reported(invalid, STORAGE),
-            error(SPE_SPU_INVALID_INSTR, invalid)
-        );
+        assert_eq!(reported(invalid, STORAGE), error(SPE_SPU_INVALID_INSTR, invalid));
         for bit in [SPE_SPU_HALT, SPE_SPU_INVALID_CHANNEL] {
             assert_eq!(reported(bit, 0), error(bit, bit));
         }

@@ -29,10 +29,7 @@ fn null_handles_are_esrch() {
     unsafe {
         assert_fails(spe_context_destroy(none), libc::ESRCH);
         assert_fails(spe_gang_context_destroy(ptr::null_mut()), libc::ESRCH);
-        assert_null(
-            spe_context_create_affinity(0, none, ptr::null_mut()),
-            libc::ESRCH,
-        );
+        assert_null(spe_context_create_affinity(0, none, ptr::null_mut()), libc::ESRCH);
         assert_null(spe_ls_area_get(none), libc::ESRCH);
         assert_fails(spe_ls_size_get(none), libc::ESRCH);
         assert_null(spe_ps_area_get(none, 0), libc::ESRCH);
@@ -40,10 +37,7 @@ fn null_handles_are_esrch() {
         assert_fails(spe_out_mbox_status(none), libc::ESRCH);
         assert_fails(spe_in_mbox_write(none, &raw mut word, 1, 1), libc::ESRCH);
         assert_fails(spe_in_mbox_status(none), libc::ESRCH);
-        assert_fails(
-            spe_out_intr_mbox_read(none, &raw mut word, 1, 1),
-            libc::ESRCH,
-        );
+        assert_fails(spe_out_intr_mbox_read(none, &raw mut word, 1, 1), libc::ESRCH);
         assert_fails(spe_out_intr_mbox_status(none), libc::ESRCH);
         assert_fails(spe_signal_write(none, 1, 0), libc::ESRCH);
         assert_fails(spe_mssync_start(none), libc::ESRCH);
@@ -72,10 +66,7 @@ fn gangs_hold_contexts_but_place_none() {
     let second = Context::owning(unsafe { spe_context_create_affinity(0, ptr::null_mut(), gang) });
     assert_ne!(plain.pointer(), second.pointer());
     unsafe {
-        assert_null(
-            spe_context_create_affinity(0, plain.pointer(), gang),
-            libc::EINVAL,
-        );
+        assert_null(spe_context_create_affinity(0, plain.pointer(), gang), libc::EINVAL);
         assert_null(
             spe_context_create_affinity(SPE_AFFINITY_MEMORY, ptr::null_mut(), gang),
             libc::EINVAL,
@@ -94,12 +85,7 @@ fn areas() {
         }
         assert_null(spe_ps_area_get(context.pointer(), 5), libc::EINVAL);
     }
-    assert!(
-        context
-            .local_store(0, 262_144)
-            .iter()
-            .all(|&byte| byte == 0)
-    );
+    assert!(context.local_store(0, 262_144).iter().all(|&byte| byte == 0));
     context.set_local_store(0x3fff0, &[1, 2, 3]);
     assert_eq!(context.local_store(0x3fff0, 4), [1, 2, 3, 0]);
 }
@@ -111,27 +97,15 @@ fn the_inbound_mailbox_fills_before_the_first_run() {
     let data = words.as_mut_ptr();
     unsafe {
         assert_eq!(spe_in_mbox_status(context.pointer()), 4);
-        assert_eq!(
-            spe_in_mbox_write(context.pointer(), data, 1, SPE_MBOX_ALL_BLOCKING),
-            1
-        );
-        assert_eq!(
-            spe_in_mbox_write(context.pointer(), data, 6, SPE_MBOX_ANY_BLOCKING),
-            3
-        );
-        assert_eq!(
-            spe_in_mbox_write(context.pointer(), data, 6, SPE_MBOX_ANY_NONBLOCKING),
-            0
-        );
+        assert_eq!(spe_in_mbox_write(context.pointer(), data, 1, SPE_MBOX_ALL_BLOCKING), 1);
+        assert_eq!(spe_in_mbox_write(context.pointer(), data, 6, SPE_MBOX_ANY_BLOCKING), 3);
+        assert_eq!(spe_in_mbox_write(context.pointer(), data, 6, SPE_MBOX_ANY_NONBLOCKING), 0);
         assert_eq!(last_errno(), 0);
         assert_eq!(spe_in_mbox_status(context.pointer()), 0);
         assert_eq!(spe_out_mbox_status(context.pointer()), 0);
         assert_eq!(spe_out_intr_mbox_status(context.pointer()), 0);
         assert_eq!(spe_out_mbox_read(context.pointer(), data, 1), 0);
-        assert_eq!(
-            spe_out_intr_mbox_read(context.pointer(), data, 1, SPE_MBOX_ANY_NONBLOCKING),
-            0
-        );
+        assert_eq!(spe_out_intr_mbox_read(context.pointer(), data, 1, SPE_MBOX_ANY_NONBLOCKING), 0);
     }
 }
 
@@ -145,19 +119,10 @@ fn mailbox_arguments() {
         assert_fails(spe_out_mbox_read(context.pointer(), none, 1), libc::EINVAL);
         assert_fails(spe_out_mbox_read(context.pointer(), data, 0), libc::EINVAL);
         assert_fails(spe_out_mbox_read(context.pointer(), data, -1), libc::EINVAL);
-        assert_fails(
-            spe_in_mbox_write(context.pointer(), none, 1, 1),
-            libc::EINVAL,
-        );
-        assert_fails(
-            spe_in_mbox_write(context.pointer(), data, 0, 1),
-            libc::EINVAL,
-        );
+        assert_fails(spe_in_mbox_write(context.pointer(), none, 1, 1), libc::EINVAL);
+        assert_fails(spe_in_mbox_write(context.pointer(), data, 0, 1), libc::EINVAL);
         for behavior in [0, 4, u32::MAX] {
-            assert_fails(
-                spe_in_mbox_write(context.pointer(), data, 1, behavior),
-                libc::EINVAL,
-            );
+            assert_fails(spe_in_mbox_write(context.pointer(), data, 1, behavior), libc::EINVAL);
             assert_fails(
                 spe_out_intr_mbox_read(context.pointer(), data, 1, behavior),
                 libc::EINVAL,

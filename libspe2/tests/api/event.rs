@@ -28,11 +28,7 @@ impl Drop for Handler {
 }
 
 fn unit(spe: *mut SpeContext, events: u32, data: u64) -> SpeEventUnit {
-    SpeEventUnit {
-        events,
-        spe,
-        data: SpeEventData { u64: data },
-    }
+    SpeEventUnit { events, spe, data: SpeEventData { u64: data } }
 }
 
 impl Handler {
@@ -58,10 +54,7 @@ impl Handler {
         let count = unsafe { spe_event_wait(self.0, units.as_mut_ptr(), most as i32, timeout) };
         assert!(count >= 0);
         units.truncate(count as usize);
-        units
-            .iter()
-            .map(|unit| (unit.spe, unit.events, unsafe { unit.data.u64 }))
-            .collect()
+        units.iter().map(|unit| (unit.spe, unit.events, unsafe { unit.data.u64 })).collect()
     }
 }
 
@@ -90,27 +83,15 @@ fn arguments() {
         assert_fails(spe_event_handler_destroy(ptr::null_mut()), libc::ESRCH);
         let array = units.as_mut_ptr();
         assert_fails(spe_event_wait(ptr::null_mut(), array, 1, 0), libc::ESRCH);
-        assert_fails(
-            spe_event_wait(handler.0, ptr::null_mut(), 1, 0),
-            libc::EINVAL,
-        );
+        assert_fails(spe_event_wait(handler.0, ptr::null_mut(), 1, 0), libc::EINVAL);
         assert_fails(spe_event_wait(handler.0, array, 0, 0), libc::EINVAL);
         assert_fails(spe_event_wait(handler.0, array, -1, 0), libc::EINVAL);
     }
     assert_eq!(handler.register(&context, SPE_EVENT_IN_MBOX, 0), 0);
-    assert_fails(
-        handler.register(&context, SPE_EVENT_IN_MBOX, 0),
-        libc::EEXIST,
-    );
-    assert_fails(
-        handler.deregister(&context, SPE_EVENT_TAG_GROUP),
-        libc::ENOENT,
-    );
+    assert_fails(handler.register(&context, SPE_EVENT_IN_MBOX, 0), libc::EEXIST);
+    assert_fails(handler.deregister(&context, SPE_EVENT_TAG_GROUP), libc::ENOENT);
     assert_eq!(handler.deregister(&context, SPE_EVENT_IN_MBOX), 0);
-    assert_fails(
-        handler.deregister(&context, SPE_EVENT_IN_MBOX),
-        libc::ENOENT,
-    );
+    assert_fails(handler.deregister(&context, SPE_EVENT_IN_MBOX), libc::ENOENT);
 }
 
 #[test]
@@ -186,10 +167,7 @@ fn one_thread_waits_for_two_contexts() {
             let up = handler.wait(4, 600_000);
             assert_eq!(up, [(context.pointer(), SPE_EVENT_SPE_STOPPED, n as u64)]);
             let mut info = no_stop_info();
-            assert_eq!(
-                unsafe { spe_stop_info_read(context.pointer(), &raw mut info) },
-                0
-            );
+            assert_eq!(unsafe { spe_stop_info_read(context.pointer(), &raw mut info) }, 0);
             assert_eq!(info.stop_reason, 1);
         }
         assert_eq!(handler.wait(4, 0), []);
@@ -213,10 +191,7 @@ fn stops_queue_up_while_they_are_registered() {
     for expected in [1, 2] {
         assert_eq!(handler.wait(1, 0).len(), 1);
         let mut info = no_stop_info();
-        assert_eq!(
-            unsafe { spe_stop_info_read(context.pointer(), &raw mut info) },
-            0
-        );
+        assert_eq!(unsafe { spe_stop_info_read(context.pointer(), &raw mut info) }, 0);
         assert_eq!(unsafe { info.result.code }, expected);
     }
     assert_eq!(handler.wait(1, 0), []);
@@ -233,10 +208,7 @@ fn a_tag_is_up_until_it_is_read() {
         let put = unsafe { spe_mfcio_put(context.pointer(), 0, there.pointer(), 16, 3, 0, 0) };
         assert_eq!(put, 0);
     });
-    assert_eq!(
-        handler.wait(1, 600_000),
-        [(context.pointer(), SPE_EVENT_TAG_GROUP, 5)]
-    );
+    assert_eq!(handler.wait(1, 600_000), [(context.pointer(), SPE_EVENT_TAG_GROUP, 5)]);
     let mut status = 0;
     let read =
         unsafe { spe_mfcio_tag_status_read(context.pointer(), 0, SPE_TAG_ALL, &raw mut status) };

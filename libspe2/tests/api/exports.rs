@@ -41,17 +41,9 @@ fn variables(text: &str) -> BTreeSet<String> {
 
 /// All files of Rust below a folder, one after the other.
 fn sources(folder: &Path) -> String {
-    let entries = fs::read_dir(folder)
-        .unwrap()
-        .map(|entry| entry.unwrap().path());
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     entries
-        .map(|path| {
-            if path.is_dir() {
-                sources(&path)
-            } else {
-                fs::read_to_string(path).unwrap()
-            }
-        })
+        .map(|path| if path.is_dir() { sources(&path) } else { fs::read_to_string(path).unwrap() })
         .collect()
 }
 
@@ -62,9 +54,7 @@ fn the_documents_list_each_variable() {
     let strings = code.split('"').filter(|text| text.starts_with("LIBSPE2_"));
     let read = variables(&strings.collect::<Vec<_>>().join(" "));
     assert!(read.contains("LIBSPE2_TIMING"), "{read:?}");
-    let comments = code
-        .lines()
-        .filter(|line| line.starts_with("//! - `LIBSPE2_"));
+    let comments = code.lines().filter(|line| line.starts_with("//! - `LIBSPE2_"));
     let comments: Vec<_> = comments.collect();
     assert_eq!(variables(&comments.join(" ")), read, "lib.rs");
     for document in ["libspe2.md", "build-options.md"] {

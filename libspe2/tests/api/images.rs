@@ -24,15 +24,9 @@ fn what_can_not_be_opened() {
     assert_null(unsafe { spe_image_open(ptr::null()) }, libc::EFAULT);
     assert_null(open_image(folder.path()), libc::EINVAL);
     let program = fs::read(assemble(folder.path(), "stop 0x2000")).unwrap();
-    assert_null(
-        open_image(&file(folder.path(), &program, 0o644)),
-        libc::EACCES,
-    );
+    assert_null(open_image(&file(folder.path(), &program, 0o644)), libc::EACCES);
     for garbage in [&b""[..], b"#!/bin/sh\n", &program[..60], &[0xff; 5000]] {
-        assert_null(
-            open_image(&file(folder.path(), garbage, 0o755)),
-            libc::EINVAL,
-        );
+        assert_null(open_image(&file(folder.path(), garbage, 0o755)), libc::EINVAL);
     }
     // Our own executable is an ELF file, but not for the SPU.
     let own = std::env::current_exe().unwrap();
@@ -61,14 +55,8 @@ fn null_programs() {
     let context = Context::new(0);
     unsafe {
         assert_fails(spe_image_close(ptr::null_mut()), libc::EINVAL);
-        assert_fails(
-            spe_program_load(context.pointer(), ptr::null_mut()),
-            libc::EINVAL,
-        );
-        let handle = open_image(&assemble(
-            tempfile::tempdir().unwrap().path(),
-            "stop 0x2000",
-        ));
+        assert_fails(spe_program_load(context.pointer(), ptr::null_mut()), libc::EINVAL);
+        let handle = open_image(&assemble(tempfile::tempdir().unwrap().path(), "stop 0x2000"));
         assert_fails(spe_program_load(ptr::null_mut(), handle), libc::ESRCH);
         assert_eq!(spe_image_close(handle), 0);
     }
@@ -84,23 +72,14 @@ fn an_embedded_image_is_loaded_from_its_address_alone() {
         toe_shadow: ptr::null_mut(),
     };
     let context = Context::new(0);
-    assert_eq!(
-        unsafe { spe_program_load(context.pointer(), &raw mut handle) },
-        0
-    );
+    assert_eq!(unsafe { spe_program_load(context.pointer(), &raw mut handle) }, 0);
     assert_eq!(context.run().code, 7);
     // One address where nothing is mapped, and one that holds something else.
     handle.elf_image = ptr::without_provenance_mut(16);
-    assert_fails(
-        unsafe { spe_program_load(context.pointer(), &raw mut handle) },
-        libc::EINVAL,
-    );
+    assert_fails(unsafe { spe_program_load(context.pointer(), &raw mut handle) }, libc::EINVAL);
     let mut junk = [0x7f_u8; 64];
     handle.elf_image = junk.as_mut_ptr().cast();
-    assert_fails(
-        unsafe { spe_program_load(context.pointer(), &raw mut handle) },
-        libc::EINVAL,
-    );
+    assert_fails(unsafe { spe_program_load(context.pointer(), &raw mut handle) }, libc::EINVAL);
 }
 
 #[test]
@@ -121,10 +100,7 @@ _EAR_:  .space  16
     let context = Context::new(0);
     assert_eq!(unsafe { spe_program_load(context.pointer(), handle) }, 0);
     let elf = fs::read(&path).unwrap();
-    let toe = spu_emulator::elf::Image::parse(&elf)
-        .unwrap()
-        .toe()
-        .unwrap();
+    let toe = spu_emulator::elf::Image::parse(&elf).unwrap().toe().unwrap();
     let ea = unsafe { (*handle).elf_image }.expose_provenance() as u64;
     let mut expected = [0; 16];
     expected[..8].copy_from_slice(&ea.to_be_bytes());

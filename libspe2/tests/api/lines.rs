@@ -140,10 +140,7 @@ fn file() -> Pages {
     };
     let (one, other) = (file(), file());
     let pages = Pages {
-        twice: [
-            map(2 * PAGE, one, 0) + PAGE as u64,
-            map(PAGE, one, PAGE as libc::off_t),
-        ],
+        twice: [map(2 * PAGE, one, 0) + PAGE as u64, map(PAGE, one, PAGE as libc::off_t)],
         other: map(PAGE, other, PAGE as libc::off_t),
     };
     for file in [one, other] {
@@ -157,10 +154,7 @@ fn segment() -> Pages {
     let segment = || unsafe { libc::shmget(libc::IPC_PRIVATE, PAGE, 0o600) };
     let attach = |segment| address(unsafe { libc::shmat(segment, ptr::null(), 0) });
     let (one, other) = (segment(), segment());
-    let pages = Pages {
-        twice: [attach(one), attach(one)],
-        other: attach(other),
-    };
+    let pages = Pages { twice: [attach(one), attach(one)], other: attach(other) };
     for segment in [one, other] {
         let removed = unsafe { libc::shmctl(segment, libc::IPC_RMID, ptr::null_mut()) };
         assert_eq!(removed, 0);

@@ -168,15 +168,7 @@ fn proxy_arguments() {
     let mut status = 0;
     for transfer in GETS.into_iter().chain(PUTS) {
         let call = |ls, offset, size, tag, tid, rid| unsafe {
-            transfer(
-                context.pointer(),
-                ls,
-                pointer.byte_add(offset),
-                size,
-                tag,
-                tid,
-                rid,
-            )
+            transfer(context.pointer(), ls, pointer.byte_add(offset), size, tag, tid, rid)
         };
         assert_fails(call(0, 0, 16, 16, 0, 0), libc::EINVAL);
         assert_fails(call(0, 0, 16, 0, 256, 0), libc::EINVAL);
@@ -187,23 +179,14 @@ fn proxy_arguments() {
         assert_fails(call(0, 0, 3, 0, 0, 0), libc::EIO);
         assert_fails(call(8, 8, 16, 0, 0, 0), libc::EIO);
         assert_fails(call(0, 4, 4, 0, 0, 0), libc::EIO);
-        assert_fails(
-            unsafe { transfer(ptr::null_mut(), 0, pointer, 16, 0, 0, 0) },
-            libc::ESRCH,
-        );
+        assert_fails(unsafe { transfer(ptr::null_mut(), 0, pointer, 16, 0, 0, 0) }, libc::ESRCH);
     }
     unsafe {
         let read = spe_mfcio_tag_status_read;
         assert_fails(read(context.pointer(), 0, 0, &raw mut status), libc::EINVAL);
         assert_fails(read(context.pointer(), 0, 4, &raw mut status), libc::EINVAL);
-        assert_fails(
-            read(context.pointer(), 0, SPE_TAG_ANY, ptr::null_mut()),
-            libc::EINVAL,
-        );
-        assert_fails(
-            read(ptr::null_mut(), 0, SPE_TAG_ANY, &raw mut status),
-            libc::ESRCH,
-        );
+        assert_fails(read(context.pointer(), 0, SPE_TAG_ANY, ptr::null_mut()), libc::EINVAL);
+        assert_fails(read(ptr::null_mut(), 0, SPE_TAG_ANY, &raw mut status), libc::ESRCH);
     }
 }
 

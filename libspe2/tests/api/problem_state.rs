@@ -74,11 +74,7 @@ fn mailboxes_and_signals_are_registers() {
     assert_eq!((stop.reason, stop.code), (SPE_EXIT, 7));
     assert_eq!(control.load(0x14), 1 << 16 | 3 << 8 | 1);
     assert_eq!(control.load(0x4), 123);
-    assert_eq!(
-        control.load(0x14),
-        1 << 16 | 3 << 8,
-        "reading takes the word"
-    );
+    assert_eq!(control.load(0x14), 1 << 16 | 3 << 8, "reading takes the word");
     assert_eq!(control.load(0x24), 0x2007_0002);
     assert_eq!(control.load(0x34), 32);
 }
@@ -168,10 +164,7 @@ fn the_functions_agree_with_the_registers() {
     there.0 = [9; 16];
     let mut status = 0;
     unsafe {
-        assert_eq!(
-            spe_mfcio_get(context.pointer(), 0x9000, there.pointer(), 16, 2, 0, 0),
-            0
-        );
+        assert_eq!(spe_mfcio_get(context.pointer(), 0x9000, there.pointer(), 16, 2, 0, 0), 0);
         for mask in [0, 1 << 2] {
             let status = &raw mut status;
             let read = spe_mfcio_tag_status_read(context.pointer(), mask, SPE_TAG_ANY, status);
@@ -188,10 +181,7 @@ fn the_functions_agree_with_the_registers() {
             spe: context.pointer(),
             data: SpeEventData { u64: 0 },
         };
-        assert_fails(
-            spe_event_handler_register(handler, &raw mut unit),
-            libc::ENOTSUP,
-        );
+        assert_fails(spe_event_handler_register(handler, &raw mut unit), libc::ENOTSUP);
         assert_eq!(spe_event_handler_destroy(handler), 0);
         assert_null(spe_ps_area_get(context.pointer(), 5), libc::EINVAL);
     }

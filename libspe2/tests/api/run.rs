@@ -20,14 +20,7 @@ fn stop_of(source: &str) -> Stop {
 }
 
 fn expected(returned: i32, errno: i32, reason: u32, code: i32, status: i32) -> Stop {
-    Stop {
-        returned,
-        errno,
-        reason,
-        code,
-        status,
-        entry: 4,
-    }
+    Stop { returned, errno, reason, code, status, entry: 4 }
 }
 
 #[test]
@@ -35,27 +28,12 @@ fn the_stop_table() {
     let cases = [
         ("stop 0x2000", expected(0, 0, SPE_EXIT, 0, 0x2000_0002)),
         ("stop 0x206b", expected(0, 0, SPE_EXIT, 107, 0x206b_0002)),
-        (
-            "stop 1",
-            expected(1, 0, SPE_STOP_AND_SIGNAL, 1, 0x0001_0002),
-        ),
-        (
-            "stop 0x3ffe",
-            expected(0x3ffe, 0, SPE_STOP_AND_SIGNAL, 0x3ffe, 0x3ffe_0002),
-        ),
+        ("stop 1", expected(1, 0, SPE_STOP_AND_SIGNAL, 1, 0x0001_0002)),
+        ("stop 0x3ffe", expected(0x3ffe, 0, SPE_STOP_AND_SIGNAL, 0x3ffe, 0x3ffe_0002)),
         ("stop 0", expected(0, 0, SPE_STOP_AND_SIGNAL, 0, 2)),
-        (
-            "stop 0x2203",
-            expected(-1, libc::EFAULT, SPE_ISOLATION_ERROR, 3, 0x2203_0002),
-        ),
-        (
-            "heqi $10,0",
-            expected(-1, libc::EFAULT, SPE_RUNTIME_ERROR, 4, 4),
-        ),
-        (
-            "stop 0x21f0",
-            expected(-1, libc::EFAULT, SPE_CALLBACK_ERROR, -1, 0x21f0_0002),
-        ),
+        ("stop 0x2203", expected(-1, libc::EFAULT, SPE_ISOLATION_ERROR, 3, 0x2203_0002)),
+        ("heqi $10,0", expected(-1, libc::EFAULT, SPE_RUNTIME_ERROR, 4, 4)),
+        ("stop 0x21f0", expected(-1, libc::EFAULT, SPE_CALLBACK_ERROR, -1, 0x21f0_0002)),
     ];
     for (source, expected) in cases {
         assert_eq!(stop_of(source), expected, "{source}");
@@ -79,9 +57,7 @@ fn dma_errors_are_exceptions() {
         ("command 0xd0, 0x10000, $10, 128, 0", 0x0040),
     ];
     for (command, event) in cases {
-        let stop = stop_of(&format!(
-            "il $2,0\n il $10,0x400\n {command}\n stop 0x2000\n"
-        ));
+        let stop = stop_of(&format!("il $2,0\n il $10,0x400\n {command}\n stop 0x2000\n"));
         let entry = stop.entry;
         let expected = expected(-1, libc::EIO, SPE_RUNTIME_EXCEPTION, event, -1);
         assert_eq!(stop, Stop { entry, ..expected }, "{command}");
@@ -134,20 +110,10 @@ fn start_registers() {
     let stop = elsewhere(|| run(SPE_DEFAULT_ENTRY, argp), || ());
     assert_eq!(stop.returned, 1);
     let area = unsafe { spe_ls_area_get(context.pointer()) }.expose_provenance() as u64;
-    let expected = [
-        0x3fff0_u64 << 32,
-        0,
-        context.pointer().expose_provenance() as u64,
-        argp,
-        envp,
-        area,
-    ];
+    let expected =
+        [0x3fff0_u64 << 32, 0, context.pointer().expose_provenance() as u64, argp, envp, area];
     for (register, expected) in (1..).zip(expected) {
-        assert_eq!(
-            doublewords(&context, register),
-            [expected, 0],
-            "${register}"
-        );
+        assert_eq!(doublewords(&context, register), [expected, 0], "${register}");
     }
     // The back chain ends here.
     assert_eq!(context.local_store(0x3fff0, 16), [0; 16]);
@@ -185,14 +151,7 @@ fn arguments() {
     let null = ptr::null_mut();
     unsafe {
         assert_fails(
-            spe_context_run(
-                null,
-                &raw mut entry,
-                0,
-                null.cast(),
-                null.cast(),
-                ptr::null_mut(),
-            ),
+            spe_context_run(null, &raw mut entry, 0, null.cast(), null.cast(), ptr::null_mut()),
             libc::ESRCH,
         );
         assert_fails(
@@ -243,10 +202,7 @@ again:  stop    0x21cc
 ";
     let handler = increment as *mut libc::c_void;
     unsafe {
-        assert_eq!(
-            spe_callback_handler_register(handler, NUMBER, SPE_CALLBACK_NEW),
-            0
-        );
+        assert_eq!(spe_callback_handler_register(handler, NUMBER, SPE_CALLBACK_NEW), 0);
     }
     let context = Context::with_program(source);
     let stop = elsewhere(|| context.run(), || ());
@@ -276,10 +232,7 @@ fn the_last_stop_can_be_read_once() {
     assert_fails(read(&context, &mut info), libc::EAGAIN);
     let without_events = Context::new(0);
     assert_fails(read(&without_events, &mut info), libc::ENOTSUP);
-    assert_fails(
-        unsafe { spe_stop_info_read(ptr::null_mut(), &raw mut info) },
-        libc::ESRCH,
-    );
+    assert_fails(unsafe { spe_stop_info_read(ptr::null_mut(), &raw mut info) }, libc::ESRCH);
 }
 
 #[test]

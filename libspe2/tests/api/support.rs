@@ -103,11 +103,7 @@ pub struct Stop {
 }
 
 pub fn no_stop_info() -> SpeStopInfo {
-    SpeStopInfo {
-        stop_reason: 0,
-        result: SpeStopResult { reserved: 0 },
-        spu_status: 0,
-    }
+    SpeStopInfo { stop_reason: 0, result: SpeStopResult { reserved: 0 }, spu_status: 0 }
 }
 
 impl Context {
@@ -198,10 +194,7 @@ impl Context {
 }
 
 /// Returns the result of `body` on another thread, if it ends in time.
-#[expect(
-    clippy::print_stderr,
-    reason = "a test has nothing to lose but its output"
-)]
+#[expect(clippy::print_stderr, reason = "a test has nothing to lose but its output")]
 pub fn elsewhere<T: Send>(body: impl FnOnce() -> T + Send, meanwhile: impl FnOnce()) -> T {
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {

@@ -18,11 +18,8 @@ use spe2::types::{
 use crate::support::{Aligned, Context, assert_fails, assert_null, elsewhere};
 
 /// The number of `spu_create`, which other processors do not have.
-const SPU_CREATE: libc::c_long = if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) {
-    279
-} else {
-    -279
-};
+const SPU_CREATE: libc::c_long =
+    if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) { 279 } else { -279 };
 
 /// The library's contexts are the kernel's, by the names that IBM's library gives them.
 #[test]
@@ -60,10 +57,7 @@ fn a_gang_is_a_folder_of_contexts() {
 fn an_affinity_is_the_kernels_to_refuse() {
     let gang = unsafe { spe_gang_context_create(0) };
     let neighbor = Context::owning(unsafe { spe_context_create(0, gang) });
-    assert_null(
-        unsafe { spe_context_create_affinity(0, neighbor.pointer(), gang) },
-        libc::EINVAL,
-    );
+    assert_null(unsafe { spe_context_create_affinity(0, neighbor.pointer(), gang) }, libc::EINVAL);
     assert_eq!(unsafe { spe_gang_context_destroy(gang) }, 0);
 }
 
@@ -139,10 +133,7 @@ fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
     unsafe {
         let mut action = std::mem::MaybeUninit::<libc::sigaction>::zeroed().assume_init();
         action.sa_sigaction = ignore as *const () as usize;
-        assert_eq!(
-            libc::sigaction(signal, &raw const action, ptr::null_mut()),
-            0
-        );
+        assert_eq!(libc::sigaction(signal, &raw const action, ptr::null_mut()), 0);
     }
     let (sender, thread) = std::sync::mpsc::channel();
     let (over, ended) = std::sync::mpsc::channel();
@@ -183,11 +174,8 @@ fn a_signal_ends_a_wait_for_a_mailbox() {
 fn a_signal_ends_a_wait_for_events_that_has_a_limit() {
     let (count, _) = interrupted(|| unsafe {
         let handler = spe_event_handler_create();
-        let mut unit = SpeEventUnit {
-            events: 0,
-            spe: ptr::null_mut(),
-            data: SpeEventData { u64: 0 },
-        };
+        let mut unit =
+            SpeEventUnit { events: 0, spe: ptr::null_mut(), data: SpeEventData { u64: 0 } };
         let count = spe_event_wait(handler, &raw mut unit, 1, 3_600_000);
         (count, spe_event_handler_destroy(handler))
     });

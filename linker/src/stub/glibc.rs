@@ -46,10 +46,8 @@ const LOADER: &str = "ld64.so.1";
 /// calls this one.
 const START: &str = "__libc_start_main";
 /// The functions that a program contains copies of. Each is linked only where it is called.
-const COPIES: [(&str, &str); 2] = [
-    ("start", include_str!("start.c")),
-    ("status", include_str!("status.c")),
-];
+const COPIES: [(&str, &str); 2] =
+    [("start", include_str!("start.c")), ("status", include_str!("status.c"))];
 
 /// A name in a library with its newest version that is old enough.
 struct Name {
@@ -71,11 +69,7 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
             continue;
         };
         for (name, found) in names(&library)? {
-            let home = if soname == LIBC && found.renewed {
-                home(&name)
-            } else {
-                soname
-            };
+            let home = if soname == LIBC && found.renewed { home(&name) } else { soname };
             stubs.entry(home).or_default().insert(name, found);
         }
     }
@@ -88,10 +82,7 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     for (soname, names) in &stubs {
         let library = match *soname {
             LIBC | LIBGCC | LOADER => part(folder, soname),
-            _ => folder.join(format!(
-                "{}.so",
-                soname.split('.').next().unwrap_or_default()
-            )),
+            _ => folder.join(format!("{}.so", soname.split('.').next().unwrap_or_default())),
         };
         make(compiler, soname, names, &library)?;
     }
@@ -102,10 +93,7 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     if stubs.contains_key(LOADER) {
         group.push(format!("AS_NEEDED ( {} )", quoted(&part(folder, LOADER))));
     }
-    write(
-        &folder.join("libc.so"),
-        &format!("GROUP ( {} )\n", group.join(" ")),
-    )?;
+    write(&folder.join("libc.so"), &format!("GROUP ( {} )\n", group.join(" ")))?;
     if stubs.contains_key(LIBGCC) {
         let group = format!("GROUP ( {} -lgcc )\n", quoted(&part(folder, LIBGCC)));
         write(&folder.join("libgcc_s.so"), &group)?;
@@ -127,10 +115,7 @@ fn quoted(path: &Path) -> String {
 fn home(name: &str) -> &'static str {
     let was_there =
         |(_, begins): &&(&str, &[&str])| begins.iter().any(|begin| name.starts_with(begin));
-    LIBRARIES
-        .iter()
-        .find(was_there)
-        .map_or(LIBC, |(soname, _)| *soname)
+    LIBRARIES.iter().find(was_there).map_or(LIBC, |(soname, _)| *soname)
 }
 
 /// The path of one of the compiler's own files, if it has the file.
@@ -145,10 +130,8 @@ fn installed(compiler: &Path, file: &str) -> Result<Option<PathBuf>, Error> {
 fn age(version: &str) -> Option<Vec<u32>> {
     let (kind, numbers) = version.split_once('_')?;
     let (_, newest) = NEWEST.iter().find(|(name, _)| *name == kind)?;
-    let numbers: Vec<u32> = numbers
-        .split('.')
-        .map(|number| number.parse().ok())
-        .collect::<Option<_>>()?;
+    let numbers: Vec<u32> =
+        numbers.split('.').map(|number| number.parse().ok()).collect::<Option<_>>()?;
     (numbers.as_slice() <= *newest).then_some(numbers)
 }
 
@@ -182,11 +165,7 @@ fn names(library: &Path) -> Result<Names, Error> {
             continue;
         };
         let is_data = matches!(symbol.kind(), SymbolKind::Data | SymbolKind::Tls);
-        let found = Name {
-            version,
-            bytes: is_data.then(|| symbol.size()),
-            renewed: false,
-        };
+        let found = Name { version, bytes: is_data.then(|| symbol.size()), renewed: false };
         match names.get(&name) {
             Some(other) if self::age(&other.version) > Some(age) => {}
             _ => _ = names.insert(name, found),
@@ -215,10 +194,7 @@ fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<
             ),
             None => writeln!(source, "void {name}(void) {{}}"),
         };
-        versions
-            .entry((age(version), version))
-            .or_default()
-            .push(name.as_str());
+        versions.entry((age(version), version)).or_default().push(name.as_str());
     }
     let mut script = String::new();
     let mut before = "";

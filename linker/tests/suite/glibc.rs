@@ -50,11 +50,7 @@ fn compile(options: &[&str], folder: &Path, name: &str, source: &str) {
         .args(options)
         .output()
         .unwrap();
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }
 
 /// The libraries and versions that a file requires, such as `libm.so.6 GLIBC_2.17`.
@@ -79,14 +75,7 @@ fn needs(path: &Path) -> Vec<String> {
 
 /// The part after `GLIBC_2.` of the versions that are newer than glibc 2.17.
 fn too_new(needs: &[String]) -> Vec<&String> {
-    let minor = |need: &str| {
-        need.split("GLIBC_2.")
-            .nth(1)?
-            .split('.')
-            .next()?
-            .parse()
-            .ok()
-    };
+    let minor = |need: &str| need.split("GLIBC_2.").nth(1)?.split('.').next()?.parse().ok();
     let is_new = |need: &&String| minor(need).is_none_or(|minor: u32| minor > 17);
     needs.iter().filter(is_new).collect()
 }
@@ -115,12 +104,7 @@ fn what_is_linked_to_the_stubs_needs_no_newer_glibc() {
         assert!(old.iter().any(|need| need.starts_with(library)), "{old:?}");
     }
 
-    compile(
-        &["libold.so", "-Wl,-rpath,$ORIGIN"],
-        folder,
-        "program",
-        PROGRAM,
-    );
+    compile(&["libold.so", "-Wl,-rpath,$ORIGIN"], folder, "program", PROGRAM);
     let status = Command::new(folder.join("program")).status().unwrap();
     assert_eq!(status.code(), Some(5));
 }
@@ -134,8 +118,5 @@ fn a_compiler_without_a_c_library_is_told_of() {
     fs::set_permissions(&compiler, fs::Permissions::from_mode(0o755)).unwrap();
     let error = glibc::build(&compiler, folder.path()).unwrap_err();
     let text = error.to_string();
-    assert!(
-        text.contains("libc.so.6") && text.contains("compiler"),
-        "{text}"
-    );
+    assert!(text.contains("libc.so.6") && text.contains("compiler"), "{text}");
 }

@@ -32,9 +32,7 @@ fn build(folder: &Path, tools: &Tools) -> Result<PathBuf, Error> {
 }
 
 fn failure(source: &str) -> String {
-    build(folder(source).path(), &Tools::find().unwrap())
-        .unwrap_err()
-        .to_string()
+    build(folder(source).path(), &Tools::find().unwrap()).unwrap_err().to_string()
 }
 
 #[test]
@@ -43,25 +41,16 @@ fn a_program_becomes_an_spu_executable() {
     let elf = fs::read(build(folder.path(), &Tools::find().unwrap()).unwrap()).unwrap();
     let elf = object::File::parse(&*elf).unwrap();
     assert!(!elf.is_little_endian());
-    let last = elf
-        .symbols()
-        .find(|symbol| symbol.name() == Ok("last"))
-        .unwrap();
+    let last = elf.symbols().find(|symbol| symbol.name() == Ok("last")).unwrap();
     assert_eq!(last.address(), 4);
 }
 
 #[test]
 fn an_error_in_a_source_is_shown_with_file_line_and_command() {
     let text = failure(" .text\n il $3,99999\n");
-    assert!(
-        text.contains("program.s:2") && text.contains("--fatal-warnings"),
-        "{text}"
-    );
+    assert!(text.contains("program.s:2") && text.contains("--fatal-warnings"), "{text}");
     let text = failure(" .text\n bogus $3\n");
-    assert!(
-        text.contains("program.s:2") && text.contains("bogus"),
-        "{text}"
-    );
+    assert!(text.contains("program.s:2") && text.contains("bogus"), "{text}");
 }
 
 #[test]
@@ -87,9 +76,7 @@ fn a_folder_without_sources() {
 /// Runs the test below in a child with its own variables, and returns the output.
 fn find_with(variables: &[(&str, &str)]) -> String {
     let mut child = Command::new(std::env::current_exe().unwrap());
-    child
-        .args(["--exact", "image::child_finds_tools", "--nocapture"])
-        .env("IN_CHILD", "1");
+    child.args(["--exact", "image::child_finds_tools", "--nocapture"]).env("IN_CHILD", "1");
     child.env_remove("SPU_AS").env_remove("SPU_LD");
     for (name, value) in variables {
         child.env(name, value);
@@ -115,18 +102,9 @@ fn child_finds_tools() {
 
 #[test]
 fn missing_tools_are_named_with_the_remedy() {
-    let none = [
-        ("PATH", "/nonexistent"),
-        ("XDG_CACHE_HOME", "/nonexistent/cache"),
-    ];
+    let none = [("PATH", "/nonexistent"), ("XDG_CACHE_HOME", "/nonexistent/cache")];
     let text = find_with(&none);
-    for part in [
-        "no SPU assembler",
-        "spu-elf-as",
-        "/nonexistent/cache",
-        "ci/setup",
-        "SPU_AS",
-    ] {
+    for part in ["no SPU assembler", "spu-elf-as", "/nonexistent/cache", "ci/setup", "SPU_AS"] {
         assert!(text.contains(part), "no {part:?} in: {text}");
     }
     let text = find_with(&[("SPU_AS", "/nonexistent/spu-as")]);
@@ -141,10 +119,7 @@ fn tools_are_taken_from_path_under_either_name() {
             fs::write(bin.path().join(format!("{name}-{tool}")), "").unwrap();
         }
         let text = find_with(&[("PATH", bin.path().to_str().unwrap())]);
-        assert!(
-            text.contains(&format!("{}/{name}-as", bin.path().display())),
-            "{text}"
-        );
+        assert!(text.contains(&format!("{}/{name}-as", bin.path().display())), "{text}");
     }
 }
 
@@ -166,13 +141,8 @@ done
 exec "$tool" "$@"
 "#;
     let real = find_with(&[]);
-    let paths: Vec<&str> = real
-        .split('"')
-        .filter(|word| word.starts_with('/'))
-        .collect();
-    let [assembler, linker] = paths[..] else {
-        panic!("{real}")
-    };
+    let paths: Vec<&str> = real.split('"').filter(|word| word.starts_with('/')).collect();
+    let [assembler, linker] = paths[..] else { panic!("{real}") };
 
     let bin = tempfile::tempdir().unwrap();
     let driver = bin.path().join("spu-gcc");
@@ -182,18 +152,11 @@ exec "$tool" "$@"
     let program = folder(" .text\n .global _start\n_start:\n stop 0x2000\n");
     for tools in [
         [("SPU_AS", driver), ("SPU_LD", driver)],
-        [
-            ("PATH", bin.path().to_str().unwrap()),
-            ("XDG_CACHE_HOME", "/nonexistent"),
-        ],
+        [("PATH", bin.path().to_str().unwrap()), ("XDG_CACHE_HOME", "/nonexistent")],
     ] {
         let folder = program.path().to_str().unwrap();
         let text = find_with(
-            &[
-                &tools[..],
-                &[("AS", assembler), ("LD", linker), ("BUILD", folder)],
-            ]
-            .concat(),
+            &[&tools[..], &[("AS", assembler), ("LD", linker), ("BUILD", folder)]].concat(),
         );
         assert!(text.contains("spu-gcc") && text.contains("built"), "{text}");
         fs::remove_file(program.path().join("out.elf")).unwrap();
@@ -209,14 +172,9 @@ fn a_stub_has_its_soname_and_its_names() {
     stub::build(Path::new("cc"), "libthing.so.7", &names, &library).unwrap();
     let bytes = fs::read(library).unwrap();
     let library = object::File::parse(&*bytes).unwrap();
-    let exported: Vec<_> = library
-        .dynamic_symbols()
-        .filter_map(|symbol| symbol.name().ok())
-        .collect();
-    assert!(
-        exported.contains(&"thing_one") && exported.contains(&"thing_two"),
-        "{exported:?}"
-    );
+    let exported: Vec<_> =
+        library.dynamic_symbols().filter_map(|symbol| symbol.name().ok()).collect();
+    assert!(exported.contains(&"thing_one") && exported.contains(&"thing_two"), "{exported:?}");
     assert!(bytes.windows(13).any(|window| window == b"libthing.so.7"));
 }
 
@@ -237,19 +195,8 @@ fn the_tracer_takes_further_shaders() {
     let table = image.section_by_name(".shaders").unwrap().data().unwrap();
     let names: Vec<&[u8]> = table.chunks(32).map(|entry| &entry[16..]).collect();
     let padded = |name: &[u8]| [name, &[0; 16][name.len()..]].concat();
-    assert_eq!(
-        names,
-        [
-            padded(b"checker"),
-            padded(b"depth"),
-            padded(b"own"),
-            padded(b"sky")
-        ]
-    );
-    let symbol = image
-        .symbols()
-        .find(|s| s.name() == Ok("shader_own"))
-        .unwrap();
+    assert_eq!(names, [padded(b"checker"), padded(b"depth"), padded(b"own"), padded(b"sky")]);
+    let symbol = image.symbols().find(|s| s.name() == Ok("shader_own")).unwrap();
     let address = u32::from_be_bytes(table[64..68].try_into().unwrap());
     assert_eq!(u64::from(address), symbol.address());
 
@@ -260,10 +207,7 @@ fn the_tracer_takes_further_shaders() {
     // Two shaders with the same name, and a name that is too long.
     fs::write(&source, shader.replace("own", "depth")).unwrap();
     let text = build().unwrap_err().to_string();
-    assert!(
-        text.contains("multiple definition of `shader_depth'"),
-        "{text}"
-    );
+    assert!(text.contains("multiple definition of `shader_depth'"), "{text}");
     fs::write(&source, shader.replace("own", "sixteen_and_a_bit")).unwrap();
     let text = build().unwrap_err().to_string();
     assert!(text.contains("at most 16 characters"), "{text}");

@@ -114,10 +114,7 @@ impl Data<'_> {
         let Accessor { kind, count, .. } = accessor;
         let width = components(kind).filter(|_| allowed.contains(&kind.as_str()));
         let width = width.ok_or_else(|| {
-            wrong(format!(
-                "has items of the type \"{kind}\", not of {}",
-                allowed.join(" or ")
-            ))
+            wrong(format!("has items of the type \"{kind}\", not of {}", allowed.join(" or ")))
         })?;
         let component = Component::of(accessor.component_type).filter(|it| {
             let is_whole = matches!(it, Component::U8 | Component::U16 | Component::U32);
@@ -125,9 +122,7 @@ impl Data<'_> {
         });
         let component = component.ok_or_else(|| {
             let number = accessor.component_type;
-            wrong(format!(
-                "has components of the type {number}, which is not one for this use"
-            ))
+            wrong(format!("has components of the type {number}, which is not one for this use"))
         })?;
         if *count > MOST {
             return Err(wrong(format!("has {count} items; the most is {MOST}")));
@@ -166,17 +161,11 @@ impl Data<'_> {
             .ok_or_else(|| wrong("has sparse indices of an unknown type".into()))?;
         let part = &sparse.indices;
         let indices = self
-            .items(
-                part.buffer_view,
-                part.byte_offset,
-                sparse.count,
-                kind.size(),
-            )
+            .items(part.buffer_view, part.byte_offset, sparse.count, kind.size())
             .map_err(&wrong)?;
         let part = &sparse.values;
-        let values = self
-            .items(part.buffer_view, part.byte_offset, sparse.count, size)
-            .map_err(&wrong)?;
+        let values =
+            self.items(part.buffer_view, part.byte_offset, sparse.count, size).map_err(&wrong)?;
         for (at, value) in indices.zip(values) {
             let at = kind.number(at) as usize;
             let count = items.len();
@@ -194,9 +183,8 @@ impl Data<'_> {
         let buffer = self.buffers.get(view.buffer);
         let buffer =
             buffer.ok_or_else(|| format!("has buffer {}, which doesn't exist", view.buffer))?;
-        let bytes = buffer
-            .as_ref()
-            .map_err(|what| format!("has buffer {}, but {what}", view.buffer))?;
+        let bytes =
+            buffer.as_ref().map_err(|what| format!("has buffer {}, but {what}", view.buffer))?;
         let end = view.byte_offset.checked_add(view.byte_length);
         let part = end.and_then(|end| bytes.get(view.byte_offset..end));
         part.ok_or_else(|| {
@@ -226,9 +214,7 @@ impl Data<'_> {
             Some(gaps) => gaps.checked_mul(stride).and_then(|it| it.checked_add(size)),
         };
         let part = whole.get(offset..);
-        let part = part
-            .zip(needed)
-            .and_then(|(part, needed)| part.get(..needed));
+        let part = part.zip(needed).and_then(|(part, needed)| part.get(..needed));
         let part = part.ok_or_else(|| {
             format!(
                 "has {count} items, which are not all in the {} bytes of buffer view {view}",

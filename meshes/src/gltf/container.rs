@@ -24,15 +24,11 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>, Fault> {
     }
     let version = word(bytes, 4);
     if version != 2 {
-        return Err(wrong(format!(
-            "its container has version {version}; only glTF 2.0 is read"
-        )));
+        return Err(wrong(format!("its container has version {version}; only glTF 2.0 is read")));
     }
     let length = word(bytes, 8);
     if !(HEADER..=there).contains(&length) {
-        return Err(wrong(format!(
-            "its header states {length} bytes, but it has {there}"
-        )));
+        return Err(wrong(format!("its header states {length} bytes, but it has {there}")));
     }
     let (mut json, mut binary) = (None, None);
     let mut rest = &bytes[HEADER..length];
@@ -41,9 +37,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>, Fault> {
         let kind = &rest[4..CHUNK_HEADER];
         let Some(chunk) = rest.get(CHUNK_HEADER..CHUNK_HEADER + size) else {
             let left = rest.len() - CHUNK_HEADER;
-            return Err(wrong(format!(
-                "a chunk of {size} bytes is in the last {left} bytes"
-            )));
+            return Err(wrong(format!("a chunk of {size} bytes is in the last {left} bytes")));
         };
         match kind {
             b"JSON" => json = json.or(Some(chunk)),
@@ -54,10 +48,7 @@ pub(super) fn chunks(bytes: &[u8]) -> Result<Chunks<'_>, Fault> {
     }
     let json: &[u8] = json.ok_or_else(|| wrong("it has no JSON chunk".into()))?;
     // Some programs fill the chunk with zeros instead of blanks.
-    let end = json
-        .iter()
-        .rposition(|&byte| byte != 0)
-        .map_or(0, |last| last + 1);
+    let end = json.iter().rposition(|&byte| byte != 0).map_or(0, |last| last + 1);
     let json = &json[..end];
     Ok(Chunks { json, binary })
 }

@@ -58,11 +58,7 @@ pub(super) struct Light {
 
 impl Default for Light {
     fn default() -> Self {
-        Self {
-            kind: String::new(),
-            color: [1.0; 3],
-            intensity: 1.0,
-        }
+        Self { kind: String::new(), color: [1.0; 3], intensity: 1.0 }
     }
 }
 
@@ -196,9 +192,7 @@ pub(super) struct EmissiveStrength {
 
 impl Default for EmissiveStrength {
     fn default() -> Self {
-        Self {
-            emissive_strength: 1.0,
-        }
+        Self { emissive_strength: 1.0 }
     }
 }
 
@@ -246,12 +240,7 @@ pub(super) struct TextureTransform {
 
 impl Default for TextureTransform {
     fn default() -> Self {
-        Self {
-            offset: [0.0; 2],
-            rotation: 0.0,
-            scale: [1.0; 2],
-            tex_coord: None,
-        }
+        Self { offset: [0.0; 2], rotation: 0.0, scale: [1.0; 2], tex_coord: None }
     }
 }
 

@@ -109,7 +109,5 @@ fn emission(material: &json::Material, notes: &mut Notes) -> DVec3 {
         notes.add("light that emissive textures send is ignored");
         return DVec3::ZERO;
     }
-    light
-        .clamp(DVec3::ZERO, DVec3::splat(BRIGHTEST))
-        .map(encoded)
+    light.clamp(DVec3::ZERO, DVec3::splat(BRIGHTEST)).map(encoded)
 }

@@ -35,11 +35,7 @@ const TRIANGLE_STRIP: u32 = 5;
 const TRIANGLE_FAN: u32 = 6;
 
 /// Extensions that a file may require, beside those of materials.
-const READ: [&str; 3] = [
-    "KHR_lights_punctual",
-    "KHR_mesh_quantization",
-    "KHR_texture_transform",
-];
+const READ: [&str; 3] = ["KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"];
 /// Extensions of materials, all of which may be required: what can't be drawn is left out.
 const MATERIALS: &str = "KHR_materials_";
 /// Extensions without which a file can't be read, with what a user can do.
@@ -56,18 +52,9 @@ const REFUSED: [(&str, &str); 7] = [
         "KHR_meshopt_compression",
         "the buffers are compressed with meshopt; export the file without compression",
     ),
-    (
-        "KHR_texture_basisu",
-        "the textures are KTX2 pictures; convert them to PNG or JPEG",
-    ),
-    (
-        "EXT_texture_webp",
-        "the textures are WebP pictures; convert them to PNG or JPEG",
-    ),
-    (
-        "EXT_texture_avif",
-        "the textures are AVIF pictures; convert them to PNG or JPEG",
-    ),
+    ("KHR_texture_basisu", "the textures are KTX2 pictures; convert them to PNG or JPEG"),
+    ("EXT_texture_webp", "the textures are WebP pictures; convert them to PNG or JPEG"),
+    ("EXT_texture_avif", "the textures are AVIF pictures; convert them to PNG or JPEG"),
     (SPECULAR_GLOSSINESS, CONVERT_SPECULAR_GLOSSINESS),
 ];
 const SPECULAR_GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
@@ -142,10 +129,7 @@ fn check_version(root: &Root) -> Result<(), Fault> {
     if version.starts_with("2.") || version.is_empty() {
         return Ok(());
     }
-    Err(wrong(format!(
-        "it has version {}; only glTF 2.0 is read",
-        nff::Excerpt::of(version)
-    )))
+    Err(wrong(format!("it has version {}; only glTF 2.0 is read", nff::Excerpt::of(version))))
 }
 
 fn check_extensions(root: &Root) -> Result<(), Fault> {
@@ -228,9 +212,7 @@ impl File<'_> {
         }
         let place = outer * matrix(node);
         if !place.is_finite() {
-            return Err(wrong(format!(
-                "the transform of node {index} is not finite"
-            )));
+            return Err(wrong(format!("the transform of node {index} is not finite")));
         }
         if node.skin.is_some() {
             self.builder.notes.add("animations and skins are ignored");
@@ -243,8 +225,7 @@ impl File<'_> {
             let mesh = self.root.meshes.get(index);
             let mesh = mesh.ok_or_else(|| wrong(format!("mesh {index} doesn't exist")))?;
             for (number, primitive) in mesh.primitives.iter().enumerate() {
-                self.primitive(primitive, place)
-                    .map_err(|fault| part(fault, index, number))?;
+                self.primitive(primitive, place).map_err(|fault| part(fault, index, number))?;
             }
         }
         if let Some(camera) = node.camera {
@@ -328,9 +309,7 @@ impl File<'_> {
         let upright = if upright.is_finite() { upright } else { linear };
         let mut numbers = Vec::with_capacity(count);
         for (index, &position) in positions.iter().enumerate() {
-            let normal = normals
-                .get(index)
-                .map(|&normal| upright * DVec3::from(normal));
+            let normal = normals.get(index).map(|&normal| upright * DVec3::from(normal));
             let colour = colours.get(index);
             numbers.push(self.builder.vertex(&Vertex {
                 position: place.transform_point3(position.into()),
@@ -352,11 +331,7 @@ impl File<'_> {
             let mut found = [0; 3];
             for (found, index) in found.iter_mut().zip(corners) {
                 let number = numbers.get(index as usize);
-                *found = *number.ok_or(Fault::Vertex {
-                    face,
-                    index,
-                    vertices: count,
-                })?;
+                *found = *number.ok_or(Fault::Vertex { face, index, vertices: count })?;
             }
             self.builder.triangle(found, material)?;
         }
@@ -424,15 +399,7 @@ impl File<'_> {
             let texture = self.textures.of(info, self.data, self.folder, self.builder);
             Some((info, texture?))
         });
-        let Some((
-            info,
-            Decoded {
-                texture,
-                alpha: holes,
-                ..
-            },
-        )) = texture
-        else {
+        let Some((info, Decoded { texture, alpha: holes, .. })) = texture else {
             return Ok(match alpha {
                 Alpha::Mask(limit) if factor < limit => Made::Hidden,
                 _ => Made::Plain(self.builder.material(found, None)?),
@@ -460,11 +427,7 @@ impl File<'_> {
         let number = self.builder.material(found, mask)?;
         let transform = info.extensions.transform;
         let set = transform.and_then(|it| it.tex_coord);
-        Ok(Made::Textured(
-            number,
-            set.unwrap_or(info.tex_coord),
-            transform,
-        ))
+        Ok(Made::Textured(number, set.unwrap_or(info.tex_coord), transform))
     }
 
     /// Takes the file's first camera as the view.
@@ -514,9 +477,7 @@ impl File<'_> {
         }
         let position = place.transform_point3(DVec3::ZERO);
         let kind = match light.kind.as_str() {
-            "directional" => LightKind::Directional {
-                to_light: place.transform_vector3(DVec3::Z),
-            },
+            "directional" => LightKind::Directional { to_light: place.transform_vector3(DVec3::Z) },
             "point" => LightKind::Point { position },
             "spot" => {
                 let note = "spot lights shine in all directions";
@@ -537,11 +498,7 @@ impl File<'_> {
         let note = "lights have their colours, but not their intensities";
         self.builder.notes.add(note);
         let colour = light.color.map(|it| it.clamp(0.0, 1.0));
-        self.builder.lights.push(Light {
-            line: 0,
-            kind,
-            colour: Some(colour.into()),
-        });
+        self.builder.lights.push(Light { line: 0, kind, colour: Some(colour.into()) });
         Ok(())
     }
 }
@@ -563,11 +520,7 @@ fn faces(mode: u32, corners: &[f64]) -> Box<dyn Iterator<Item = [f64; 3]> + '_> 
     let rest = corners.get(1..).unwrap_or_default();
     match mode {
         TRIANGLE_STRIP => Box::new(corners.windows(3).enumerate().map(|(index, it)| {
-            if index % 2 == 0 {
-                [it[0], it[1], it[2]]
-            } else {
-                [it[1], it[0], it[2]]
-            }
+            if index % 2 == 0 { [it[0], it[1], it[2]] } else { [it[1], it[0], it[2]] }
         })),
         TRIANGLE_FAN => Box::new(rest.windows(2).map(|it| [corners[0], it[0], it[1]])),
         _ => Box::new(corners.chunks_exact(3).map(|it| [it[0], it[1], it[2]])),

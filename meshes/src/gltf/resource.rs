@@ -26,10 +26,8 @@ pub(super) fn bytes(uri: &str, folder: &Path) -> Result<Cow<'static, [u8]>, Stri
         if !kind.ends_with(";base64") {
             return Ok(decoded.into());
         }
-        let text: Vec<u8> = decoded
-            .into_iter()
-            .filter(|byte| !byte.is_ascii_whitespace())
-            .collect();
+        let text: Vec<u8> =
+            decoded.into_iter().filter(|byte| !byte.is_ascii_whitespace()).collect();
         let found = BASE64.decode(text);
         return found
             .map(Cow::Owned)
@@ -39,14 +37,10 @@ pub(super) fn bytes(uri: &str, folder: &Path) -> Result<Cow<'static, [u8]>, Stri
     let is_elsewhere = scheme.is_some_and(|it| it.chars().all(|sign| sign.is_ascii_alphanumeric()));
     if is_elsewhere {
         let start: String = uri.chars().take(SHOWN).collect();
-        return Err(format!(
-            "it is at {start}; only files beside this one are read"
-        ));
+        return Err(format!("it is at {start}; only files beside this one are read"));
     }
     let path = path(uri, folder);
-    crate::bytes(&path)
-        .map(Cow::Owned)
-        .map_err(|fault| format!("{}: {fault}", path.display()))
+    crate::bytes(&path).map(Cow::Owned).map_err(|fault| format!("{}: {fault}", path.display()))
 }
 
 /// The file of a relative URI. Some programs don't encode the names of files, so a name that exists

@@ -77,14 +77,12 @@ fn place(index: usize, data: &Data<'_>) -> Result<(usize, [Wrap; 2]), String> {
     let texture = root.textures.get(index).ok_or("it doesn't exist")?;
     let Some(image) = texture.source else {
         let mut formats = FORMATS.iter();
-        return Err(
-            match formats.find(|(name, _)| texture.extensions.contains_key(*name)) {
-                Some((name, format)) => format!(
-                    "it is a {format} picture ({name}); convert the file's textures to PNG or JPEG"
-                ),
-                None => "it has no image".into(),
-            },
-        );
+        return Err(match formats.find(|(name, _)| texture.extensions.contains_key(*name)) {
+            Some((name, format)) => format!(
+                "it is a {format} picture ({name}); convert the file's textures to PNG or JPEG"
+            ),
+            None => "it has no image".into(),
+        });
     };
     let sampler = match texture.sampler {
         None => None,
@@ -107,10 +105,7 @@ fn place(index: usize, data: &Data<'_>) -> Result<(usize, [Wrap; 2]), String> {
 fn bytes<'a>(index: usize, data: &'a Data<'_>, folder: &Path) -> Result<Cow<'a, [u8]>, String> {
     let image = data.root.images.get(index).ok_or("it doesn't exist")?;
     match (image.buffer_view, &image.uri) {
-        (Some(view), _) => data
-            .view(view)
-            .map(Cow::Borrowed)
-            .map_err(|what| format!("it {what}")),
+        (Some(view), _) => data.view(view).map(Cow::Borrowed).map_err(|what| format!("it {what}")),
         (None, Some(uri)) => resource::bytes(uri, folder),
         (None, None) => Err("it has neither a buffer view nor a URI".into()),
     }

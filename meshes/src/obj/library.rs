@@ -113,9 +113,7 @@ impl Libraries {
     ) -> Result<(), Fault> {
         let mut rest = names.trim_ascii();
         if rest.is_empty() {
-            builder
-                .notes
-                .line(file, line, "mtllib", "mtllib without a name");
+            builder.notes.line(file, line, "mtllib", "mtllib without a name");
         }
         while !rest.is_empty() {
             // The longest part that is a file; if none is, the first word.
@@ -127,11 +125,7 @@ impl Libraries {
                 ends.filter_map(|end| Some((end, existing(&self.folder, &rest[..end])?)));
             let (end, path) = ends.next().unwrap_or_else(|| {
                 let word = words(rest).next().unwrap_or(rest);
-                let end = if rest.windows(5).any(is_mtl) {
-                    word.len()
-                } else {
-                    rest.len()
-                };
+                let end = if rest.windows(5).any(is_mtl) { word.len() } else { rest.len() };
                 (end, joined(&self.folder, &rest[..end]))
             });
             self.library(&path, builder)?;
@@ -156,10 +150,7 @@ impl Libraries {
                 builder.notes.add(note);
                 Ok(())
             }
-            Err(fault) => Err(Fault::Library {
-                file,
-                fault: Box::new(fault),
-            }),
+            Err(fault) => Err(Fault::Library { file, fault: Box::new(fault) }),
         }
     }
 
@@ -189,10 +180,7 @@ impl Libraries {
                     note("newmtl", "newmtl without a name".into());
                 }
                 self.definitions.extend(current.take());
-                current = Some(Definition {
-                    name,
-                    ..Definition::default()
-                });
+                current = Some(Definition { name, ..Definition::default() });
                 continue;
             }
             let Some(material) = &mut current else {
@@ -252,10 +240,7 @@ fn set_colour(
         Some(&[red, green, blue]) => *colour = Some([red, green, blue]),
         _ => note(
             word,
-            format!(
-                "{word} needs one number or three, not {}; it is ignored",
-                shown(text)
-            ),
+            format!("{word} needs one number or three, not {}; it is ignored", shown(text)),
         ),
     }
 }
@@ -268,10 +253,7 @@ fn set_number(
 ) {
     match words(text).next().and_then(number) {
         Some(number) => *value = Some(number),
-        None => note(
-            word,
-            format!("{word} needs a number, not {}; it is ignored", shown(text)),
-        ),
+        None => note(word, format!("{word} needs a number, not {}; it is ignored", shown(text))),
     }
 }
 
@@ -297,16 +279,11 @@ fn set_map(
     // A path of another computer.
     let last = name.rsplit(|byte| matches!(byte, b'/' | b'\\')).next();
     let found = found.or_else(|| existing(folder, last.unwrap_or(name)));
-    *map = Some(Map {
-        path: found.unwrap_or_else(|| joined(folder, name)),
-        clamps,
-    });
+    *map = Some(Map { path: found.unwrap_or_else(|| joined(folder, name)), clamps });
 }
 
 fn without_quotes(name: &[u8]) -> &[u8] {
-    let inner = name
-        .strip_prefix(b"\"")
-        .and_then(|it| it.strip_suffix(b"\""));
+    let inner = name.strip_prefix(b"\"").and_then(|it| it.strip_suffix(b"\""));
     inner.unwrap_or(name)
 }
 
@@ -346,10 +323,7 @@ fn split(text: &[u8]) -> (Vec<MapOption<'_>>, &[u8]) {
 /// The path of a name in a folder. Windows' backslashes separate folders, too.
 fn joined(folder: &Path, name: &[u8]) -> PathBuf {
     let name = without_quotes(name);
-    let slashes: Vec<u8> = name
-        .iter()
-        .map(|&it| if it == b'\\' { b'/' } else { it })
-        .collect();
+    let slashes: Vec<u8> = name.iter().map(|&it| if it == b'\\' { b'/' } else { it }).collect();
     folder.join(OsStr::from_bytes(&slashes))
 }
 

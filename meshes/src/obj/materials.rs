@@ -33,12 +33,7 @@ pub(super) struct Materials<'a> {
 
 impl<'a> Materials<'a> {
     pub fn new(names: &'a [Vec<u8>], libraries: &'a Libraries) -> Self {
-        Self {
-            names,
-            libraries,
-            made: HashMap::new(),
-            textures: HashMap::new(),
-        }
+        Self { names, libraries, made: HashMap::new(), textures: HashMap::new() }
     }
 
     /// The material of a face with this name's index.
@@ -149,11 +144,7 @@ impl<'a> Materials<'a> {
 }
 
 fn wrap(map: &Map) -> Wrap {
-    if map.clamps {
-        Wrap::Clamp
-    } else {
-        Wrap::Repeat
-    }
+    if map.clamps { Wrap::Clamp } else { Wrap::Repeat }
 }
 
 fn bytes(path: &Path) -> Result<Vec<u8>, String> {
@@ -186,10 +177,6 @@ fn material(found: &Definition, has_colours: bool) -> Material {
         transmittance: 1.0 - dissolve.map_or(1.0, share),
         refraction_index: found.index.unwrap_or(1.0).clamp(1.0, 10.0),
         emission: found.emission.map_or(DVec3::ZERO, colour),
-        ..plain(
-            found
-                .diffuse
-                .map_or(DVec3::splat(bare(has_colours)), colour),
-        )
+        ..plain(found.diffuse.map_or(DVec3::splat(bare(has_colours)), colour))
     }
 }

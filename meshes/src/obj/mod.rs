@@ -139,9 +139,7 @@ impl Parts {
             _ if word.is_empty() || word.starts_with(b"#") => {}
             _ if WITHOUT_EFFECT.contains(&word) => {}
             _ if FREE_FORM.contains(&word) => {
-                builder
-                    .notes
-                    .add("free-form curves and surfaces are ignored");
+                builder.notes.add("free-form curves and surfaces are ignored");
             }
             _ => {
                 let text = format!("unknown statement {}, which is ignored", shown(word));
@@ -196,11 +194,7 @@ impl Parts {
             let what = Fault::TooManyCorners(count).to_string();
             return Err(Fault::Line { line, what });
         }
-        self.faces.push(Face {
-            start: start as u32,
-            line: line as u32,
-            name: self.name,
-        });
+        self.faces.push(Face { start: start as u32, line: line as u32, name: self.name });
         if self.corners.len() > NONE as usize / 2 {
             return Err(Fault::TooManyTriangles);
         }
@@ -220,11 +214,7 @@ impl Parts {
             line,
             what: format!("a face has the corner {}, which is no vertex", shown(word)),
         };
-        let counts = [
-            self.positions.len(),
-            self.coordinates.len(),
-            self.normals.len(),
-        ];
+        let counts = [self.positions.len(), self.coordinates.len(), self.normals.len()];
         let mut found = [NONE; 3];
         let mut parts = word.split(|&byte| byte == b'/');
         for ((place, found), count) in found.iter_mut().enumerate().zip(counts) {
@@ -232,9 +222,7 @@ impl Parts {
             if part.is_empty() && place > 0 {
                 continue;
             }
-            let number: Option<i64> = std::str::from_utf8(part)
-                .ok()
-                .and_then(|it| it.parse().ok());
+            let number: Option<i64> = std::str::from_utf8(part).ok().and_then(|it| it.parse().ok());
             let index = match number {
                 Some(number) if number < 0 => number.checked_add(count as i64),
                 Some(number) => number.checked_sub(1),
@@ -333,11 +321,7 @@ struct Known {
 impl<'a> Vertices<'a> {
     fn new(parts: &'a Parts) -> Self {
         // Some programs write colours from 0 to 255.
-        let most = parts
-            .colours
-            .iter()
-            .flatten()
-            .fold(0.0, |most: f32, &it| most.max(it));
+        let most = parts.colours.iter().flatten().fold(0.0, |most: f32, &it| most.max(it));
         Self {
             parts,
             scale: if most > 1.0 { 255.0 } else { 1.0 },
@@ -399,14 +383,9 @@ impl<'a> Vertices<'a> {
             position: place,
             normal: parts.normals.get(normal as usize).copied(),
             coordinates: places.map(|&[u, v]| [u, 1.0 - v]),
-            colour: material
-                .is_coloured
-                .then(|| self.colour(position).unwrap_or([1.0; 3])),
+            colour: material.is_coloured.then(|| self.colour(position).unwrap_or([1.0; 3])),
         });
-        let number = number.map_err(|fault| Fault::Line {
-            line,
-            what: fault.to_string(),
-        })?;
+        let number = number.map_err(|fault| Fault::Line { line, what: fault.to_string() })?;
         self.known.push(Known {
             coordinates,
             normal,
@@ -422,11 +401,7 @@ impl<'a> Vertices<'a> {
 /// The first three numbers.
 fn three(text: &[u8]) -> Option<DVec3> {
     let mut numbers = words(text).map(number);
-    Some(DVec3::new(
-        numbers.next()??,
-        numbers.next()??,
-        numbers.next()??,
-    ))
+    Some(DVec3::new(numbers.next()??, numbers.next()??, numbers.next()??))
 }
 
 /// The first two numbers; the second one is 0 if there is one alone.

@@ -16,11 +16,7 @@ pub(super) struct Values<'a> {
 
 impl<'a> Values<'a> {
     pub fn new(bytes: &'a [u8], at: usize, encoding: Encoding) -> Self {
-        Self {
-            bytes,
-            at,
-            encoding,
-        }
+        Self { bytes, at, encoding }
     }
 
     /// Reads a row: for each property its numbers, one unless it is a list.
@@ -66,9 +62,7 @@ impl<'a> Values<'a> {
         let size = kind.size();
         let Some(part) = self.bytes.get(self.at..self.at + size) else {
             let size = self.bytes.len();
-            return Err(Fault::Ply(format!(
-                "it ends after {size} bytes, inside its data"
-            )));
+            return Err(Fault::Ply(format!("it ends after {size} bytes, inside its data")));
         };
         self.at += size;
         let mut word = [0; 8];

@@ -91,11 +91,7 @@ pub(super) struct Header {
 impl Header {
     /// Reads the header, and returns where the data begin.
     pub fn parse(bytes: &[u8]) -> Result<(Self, usize), Fault> {
-        let mut lines = HeaderLines {
-            bytes,
-            at: 0,
-            line: 0,
-        };
+        let mut lines = HeaderLines { bytes, at: 0, line: 0 };
         if lines.next()?.trim() != "ply" {
             return Err(Fault::Ply("it doesn't begin with the line \"ply\"".into()));
         }
@@ -159,11 +155,7 @@ impl Header {
         // However many rows without a number there are, the data don't have them.
         elements.retain(|element| !element.properties.is_empty() || element.name == "vertex");
         let encoding = encoding.ok_or_else(|| Fault::Ply("its header has no format".into()))?;
-        let header = Self {
-            encoding,
-            elements,
-            texture,
-        };
+        let header = Self { encoding, elements, texture };
         Ok((header, lines.at))
     }
 }

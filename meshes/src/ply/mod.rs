@@ -23,11 +23,7 @@ pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(
     // The format doesn't say whether surfaces have a back.
     builder.two_sided = true;
     let mut values = Values::new(bytes, start, header.encoding);
-    let mut file = File {
-        columns: Columns::default(),
-        vertices: Vec::new(),
-        faces: Vec::new(),
-    };
+    let mut file = File { columns: Columns::default(), vertices: Vec::new(), faces: Vec::new() };
     for element in &header.elements {
         match element.name.as_str() {
             "vertex" => file.read_vertices(element, &mut values)?,
@@ -185,15 +181,8 @@ impl File {
         };
         let faces_have_colours = self.faces.iter().any(|face| face.colour.is_some());
         let has_colours = self.columns.colour.is_some() || faces_have_colours;
-        let grey = if has_colours || texture.is_some() {
-            1.0
-        } else {
-            0.8
-        };
-        let material = nff::Material {
-            texture,
-            ..plain(DVec3::splat(grey))
-        };
+        let grey = if has_colours || texture.is_some() { 1.0 } else { 0.8 };
+        let material = nff::Material { texture, ..plain(DVec3::splat(grey)) };
         let is_textured = material.texture.is_some();
         let material = builder.material(material, None)?;
 

@@ -19,13 +19,7 @@ enum Damage {
 }
 
 fn damage() -> impl Strategy<Value = Damage> {
-    let digits = prop_oneof![
-        any::<u8>(),
-        b'0'..=b'9',
-        Just(b'-'),
-        Just(b' '),
-        Just(b'\n')
-    ];
+    let digits = prop_oneof![any::<u8>(), b'0'..=b'9', Just(b'-'), Just(b' '), Just(b'\n')];
     prop_oneof![
         6 => (any::<usize>(), digits).prop_map(|(at, byte)| Damage::Byte(at, byte)),
         1 => any::<usize>().prop_map(Damage::End),

@@ -11,10 +11,7 @@ fn numbers_that_are_not_finite() {
     let mut blob = triangle();
     blob[12..16].copy_from_slice(&f32::INFINITY.to_le_bytes());
     let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
-    assert!(
-        found.contains("mesh 0, primitive 0") && found.contains("not finite"),
-        "{found}"
-    );
+    assert!(found.contains("mesh 0, primitive 0") && found.contains("not finite"), "{found}");
     blob = triangle();
     blob[40..44].copy_from_slice(&f32::NAN.to_le_bytes());
     let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
@@ -24,31 +21,19 @@ fn numbers_that_are_not_finite() {
 #[test]
 fn indices_out_of_range() {
     let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 4").as_bytes());
-    assert_eq!(
-        found,
-        "face 1 has the vertex 4, but there are only 4 vertices"
-    );
+    assert_eq!(found, "face 1 has the vertex 4, but there are only 4 vertices");
     let found = refusal("t.ply", PLY.replace("3 0 1 2", "3 0 1 -1").as_bytes());
-    assert_eq!(
-        found,
-        "face 1 has the vertex -1, but there are only 4 vertices"
-    );
+    assert_eq!(found, "face 1 has the vertex -1, but there are only 4 vertices");
     let mut blob = triangle();
     blob[74] = 7;
     let found = refusal("t.glb", &container(JSON.as_bytes(), &blob));
-    assert!(
-        found.contains("the vertex 7, but there are only 3"),
-        "{found}"
-    );
+    assert!(found.contains("the vertex 7, but there are only 3"), "{found}");
 }
 
 #[test]
 fn files_without_triangles() {
     assert_eq!(refusal("t.obj", b""), "the file has no triangles");
-    assert_eq!(
-        refusal("t.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n"),
-        "the file has no triangles"
-    );
+    assert_eq!(refusal("t.obj", b"v 0 0 0\nv 1 0 0\nl 1 2\n"), "the file has no triangles");
     let json = JSON.replace(r#""mesh":0,"#, "");
     assert_eq!(
         refusal("t.glb", &container(json.as_bytes(), &triangle())),
@@ -60,10 +45,7 @@ fn files_without_triangles() {
 fn truncated_files() {
     let (before, _) = OBJ.split_once("0\nv 0 1 0").unwrap();
     let found = refusal("t.obj", before.as_bytes());
-    assert!(
-        found.starts_with(":3: a vertex needs three numbers"),
-        "{found}"
-    );
+    assert!(found.starts_with(":3: a vertex needs three numbers"), "{found}");
     let found = refusal("t.ply", PLY.trim_end_matches("3 0 1 2\n").as_bytes());
     assert_eq!(found, ":15: the file ends inside its data");
     let binary = binary_ply(false);
@@ -105,18 +87,13 @@ fn levels_of_terrains() {
     for level in ["", "12", "-1", "x"] {
         let name = format!("terrain:{level}");
         let found = meshes::load(name.as_ref()).unwrap_err().to_string();
-        assert_eq!(
-            found,
-            format!("{name}: the level is not a whole number from 0 to 11")
-        );
+        assert_eq!(found, format!("{name}: the level is not a whole number from 0 to 11"));
     }
 }
 
 #[test]
 fn files_that_are_not_there() {
-    let found = meshes::load("/nowhere/x.obj".as_ref())
-        .unwrap_err()
-        .to_string();
+    let found = meshes::load("/nowhere/x.obj".as_ref()).unwrap_err().to_string();
     assert!(found.starts_with("/nowhere/x.obj: "), "{found}");
 }
 
@@ -141,10 +118,7 @@ fn files_of_17_gigabytes() {
     std::fs::write(&obj, OBJ).unwrap();
     let library = huge("m.mtl");
     let found = meshes::load(&obj).unwrap_err().to_string();
-    assert_eq!(
-        found,
-        format!("{}: {}: {size}", obj.display(), library.display())
-    );
+    assert_eq!(found, format!("{}: {}: {size}", obj.display(), library.display()));
     let picture = huge("t.png");
     std::fs::write(&obj, super::textures::OBJ).unwrap();
     std::fs::write(&library, "newmtl t\nmap_Kd t.png\n").unwrap();

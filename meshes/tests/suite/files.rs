@@ -43,29 +43,21 @@ end_header
 pub fn binary_ply(big_endian: bool) -> Vec<u8> {
     let order = if big_endian { "big" } else { "little" };
     let header = PLY.split("0 0 0").next().unwrap();
-    let mut bytes = header
-        .replace("ascii", &format!("binary_{order}_endian"))
-        .into_bytes();
+    let mut bytes = header.replace("ascii", &format!("binary_{order}_endian")).into_bytes();
     let mut put = |mut word: [u8; 4]| {
         if big_endian {
             word.reverse();
         }
         bytes.extend(word);
     };
-    for number in [
-        0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0,
-    ] {
+    for number in [0.0_f32, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0] {
         put(number.to_le_bytes());
     }
     for face in [&[0_i32, 1, 2, 3][..], &[0, 1, 2]] {
         bytes.push(face.len() as u8);
         for index in face {
             let word = index.to_le_bytes();
-            bytes.extend(if big_endian {
-                index.to_be_bytes()
-            } else {
-                word
-            });
+            bytes.extend(if big_endian { index.to_be_bytes() } else { word });
         }
     }
     bytes
@@ -101,16 +93,7 @@ pub fn container(json: &[u8], blob: &[u8]) -> Vec<u8> {
     let length = word(12 + 8 + json.len() + 8 + blob.len());
     let head = |bytes: &[u8], kind: &[u8]| [&word(bytes.len())[..], kind].concat();
     let (first, second) = (head(&json, b"JSON"), head(&blob, b"BIN\0"));
-    [
-        b"glTF",
-        &word(2)[..],
-        &length,
-        &first,
-        &json,
-        &second,
-        &blob,
-    ]
-    .concat()
+    [b"glTF", &word(2)[..], &length, &first, &json, &second, &blob].concat()
 }
 
 pub const JSON: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],

@@ -48,23 +48,14 @@ fn a_glb_file_has_transforms_a_camera_and_a_light() {
     let mesh = loaded.scene.mesh.as_ref().unwrap();
     let corners = mesh.corners(0).map(|corner| corner.to_array());
     // Mirrored in x, so wound the other way.
-    assert_eq!(
-        corners,
-        [[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 0.0, 0.0]]
-    );
-    assert_eq!(
-        mesh.corner_normals(0).unwrap()[0].to_array(),
-        [0.0, 0.0, 1.0]
-    );
+    assert_eq!(corners, [[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 0.0, 0.0]]);
+    assert_eq!(mesh.corner_normals(0).unwrap()[0].to_array(), [0.0, 0.0, 1.0]);
     let [a, b, c] = mesh.corners(0);
     assert!((b - a).cross(c - a).z > 0.0);
     assert!(!mesh.two_sided);
     let view = &loaded.scene.view;
     // It looks along z, past the triangle, which is 5 units ahead.
-    assert_eq!(
-        (view.from, view.at),
-        (DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO)
-    );
+    assert_eq!((view.from, view.at), (DVec3::new(0.0, 0.0, 5.0), DVec3::ZERO));
     assert_eq!(view.resolution, (1024, 512));
     let light = &loaded.scene.lights[0];
     let position = DVec3::new(0.0, 4.0, 0.0);
@@ -86,15 +77,9 @@ fn nodes_share_a_mesh_at_places_of_their_own() {
     let mesh = loaded.scene.mesh.as_ref().unwrap();
     assert_eq!(mesh.triangles.len(), 2);
     let corners = |triangle| mesh.corners(triangle).map(|corner| corner.to_array());
-    assert_eq!(
-        corners(0),
-        [[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 0.0, 0.0]]
-    );
+    assert_eq!(corners(0), [[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 0.0, 0.0]]);
     // The inner node's place is doubled by the outer one.
-    assert_eq!(
-        corners(1),
-        [[0.0, 0.0, -6.0], [2.0, 0.0, -6.0], [0.0, 2.0, -6.0]]
-    );
+    assert_eq!(corners(1), [[0.0, 0.0, -6.0], [2.0, 0.0, -6.0], [0.0, 2.0, -6.0]]);
 }
 
 #[test]
@@ -117,11 +102,7 @@ fn a_file_without_a_view_shows_all_of_its_box() {
         let limit = camera.right.length() * 50.0 / camera.direction(50, 50).length();
         for corner in 0..8 {
             let pick = |bit: usize, axis: usize| {
-                if corner >> bit & 1 == 0 {
-                    low[axis]
-                } else {
-                    high[axis]
-                }
+                if corner >> bit & 1 == 0 { low[axis] } else { high[axis] }
             };
             let corner = DVec3::new(pick(0, 0), pick(1, 1), pick(2, 2)) - scene.view.from;
             let depth = corner.dot(sight);

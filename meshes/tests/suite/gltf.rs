@@ -64,38 +64,14 @@ fn gltf_text_finds_its_buffers() {
     let text = |uri: &str| root(json!({"buffers": [{"byteLength": 36, "uri": uri}]})).to_string();
     let data =
         "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
-    let encoded: String = triangle()
-        .iter()
-        .map(|byte| format!("%{byte:02X}"))
-        .collect();
+    let encoded: String = triangle().iter().map(|byte| format!("%{byte:02X}")).collect();
     let cases: [(&str, Vec<NamedFile>); 6] = [
         ("base64", vec![file("x.gltf", text(data))]),
-        (
-            "percent signs",
-            vec![file("x.gltf", text(&format!("data:,{encoded}")))],
-        ),
-        (
-            "a byte-order mark",
-            vec![file("x.gltf", format!("\u{feff}{}", text(data)))],
-        ),
-        (
-            "an encoded name",
-            vec![
-                file("x.gltf", text("x%20y.bin")),
-                file("x y.bin", triangle()),
-            ],
-        ),
-        (
-            "a plain name",
-            vec![file("x.gltf", text("x y.bin")), file("x y.bin", triangle())],
-        ),
-        (
-            "letters",
-            vec![
-                file("x.gltf", text("m%C3%BCll.bin")),
-                file("müll.bin", triangle()),
-            ],
-        ),
+        ("percent signs", vec![file("x.gltf", text(&format!("data:,{encoded}")))]),
+        ("a byte-order mark", vec![file("x.gltf", format!("\u{feff}{}", text(data)))]),
+        ("an encoded name", vec![file("x.gltf", text("x%20y.bin")), file("x y.bin", triangle())]),
+        ("a plain name", vec![file("x.gltf", text("x y.bin")), file("x y.bin", triangle())]),
+        ("letters", vec![file("x.gltf", text("m%C3%BCll.bin")), file("müll.bin", triangle())]),
     ];
     for (name, files) in cases {
         assert!(same(name, &files, &plain()).is_empty(), "{name}");
@@ -105,34 +81,19 @@ fn gltf_text_finds_its_buffers() {
             "gone.bin",
             "x.gltf: not a valid glTF file: mesh 0, primitive 0: accessor 0 has buffer 0, but",
         ),
-        (
-            "data:;base64,A*",
-            "accessor 0 has buffer 0, but its data URI is not valid base64",
-        ),
-        (
-            "https://a.example/x.bin",
-            "only files beside this one are read",
-        ),
+        ("data:;base64,A*", "accessor 0 has buffer 0, but its data URI is not valid base64"),
+        ("https://a.example/x.bin", "only files beside this one are read"),
     ] {
         let found = refusal(&[file("x.gltf", text(uri))]);
         assert!(found.contains(expected), "{found}");
     }
     let found = refusal(&[file("x.gltf", "{\n\"asset\": 5\n}")]);
-    assert!(
-        found.starts_with("x.gltf:2: not a valid glTF file"),
-        "{found}"
-    );
+    assert!(found.starts_with("x.gltf:2: not a valid glTF file"), "{found}");
 }
 
 #[test]
 fn gltf_members_of_any_kind_are_passed_over() {
-    for extras in [
-        json!(5),
-        json!("text"),
-        json!([1, {}]),
-        json!({"a": {}}),
-        Value::Null,
-    ] {
+    for extras in [json!(5), json!("text"), json!([1, {}]), json!({"a": {}}), Value::Null] {
         let changes = json!({
             "extras": extras, "materials": [{"extras": extras, "name": ""}],
             "scenes": [{"nodes": [0], "extras": extras}], "extensions": {"EXT_unknown": extras},
@@ -169,11 +130,7 @@ fn with_camera(mut node: Value) -> Vec<NamedFile> {
 #[test]
 fn a_camera_looks_at_the_depth_of_the_scene() {
     for (name, node, at) in [
-        (
-            "far away",
-            json!({"translation": [0, 0, 30]}),
-            DVec3::new(0.0, 0.0, 0.0),
-        ),
+        ("far away", json!({"translation": [0, 0, 30]}), DVec3::new(0.0, 0.0, 0.0)),
         // Half the radius of the triangle's box ahead.
         (
             "with its back to the triangle",
@@ -194,10 +151,7 @@ fn a_camera_looks_at_the_depth_of_the_scene() {
     let (sine, cosine) = (libm::sin(0.1), libm::cos(0.1));
     for (rotation, up) in [
         ([-sine, 0.0, 0.0, cosine], DVec3::Y),
-        (
-            [0.0, 0.0, sine, cosine],
-            DVec3::new(-libm::sin(0.2), libm::cos(0.2), 0.0),
-        ),
+        ([0.0, 0.0, sine, cosine], DVec3::new(-libm::sin(0.2), libm::cos(0.2), 0.0)),
         ([0.0, 0.0, 1.0, 0.0], DVec3::NEG_Y),
     ] {
         let node = json!({"translation": [0, 0, 30], "rotation": rotation});
@@ -258,17 +212,11 @@ fn gltf_accessors_without_a_view_and_sparse_ones_are_read() {
     }
     let beyond = [&[1, 9, 0, 0][..], &values, &[0; 36]].concat();
     let found = refusal(&glb(sparse(Value::Null), &beyond));
-    assert!(
-        found.ends_with("accessor 0 has a sparse item 9 of 3"),
-        "{found}"
-    );
+    assert!(found.ends_with("accessor 0 has a sparse item 9 of 3"), "{found}");
     let many =
         json!({"accessors": [{"componentType": 5126, "count": 1_u64 << 40, "type": "VEC3"}]});
     let found = refusal(&glb(many, &triangle()));
-    assert!(
-        found.contains("accessor 0 has 1099511627776 items; the most is"),
-        "{found}"
-    );
+    assert!(found.contains("accessor 0 has 1099511627776 items; the most is"), "{found}");
 }
 
 #[test]
@@ -282,26 +230,12 @@ fn gltf_quantised_positions_are_read() {
             "extensionsUsed": ["KHR_mesh_quantization"],
             "extensionsRequired": ["KHR_mesh_quantization"]})
     };
-    let shorts: Vec<u8> = [0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0]
-        .into_iter()
-        .flat_map(i16::to_le_bytes)
-        .collect();
-    same(
-        "halves",
-        &glb(changes(5122, false, 8, 1.0), &shorts),
-        &plain(),
-    );
+    let shorts: Vec<u8> =
+        [0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0].into_iter().flat_map(i16::to_le_bytes).collect();
+    same("halves", &glb(changes(5122, false, 8, 1.0), &shorts), &plain());
     let bytes = [0, 0, 0, 0, 127, 0, 0, 0, 0, 127, 0, 0];
-    same(
-        "normalised bytes",
-        &glb(changes(5120, true, 4, 1.0), &bytes),
-        &plain(),
-    );
-    same(
-        "bytes",
-        &glb(changes(5120, false, 4, 1.0 / 127.0), &bytes),
-        &plain(),
-    );
+    same("normalised bytes", &glb(changes(5120, true, 4, 1.0), &bytes), &plain());
+    same("bytes", &glb(changes(5120, false, 4, 1.0 / 127.0), &bytes), &plain());
 }
 
 #[test]
@@ -323,19 +257,12 @@ fn gltf_colours_of_vertices_are_linear_and_multiply_the_base_colour() {
     ] {
         let accessor =
             json!({"componentType": component, "type": kind, "normalized": component != 5126});
-        same(
-            kind,
-            &with_attribute("COLOR_0", accessor, &data, half.clone()),
-            &red,
-        );
+        same(kind, &with_attribute("COLOR_0", accessor, &data, half.clone()), &red);
     }
     let mixed = floats(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.214_041_14]);
     let accessor = json!({"componentType": 5126, "type": "VEC3"});
-    let mesh = load(&with_attribute("COLOR_0", accessor, &mixed, json!({})))
-        .unwrap()
-        .scene
-        .mesh
-        .unwrap();
+    let mesh =
+        load(&with_attribute("COLOR_0", accessor, &mixed, json!({}))).unwrap().scene.mesh.unwrap();
     let found = mesh.corner_colours(0).unwrap();
     assert!((found[2].z - 0.5).abs() < 1e-6, "{found:?}");
 }
@@ -354,10 +281,7 @@ fn gltf_unlit_materials_are_flat_and_lamps_emit() {
         json!({"materials": [{"emissiveFactor": [1, 1, 1], "emissiveTexture": {"index": 0}}]});
     let loaded = load(&glb(textured, &triangle())).unwrap();
     assert_eq!(loaded.scene.materials[0].emission, glam::DVec3::ZERO);
-    assert_eq!(
-        loaded.notes,
-        ["light that emissive textures send is ignored"]
-    );
+    assert_eq!(loaded.notes, ["light that emissive textures send is ignored"]);
 }
 
 /// A picture of two texels, opaque and clear.
@@ -412,12 +336,7 @@ fn gltf_masks_leave_the_surface_where_alpha_is_high() {
     assert!((area(textured("MASK", 1.0)).unwrap() - 0.375).abs() < 1e-3);
     assert!((area(textured("BLEND", 1.0)).unwrap() - 0.375).abs() < 1e-3);
     assert!((area(textured("OPAQUE", 1.0)).unwrap() - 0.5).abs() < 1e-9);
-    assert!(
-        area(textured("MASK", 0.25))
-            .unwrap_err()
-            .to_string()
-            .ends_with("no triangles")
-    );
+    assert!(area(textured("MASK", 0.25)).unwrap_err().to_string().ends_with("no triangles"));
     let factor = |alpha: f64| json!({"alphaMode": "MASK", "pbrMetallicRoughness": {"baseColorFactor": [1, 1, 1, alpha]}});
     assert!(area(factor(0.25)).is_err());
     assert!((area(factor(0.75)).unwrap() - 0.5).abs() < 1e-9);
@@ -428,13 +347,7 @@ fn gltf_textures_are_moved_scaled_and_turned() {
     let moved = |transform: Value| {
         let loaded = load(&leaf(json!({"pbrMetallicRoughness": {"baseColorTexture":
             {"index": 0, "extensions": {"KHR_texture_transform": transform}}}})));
-        loaded
-            .unwrap()
-            .scene
-            .mesh
-            .unwrap()
-            .corner_coordinates(0)
-            .unwrap()
+        loaded.unwrap().scene.mesh.unwrap().corner_coordinates(0).unwrap()
     };
     assert_eq!(
         moved(json!({"offset": [0.5, 0], "scale": [2, 3]})),
@@ -445,11 +358,7 @@ fn gltf_textures_are_moved_scaled_and_turned() {
     let turned = moved(json!({"rotation": quarter}));
     let expected = [[0.0, 0.0], [0.0, -1.0], [1.0, 0.0]];
     let off = turned.as_flattened().iter().zip(expected.as_flattened());
-    assert!(
-        off.map(|(a, b): (&f32, &f32)| (a - b).abs())
-            .all(|it| it < 1e-6),
-        "{turned:?}"
-    );
+    assert!(off.map(|(a, b): (&f32, &f32)| (a - b).abs()).all(|it| it < 1e-6), "{turned:?}");
 }
 
 #[test]
@@ -458,76 +367,37 @@ fn gltf_textures_that_cannot_be_shown_are_notes() {
     let mut files = leaf(textured.clone());
     files.pop();
     let loaded = load(&files).unwrap();
-    assert!(
-        loaded.notes[0].starts_with("image 0: "),
-        "{:?}",
-        loaded.notes
-    );
+    assert!(loaded.notes[0].starts_with("image 0: "), "{:?}", loaded.notes);
     assert!(loaded.scene.materials.iter().all(|it| it.texture.is_none()));
     let glb = glb(
         json!({"materials": [textured], "textures": [{"source": 0}], "images": [{"uri": "leaf.png"}]}),
         &triangle(),
     );
     let loaded = load(&[glb[0].clone(), file("leaf.png", half_a_leaf())]).unwrap();
-    assert!(
-        loaded.notes[0].contains("without texture coordinates"),
-        "{:?}",
-        loaded.notes
-    );
+    assert!(loaded.notes[0].contains("without texture coordinates"), "{:?}", loaded.notes);
     let webp = json!({"materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}],
         "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}], "extensionsUsed": ["EXT_texture_webp"]});
     let loaded = load(&self::glb(webp, &triangle())).unwrap();
-    assert!(
-        loaded.notes[0].contains("WebP picture (EXT_texture_webp)"),
-        "{:?}",
-        loaded.notes
-    );
+    assert!(loaded.notes[0].contains("WebP picture (EXT_texture_webp)"), "{:?}", loaded.notes);
 }
 
 #[test]
 fn gltf_extensions_that_are_not_read_are_named() {
     for (extension, expected) in [
-        (
-            "KHR_draco_mesh_compression",
-            "Draco; export the file without compression",
-        ),
-        (
-            "EXT_meshopt_compression",
-            "meshopt; export the file without compression",
-        ),
-        (
-            "KHR_texture_basisu",
-            "KTX2 pictures; convert them to PNG or JPEG",
-        ),
-        (
-            "EXT_texture_webp",
-            "WebP pictures; convert them to PNG or JPEG",
-        ),
-        (
-            "KHR_materials_pbrSpecularGlossiness",
-            "specular and glossiness; export the file",
-        ),
-        (
-            "EXT_something",
-            "it requires the extension `EXT_something`, which is not read",
-        ),
+        ("KHR_draco_mesh_compression", "Draco; export the file without compression"),
+        ("EXT_meshopt_compression", "meshopt; export the file without compression"),
+        ("KHR_texture_basisu", "KTX2 pictures; convert them to PNG or JPEG"),
+        ("EXT_texture_webp", "WebP pictures; convert them to PNG or JPEG"),
+        ("KHR_materials_pbrSpecularGlossiness", "specular and glossiness; export the file"),
+        ("EXT_something", "it requires the extension `EXT_something`, which is not read"),
     ] {
-        let found = refusal(&glb(
-            json!({"extensionsRequired": [extension]}),
-            &triangle(),
-        ));
-        assert!(
-            found.contains(extension) && found.contains(expected),
-            "{found}"
-        );
+        let found = refusal(&glb(json!({"extensionsRequired": [extension]}), &triangle()));
+        assert!(found.contains(extension) && found.contains(expected), "{found}");
     }
     let glossy =
         json!({"materials": [{"extensions": {"KHR_materials_pbrSpecularGlossiness": {}}}]});
     let found = refusal(&glb(glossy, &triangle()));
-    assert!(
-        found.contains("KHR_materials_pbrSpecularGlossiness"),
-        "{found}"
-    );
+    assert!(found.contains("KHR_materials_pbrSpecularGlossiness"), "{found}");
     let draco = json!({
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0},
             "extensions": {"KHR_draco_mesh_compression": {"bufferView": 0}}}]}],
@@ -536,10 +406,7 @@ fn gltf_extensions_that_are_not_read_are_named() {
     assert!(found.contains("KHR_draco_mesh_compression"), "{found}");
     let first = root(json!({"asset": {"version": "1.0"}})).to_string();
     let found = refusal(&[file("x.gltf", first)]);
-    assert!(
-        found.contains("version `1.0`; only glTF 2.0 is read"),
-        "{found}"
-    );
+    assert!(found.contains("version `1.0`; only glTF 2.0 is read"), "{found}");
 }
 
 #[test]

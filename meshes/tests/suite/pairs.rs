@@ -39,10 +39,8 @@ fn shown(loaded: &Loaded) -> Vec<String> {
     let scene = &loaded.scene;
     let mesh = scene.mesh.as_ref().unwrap();
     let triangle = |triangle: usize| {
-        let material = Material {
-            line: 0,
-            ..scene.materials[mesh.materials[triangle] as usize].clone()
-        };
+        let material =
+            Material { line: 0, ..scene.materials[mesh.materials[triangle] as usize].clone() };
         format!(
             "{:?} {:?} {:?} {:?} {material:?}",
             mesh.places(triangle),
@@ -84,48 +82,22 @@ fn obj_text_of_any_encoding_and_line_end_is_read() {
     let square = format!("{CORNERS}f 1 2 3 4\n");
     let cases = [
         ("Latin-1", bytes(&[b"# M\xfcller\n", square.as_bytes()])),
-        (
-            "GBK",
-            bytes(&[b"o \xc4\xa3\xd0\xcd\\\n", square.as_bytes()]),
-        ),
-        (
-            "a byte-order mark",
-            bytes(&[b"\xef\xbb\xbf", square.as_bytes()]),
-        ),
+        ("GBK", bytes(&[b"o \xc4\xa3\xd0\xcd\\\n", square.as_bytes()])),
+        ("a byte-order mark", bytes(&[b"\xef\xbb\xbf", square.as_bytes()])),
         ("CR", obj(square.replace('\n', "\r"))),
         ("CRLF", obj(square.replace('\n', "\r\n"))),
-        (
-            "tabs and blanks",
-            obj(square.replace(' ', " \t ").replace('\n', "  \n")),
-        ),
-        (
-            "a continued line",
-            obj(format!("{CORNERS}f 1 2 \\\n 3 4\n")),
-        ),
-        (
-            "a line continued after a number",
-            obj(format!("{CORNERS}f 1 2\\\r\n 3 4\n")),
-        ),
+        ("tabs and blanks", obj(square.replace(' ', " \t ").replace('\n', "  \n"))),
+        ("a continued line", obj(format!("{CORNERS}f 1 2 \\\n 3 4\n"))),
+        ("a line continued after a number", obj(format!("{CORNERS}f 1 2\\\r\n 3 4\n"))),
         (
             "comments after data",
-            obj(square
-                .replace("0\n", "0 # here\n")
-                .replace("4\n", "4 #quad\n")),
+            obj(square.replace("0\n", "0 # here\n").replace("4\n", "4 #quad\n")),
         ),
         ("negative numbers", obj(format!("{CORNERS}f -4 -3 -2 -1\n"))),
-        (
-            "a face before its vertices",
-            obj(format!("f 1 2 3 4\n{CORNERS}")),
-        ),
+        ("a face before its vertices", obj(format!("f 1 2 3 4\n{CORNERS}"))),
         ("a weight", obj(square.replace("0\n", "0 1.0\n"))),
-        (
-            "slashes without numbers",
-            obj(format!("{CORNERS}f 1/ 2// 3 4\n")),
-        ),
-        (
-            "a vertex that no face has",
-            obj(format!("{CORNERS}v nan -inf 1e300\nf 1 2 3 4\n")),
-        ),
+        ("slashes without numbers", obj(format!("{CORNERS}f 1/ 2// 3 4\n"))),
+        ("a vertex that no face has", obj(format!("{CORNERS}v nan -inf 1e300\nf 1 2 3 4\n"))),
     ];
     for (name, files) in cases {
         let notes = same(name, &files, &plain);
@@ -145,40 +117,17 @@ fn obj_statements_that_are_not_understood_are_notes_with_their_line() {
     let plain = obj(format!("{CORNERS}f 1 2 3 4\n"));
     let cases = [
         ("usemtl", "usemtl\n", "x.obj:5: usemtl without a name"),
-        (
-            "usemtl gone",
-            "usemtl gone\n",
-            "x.obj:6: no library has the material `gone`",
-        ),
+        ("usemtl gone", "usemtl gone\n", "x.obj:6: no library has the material `gone`"),
         ("mtllib", "mtllib\n", "x.obj:5: mtllib without a name"),
-        (
-            "vn",
-            "vn a b c\n",
-            "x.obj:5: vn needs three numbers, not `a b c`",
-        ),
+        ("vn", "vn a b c\n", "x.obj:5: vn needs three numbers, not `a b c`"),
         ("vt", "vt\n", "x.obj:5: vt needs numbers"),
-        (
-            "unknown",
-            "hello there\n",
-            "x.obj:5: unknown statement `hello`",
-        ),
-        (
-            "a line as a face",
-            "f 1 2\n",
-            "x.obj:5: a face of 2 corners",
-        ),
-        (
-            "curves",
-            "cstype bezier\n",
-            "free-form curves and surfaces are ignored",
-        ),
+        ("unknown", "hello there\n", "x.obj:5: unknown statement `hello`"),
+        ("a line as a face", "f 1 2\n", "x.obj:5: a face of 2 corners"),
+        ("curves", "cstype bezier\n", "free-form curves and surfaces are ignored"),
     ];
     for (name, line, note) in cases {
         let notes = same(name, &obj(format!("{CORNERS}{line}f 1 2 3 4\n")), &plain);
-        assert!(
-            notes.iter().any(|it| it.contains(note)),
-            "{name}: {notes:?}"
-        );
+        assert!(notes.iter().any(|it| it.contains(note)), "{name}: {notes:?}");
     }
     let many = format!("{CORNERS}{}f 1 2 3 4\n", "hello\n".repeat(5));
     let notes = same("many", &obj(many), &plain);
@@ -195,56 +144,21 @@ fn obj_corners_with_normals_and_without_are_mixed() {
     assert!(mesh.corner_normals(1).is_none());
     let wrong = text.replace("3//1", "3//9");
     let notes = load(&obj(wrong)).unwrap().notes;
-    assert!(
-        notes[0].contains("x.obj:6: a face has the normal 9"),
-        "{notes:?}"
-    );
+    assert!(notes[0].contains("x.obj:6: a face has the normal 9"), "{notes:?}");
 }
 
 #[test]
 fn faults_of_obj_geometry_name_their_line() {
     for (from, to, expected) in [
-        (
-            "v 1 1 0",
-            "v 1 x 0",
-            "x.obj:3: a vertex needs three numbers, not `1 x 0`",
-        ),
-        (
-            "v 1 1 0",
-            "v 1 nan 0",
-            "x.obj:5: vertex 2 is not finite: NaN",
-        ),
-        (
-            "v 1 1 0",
-            "v 1 1e39 0",
-            "x.obj:5: vertex 2 is at [1.0, 1e39, 0.0]; coordinates must",
-        ),
-        (
-            "f 1 2 3 4",
-            "f 1 2 0",
-            "x.obj:5: a face has the corner `0`, which is no vertex",
-        ),
-        (
-            "f 1 2 3 4",
-            "f 1 2 -9",
-            "x.obj:5: a face has the corner `-9`, which is no vertex",
-        ),
-        (
-            "f 1 2 3 4",
-            "f 1 2 9",
-            "x.obj:5: a face has the vertex 9, but there are only 4",
-        ),
-        (
-            "f 1 2 3 4",
-            "f 1 2 99999999999",
-            "x.obj:5: a face has the corner `99999999999`",
-        ),
+        ("v 1 1 0", "v 1 x 0", "x.obj:3: a vertex needs three numbers, not `1 x 0`"),
+        ("v 1 1 0", "v 1 nan 0", "x.obj:5: vertex 2 is not finite: NaN"),
+        ("v 1 1 0", "v 1 1e39 0", "x.obj:5: vertex 2 is at [1.0, 1e39, 0.0]; coordinates must"),
+        ("f 1 2 3 4", "f 1 2 0", "x.obj:5: a face has the corner `0`, which is no vertex"),
+        ("f 1 2 3 4", "f 1 2 -9", "x.obj:5: a face has the corner `-9`, which is no vertex"),
+        ("f 1 2 3 4", "f 1 2 9", "x.obj:5: a face has the vertex 9, but there are only 4"),
+        ("f 1 2 3 4", "f 1 2 99999999999", "x.obj:5: a face has the corner `99999999999`"),
         ("f 1 2 3 4", "", "x.obj: the file has no triangles"),
-        (
-            "f 1 2 3 4",
-            "f 1 1 2",
-            "x.obj: no triangle has an area, of 1 in the file",
-        ),
+        ("f 1 2 3 4", "f 1 1 2", "x.obj: no triangle has an area, of 1 in the file"),
     ] {
         let text = format!("{CORNERS}f 1 2 3 4\n").replace(from, to);
         let found = refusal(&obj(text));
@@ -264,24 +178,12 @@ fn fills(name: &str, files: &[NamedFile], area: f64, is_inside: &dyn Fn(DVec3) -
         sum += (b - a).cross(c - a).length() / 2.0;
         assert!(is_inside((a + b + c) / 3.0), "{name}: {:?}", [a, b, c]);
     }
-    assert!(
-        (sum - area).abs() < 1e-6 * area,
-        "{name}: {sum}, not {area}"
-    );
+    assert!((sum - area).abs() < 1e-6 * area, "{name}: {sum}, not {area}");
 }
 
 #[test]
 fn concave_polygons_are_filled_in_any_plane() {
-    let corners = [
-        (0, 0),
-        (3, 0),
-        (3, 3),
-        (2, 3),
-        (2, 1),
-        (1, 1),
-        (1, 3),
-        (0, 3),
-    ];
+    let corners = [(0, 0), (3, 0), (3, 3), (2, 3), (2, 1), (1, 1), (1, 3), (0, 3)];
     let is_u = |x: f64, y: f64| {
         (0.0..=3.0).contains(&x)
             && (0.0..=3.0).contains(&y)
@@ -300,16 +202,10 @@ fn concave_polygons_are_filled_in_any_plane() {
         let sloping = |x: i32, y: i32| format!("v {x} {} {y}\n", 2 * y);
         let backwards: Vec<usize> = numbers.iter().rev().copied().collect();
         for numbers in [&numbers, &backwards] {
-            fills("flat", &obj(text(&flat, numbers)), 7.0, &|at| {
-                is_u(at.x, at.y)
-            });
-            fills("upright", &obj(text(&upright, numbers)), 7.0, &|at| {
-                is_u(at.y, at.z)
-            });
+            fills("flat", &obj(text(&flat, numbers)), 7.0, &|at| is_u(at.x, at.y));
+            fills("upright", &obj(text(&upright, numbers)), 7.0, &|at| is_u(at.y, at.z));
             let area = 7.0 * 5.0_f64.sqrt();
-            fills("sloping", &obj(text(&sloping, numbers)), area, &|at| {
-                is_u(at.x, at.z)
-            });
+            fills("sloping", &obj(text(&sloping, numbers)), area, &|at| is_u(at.x, at.z));
         }
     }
     let ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
@@ -323,10 +219,7 @@ fn concave_polygons_are_filled_in_any_plane() {
 #[test]
 fn crossing_edges_are_noted() {
     let notes = load(&obj(format!("{CORNERS}f 1 3 2 4\n"))).unwrap().notes;
-    assert!(
-        notes[0].contains("x.obj:5: a face whose edges cross"),
-        "{notes:?}"
-    );
+    assert!(notes[0].contains("x.obj:5: a face whose edges cross"), "{notes:?}");
 }
 
 #[test]
@@ -336,27 +229,13 @@ fn obj_colours_of_vertices_multiply_the_materials() {
     let white = "newmtl red\nKd 1 1 1\n";
     let green = red("newmtl red\nKd 0 1 0\n");
     let triangle = green[0].1.clone();
-    let triangle = String::from_utf8(triangle)
-        .unwrap()
-        .replace("f 1 2 3 4", "f 1 2 3");
+    let triangle = String::from_utf8(triangle).unwrap().replace("f 1 2 3 4", "f 1 2 3");
     let plain = [file("x.obj", &triangle), green[1].clone()];
-    same(
-        "one colour",
-        &[file("x.obj", coloured), file("a.mtl", white)],
-        &plain,
-    );
+    same("one colour", &[file("x.obj", coloured), file("a.mtl", white)], &plain);
     let bytes = coloured.replace("0 0 1 0", "0 0 255 0");
-    same(
-        "bytes",
-        &[file("x.obj", bytes), file("a.mtl", white)],
-        &plain,
-    );
+    same("bytes", &[file("x.obj", bytes), file("a.mtl", white)], &plain);
     let some = coloured.replace("v 1 1 0 0 1 0", "v 1 1 0");
-    let mesh = load(&[file("x.obj", some), file("a.mtl", white)])
-        .unwrap()
-        .scene
-        .mesh
-        .unwrap();
+    let mesh = load(&[file("x.obj", some), file("a.mtl", white)]).unwrap().scene.mesh.unwrap();
     let found = mesh.corner_colours(0).unwrap().map(|it| it.to_array());
     assert_eq!(found, [[0.0, 1.0, 0.0], [0.0, 1.0, 0.0], [1.0; 3]]);
 }
@@ -380,32 +259,17 @@ fn libraries_are_found_by_all_their_names() {
         ),
         (
             "blanks",
-            vec![
-                file("x.obj", square("my house.mtl", "dark red")),
-                file("my house.mtl", &spaced),
-            ],
+            vec![file("x.obj", square("my house.mtl", "dark red")), file("my house.mtl", &spaced)],
         ),
-        (
-            "other case",
-            vec![file("x.obj", square("A.MTL", "RED")), file("a.mtl", RED)],
-        ),
+        ("other case", vec![file("x.obj", square("A.MTL", "RED")), file("a.mtl", RED)]),
         (
             "a folder of another computer's",
             vec![file("x.obj", square(".\\a.mtl", "red")), file("a.mtl", RED)],
         ),
-        (
-            "quotes",
-            vec![
-                file("x.obj", square("\"a.mtl\"", "red")),
-                file("a.mtl", RED),
-            ],
-        ),
+        ("quotes", vec![file("x.obj", square("\"a.mtl\"", "red")), file("a.mtl", RED)]),
         (
             "a comment",
-            vec![
-                file("x.obj", square("a.mtl # here", "red # not blue")),
-                file("a.mtl", RED),
-            ],
+            vec![file("x.obj", square("a.mtl # here", "red # not blue")), file("a.mtl", RED)],
         ),
         (
             "a sign of comments",
@@ -419,12 +283,8 @@ fn libraries_are_found_by_all_their_names() {
             vec![
                 file(
                     "x.obj",
-                    [
-                        b"mtllib a.mtl\n",
-                        CORNERS.as_bytes(),
-                        b"usemtl gr\xfcn\nf 1 2 3 4\n",
-                    ]
-                    .concat(),
+                    [b"mtllib a.mtl\n", CORNERS.as_bytes(), b"usemtl gr\xfcn\nf 1 2 3 4\n"]
+                        .concat(),
                 ),
                 file("a.mtl", b"newmtl gr\xfcn\nKd 0.9 0.1 0.1\n"),
             ],
@@ -434,15 +294,9 @@ fn libraries_are_found_by_all_their_names() {
         let notes = same(name, &files, &plain);
         assert!(notes.is_empty(), "{name}: {notes:?}");
     }
-    let both = vec![
-        file("x.obj", square("g.mtl gone.mtl", "red")),
-        file("g.mtl", green),
-    ];
+    let both = vec![file("x.obj", square("g.mtl gone.mtl", "red")), file("g.mtl", green)];
     let notes = load(&both).unwrap().notes;
-    assert!(
-        notes.iter().any(|it| it.contains("gone.mtl: ")),
-        "{notes:?}"
-    );
+    assert!(notes.iter().any(|it| it.contains("gone.mtl: ")), "{notes:?}");
 }
 
 #[test]
@@ -456,25 +310,13 @@ fn libraries_with_faults_keep_what_is_right() {
         ("Kd xyz 1 2 3\n", "a.mtl:3: Kd needs one number or three"),
         ("hello\n", "a.mtl:3: unknown statement `hello`"),
         ("newmtl\n", "a.mtl:3: newmtl without a name"),
-        (
-            "map_Bump b.png\n",
-            "a.mtl:3: textures other than those of diffuse colours",
-        ),
+        ("map_Bump b.png\n", "a.mtl:3: textures other than those of diffuse colours"),
     ];
     for (line, note) in cases {
         let notes = same(line, &red(format!("{RED}{line}")), &plain);
-        assert!(
-            notes.iter().any(|it| it.contains(note)),
-            "{line}: {notes:?}"
-        );
+        assert!(notes.iter().any(|it| it.contains(note)), "{line}: {notes:?}");
     }
-    for line in [
-        "illum 2.0\n",
-        "illum 2\n",
-        "Ka 1 1 1\n",
-        "Tf 1 1 1\n",
-        "  \n",
-    ] {
+    for line in ["illum 2.0\n", "illum 2\n", "Ka 1 1 1\n", "Tf 1 1 1\n", "  \n"] {
         let notes = same(line, &red(format!("{RED}{line}")), &plain);
         assert!(notes.is_empty(), "{line}: {notes:?}");
     }
@@ -486,24 +328,12 @@ fn libraries_with_faults_keep_what_is_right() {
 #[test]
 fn values_of_libraries_are_read_in_all_their_forms() {
     let mirror = |lines: &str| red(format!("{RED}illum 3\n{lines}"));
-    same(
-        "Ks of one number",
-        &mirror("Ks 0.5\n"),
-        &mirror("Ks 0.5 0.5 0.5\n"),
-    );
+    same("Ks of one number", &mirror("Ks 0.5\n"), &mirror("Ks 0.5 0.5 0.5\n"));
     let clear = |lines: &str| red(format!("{RED}{lines}"));
     same("Tr", &clear("Tr 0.75\n"), &clear("d 0.25\n"));
-    same(
-        "Tr beside d",
-        &clear("Tr 1.0\nd 0.25\n"),
-        &clear("d 0.25\n"),
-    );
+    same("Tr beside d", &clear("Tr 1.0\nd 0.25\n"), &clear("d 0.25\n"));
     same("a halo", &clear("d -halo 0.25\n"), &clear("d 0.25\n"));
-    same(
-        "words in other case",
-        &clear("NI 1.5\nTR 0.5\n"),
-        &clear("Ni 1.5\nTr 0.5\n"),
-    );
+    same("words in other case", &clear("NI 1.5\nTR 0.5\n"), &clear("Ni 1.5\nTr 0.5\n"));
     let lamp = load(&clear("Ke 1 0.5 0\n")).unwrap().scene;
     assert_eq!(lamp.materials[0].emission, DVec3::new(1.0, 0.5, 0.0));
 }
@@ -512,21 +342,14 @@ fn values_of_libraries_are_read_in_all_their_forms() {
 fn meshes_far_from_the_origin_keep_their_shape_and_are_in_view() {
     let far = |x: f64, y: f64| format!("v {} {} 100.5\n", 458_000.0 + x, 5_428_000.25 + y);
     let corners = [(0.0, 0.0), (0.125, 0.0), (0.125, 0.125)].map(|(x, y)| far(x, y));
-    let scene = load(&obj(format!("{}f 1 2 3\n", corners.concat())))
-        .unwrap()
-        .scene;
+    let scene = load(&obj(format!("{}f 1 2 3\n", corners.concat()))).unwrap().scene;
     let mesh = scene.mesh.as_ref().unwrap();
     let [a, b, c] = mesh.places(0);
     assert_eq!(a, DVec3::new(458_000.0, 5_428_000.25, 100.5));
-    assert_eq!(
-        [b - a, c - b],
-        [DVec3::new(0.125, 0.0, 0.0), DVec3::new(0.0, 0.125, 0.0)]
-    );
+    assert_eq!([b - a, c - b], [DVec3::new(0.125, 0.0, 0.0), DVec3::new(0.0, 0.125, 0.0)]);
     assert!(scene.view.at.distance(a) < 0.2, "{:?}", scene.view.at);
     assert!(scene.view.from.distance(a) < 1.0, "{:?}", scene.view.from);
-    let near = load(&obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"))
-        .unwrap()
-        .scene;
+    let near = load(&obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).unwrap().scene;
     assert_eq!(near.mesh.unwrap().origin, DVec3::ZERO);
 }
 
@@ -535,17 +358,9 @@ fn files_of_other_programs_are_named() {
     let cases: [(&'static str, &[u8], &str); 14] = [
         ("x.fbx", b"Kaydara FBX Binary  \0", "an FBX file"),
         ("x.obj", b"; FBX 7.3.0 project file\n", "an FBX file"),
-        (
-            "x.nff",
-            b"nff\nversion 2.1\n",
-            "a Sense8 (WorldToolKit) NFF file",
-        ),
+        ("x.nff", b"nff\nversion 2.1\n", "a Sense8 (WorldToolKit) NFF file"),
         ("x.blend", b"BLENDER-v300", "a Blender (.blend) file"),
-        (
-            "x.dae",
-            b"<?xml version=\"1.0\"?>\n<COLLADA>",
-            "a COLLADA (.dae) file",
-        ),
+        ("x.dae", b"<?xml version=\"1.0\"?>\n<COLLADA>", "a COLLADA (.dae) file"),
         ("x.3ds", b"MM\0\0", "a 3D Studio (.3ds) file"),
         ("x.nff", b"#VRML V2.0 utf8\n", "a VRML file"),
         ("x.stl", b"ISO-10303-21;\n", "a STEP file"),
@@ -572,17 +387,9 @@ fn files_with_the_names_of_other_formats_are_read_as_they_are() {
     let stl = super::scans::STL;
     same("STL as NFF", &[file("x.nff", stl)], &[file("x.stl", stl)]);
     let binary = super::scans::binary_stl(b"; FBX is not what this is");
-    same(
-        "binary STL as OBJ",
-        &[file("x.obj", &binary)],
-        &[file("x.stl", &binary)],
-    );
+    same("binary STL as OBJ", &[file("x.obj", &binary)], &[file("x.stl", &binary)]);
     let glb = super::files::glb();
-    same(
-        "GLB as glTF",
-        &[file("x.gltf", &glb)],
-        &[file("x.glb", &glb)],
-    );
+    same("GLB as glTF", &[file("x.gltf", &glb)], &[file("x.glb", &glb)]);
     let tetra = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
     let loaded = load(&[file("x.nff", tetra)]).unwrap();
     assert_eq!(loaded.scene.objects.len(), 1);

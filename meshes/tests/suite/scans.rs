@@ -30,37 +30,23 @@ fn ply_text_is_read_in_all_its_forms() {
     let text = format!("{}{CORNERS}4 0 1 2 3\n", header("", &faces(1)));
     let head = header("", &faces(1));
     let cases = [
-        (
-            "blank lines",
-            text.replace("end_header\n", "end_header\n\n")
-                .replace("4 0 1", "\n4 0 1"),
-        ),
+        ("blank lines", text.replace("end_header\n", "end_header\n\n").replace("4 0 1", "\n4 0 1")),
         ("CR", text.replace('\n', "\r")),
         ("CRLF", text.replace('\n', "\r\n")),
         ("rows over two lines", text.replace("4 0 1 ", "4 0 1\n")),
         (
             "comments",
-            text.replace(
-                "element face",
-                "comment by M\u{fc}ller\nobj_info n 5\nelement face",
-            ),
+            text.replace("element face", "comment by M\u{fc}ller\nobj_info n 5\nelement face"),
         ),
         (
             "a face without corners",
-            format!(
-                "{}{CORNERS}0\n4 0 1 2 3\n",
-                head.replace("face 1", "face 2")
-            ),
+            format!("{}{CORNERS}0\n4 0 1 2 3\n", head.replace("face 1", "face 2")),
         ),
         (
             "real numbers",
-            text.replace("4 0 1 2 3", "4 0.0 1.0 2.0 3.0")
-                .replace("uchar int", "uchar float"),
+            text.replace("4 0 1 2 3", "4 0.0 1.0 2.0 3.0").replace("uchar int", "uchar float"),
         ),
-        (
-            "another name",
-            text.replace("vertex_indices", "vertex_index"),
-        ),
+        ("another name", text.replace("vertex_indices", "vertex_index")),
         ("doubles", text.replace("float", "double")),
         (
             "other elements",
@@ -72,8 +58,7 @@ fn ply_text_is_read_in_all_its_forms() {
         ),
         (
             "a vertex that no face has",
-            text.replace("vertex 4", "vertex 5")
-                .replace("4 0 1 2 3", "nan nan inf\n4 0 1 2 3"),
+            text.replace("vertex 4", "vertex 5").replace("4 0 1 2 3", "nan nan inf\n4 0 1 2 3"),
         ),
         (
             "an empty element",
@@ -120,20 +105,12 @@ fn ply_lists_of_any_type_are_read_in_both_byte_orders() {
         }
         bytes
     };
-    let kinds = [
-        "char", "uint8", "short", "ushort", "int", "uint32", "float", "double",
-    ];
+    let kinds = ["char", "uint8", "short", "ushort", "int", "uint32", "float", "double"];
     for kind in kinds {
         for is_big in [false, true] {
-            let order = if is_big {
-                "binary_big_endian"
-            } else {
-                "binary_little_endian"
-            };
+            let order = if is_big { "binary_big_endian" } else { "binary_little_endian" };
             let list = format!("element face 1\nproperty list {kind} {kind} vertex_indices\n");
-            let head = header("", &list)
-                .replace("ascii", order)
-                .replace("float", "short");
+            let head = header("", &list).replace("ascii", order).replace("float", "short");
             let head = head
                 .replace("list short", &format!("list {kind}"))
                 .replace(" short vertex_", &format!(" {kind} vertex_"));
@@ -153,10 +130,7 @@ fn ply_lists_of_any_type_are_read_in_both_byte_orders() {
 fn ply_colours_of_vertices_and_faces_are_drawn() {
     let colour = "property uchar red\nproperty uchar green\nproperty uchar blue\n";
     let vertices = CORNERS.replace("0\n", "0 255 0 51\n");
-    let of_vertices = ply(format!(
-        "{}{vertices}4 0 1 2 3\n",
-        header(colour, &faces(1))
-    ));
+    let of_vertices = ply(format!("{}{vertices}4 0 1 2 3\n", header(colour, &faces(1))));
     let of_faces = ply(format!(
         "{}{CORNERS}4 0 1 2 3 255 0 51\n",
         header("", &format!("{}{colour}", faces(1)))
@@ -171,11 +145,8 @@ fn ply_colours_of_vertices_and_faces_are_drawn() {
     let scene = load(&of_vertices).unwrap().scene;
     let expected = DVec3::new(1.0, 0.0, 0.2);
     assert!((scene.materials[0].colour - expected).length() < 1e-6);
-    let mixed = format!(
-        "{}{}4 0 1 2 3\n",
-        header(colour, &faces(1)),
-        vertices.replacen("255", "0", 1)
-    );
+    let mixed =
+        format!("{}{}4 0 1 2 3\n", header(colour, &faces(1)), vertices.replacen("255", "0", 1));
     let mesh = load(&ply(mixed)).unwrap().scene.mesh.unwrap();
     assert_eq!(mesh.colours.len(), 4);
 }
@@ -186,45 +157,19 @@ fn faults_of_ply_files_name_their_place() {
     for (from, to, expected) in [
         ("0 1 0\n4", "0 x 0\n4", "x.ply:13: `x` is not a number"),
         ("3\n", "", "x.ply:14: the file ends inside its data"),
-        (
-            "4 0 1 2 3",
-            "4 0 1 2 9",
-            "x.ply: face 0 has the vertex 9, but there are only 4",
-        ),
-        (
-            "4 0 1 2 3",
-            "4 0 1 2 1.5",
-            "x.ply: face 0 has the vertex 1.5",
-        ),
-        (
-            "4 0 1 2 3",
-            "-4 0 1 2 3",
-            "x.ply:14: the list vertex_indices has -4 numbers",
-        ),
-        (
-            "float x",
-            "real x",
-            "x.ply:4: not a property of a known type",
-        ),
+        ("4 0 1 2 3", "4 0 1 2 9", "x.ply: face 0 has the vertex 9, but there are only 4"),
+        ("4 0 1 2 3", "4 0 1 2 1.5", "x.ply: face 0 has the vertex 1.5"),
+        ("4 0 1 2 3", "-4 0 1 2 3", "x.ply:14: the list vertex_indices has -4 numbers"),
+        ("float x", "real x", "x.ply:4: not a property of a known type"),
         ("ascii", "utf8", "x.ply:2: unknown format"),
-        (
-            "vertex 4",
-            "vertex many",
-            "x.ply:3: an element's count is no whole number",
-        ),
-        (
-            "float z",
-            "float w",
-            "x.ply: not a valid PLY file: its vertices lack x, y or z",
-        ),
+        ("vertex 4", "vertex many", "x.ply:3: an element's count is no whole number"),
+        ("float z", "float w", "x.ply: not a valid PLY file: its vertices lack x, y or z"),
         ("end_header", "end", "x.ply:9: unknown line of the header"),
     ] {
         let found = refusal(&ply(text.replace(from, to)));
         assert!(found.starts_with(expected), "{to}: {found}");
     }
-    let notes = load(&ply(text.replace("face 1", "face 2") + "2 0 1\n"))
-        .unwrap()
-        .notes;
+    let notes = load(&ply(text.replace("face 1", "face 2") + "2 0 1\n")).unwrap().notes;
     assert_eq!(notes, ["1 faces of one or two corners are ignored"]);
 }
 
@@ -239,9 +184,7 @@ pub fn binary_stl(title: &[u8]) -> Vec<u8> {
     let mut bytes = title.to_vec();
     bytes.resize(80, b' ');
     bytes.extend(1_u32.to_le_bytes());
-    let numbers = [
-        0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0,
-    ];
+    let numbers = [0.0_f32, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0];
     bytes.extend(numbers.into_iter().flat_map(f32::to_le_bytes));
     bytes.extend([0, 0]);
     bytes
@@ -251,38 +194,19 @@ pub fn binary_stl(title: &[u8]) -> Vec<u8> {
 fn both_kinds_of_stl_are_read_in_all_their_forms() {
     let cases: [(&str, Vec<u8>); 8] = [
         ("binary", binary_stl(b"by a printer")),
-        (
-            "a binary file that begins as text",
-            binary_stl(b"solid part\n"),
-        ),
-        (
-            "bytes behind",
-            [binary_stl(b"by a printer"), vec![0; 7]].concat(),
-        ),
+        ("a binary file that begins as text", binary_stl(b"solid part\n")),
+        ("bytes behind", [binary_stl(b"by a printer"), vec![0; 7]].concat()),
         ("upper case", STL.to_uppercase().into_bytes()),
         ("CR", STL.replace('\n', "\r").into_bytes()),
-        (
-            "no name, and no end",
-            STL.replace(" it", "").replace("endsolid", "").into_bytes(),
-        ),
-        (
-            "a normal that is none",
-            STL.replace("normal 0 0 1", "normal nan nan nan")
-                .into_bytes(),
-        ),
-        (
-            "blank lines and a mark",
-            format!("\u{feff}\n\n{STL}").into_bytes(),
-        ),
+        ("no name, and no end", STL.replace(" it", "").replace("endsolid", "").into_bytes()),
+        ("a normal that is none", STL.replace("normal 0 0 1", "normal nan nan nan").into_bytes()),
+        ("blank lines and a mark", format!("\u{feff}\n\n{STL}").into_bytes()),
     ];
     for (name, bytes) in cases {
         assert!(same(name, &stl(bytes), &stl(STL)).is_empty(), "{name}");
     }
     let two = format!("{STL}{}", STL.replace("1 0 0", "-1 0 0"));
-    assert_eq!(
-        load(&stl(two)).unwrap().scene.mesh.unwrap().triangles.len(),
-        2
-    );
+    assert_eq!(load(&stl(two)).unwrap().scene.mesh.unwrap().triangles.len(), 2);
     let scene = load(&stl(STL)).unwrap().scene;
     assert_eq!(scene.view.up, DVec3::Z);
 }
@@ -290,17 +214,11 @@ fn both_kinds_of_stl_are_read_in_all_their_forms() {
 #[test]
 fn faults_of_stl_files_name_their_place() {
     let found = refusal(&stl(STL.replace("1 0 0", "1 0 x")));
-    assert!(
-        found.starts_with("x.stl:5: a vertex needs three finite numbers"),
-        "{found}"
-    );
+    assert!(found.starts_with("x.stl:5: a vertex needs three finite numbers"), "{found}");
     let mut short = binary_stl(b"short");
     short.truncate(120);
     let expected = "x.stl: not a valid STL file: its 1 triangles need 134 bytes, but it has 120";
     assert_eq!(refusal(&stl(short)), expected);
     let found = refusal(&stl(b"short"));
-    assert!(
-        found.ends_with("it has 5 bytes, less than a header"),
-        "{found}"
-    );
+    assert!(found.ends_with("it has 5 bytes, less than a header"), "{found}");
 }

@@ -26,16 +26,12 @@ const JSON: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0
 "buffers":[{"byteLength":1000}]}"#;
 
 fn two_texels() -> RgbImage {
-    RgbImage::from_fn(2, 1, |x, _| {
-        Rgb(if x == 0 { [255, 0, 0] } else { [0, 0, 255] })
-    })
+    RgbImage::from_fn(2, 1, |x, _| Rgb(if x == 0 { [255, 0, 0] } else { [0, 0, 255] }))
 }
 
 fn encoded(picture: &RgbImage, format: ImageFormat) -> Vec<u8> {
     let mut bytes = Vec::new();
-    picture
-        .write_to(&mut Cursor::new(&mut bytes), format)
-        .expect("a picture");
+    picture.write_to(&mut Cursor::new(&mut bytes), format).expect("a picture");
     bytes
 }
 
@@ -52,11 +48,7 @@ pub fn glb(picture: &[u8], from: &str, to: &str) -> Vec<u8> {
         blob.extend(number.to_le_bytes());
     }
     blob.extend([0, 255, 51, 0, 0, 102, 0, 0]);
-    blob.extend(
-        [0_u16, 65535, 13107, 0, 0, 26214]
-            .map(u16::to_le_bytes)
-            .as_flattened(),
-    );
+    blob.extend([0_u16, 65535, 13107, 0, 0, 26214].map(u16::to_le_bytes).as_flattened());
     blob.extend(picture);
     container(json.replace(from, to).as_bytes(), &blob)
 }
@@ -82,20 +74,10 @@ fn a_png_in_the_binary_chunk() {
 #[test]
 fn a_jpeg() {
     let grey = RgbImage::from_pixel(16, 8, Rgb([90; 3]));
-    let bytes = glb(
-        &encoded(&grey, ImageFormat::Jpeg),
-        "image/png",
-        "image/jpeg",
-    );
+    let bytes = glb(&encoded(&grey, ImageFormat::Jpeg), "image/png", "image/jpeg");
     let (found, _) = texture("t.glb", &bytes);
     assert_eq!((found.width(), found.height()), (16, 8));
-    assert!(
-        found
-            .texels()
-            .iter()
-            .flatten()
-            .all(|byte| byte.abs_diff(90) < 3)
-    );
+    assert!(found.texels().iter().flatten().all(|byte| byte.abs_diff(90) < 3));
 }
 
 #[test]
@@ -166,10 +148,7 @@ fn an_obj_files_texture_counts_from_below() {
     for (line, wrap) in [
         ("map_Kd t.png", Wrap::Repeat),
         ("map_Kd -clamp on t.png", Wrap::Clamp),
-        (
-            "map_Kd -s 1 1 -o 0.5 -clamp off -mm 0 1 in\\a b.png",
-            Wrap::Repeat,
-        ),
+        ("map_Kd -s 1 1 -o 0.5 -clamp off -mm 0 1 in\\a b.png", Wrap::Repeat),
     ] {
         let (found, coordinates) = textured_obj(OBJ, line, &png()).expect(line);
         assert_eq!(found.texels(), [[255, 0, 0], [0, 0, 255]]);
@@ -181,11 +160,7 @@ fn an_obj_files_texture_counts_from_below() {
 #[test]
 fn a_mesh_without_textures_has_no_coordinates() {
     let plain = glb(&png(), r#""baseColorTexture":{"index":0}"#, "");
-    let mesh = load("t.glb", &plain)
-        .expect("a scene")
-        .scene
-        .mesh
-        .expect("a mesh");
+    let mesh = load("t.glb", &plain).expect("a scene").scene.mesh.expect("a mesh");
     assert!(mesh.texture_coordinates.is_empty());
 }
 
@@ -204,24 +179,9 @@ fn glb_textures_that_cannot_be_shown_are_notes() {
     let view = r#"{"bufferView":3,"mimeType":"image/png"}"#;
     let last = format!(r#""byteOffset":124,"byteLength":{}"#, whole.len());
     let cases: [(&[u8], &str, &str, &str); 13] = [
-        (
-            &whole,
-            r#""source":0"#,
-            r#""source":1"#,
-            "image 1: it doesn't exist",
-        ),
-        (
-            &whole,
-            r#"{"index":0}"#,
-            r#"{"index":1}"#,
-            "texture 1: it doesn't exist",
-        ),
-        (
-            &whole,
-            r#""sampler":0"#,
-            r#""sampler":1"#,
-            "texture 0: sampler 1 doesn't exist",
-        ),
+        (&whole, r#""source":0"#, r#""source":1"#, "image 1: it doesn't exist"),
+        (&whole, r#"{"index":0}"#, r#"{"index":1}"#, "texture 1: it doesn't exist"),
+        (&whole, r#""sampler":0"#, r#""sampler":1"#, "texture 0: sampler 1 doesn't exist"),
         (&whole, r#""source":0,"#, "", "texture 0: it has no image"),
         (
             &whole,
@@ -229,12 +189,7 @@ fn glb_textures_that_cannot_be_shown_are_notes() {
             r#""bufferView":9"#,
             "image 0: it has buffer view 9, which doesn't exist",
         ),
-        (
-            &whole,
-            view,
-            "{}",
-            "image 0: it has neither a buffer view nor a URI",
-        ),
+        (&whole, view, "{}", "image 0: it has neither a buffer view nor a URI"),
         (
             &whole,
             &last,
@@ -254,18 +209,8 @@ fn glb_textures_that_cannot_be_shown_are_notes() {
             "{",
             "image 0: it is a WebP picture; convert it to PNG or JPEG",
         ),
-        (
-            b"no picture",
-            "{",
-            "{",
-            "image 0: it is neither a PNG nor a JPEG",
-        ),
-        (
-            &whole,
-            r#","TEXCOORD_0":2"#,
-            "",
-            "parts with a texture, but without texture coordinates",
-        ),
+        (b"no picture", "{", "{", "image 0: it is neither a PNG nor a JPEG"),
+        (&whole, r#","TEXCOORD_0":2"#, "", "parts with a texture, but without texture coordinates"),
         (
             &whole,
             r#"5126,"count":3,"type":"VEC2""#,
@@ -320,25 +265,18 @@ fn a_texture_that_is_too_large_is_made_smaller() {
     let loaded = load("t.glb", &glb(&wide, "{", "{")).expect("a scene");
     let texture = loaded.scene.materials[0].texture.as_ref().expect("one");
     assert_eq!((texture.width(), texture.height()), (4096, 1));
-    assert_eq!(
-        loaded.notes,
-        ["image 0: it has 8192x2 pixels and is drawn with 4096x1"]
-    );
+    assert_eq!(loaded.notes, ["image 0: it has 8192x2 pixels and is drawn with 4096x1"]);
 }
 
 #[test]
 fn coordinates_that_are_not_finite() {
     let mut file = glb(&png(), "{", "{");
-    let place = file
-        .windows(8)
-        .position(|it| it == [0.0_f32, 2.0].map(f32::to_le_bytes).as_flattened());
+    let place =
+        file.windows(8).position(|it| it == [0.0_f32, 2.0].map(f32::to_le_bytes).as_flattened());
     let place = place.expect("the last coordinates");
     file[place..place + 4].copy_from_slice(&f32::NAN.to_le_bytes());
     let found = refusal("t.glb", &file);
-    assert!(
-        found.ends_with("texture coordinate 2 is not finite: NaN"),
-        "{found}"
-    );
+    assert!(found.ends_with("texture coordinate 2 is not finite: NaN"), "{found}");
 }
 
 #[test]
@@ -346,30 +284,10 @@ fn obj_textures_that_cannot_be_shown_are_notes() {
     let whole = png();
     let without = OBJ.replace("f 1/1 2/2 3/3", "f 1 2 3");
     let cases: [(&str, &str, &[u8], &str); 6] = [
-        (
-            OBJ,
-            "map_Kd gone.png",
-            &whole,
-            "the texture gone.png: No such file or directory",
-        ),
-        (
-            OBJ,
-            "map_Kd",
-            &whole,
-            "m.mtl:2: map_Kd without the name of a picture",
-        ),
-        (
-            OBJ,
-            "map_Kd -clamp on",
-            &whole,
-            "m.mtl:2: map_Kd without the name of a picture",
-        ),
-        (
-            OBJ,
-            "map_Kd t.png",
-            b"P6",
-            "the texture t.png: it is neither a PNG nor a JPEG",
-        ),
+        (OBJ, "map_Kd gone.png", &whole, "the texture gone.png: No such file or directory"),
+        (OBJ, "map_Kd", &whole, "m.mtl:2: map_Kd without the name of a picture"),
+        (OBJ, "map_Kd -clamp on", &whole, "m.mtl:2: map_Kd without the name of a picture"),
+        (OBJ, "map_Kd t.png", b"P6", "the texture t.png: it is neither a PNG nor a JPEG"),
         (OBJ, "map_Kd t.png", &whole[..40], "the texture t.png: "),
         (
             &without,
@@ -393,11 +311,8 @@ fn a_mask_of_an_obj_material_makes_holes() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("o.obj");
         fs::write(&path, &obj).expect("a file");
-        fs::write(
-            folder.path().join("m.mtl"),
-            format!("newmtl t\nmap_d {line}\n"),
-        )
-        .expect("a file");
+        fs::write(folder.path().join("m.mtl"), format!("newmtl t\nmap_d {line}\n"))
+            .expect("a file");
         let mut picture = RgbImage::new(2, 1);
         picture.put_pixel(0, 0, Rgb([255; 3]));
         let bytes = encoded(&picture, ImageFormat::Png);
@@ -435,10 +350,7 @@ fn textures_that_are_too_large_together() {
             r#"{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}"#,
             &materials.join(","),
         )
-        .replace(
-            r#"{"wrapS":33071,"wrapT":33648}"#,
-            r#"{"wrapS":33071},{"wrapT":33071}"#,
-        )
+        .replace(r#"{"wrapS":33071,"wrapT":33648}"#, r#"{"wrapS":33071},{"wrapT":33071}"#)
         .replace(&primitive(0), &[0, 1, 2].map(primitive).join(","));
     let mut blob = triangle();
     blob.resize(124, 0);

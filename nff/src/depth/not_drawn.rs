@@ -63,21 +63,12 @@ pub struct NotDrawn {
 
 impl fmt::Display for NotDrawn {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            file,
-            line,
-            what,
-            count,
-        } = self;
+        let Self { file, line, what, count } = self;
         f.write_str(file)?;
         if *line > 0 {
             write!(f, ":{line}")?;
         }
-        write!(
-            f,
-            ": {} are not drawn by depth shading ({count} in this file)",
-            what.name()
-        )
+        write!(f, ": {} are not drawn by depth shading ({count} in this file)", what.name())
     }
 }
 
@@ -90,12 +81,7 @@ pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
             entry.count += 1;
             entry.line = entry.line.min(line);
         }
-        None => found.push(NotDrawn {
-            file: scene.name.clone(),
-            line,
-            what,
-            count: 1,
-        }),
+        None => found.push(NotDrawn { file: scene.name.clone(), line, what, count: 1 }),
     };
     for light in &scene.lights {
         note(Kind::Light, light.line);

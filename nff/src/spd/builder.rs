@@ -15,14 +15,7 @@ const SKY: DVec3 = DVec3::new(0.078, 0.361, 0.753);
 
 /// The usual view from a point to another.
 pub(super) fn view(from: DVec3, at: DVec3) -> View {
-    View {
-        from,
-        at,
-        up: DVec3::Z,
-        angle: 45.0,
-        hither: 1.0,
-        resolution: (512, 512),
-    }
+    View { from, at, up: DVec3::Z, angle: 45.0, hither: 1.0, resolution: (512, 512) }
 }
 
 /// An opaque material. SPD gives a highlight by the angle in degrees at which half of it is left; 0
@@ -104,10 +97,7 @@ impl Builder {
         self.lines += 1;
         self.current = Some(index);
         if known.is_none() {
-            materials.push(Material {
-                line: self.lines,
-                ..material
-            });
+            materials.push(Material { line: self.lines, ..material });
         }
     }
 
@@ -121,12 +111,7 @@ impl Builder {
         (base, base_radius): (DVec3, f64),
         (apex, apex_radius): (DVec3, f64),
     ) {
-        let shape = Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        };
+        let shape = Shape::Cone { base, base_radius, apex, apex_radius };
         self.push(shape, 3);
     }
 
@@ -172,11 +157,7 @@ impl Builder {
 
     pub(super) fn finish(self, name: String) -> Scene {
         let has_triangles = !self.mesh.triangles.is_empty();
-        Scene {
-            name,
-            mesh: has_triangles.then(|| Arc::new(self.mesh)),
-            ..self.scene
-        }
+        Scene { name, mesh: has_triangles.then(|| Arc::new(self.mesh)), ..self.scene }
     }
 }
 

@@ -66,18 +66,10 @@ fn material(x: u32, y: u32, z: u32) -> Material {
     let channel = |a: u32, b: u32, c: u32, factor: u32| {
         0.01 + (f64::from(3 * a + 2 * b + c + 1) * f64::from(factor) / 7.0).fract()
     };
-    let colour = DVec3::new(
-        channel(x, y, z, 5),
-        channel(y, z, x, 3),
-        channel(z, x, y, 2),
-    );
+    let colour = DVec3::new(channel(x, y, z, 5), channel(y, z, x, 3), channel(z, x, y, 2));
     let colour = colour / colour.max_element();
     if (4 * x + 2 * y + z).is_multiple_of(5) {
-        Material {
-            transmittance: 0.8,
-            refraction_index: 1.1,
-            ..opaque(colour, 0.2, 0.0, 0.0)
-        }
+        Material { transmittance: 0.8, refraction_index: 1.1, ..opaque(colour, 0.2, 0.0, 0.0) }
     } else {
         opaque(colour, 1.0, 0.0, 0.0)
     }

@@ -45,10 +45,7 @@ fn build(size: u32) -> Builder {
         up: DVec3::new(0.2, 1.0, 0.0),
         angle: 60.0,
         hither: 0.0,
-        ..view(
-            DVec3::new(x, 1.0, 1.0 - spacing / 2.0),
-            DVec3::new(x, -1.0, -1.0 - spacing / 2.0),
-        )
+        ..view(DVec3::new(x, 1.0, 1.0 - spacing / 2.0), DVec3::new(x, -1.0, -1.0 - spacing / 2.0))
     };
     let mut builder = Builder::new(view, &LIGHTS);
     // Cylinders begin a little inside of the spheres.

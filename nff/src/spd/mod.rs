@@ -132,10 +132,9 @@ pub(crate) fn named(text: &str) -> Option<Result<Scene, Error>> {
     let generator = GENERATORS.iter().find(|generator| generator.name == name)?;
     let size = match size {
         None => Ok(generator.default),
-        Some(size) => size.parse().map_err(|_| Error::Size {
-            name: generator.name,
-            size: Excerpt::of(size),
-        }),
+        Some(size) => {
+            size.parse().map_err(|_| Error::Size { name: generator.name, size: Excerpt::of(size) })
+        }
     };
     Some(size.and_then(|size| generator.generate(size)))
 }

@@ -29,10 +29,7 @@ const CORNER: f64 = -1.0;
 const SIDE: f64 = 2.0;
 
 fn build(size: u32) -> Builder {
-    let view = View {
-        hither: 0.01,
-        ..view(DVec3::new(-1.6, 1.6, 1.7), DVec3::ZERO)
-    };
+    let view = View { hither: 0.01, ..view(DVec3::new(-1.6, 1.6, 1.7), DVec3::ZERO) };
     let mut builder = Builder::new(view, &[DVec3::new(-100.0, -100.0, 100.0)]);
     builder.material(Material {
         transmittance: 0.9,
@@ -50,12 +47,7 @@ fn build(size: u32) -> Builder {
         spacing: SIDE / f64::from(width),
         roughness: (ratio * ratio - 1.0).sqrt(),
     };
-    let square = Square {
-        x: 0,
-        y: 0,
-        width,
-        heights: [0.0; 4],
-    };
+    let square = Square { x: 0, y: 0, width, heights: [0.0; 4] };
     mountain.grow(&square);
     mountain.builder
 }
@@ -92,12 +84,7 @@ struct Square {
 
 impl Mountain {
     fn grow(&mut self, square: &Square) {
-        let &Square {
-            x,
-            y,
-            width,
-            heights: [a, b, c, d],
-        } = square;
+        let &Square { x, y, width, heights: [a, b, c, d] } = square;
         if width == 1 {
             let corner = |x, y, height| {
                 let across = CORNER + f64::from(x) * self.spacing;
@@ -124,12 +111,7 @@ impl Mountain {
             (x + half, y + half, [middle, right, c, upper]),
             (x, y + half, [left, middle, upper, d]),
         ] {
-            self.grow(&Square {
-                x,
-                y,
-                width: half,
-                heights,
-            });
+            self.grow(&Square { x, y, width: half, heights });
         }
     }
 }
@@ -137,9 +119,7 @@ impl Mountain {
 /// SPD's own hash of a point. It repeats, and the mountain with it; the published counts are those
 /// of this mountain.
 fn hash(x: u32, y: u32, size: u32) -> u32 {
-    let sum = (x << (23 - size))
-        .wrapping_add(y << (15 - size))
-        .wrapping_add(x << (7 - size));
+    let sum = (x << (23 - size)).wrapping_add(y << (15 - size)).wrapping_add(x << (7 - size));
     sum & 0xffff
 }
 

@@ -29,10 +29,8 @@ fn steps(size: u32) -> u128 {
 }
 
 fn build(size: u32) -> Builder {
-    let view = View {
-        hither: 0.5,
-        ..view(DVec3::new(-6.0, -60.0, 35.0), DVec3::new(0.0, 8.0, -15.0))
-    };
+    let view =
+        View { hither: 0.5, ..view(DVec3::new(-6.0, -60.0, 35.0), DVec3::new(0.0, 8.0, -15.0)) };
     let mut builder = Builder::new(view, &[DVec3::new(-100.0, -100.0, 100.0)]);
     builder.material(Material {
         refraction_index: 1.0,

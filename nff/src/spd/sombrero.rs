@@ -30,11 +30,7 @@ fn width(size: u32) -> u128 {
 }
 
 fn build(size: u32) -> Builder {
-    let view = View {
-        angle: 40.0,
-        hither: 0.01,
-        ..view(DVec3::new(0.0, 5.0, -8.0), DVec3::ZERO)
-    };
+    let view = View { angle: 40.0, hither: 0.01, ..view(DVec3::new(0.0, 5.0, -8.0), DVec3::ZERO) };
     let mut builder = Builder::new(view, &[DVec3::new(10.0, 10.0, -10.0)]);
     builder.material(Material {
         refraction_index: 1.0,

@@ -34,42 +34,17 @@ type Profile = [(f64, f64, f64); 4];
 /// Of a curve that is nearly a quarter of a circle.
 const ROUND: f64 = 0.56;
 
-const RIM: Profile = [
-    (1.4, 2.4, ROUND),
-    (1.3375, 2.53125, ROUND),
-    (1.4375, 2.53125, ROUND),
-    (1.5, 2.4, ROUND),
-];
-const UPPER_BODY: Profile = [
-    (1.5, 2.4, ROUND),
-    (1.75, 1.875, ROUND),
-    (2.0, 1.35, ROUND),
-    (2.0, 0.9, ROUND),
-];
-const LOWER_BODY: Profile = [
-    (2.0, 0.9, ROUND),
-    (2.0, 0.45, ROUND),
-    (1.5, 0.225, ROUND),
-    (1.5, 0.15, ROUND),
-];
-const KNOB: Profile = [
-    (0.0, 3.15, ROUND),
-    (0.8, 3.15, 0.5625),
-    (0.0, 2.85, ROUND),
-    (0.2, 2.7, ROUND),
-];
-const LID: Profile = [
-    (0.2, 2.7, ROUND),
-    (0.4, 2.55, ROUND),
-    (1.3, 2.55, ROUND),
-    (1.3, 2.4, ROUND),
-];
-const BOTTOM: Profile = [
-    (0.0, 0.0, ROUND),
-    (1.425, 0.0, ROUND),
-    (1.5, 0.075, ROUND),
-    (1.5, 0.15, ROUND),
-];
+const RIM: Profile =
+    [(1.4, 2.4, ROUND), (1.3375, 2.53125, ROUND), (1.4375, 2.53125, ROUND), (1.5, 2.4, ROUND)];
+const UPPER_BODY: Profile =
+    [(1.5, 2.4, ROUND), (1.75, 1.875, ROUND), (2.0, 1.35, ROUND), (2.0, 0.9, ROUND)];
+const LOWER_BODY: Profile =
+    [(2.0, 0.9, ROUND), (2.0, 0.45, ROUND), (1.5, 0.225, ROUND), (1.5, 0.15, ROUND)];
+const KNOB: Profile =
+    [(0.0, 3.15, ROUND), (0.8, 3.15, 0.5625), (0.0, 2.85, ROUND), (0.2, 2.7, ROUND)];
+const LID: Profile = [(0.2, 2.7, ROUND), (0.4, 2.55, ROUND), (1.3, 2.55, ROUND), (1.3, 2.4, ROUND)];
+const BOTTOM: Profile =
+    [(0.0, 0.0, ROUND), (1.425, 0.0, ROUND), (1.5, 0.075, ROUND), (1.5, 0.15, ROUND)];
 
 /// The control points of a tube: x and z of its inner and its outer side, and half its width.
 type Tube = [([f64; 2], [f64; 2], f64); 4];

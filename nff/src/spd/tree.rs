@@ -10,11 +10,7 @@ pub(super) const GENERATOR: Generator = Generator {
     name: "tree",
     default: 11,
     most: u32::MAX,
-    objects: |size| {
-        2u128
-            .saturating_pow(size.saturating_add(2))
-            .saturating_sub(1)
-    },
+    objects: |size| 2u128.saturating_pow(size.saturating_add(2)).saturating_sub(1),
     build,
 };
 

@@ -9,44 +9,23 @@ fn the_range_spans_the_drawn_spheres() {
     // The eye is at (0, -10, 0).
     let scene = parsed(&scene_text("s 0 0 0 1\ns 0 20 0 2\ns 0 90 0 -5\n"));
     let shading = DepthShading::of(&scene);
-    assert_eq!(
-        shading,
-        DepthShading {
-            near: 9.0,
-            far: 32.0
-        }
-    );
+    assert_eq!(shading, DepthShading { near: 9.0, far: 32.0 });
     assert_eq!(shading.brightness(9.0), 1.0);
     assert_eq!(shading.brightness(32.0), 0.0);
     assert_eq!(shading.brightness(20.5), 0.5);
-    assert_eq!(
-        (shading.brightness(0.0), shading.brightness(1e9)),
-        (1.0, 0.0)
-    );
+    assert_eq!((shading.brightness(0.0), shading.brightness(1e9)), (1.0, 0.0));
 }
 
 #[test]
 fn an_eye_inside_a_sphere_has_its_range_from_0() {
     let scene = parsed(&scene_text("s 0 0 0 11\n"));
-    assert_eq!(
-        DepthShading::of(&scene),
-        DepthShading {
-            near: 0.0,
-            far: 21.0
-        }
-    );
+    assert_eq!(DepthShading::of(&scene), DepthShading { near: 0.0, far: 21.0 });
 }
 
 #[test]
 fn degenerate_ranges_are_bright() {
     let none = DepthShading::of(&parsed(&scene_text("")));
-    assert_eq!(
-        none,
-        DepthShading {
-            near: 0.0,
-            far: 0.0
-        }
-    );
+    assert_eq!(none, DepthShading { near: 0.0, far: 0.0 });
     assert_eq!(none.brightness(5.0), 1.0);
     let far = DepthShading::of(&parsed(&scene_text("s 1e100 0 0 1\n")));
     assert_eq!(far.near, far.far);
@@ -75,10 +54,8 @@ fn what_is_not_drawn_is_told_by_kind_and_first_line() {
          pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n\
          f 0 0 0 1 1 1 1 1\n",
     );
-    let told: Vec<String> = depth::not_drawn(&parsed(&text))
-        .iter()
-        .map(|it| it.to_string())
-        .collect();
+    let told: Vec<String> =
+        depth::not_drawn(&parsed(&text)).iter().map(|it| it.to_string()).collect();
     assert_eq!(
         told,
         [

@@ -6,9 +6,7 @@ use nff::daylight::{AMBIENT, HORIZON, SUN};
 use nff::{LightKind, Shader, Sky};
 
 fn refusal(rest: &str) -> String {
-    try_parse(scene_text(rest).as_bytes())
-        .expect_err("refused")
-        .to_string()
+    try_parse(scene_text(rest).as_bytes()).expect_err("refused").to_string()
 }
 
 #[test]
@@ -27,9 +25,7 @@ fn lights_in_the_order_of_the_file() {
     ));
     assert_eq!(scene.ambient, DVec3::new(0.1, 0.2, 0.3));
     let lights: Vec<_> = scene.lights.iter().map(|it| (it.line, it.kind)).collect();
-    let point = |x, y, z| LightKind::Point {
-        position: DVec3::new(x, y, z),
-    };
+    let point = |x, y, z| LightKind::Point { position: DVec3::new(x, y, z) };
     let sun = |to_light| LightKind::Directional { to_light };
     assert_eq!(
         lights,
@@ -80,37 +76,19 @@ fn daylight_leaves_the_scene_what_it_says_itself() {
     let own = parsed(&scene_text(&format!("{own}#cellray daylight\n")));
     assert_eq!(own.background, DVec3::new(0.0, 0.5, 1.0));
     assert_eq!(own.ambient, DVec3::new(0.0, 0.0, 0.1));
-    assert_eq!(
-        own.sky.map(|sky| sky.zenith),
-        Some(DVec3::new(0.0, 0.0, 0.5))
-    );
+    assert_eq!(own.sky.map(|sky| sky.zenith), Some(DVec3::new(0.0, 0.0, 0.5)));
     assert_eq!(own.lights.len(), 1);
 }
 
 #[test]
 fn shaders_belong_to_the_material_before_them() {
-    let own = |name: &str, parameters| Shader::Own {
-        name: name.to_owned(),
-        parameters,
-    };
+    let own = |name: &str, parameters| Shader::Own { name: name.to_owned(), parameters };
     for (text, shader) in [
         ("flat", Shader::Flat),
         ("lambert", Shader::Lambert),
         ("phong", Shader::Phong),
-        (
-            "checker 0.5 0 1 2",
-            Shader::Checker {
-                other: DVec3::new(0.5, 0.0, 1.0),
-                size: 2.0,
-            },
-        ),
-        (
-            "depth 9 2.5",
-            Shader::Depth {
-                far: 9.0,
-                near: 2.5,
-            },
-        ),
+        ("checker 0.5 0 1 2", Shader::Checker { other: DVec3::new(0.5, 0.0, 1.0), size: 2.0 }),
+        ("depth 9 2.5", Shader::Depth { far: 9.0, near: 2.5 }),
         ("marble_2", own("marble_2", [0.0; 4])),
         ("rings 1 -2", own("rings", [1.0, -2.0, 0.0, 0.0])),
         ("rings 1 2 3 4", own("rings", [1.0, 2.0, 3.0, 4.0])),
@@ -152,49 +130,19 @@ fn faults_name_file_and_line() {
         ),
         ("#cellray sky 1 1", "9: sky blue is missing"),
         ("#cellray sky 1 1 1 0 0", "9: sky z is missing"),
-        (
-            "#cellray sky 1 1 1 0 0 0",
-            "9: the direction to the zenith is 0 0 0",
-        ),
-        (
-            "#cellray sky 1 1 1\n#cellray sky 0 0 1",
-            "10: a second sky; the first is on line 9",
-        ),
-        (
-            "#cellray daylight 1",
-            "9: daylight is followed by `1`, which does not belong there",
-        ),
-        (
-            "#cellray daylight\n\n#cellray daylight",
-            "11: a second daylight; the first is on line 9",
-        ),
+        ("#cellray sky 1 1 1 0 0 0", "9: the direction to the zenith is 0 0 0"),
+        ("#cellray sky 1 1 1\n#cellray sky 0 0 1", "10: a second sky; the first is on line 9"),
+        ("#cellray daylight 1", "9: daylight is followed by `1`, which does not belong there"),
+        ("#cellray daylight\n\n#cellray daylight", "11: a second daylight; the first is on line 9"),
         ("#cellray sun 1 1", "9: sun z is missing"),
-        (
-            "#cellray sun 0 -0 0",
-            "9: the direction to the sun is 0 0 0",
-        ),
+        ("#cellray sun 0 -0 0", "9: the direction to the sun is 0 0 0"),
         ("#cellray sun 0 0 1 1", "9: light green is missing"),
-        (
-            "#cellray sun 0 0 nan",
-            "9: sun z `nan` is not a finite number",
-        ),
+        ("#cellray sun 0 0 nan", "9: sun z `nan` is not a finite number"),
         ("#cellray shader", "9: name of the shader is missing"),
-        (
-            "#cellray shader flat 1",
-            "9: shader is followed by `1`, which does not belong there",
-        ),
-        (
-            "#cellray shader checker 1 1 1",
-            "9: checker size is missing",
-        ),
-        (
-            "#cellray shader checker 1 1 1 0",
-            "9: checker size 0 is not above 0",
-        ),
-        (
-            "#cellray shader depth 2 2",
-            "9: depth far 2 is not more than near 2",
-        ),
+        ("#cellray shader flat 1", "9: shader is followed by `1`, which does not belong there"),
+        ("#cellray shader checker 1 1 1", "9: checker size is missing"),
+        ("#cellray shader checker 1 1 1 0", "9: checker size 0 is not above 0"),
+        ("#cellray shader depth 2 2", "9: depth far 2 is not more than near 2"),
         (
             "#cellray shader 2rings",
             "9: shader `2rings` is not a name: letters, digits and _, a letter first",
@@ -203,10 +151,7 @@ fn faults_name_file_and_line() {
             "#cellray shader rings 1 2 3 4 5",
             "9: shader is followed by `5`, which does not belong there",
         ),
-        (
-            "#cellray shader rings one",
-            "9: parameter of the shader `one` is not a number",
-        ),
+        ("#cellray shader rings one", "9: parameter of the shader `one` is not a number"),
         (
             "#cellray shader flat\n#cellray shader phong",
             "10: a second shader of this material; the first is on line 9",

@@ -55,40 +55,18 @@ fn every_entity_is_read() {
     assert_eq!(scene.lights[1].colour, Some(DVec3::new(0.5, 0.25, 1.0)));
 
     let floor = &scene.materials[0];
-    assert_eq!(
-        (floor.line, floor.colour),
-        (14, DVec3::new(1.0, 0.75, 0.33))
-    );
-    assert_eq!(
-        (floor.diffuse, floor.specular, floor.shine),
-        (0.8, 0.2, 100_000.0)
-    );
+    assert_eq!((floor.line, floor.colour), (14, DVec3::new(1.0, 0.75, 0.33)));
+    assert_eq!((floor.diffuse, floor.specular, floor.shine), (0.8, 0.2, 100_000.0));
     assert_eq!((floor.transmittance, floor.refraction_index), (0.0, 1.0));
     let glass = &scene.materials[1];
-    assert_eq!(
-        (glass.line, glass.transmittance, glass.refraction_index),
-        (24, 0.5, 1.5)
-    );
+    assert_eq!((glass.line, glass.transmittance, glass.refraction_index), (24, 0.5, 1.5));
 
-    let placed: Vec<_> = scene
-        .objects
-        .iter()
-        .map(|it| (it.line, it.material))
-        .collect();
+    let placed: Vec<_> = scene.objects.iter().map(|it| (it.line, it.material)).collect();
     assert_eq!(placed, [(15, 0), (16, 0), (17, 0), (20, 0), (25, 1)]);
-    assert_eq!(
-        scene.objects[0].shape,
-        Shape::Sphere {
-            centre: DVec3::ZERO,
-            radius: 0.5
-        }
-    );
+    assert_eq!(scene.objects[0].shape, Shape::Sphere { centre: DVec3::ZERO, radius: 0.5 });
     assert_eq!(
         scene.objects[1].shape,
-        Shape::Sphere {
-            centre: DVec3::new(1.0, 2.0, 3.0),
-            radius: -4.0
-        }
+        Shape::Sphere { centre: DVec3::new(1.0, 2.0, 3.0), radius: -4.0 }
     );
     assert_eq!(
         scene.objects[2].shape,
@@ -101,9 +79,7 @@ fn every_entity_is_read() {
     );
     assert_eq!(
         scene.objects[3].shape,
-        Shape::Polygon {
-            vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y]
-        }
+        Shape::Polygon { vertices: vec![DVec3::ZERO, DVec3::X, DVec3::Y] }
     );
     assert_eq!(
         scene.objects[4].shape,
@@ -137,14 +113,9 @@ fn the_background_is_black_if_absent() {
 
 #[test]
 fn a_material_out_of_order_is_written_again() {
-    let mut scene = parsed(&scene_text(
-        "s 0 0 0 1\nf 0 1 0 1 0 0 0 1\ns 1 0 0 1\ns 2 0 0 1\n",
-    ));
+    let mut scene = parsed(&scene_text("s 0 0 0 1\nf 0 1 0 1 0 0 0 1\ns 1 0 0 1\ns 2 0 0 1\n"));
     scene.objects[2].material = 0;
     let back = parsed(&scene.to_string());
     let colour = |index: usize| back.materials[back.objects[index].material as usize].colour;
-    assert_eq!(
-        [colour(0), colour(1), colour(2)],
-        [DVec3::ONE, DVec3::Y, DVec3::ONE]
-    );
+    assert_eq!([colour(0), colour(1), colour(2)], [DVec3::ONE, DVec3::Y, DVec3::ONE]);
 }

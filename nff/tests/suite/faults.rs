@@ -17,26 +17,14 @@ fn refusal(bytes: &[u8]) -> String {
 fn lines_after_the_view_and_a_material() {
     let cases = [
         ("x 1 2", "9: unknown entity `x` (known: v b l f s c p pp)"),
-        (
-            "s 0 0 0",
-            "9: the file ends inside the sphere that starts on line 9: radius is missing",
-        ),
+        ("s 0 0 0", "9: the file ends inside the sphere that starts on line 9: radius is missing"),
         (
             "s 0 0 0\ns 0 0 0 1",
             "10: radius of the sphere that starts on line 9 is missing: found `s` instead",
         ),
-        (
-            "s 0 0 0 1 2",
-            "9: sphere is followed by `2`, which does not belong there",
-        ),
-        (
-            "s 0 0 0 1 x",
-            "9: sphere is followed by `x`, which does not belong there",
-        ),
-        (
-            "s 0 0 0 1\n-2",
-            "10: sphere is followed by `-2`, which does not belong there",
-        ),
+        ("s 0 0 0 1 2", "9: sphere is followed by `2`, which does not belong there"),
+        ("s 0 0 0 1 x", "9: sphere is followed by `x`, which does not belong there"),
+        ("s 0 0 0 1\n-2", "10: sphere is followed by `-2`, which does not belong there"),
         ("s 0 zero 0 1", "9: centre y `zero` is not a number"),
         ("s 0 0 0 0x10", "9: radius `0x10` is not a number"),
         ("s NaN 0 0 1", "9: centre x `NaN` is not a finite number"),
@@ -50,15 +38,9 @@ fn lines_after_the_view_and_a_material() {
             "b 1 1",
             "9: the file ends inside the background that starts on line 9: background blue is missing",
         ),
-        (
-            "b 1 1 1 1",
-            "9: background is followed by `1`, which does not belong there",
-        ),
+        ("b 1 1 1 1", "9: background is followed by `1`, which does not belong there"),
         ("b 1 -0.5 1", "9: background green -0.5 is negative"),
-        (
-            "b 0 0 0\nb 1 1 1",
-            "10: a second background (b); the first is on line 9",
-        ),
+        ("b 0 0 0\nb 1 1 1", "10: a second background (b); the first is on line 9"),
         (
             "l 1 2\nf 1 1 1 1 0 0 0 1",
             "10: light z of the light that starts on line 9 is missing: found `f` instead",
@@ -72,43 +54,22 @@ fn lines_after_the_view_and_a_material() {
             "10: the file ends inside the light that starts on line 9: light green is missing",
         ),
         ("l 1 2 3 x", "9: light red `x` is not a number"),
-        (
-            "l 1 2 3 1 1 1 1",
-            "9: light is followed by `1`, which does not belong there",
-        ),
+        ("l 1 2 3 1 1 1 1", "9: light is followed by `1`, which does not belong there"),
         (
             "f 1 1 1 1 0 0 0",
             "9: the file ends inside the material that starts on line 9: index of refraction is missing",
         ),
         ("f 1 1 1 -1 0 0 0 1", "9: Kd -1 is negative"),
-        (
-            "f 1 1 1 1 0 0 0 1 9",
-            "9: material is followed by `9`, which does not belong there",
-        ),
-        (
-            "c 1\n0 0 0 1\n0 1 1 1",
-            "11: cone is followed by `1`, which does not belong there",
-        ),
+        ("f 1 1 1 1 0 0 0 1 9", "9: material is followed by `9`, which does not belong there"),
+        ("c 1\n0 0 0 1\n0 1 1 1", "11: cone is followed by `1`, which does not belong there"),
         (
             "c\n0 0 0\n0 0 1 1\ns 0 0 0 1",
             "12: apex radius of the cone that starts on line 9 is missing: found `s` instead",
         ),
-        (
-            "c\n0 0 0 1\n0 0 1 1 1",
-            "11: cone is followed by `1`, which does not belong there",
-        ),
-        (
-            "c\n0 0 0 0\n0 0 1 0",
-            "11: each of base radius and apex radius is 0",
-        ),
-        (
-            "c\n0 0 0 1\n0 0 1 -1",
-            "11: base radius 1 and apex radius -1 have different signs",
-        ),
-        (
-            "c 0 0 0 1 0 0 0 1",
-            "9: the cone's base and apex are the same point",
-        ),
+        ("c\n0 0 0 1\n0 0 1 1 1", "11: cone is followed by `1`, which does not belong there"),
+        ("c\n0 0 0 0\n0 0 1 0", "11: each of base radius and apex radius is 0"),
+        ("c\n0 0 0 1\n0 0 1 -1", "11: base radius 1 and apex radius -1 have different signs"),
+        ("c 0 0 0 1 0 0 0 1", "9: the cone's base and apex are the same point"),
         (
             "c\n0 0 0 1\n",
             "10: the file ends inside the cone that starts on line 9: apex x is missing",
@@ -117,31 +78,16 @@ fn lines_after_the_view_and_a_material() {
             "p",
             "9: the file ends inside the polygon that starts on line 9: number of vertices is missing",
         ),
-        (
-            "p 2\n0 0 0\n1 0 0",
-            "9: polygon with 2 vertices, fewer than 3",
-        ),
+        ("p 2\n0 0 0\n1 0 0", "9: polygon with 2 vertices, fewer than 3"),
         ("pp 0", "9: patch with 0 vertices, fewer than 3"),
-        (
-            "p -3",
-            "9: number of vertices `-3` is not a whole number from 0",
-        ),
-        (
-            "p 3.5",
-            "9: number of vertices `3.5` is not a whole number from 0",
-        ),
-        (
-            "p 4000000000",
-            "9: number of vertices `4000000000` is more than 16000000",
-        ),
+        ("p -3", "9: number of vertices `-3` is not a whole number from 0"),
+        ("p 3.5", "9: number of vertices `3.5` is not a whole number from 0"),
+        ("p 4000000000", "9: number of vertices `4000000000` is more than 16000000"),
         (
             "p 99999999999999999999",
             "9: number of vertices `99999999999999999999` is more than 16000000",
         ),
-        (
-            "p 3 3",
-            "9: the file ends inside the polygon that starts on line 9: vertex y is missing",
-        ),
+        ("p 3 3", "9: the file ends inside the polygon that starts on line 9: vertex y is missing"),
         (
             "p 3\n0 0 0\n1 0 0\n",
             "11: the file ends inside the polygon that starts on line 9: vertex x is missing",
@@ -162,17 +108,10 @@ fn lines_after_the_view_and_a_material() {
             "pp 3\n0 0 0 0 0\n",
             "10: the file ends inside the patch that starts on line 9: normal z is missing",
         ),
-        (
-            "v\nfrom 1 1 1",
-            "9: a second view (v); the first is on line 1",
-        ),
+        ("v\nfrom 1 1 1", "9: a second view (v); the first is on line 1"),
     ];
     for (line, message) in cases {
-        assert_eq!(
-            refusal(scene_text(line).as_bytes()),
-            format!("t.nff:{message}"),
-            "{line}"
-        );
+        assert_eq!(refusal(scene_text(line).as_bytes()), format!("t.nff:{message}"), "{line}");
     }
 }
 
@@ -186,41 +125,13 @@ fn views() {
             "from 0 -10",
             "3: from z of the view that starts on line 1 is missing: found `at` instead",
         ),
-        (
-            "from 0 -10 0",
-            "at 0 -10 0",
-            "2: the view's `from` is expected here, not `at`",
-        ),
-        (
-            "at 0 0 0",
-            "at 0 -10 0",
-            "3: from and at are the same point, [0, -10, 0]",
-        ),
-        (
-            "up 0 0 1",
-            "up 0 0 0",
-            "4: up [0, 0, 0] is zero or parallel to the line of sight",
-        ),
-        (
-            "up 0 0 1",
-            "up 0 -3 0",
-            "4: up [0, -3, 0] is zero or parallel to the line of sight",
-        ),
-        (
-            "angle 45",
-            "angle 0",
-            "5: angle 0 is not between 0 and 180 degrees",
-        ),
-        (
-            "angle 45",
-            "angle 180",
-            "5: angle 180 is not between 0 and 180 degrees",
-        ),
-        (
-            "angle 45",
-            "angle -45",
-            "5: angle -45 is not between 0 and 180 degrees",
-        ),
+        ("from 0 -10 0", "at 0 -10 0", "2: the view's `from` is expected here, not `at`"),
+        ("at 0 0 0", "at 0 -10 0", "3: from and at are the same point, [0, -10, 0]"),
+        ("up 0 0 1", "up 0 0 0", "4: up [0, 0, 0] is zero or parallel to the line of sight"),
+        ("up 0 0 1", "up 0 -3 0", "4: up [0, -3, 0] is zero or parallel to the line of sight"),
+        ("angle 45", "angle 0", "5: angle 0 is not between 0 and 180 degrees"),
+        ("angle 45", "angle 180", "5: angle 180 is not between 0 and 180 degrees"),
+        ("angle 45", "angle -45", "5: angle -45 is not between 0 and 180 degrees"),
         ("hither 0", "hither -1", "6: hither -1 is negative"),
         (
             "resolution 64 48",
@@ -254,16 +165,9 @@ fn views() {
         ),
     ];
     for (right, wrong, message) in cases {
-        let text = if right.is_empty() {
-            String::new()
-        } else {
-            scene_text("").replacen(right, wrong, 1)
-        };
-        assert_eq!(
-            refusal(text.as_bytes()),
-            format!("t.nff:{message}"),
-            "{wrong}"
-        );
+        let text =
+            if right.is_empty() { String::new() } else { scene_text("").replacen(right, wrong, 1) };
+        assert_eq!(refusal(text.as_bytes()), format!("t.nff:{message}"), "{wrong}");
     }
     let whole = scene_text("");
     let next = ["from", "at", "up", "angle", "hither", "resolution"];
@@ -278,37 +182,23 @@ fn views() {
 
 #[test]
 fn objects_before_what_they_need() {
-    assert_eq!(
-        refusal(b"f 1 1 1 1 0 0 0 1\ns 0 0 0 1"),
-        "t.nff:2: sphere before the view (v)"
-    );
+    assert_eq!(refusal(b"f 1 1 1 1 0 0 0 1\ns 0 0 0 1"), "t.nff:2: sphere before the view (v)");
     assert_eq!(refusal(b"\n\np 3"), "t.nff:3: polygon before the view (v)");
     let bare = scene_text("pp 3").replace("f 1 1 1 1 0 0 0 1", "# no material");
-    assert_eq!(
-        refusal(bare.as_bytes()),
-        "t.nff:9: patch before the first material (f)"
-    );
+    assert_eq!(refusal(bare.as_bytes()), "t.nff:9: patch before the first material (f)");
 }
 
 #[test]
 fn bytes_that_are_no_text() {
-    assert_eq!(
-        refusal(b"# ok\nv \xff"),
-        "t.nff:2: byte 3 of the line is not UTF-8 text"
-    );
-    assert_eq!(
-        refusal(b"b 0 0 0\n \tb\xc3(\n"),
-        "t.nff:2: byte 4 of the line is not UTF-8 text"
-    );
+    assert_eq!(refusal(b"# ok\nv \xff"), "t.nff:2: byte 3 of the line is not UTF-8 text");
+    assert_eq!(refusal(b"b 0 0 0\n \tb\xc3(\n"), "t.nff:2: byte 4 of the line is not UTF-8 text");
     assert_eq!(
         refusal(b"\x1b[31m"),
         "t.nff:1: unknown entity `\\u{1b}[31m` (known: v b l f s c p pp)"
     );
     let long = "é".repeat(1000);
-    let message = format!(
-        "t.nff:1: unknown entity `{}…` (known: v b l f s c p pp)",
-        "é".repeat(40)
-    );
+    let message =
+        format!("t.nff:1: unknown entity `{}…` (known: v b l f s c p pp)", "é".repeat(40));
     assert_eq!(refusal(long.as_bytes()), message);
 }
 
@@ -326,27 +216,15 @@ impl Read for Endless<'_> {
         }
         let len = buffer.len().min(self.pattern.len());
         buffer[..len].copy_from_slice(&self.pattern[..len]);
-        assert_eq!(
-            len,
-            self.pattern.len(),
-            "the tests' patterns fit the buffer"
-        );
-        self.left = self
-            .left
-            .checked_sub(len as u64)
-            .expect("read on beyond the limit");
+        assert_eq!(len, self.pattern.len(), "the tests' patterns fit the buffer");
+        self.left = self.left.checked_sub(len as u64).expect("read on beyond the limit");
         Ok(len)
     }
 }
 
 #[test]
 fn endless_files_stop_at_the_limits() {
-    let limits = Limits {
-        objects: 10,
-        vertices: 20,
-        line_bytes: 100,
-        lines: 1000,
-    };
+    let limits = Limits { objects: 10, vertices: 20, line_bytes: 100, lines: 1000 };
     let head = scene_text("");
     let cases: [(&str, &[u8], &str); 8] = [
         ("", b"\0\0\0\0", "9: the line is longer than 100 bytes"),
@@ -355,24 +233,12 @@ fn endless_files_stop_at_the_limits() {
         ("", b"s 0 0 0 1\n", "19: more than 10 objects"),
         ("", b"f 1 1 1 1 0 0 0 1\n", "18: more than 10 materials"),
         ("", b"l 0 0 0\n", "19: more than 10 lights"),
-        (
-            "",
-            b"p 3\n0 0 0\n1 0 0\n0 1 0\n",
-            "33: more than 20 vertices",
-        ),
-        (
-            "p 20\n",
-            b"0 0 0\n",
-            "30: polygon is followed by `0`, which does not belong there",
-        ),
+        ("", b"p 3\n0 0 0\n1 0 0\n0 1 0\n", "33: more than 20 vertices"),
+        ("p 20\n", b"0 0 0\n", "30: polygon is followed by `0`, which does not belong there"),
     ];
     for (start, pattern, message) in cases {
         let head = head.clone() + start;
-        let reader = Endless {
-            head: head.as_bytes(),
-            pattern,
-            left: 32 * 1024,
-        };
+        let reader = Endless { head: head.as_bytes(), pattern, left: 32 * 1024 };
         let reader = io::BufReader::with_capacity(64, reader);
         let error = nff::parse(reader, "t.nff", &limits).expect_err("endless");
         assert_eq!(error.to_string(), format!("t.nff:{message}"));
@@ -381,33 +247,16 @@ fn endless_files_stop_at_the_limits() {
 
 #[test]
 fn limits_are_inclusive() {
-    let limits = Limits {
-        objects: 2,
-        vertices: 3,
-        line_bytes: 17,
-        lines: 13,
-    };
+    let limits = Limits { objects: 2, vertices: 3, line_bytes: 17, lines: 13 };
     let text = scene_text("s 0 0 0 1\np 3\n0 0 0\n1 0 0\n0 1 0\n");
     assert_eq!(text.lines().map(str::len).max(), Some(17));
     let scene = nff::parse(text.as_bytes(), "t.nff", &limits).expect("at the limits");
     assert_eq!(scene.objects.len(), 2);
     for tight in [
-        Limits {
-            objects: 1,
-            ..limits.clone()
-        },
-        Limits {
-            vertices: 2,
-            ..limits.clone()
-        },
-        Limits {
-            line_bytes: 16,
-            ..limits.clone()
-        },
-        Limits {
-            lines: 12,
-            ..limits.clone()
-        },
+        Limits { objects: 1, ..limits.clone() },
+        Limits { vertices: 2, ..limits.clone() },
+        Limits { line_bytes: 16, ..limits.clone() },
+        Limits { lines: 12, ..limits.clone() },
     ] {
         nff::parse(text.as_bytes(), "t.nff", &tight).expect_err("one too many");
     }
@@ -420,10 +269,7 @@ fn files_that_cannot_be_read() {
     for path in [missing.as_path(), folder.path()] {
         let error = nff::read(path).expect_err("not a file");
         assert!(matches!(error, Error::Io { .. }), "{error:?}");
-        assert!(
-            error.to_string().starts_with(&path.display().to_string()),
-            "{error}"
-        );
+        assert!(error.to_string().starts_with(&path.display().to_string()), "{error}");
     }
 }
 
@@ -432,9 +278,6 @@ fn a_sparse_file_of_17_gigabytes_is_refused_at_its_first_line() {
     let file = tempfile::NamedTempFile::new().expect("a file");
     file.as_file().set_len(17 << 30).expect("a sparse file");
     let error = nff::read(file.path()).expect_err("one endless line");
-    let message = format!(
-        "{}:1: the line is longer than 1048576 bytes",
-        file.path().display()
-    );
+    let message = format!("{}:1: the line is longer than 1048576 bytes", file.path().display());
     assert_eq!(error.to_string(), message);
 }

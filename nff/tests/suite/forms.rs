@@ -52,10 +52,7 @@ fn faults_name_the_line_whatever_ends_it() {
         let text = scene_text("s 0 0 0 1\ns 0 0 zero 1\n").replace('\n', end);
         for text in [text.clone(), format!("\u{feff}{text}")] {
             let error = try_parse(text.as_bytes()).expect_err("a fault").to_string();
-            assert_eq!(
-                error, "t.nff:10: centre z `zero` is not a number",
-                "{end:?}"
-            );
+            assert_eq!(error, "t.nff:10: centre z `zero` is not a number", "{end:?}");
         }
     }
 }
@@ -64,8 +61,5 @@ fn faults_name_the_line_whatever_ends_it() {
 fn a_byte_order_mark_in_the_middle_is_a_fault() {
     let text = scene_text("\u{feff}s 0 0 0 1\n");
     let error = try_parse(text.as_bytes()).expect_err("a fault").to_string();
-    assert_eq!(
-        error,
-        "t.nff:9: unknown entity `\\u{feff}s` (known: v b l f s c p pp)"
-    );
+    assert_eq!(error, "t.nff:9: unknown entity `\\u{feff}s` (known: v b l f s c p pp)");
 }

@@ -30,12 +30,7 @@ fn shape() -> impl Strategy<Value = Shape> {
         .prop_filter("a height", |(base, _, apex, _)| base != apex)
         .prop_map(|(base, base_radius, apex, other)| {
             let apex_radius = other.abs().copysign(base_radius);
-            Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            }
+            Shape::Cone { base, base_radius, apex, apex_radius }
         });
     let polygon = vec(point(), 3..8).prop_map(|vertices| Shape::Polygon { vertices });
     let patch = vec((point(), point()), 3..8).prop_map(|corners| {
@@ -46,25 +41,15 @@ fn shape() -> impl Strategy<Value = Shape> {
 }
 
 fn shader() -> impl Strategy<Value = Shader> {
-    let checker = (point(), radius()).prop_map(|(other, size)| Shader::Checker {
-        other: other.abs(),
-        size: size.abs(),
-    });
+    let checker = (point(), radius())
+        .prop_map(|(other, size)| Shader::Checker { other: other.abs(), size: size.abs() });
     let depth = (number(), number())
         .prop_filter("a range", |(a, b)| a.abs() != b.abs())
-        .prop_map(|(a, b)| Shader::Depth {
-            far: a.abs().max(b.abs()),
-            near: a.abs().min(b.abs()),
-        });
-    let own = (
-        "[a-z][a-zA-Z0-9_]{0,9}",
-        [number(), number(), number(), number()],
-    );
+        .prop_map(|(a, b)| Shader::Depth { far: a.abs().max(b.abs()), near: a.abs().min(b.abs()) });
+    let own = ("[a-z][a-zA-Z0-9_]{0,9}", [number(), number(), number(), number()]);
     let taken = ["flat", "lambert", "phong", "checker", "depth"];
     let own = own
-        .prop_filter("a name of its own", move |(name, _)| {
-            !taken.contains(&name.as_str())
-        })
+        .prop_filter("a name of its own", move |(name, _)| !taken.contains(&name.as_str()))
         .prop_map(|(name, parameters)| Shader::Own { name, parameters });
     let simple = prop::sample::select(vec![Shader::Flat, Shader::Lambert, Shader::Phong]);
     prop_oneof![simple, checker, depth, own]

@@ -19,13 +19,10 @@ fn primitives(scene: &Scene) -> usize {
 
 /// The vertices of the polygons.
 fn polygons(scene: &Scene) -> impl Iterator<Item = &[DVec3]> {
-    scene
-        .objects
-        .iter()
-        .filter_map(|object| match &object.shape {
-            Shape::Polygon { vertices } => Some(vertices.as_slice()),
-            _ => None,
-        })
+    scene.objects.iter().filter_map(|object| match &object.shape {
+        Shape::Polygon { vertices } => Some(vertices.as_slice()),
+        _ => None,
+    })
 }
 
 fn spheres(scene: &Scene) -> Vec<(DVec3, f64)> {
@@ -39,12 +36,9 @@ fn spheres(scene: &Scene) -> Vec<(DVec3, f64)> {
 /// The two ends of the cones, each with its radius.
 fn cones(scene: &Scene) -> Vec<[(DVec3, f64); 2]> {
     let cone = |object: &Object| match object.shape {
-        Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        } => Some([(base, base_radius), (apex, apex_radius)]),
+        Shape::Cone { base, base_radius, apex, apex_radius } => {
+            Some([(base, base_radius), (apex, apex_radius)])
+        }
         _ => None,
     };
     scene.objects.iter().filter_map(cone).collect()
@@ -265,9 +259,7 @@ fn the_surface_of_the_teapot_is_smooth_and_faces_outwards() {
 fn a_sombrero_faces_up_and_is_highest_in_its_middle() {
     let scene = scene("sombrero");
     assert!(polygons(&scene).all(|triangle| area_vector(triangle).y > 0.0));
-    let highest = polygons(&scene)
-        .flatten()
-        .max_by(|a, b| a.y.total_cmp(&b.y));
+    let highest = polygons(&scene).flatten().max_by(|a, b| a.y.total_cmp(&b.y));
     let highest = highest.expect("points");
     assert_eq!(highest.y, -2.0);
     assert!(libm::hypot(highest.x, highest.z) < 0.2, "{highest}");
@@ -282,16 +274,10 @@ fn loaded_by_name() {
         for size in ["", "0", "-1", "two", "1.5", "99999999999"] {
             let name = format!("{}:{size}", generator.name);
             let error = nff::load(Path::new(&name)).expect_err("no size");
-            assert!(
-                matches!(error, nff::Error::Spd(Error::Size { .. })),
-                "{error}"
-            );
+            assert!(matches!(error, nff::Error::Spd(Error::Size { .. })), "{error}");
             let message = error.to_string();
             assert!(message.starts_with(generator.name), "{message}");
-            assert!(
-                message.ends_with("is not a whole number from 1"),
-                "{message}"
-            );
+            assert!(message.ends_with("is not a whole number from 1"), "{message}");
         }
         // Also where a power of two overflows.
         for size in [125, 126, 127, 128, 1 << 16, u32::MAX] {

@@ -46,11 +46,7 @@ fn the_published_positions() {
         let near = |sphere: &&(DVec3, f64)| {
             sphere.0.distance(DVec3::new(x, y, z)) < 2e-6 && (sphere.1 - radius).abs() < 1e-6
         };
-        assert_eq!(
-            generated.iter().filter(near).count(),
-            1,
-            "s {x} {y} {z} {radius}"
-        );
+        assert_eq!(generated.iter().filter(near).count(), 1, "s {x} {y} {z} {radius}");
     }
 }
 
@@ -66,9 +62,7 @@ fn children_touch_their_parent_and_keep_apart() {
         if child_size == 0 {
             continue;
         }
-        let children: Vec<usize> = (0..9)
-            .map(|child| parent + 1 + child * child_size)
-            .collect();
+        let children: Vec<usize> = (0..9).map(|child| parent + 1 + child * child_size).collect();
         for (index, &child) in children.iter().enumerate() {
             let (child_centre, child_radius) = generated[child];
             assert!((child_radius / radius - 1.0 / 3.0).abs() < 1e-12);
@@ -103,11 +97,7 @@ fn its_lines_are_those_of_its_text() {
 
 #[test]
 fn levels_beyond_the_limit_tell_their_count() {
-    let message = |level| {
-        sphereflake::generate(level)
-            .expect_err("too many")
-            .to_string()
-    };
+    let message = |level| sphereflake::generate(level).expect_err("too many").to_string();
     assert_eq!(
         message(7),
         "a sphereflake of level 7 has 5380840 spheres and a polygon, more than 4000000 objects; the greatest level is 6"
@@ -120,24 +110,10 @@ fn levels_beyond_the_limit_tell_their_count() {
 #[test]
 fn loaded_by_name() {
     let scene = nff::load(Path::new("sphereflake:2")).expect("a scene");
-    assert_eq!(
-        (scene.name.as_str(), scene.objects.len()),
-        ("sphereflake:2", 92)
-    );
-    for name in [
-        "sphereflake:",
-        "sphereflake:-1",
-        "sphereflake:two",
-        "sphereflake:99999999999",
-    ] {
+    assert_eq!((scene.name.as_str(), scene.objects.len()), ("sphereflake:2", 92));
+    for name in ["sphereflake:", "sphereflake:-1", "sphereflake:two", "sphereflake:99999999999"] {
         let error = nff::load(Path::new(name)).expect_err("no level");
-        assert!(
-            matches!(error, Error::Sphereflake(sphereflake::Error::Level(_))),
-            "{error}"
-        );
+        assert!(matches!(error, Error::Sphereflake(sphereflake::Error::Level(_))), "{error}");
     }
-    assert!(matches!(
-        nff::load(Path::new("missing.nff")),
-        Err(Error::Io { .. })
-    ));
+    assert!(matches!(nff::load(Path::new("missing.nff")), Err(Error::Io { .. })));
 }

@@ -66,10 +66,7 @@ fn loaded_by_name() {
     assert_eq!((scene.name.as_str(), scene.objects.len()), ("tetra:1", 16));
     for name in ["tetra:", "tetra:-1", "tetra:two", "tetra:99999999999"] {
         let error = nff::load(Path::new(name)).expect_err("no level");
-        assert!(
-            matches!(error, Error::Tetra(tetra::Error::Level(_))),
-            "{error}"
-        );
+        assert!(matches!(error, Error::Tetra(tetra::Error::Level(_))), "{error}");
     }
     let error = nff::load(Path::new("tetra:10")).expect_err("too many");
     assert_eq!(

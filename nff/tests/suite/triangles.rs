@@ -16,14 +16,8 @@ fn area(vertices: &[DVec3], triangle: [u32; 3]) -> DVec3 {
 
 #[test]
 fn a_convex_polygon_gives_a_fan() {
-    let hexagon = polygon(&[
-        (2.0, 0.0),
-        (1.0, 2.0),
-        (-1.0, 2.0),
-        (-2.0, 0.0),
-        (-1.0, -2.0),
-        (1.0, -2.0),
-    ]);
+    let hexagon =
+        polygon(&[(2.0, 0.0), (1.0, 2.0), (-1.0, 2.0), (-2.0, 0.0), (-1.0, -2.0), (1.0, -2.0)]);
     assert_eq!(
         triangles(&hexagon).expect("no edges cross"),
         [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]
@@ -104,12 +98,7 @@ fn a_pentagram_has_five_tips_and_a_hole() {
     let front = area_vector(&vertices);
     for part in &parts {
         assert!(area_vector(part).dot(front) > 0.0);
-        assert_eq!(
-            part.iter()
-                .filter(|corner| vertices.contains(corner))
-                .count(),
-            1
-        );
+        assert_eq!(part.iter().filter(|corner| vertices.contains(corner)).count(), 1);
     }
     // Neighbouring tips share the crossing between them to the bit.
     let shared = |one: &[DVec3; 3], other: &[DVec3; 3]| one.iter().any(|it| other.contains(it));
@@ -158,11 +147,7 @@ fn very_many_crossings_are_given_up_early() {
             let angle = f64::from(index) / 501.0 * std::f64::consts::PI;
             let (x, y) = (libm::cos(angle), libm::sin(angle));
             let ends = [(x, y), (-x, -y)];
-            if index % 2 == 0 {
-                ends
-            } else {
-                [ends[1], ends[0]]
-            }
+            if index % 2 == 0 { ends } else { [ends[1], ends[0]] }
         })
         .collect();
     // All go through the middle.

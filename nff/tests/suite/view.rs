@@ -16,10 +16,7 @@ fn view(angle: f64) -> View {
 }
 
 fn close(found: DVec3, expected: DVec3) {
-    assert!(
-        found.distance(expected) < 1e-12,
-        "{found} is not {expected}"
-    );
+    assert!(found.distance(expected) < 1e-12, "{found} is not {expected}");
 }
 
 #[test]
@@ -56,10 +53,8 @@ fn the_lengths_of_sight_and_up_do_not_matter() {
     let mut far = view(60.0);
     far.at = DVec3::new(0.0, 1e150, 0.0);
     far.up = DVec3::new(0.0, 0.0, 5e-324);
-    let (found, expected) = (
-        far.camera(8, 8).expect("far"),
-        view(60.0).camera(8, 8).expect("near"),
-    );
+    let (found, expected) =
+        (far.camera(8, 8).expect("far"), view(60.0).camera(8, 8).expect("near"));
     close(found.corner, expected.corner);
     close(found.down, expected.down);
 }

@@ -75,34 +75,20 @@ impl Cone {
         let least = rounding(ray.origin, from_base);
         let (enter, leave) = if self.above(height, across.length()).abs() <= least {
             let other = -2.0 * b / a;
-            if b > 0.0 {
-                (other, f64::NEG_INFINITY)
-            } else {
-                (f64::NEG_INFINITY, other)
-            }
+            if b > 0.0 { (other, f64::NEG_INFINITY) } else { (f64::NEG_INFINITY, other) }
         } else {
             let c = (across.length() - radius) * (across.length() + radius);
-            let (spread, twist) = (
-                (radius * sweep - growth * across).length(),
-                across.cross(sweep).length(),
-            );
+            let (spread, twist) =
+                ((radius * sweep - growth * across).length(), across.cross(sweep).length());
             let squared = (spread - twist) * (spread + twist);
             if squared.is_nan() || squared < 0.0 {
                 return None;
             }
             let sum = -(b + squared.sqrt().copysign(b));
-            if b < 0.0 {
-                (c / sum, sum / a)
-            } else {
-                (sum / a, c / sum)
-            }
+            if b < 0.0 { (c / sum, sum / a) } else { (sum / a, c / sum) }
         };
         let within = |t: f64| {
-            if (0.0..=self.height).contains(&(height + t * rise)) {
-                t
-            } else {
-                f64::NEG_INFINITY
-            }
+            if (0.0..=self.height).contains(&(height + t * rise)) { t } else { f64::NEG_INFINITY }
         };
         let crossings = [(within(enter), !self.hollow), (within(leave), self.hollow)];
         nearest_seen(crossings, self.sides, least, limit)
@@ -127,9 +113,7 @@ impl Cone {
     pub(super) fn bounds(&self) -> Bounds {
         // A disc's extent along a coordinate axis is the part of that axis across the disc's
         // normal.
-        let reach = (DVec3::ONE - self.axis * self.axis)
-            .max(DVec3::ZERO)
-            .map(f64::sqrt);
+        let reach = (DVec3::ONE - self.axis * self.axis).max(DVec3::ZERO).map(f64::sqrt);
         let disc = |centre: DVec3, radius: f64| Bounds {
             low: centre - radius * reach,
             high: centre + radius * reach,

@@ -39,14 +39,8 @@ pub(crate) struct Sides {
 }
 
 impl Sides {
-    const BOTH: Self = Self {
-        front: true,
-        back: true,
-    };
-    const FRONT: Self = Self {
-        front: true,
-        back: false,
-    };
+    const BOTH: Self = Self { front: true, back: true };
+    const FRONT: Self = Self { front: true, back: false };
 
     /// Whether the surface is visible to a ray against the normal (`true`) or along it.
     fn seen(self, against: bool) -> bool {
@@ -74,18 +68,9 @@ impl Surface {
             &Shape::Sphere { centre, radius } => {
                 (radius != 0.0).then(|| Self::Sphere(Sphere::new(centre, radius, sides)))
             }
-            &Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
+            &Shape::Cone { base, base_radius, apex, apex_radius } => {
                 // A cone is a sheet, not a body: if its outside is visible, its inside is too.
-                let sides = if base_radius.max(apex_radius) > 0.0 {
-                    Sides::BOTH
-                } else {
-                    sides
-                };
+                let sides = if base_radius.max(apex_radius) > 0.0 { Sides::BOTH } else { sides };
                 Cone::new((base, base_radius), (apex, apex_radius), sides).map(Self::Cone)
             }
             Shape::Polygon { vertices } => Polygon::new(vertices, None, sides).map(Self::Polygon),

@@ -70,13 +70,7 @@ impl Polygon {
             let corners = triangles(&vertices).unwrap_or_default();
             corners.into_iter().map(facet).collect()
         });
-        Some(Self {
-            middle,
-            vertices,
-            normal,
-            smooth,
-            sides,
-        })
+        Some(Self { middle, vertices, normal, smooth, sides })
     }
 
     pub(super) fn hit(&self, ray: &Ray, limit: f64) -> Option<f64> {
@@ -103,11 +97,7 @@ impl Polygon {
         for &vertex in &self.vertices {
             let to = ray.sheared(vertex);
             if (from.y > 0.0) != (to.y > 0.0) {
-                let (low, high) = if from.y < to.y {
-                    (from, to)
-                } else {
-                    (to, from)
-                };
+                let (low, high) = if from.y < to.y { (from, to) } else { (to, from) };
                 inside ^= low.perp_dot(high) > 0.0;
             }
             from = to;
@@ -135,10 +125,7 @@ impl Polygon {
             let whole = (b - a).cross(c - a).dot(self.normal);
             (whole > 0.0).then(|| parts / whole)
         };
-        let facets = self
-            .smooth
-            .iter()
-            .filter_map(|facet| Some((facet, shares(facet)?)));
+        let facets = self.smooth.iter().filter_map(|facet| Some((facet, shares(facet)?)));
         // Rounding may put a point on an inner edge outside of both: it is the least outside of
         // one.
         let (facet, shares) =
@@ -148,14 +135,7 @@ impl Polygon {
     }
 
     pub(super) fn bounds(&self) -> Bounds {
-        let point = |vertex: DVec3| Bounds {
-            low: vertex,
-            high: vertex,
-        };
-        self.vertices
-            .iter()
-            .fold(point(self.middle), |bounds, &vertex| {
-                bounds.with(point(vertex))
-            })
+        let point = |vertex: DVec3| Bounds { low: vertex, high: vertex };
+        self.vertices.iter().fold(point(self.middle), |bounds, &vertex| bounds.with(point(vertex)))
     }
 }

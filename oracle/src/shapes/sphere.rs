@@ -22,12 +22,7 @@ pub(crate) struct Sphere {
 impl Sphere {
     /// A sphere. With a negative radius the normal points inwards.
     pub(super) fn new(centre: DVec3, radius: f64, sides: Sides) -> Self {
-        Self {
-            centre,
-            radius: radius.abs(),
-            hollow: radius < 0.0,
-            sides,
-        }
+        Self { centre, radius: radius.abs(), hollow: radius < 0.0, sides }
     }
 
     pub(super) fn hit(&self, ray: &Ray, limit: f64) -> Option<f64> {
@@ -54,17 +49,10 @@ impl Sphere {
     pub(super) fn place(&self, point: DVec3) -> Place {
         let outward = (point - self.centre).normalize();
         let normal = if self.hollow { -outward } else { outward };
-        Place {
-            point: self.centre + self.radius * outward,
-            normal,
-            smooth: normal,
-        }
+        Place { point: self.centre + self.radius * outward, normal, smooth: normal }
     }
 
     pub(super) fn bounds(&self) -> Bounds {
-        Bounds {
-            low: self.centre - self.radius,
-            high: self.centre + self.radius,
-        }
+        Bounds { low: self.centre - self.radius, high: self.centre + self.radius }
     }
 }

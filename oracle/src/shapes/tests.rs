@@ -9,17 +9,10 @@ use crate::random::Random;
 /// Some shape in the cube from -1 to 1, about `size` large.
 pub(crate) fn random_shape(random: &mut Random, size: f64) -> Shape {
     let centre = random.point();
-    let sign = if random.next().is_multiple_of(4) {
-        -1.0
-    } else {
-        1.0
-    };
+    let sign = if random.next().is_multiple_of(4) { -1.0 } else { 1.0 };
     let length = |random: &mut Random| size * (0.05 + 0.5 * random.real().abs());
     match random.next() % 4 {
-        0 => Shape::Sphere {
-            centre,
-            radius: sign * length(random),
-        },
+        0 => Shape::Sphere { centre, radius: sign * length(random) },
         1 => {
             let radii = [length(random), length(random)];
             let pointed = random.next().is_multiple_of(2);
@@ -46,10 +39,7 @@ pub(crate) fn random_shape(random: &mut Random, size: f64) -> Shape {
                 Shape::Polygon { vertices }
             } else {
                 let normals = vertices.iter().map(|_| normal + 0.5 * random.point());
-                Shape::Patch {
-                    normals: normals.collect(),
-                    vertices,
-                }
+                Shape::Patch { normals: normals.collect(), vertices }
             }
         }
     }
@@ -67,12 +57,7 @@ fn hit(surface: &Surface, from: [f64; 3], direction: [f64; 3]) -> Option<(f64, D
 }
 
 fn cone(base_radius: f64, apex_radius: f64, transmits: bool) -> Surface {
-    let shape = Shape::Cone {
-        base: DVec3::ZERO,
-        base_radius,
-        apex: DVec3::Z * 2.0,
-        apex_radius,
-    };
+    let shape = Shape::Cone { base: DVec3::ZERO, base_radius, apex: DVec3::Z * 2.0, apex_radius };
     surface(&shape, transmits)
 }
 
@@ -90,37 +75,18 @@ fn a_sphere_shows_one_side() {
     };
     let along = [0.0, 1.0, 0.0];
     let (outside, inside) = ([0.0, -5.0, 0.0], [0.0; 3]);
-    close(
-        hit(&sphere(2.0, false), outside, along),
-        3.0,
-        [0.0, -1.0, 0.0],
-    );
+    close(hit(&sphere(2.0, false), outside, along), 3.0, [0.0, -1.0, 0.0]);
     assert_eq!(hit(&sphere(2.0, false), inside, along), None);
-    close(
-        hit(&sphere(-2.0, false), outside, along),
-        7.0,
-        [0.0, -1.0, 0.0],
-    );
-    close(
-        hit(&sphere(-2.0, false), inside, along),
-        2.0,
-        [0.0, -1.0, 0.0],
-    );
+    close(hit(&sphere(-2.0, false), outside, along), 7.0, [0.0, -1.0, 0.0]);
+    close(hit(&sphere(-2.0, false), inside, along), 2.0, [0.0, -1.0, 0.0]);
     close(hit(&sphere(2.0, true), inside, along), 2.0, [0.0, 1.0, 0.0]);
-    close(
-        hit(&sphere(-2.0, true), outside, along),
-        3.0,
-        [0.0, 1.0, 0.0],
-    );
+    close(hit(&sphere(-2.0, true), outside, along), 3.0, [0.0, 1.0, 0.0]);
     assert_eq!(hit(&sphere(2.0, true), [0.0, 5.0, 0.0], along), None);
 }
 
 #[test]
 fn a_small_far_sphere_keeps_its_edge() {
-    let shape = Shape::Sphere {
-        centre: DVec3::new(0.0, 1e8, 0.0),
-        radius: 1e-3,
-    };
+    let shape = Shape::Sphere { centre: DVec3::new(0.0, 1e8, 0.0), radius: 1e-3 };
     let passes = |x: f64| hit(&surface(&shape, false), [x, 0.0, 0.0], [0.0, 1.0, 0.0]).is_some();
     assert!(passes(0.000_999_999) && !passes(0.001_000_001));
 }
@@ -128,45 +94,21 @@ fn a_small_far_sphere_keeps_its_edge() {
 #[test]
 fn cylinders_and_cones_are_open_sheets() {
     let cylinder = cone(1.0, 1.0, false);
-    close(
-        hit(&cylinder, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
-        3.0,
-        [-1.0, 0.0, 0.0],
-    );
-    close(
-        hit(&cylinder, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
-        1.0,
-        [1.0, 0.0, 0.0],
-    );
+    close(hit(&cylinder, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.0, [-1.0, 0.0, 0.0]);
+    close(hit(&cylinder, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 1.0, [1.0, 0.0, 0.0]);
     // Through the open end onto the inside, and along the axis onto nothing.
-    close(
-        hit(&cylinder, [-1.0, 0.0, 3.0], [1.0, 0.0, -1.0]),
-        8f64.sqrt(),
-        [1.0, 0.0, 0.0],
-    );
+    close(hit(&cylinder, [-1.0, 0.0, 3.0], [1.0, 0.0, -1.0]), 8f64.sqrt(), [1.0, 0.0, 0.0]);
     assert_eq!(hit(&cylinder, [0.5, 0.0, 9.0], [0.0, 0.0, -1.0]), None);
     assert_eq!(hit(&cylinder, [-4.0, 0.0, 2.1], [1.0, 0.0, 0.0]), None);
     let hollow = cone(-1.0, -1.0, false);
-    close(
-        hit(&hollow, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
-        5.0,
-        [-1.0, 0.0, 0.0],
-    );
+    close(hit(&hollow, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 5.0, [-1.0, 0.0, 0.0]);
 
     let pointed = cone(1.0, 0.0, false);
     // Half way up the radius is 1/2; the normal leans up by the slope.
-    close(
-        hit(&pointed, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]),
-        3.5,
-        [-2.0, 0.0, 1.0],
-    );
+    close(hit(&pointed, [-4.0, 0.0, 1.0], [1.0, 0.0, 0.0]), 3.5, [-2.0, 0.0, 1.0]);
     // From within, parallel to the generator on the left: the equation is linear, and the other
     // nappe is not met.
-    close(
-        hit(&pointed, [0.0, 0.0, 0.5], [1.0, 0.0, 2.0]),
-        0.375 * 5f64.sqrt(),
-        [2.0, 0.0, 1.0],
-    );
+    close(hit(&pointed, [0.0, 0.0, 0.5], [1.0, 0.0, 2.0]), 0.375 * 5f64.sqrt(), [2.0, 0.0, 1.0]);
     assert_eq!(hit(&pointed, [-4.0, 0.0, 2.5], [1.0, 0.0, 0.0]), None);
     // From above onto the apex, just beside it.
     let (distance, normal) = hit(&pointed, [1e-9, 0.0, 5.0], [0.0, 0.0, -1.0]).expect("a hit");
@@ -197,58 +139,28 @@ fn concave_polygons_have_their_hollows() {
     for (x, y) in [(0.5, 1.5), (2.5, 0.5), (2.5, 2.5), (0.999, 1.5)] {
         assert!(falls(x, y), "{x} {y}");
     }
-    for (x, y) in [
-        (1.001, 1.5),
-        (2.5, 1.5),
-        (3.5, 0.5),
-        (-0.1, 1.5),
-        (2.0, 3.1),
-    ] {
+    for (x, y) in [(1.001, 1.5), (2.5, 1.5), (3.5, 0.5), (-0.1, 1.5), (2.0, 3.1)] {
         assert!(!falls(x, y), "{x} {y}");
     }
-    close(
-        hit(&letter, [0.5, 0.5, 4.0], [0.0, 0.0, -1.0]),
-        3.0,
-        [0.0, 0.0, 1.0],
-    );
+    close(hit(&letter, [0.5, 0.5, 4.0], [0.0, 0.0, -1.0]), 3.0, [0.0, 0.0, 1.0]);
     assert_eq!(hit(&letter, [0.5, 0.5, -4.0], [0.0, 0.0, 1.0]), None);
     assert!(hit(&surface(&shape, true), [0.5, 0.5, -4.0], [0.0, 0.0, 1.0]).is_some());
 }
 
 #[test]
 fn polygons_are_filled_by_the_even_odd_rule() {
-    let corners = [
-        (0.0, 9.0),
-        (-5.0, -7.0),
-        (9.0, 2.0),
-        (-9.0, 2.0),
-        (5.0, -7.0),
-    ];
+    let corners = [(0.0, 9.0), (-5.0, -7.0), (9.0, 2.0), (-9.0, 2.0), (5.0, -7.0)];
     let vertices: Vec<DVec3> = corners.map(|(x, y)| DVec3::new(x, y, 1.0)).to_vec();
     let normals = vec![DVec3::new(1.0, 1.0, 1.0); 5];
-    let polygon = Shape::Polygon {
-        vertices: vertices.clone(),
-    };
+    let polygon = Shape::Polygon { vertices: vertices.clone() };
     let patch = Shape::Patch { vertices, normals };
     for shape in [polygon, patch] {
         let star = surface(&shape, false);
         let falls = |x: f64, y: f64| hit(&star, [x, y, 4.0], [0.0, 0.0, -1.0]).is_some();
-        for (x, y) in [
-            (0.0, 6.0),
-            (-6.0, 1.5),
-            (6.0, 1.5),
-            (-4.0, -5.5),
-            (4.0, -5.5),
-        ] {
+        for (x, y) in [(0.0, 6.0), (-6.0, 1.5), (6.0, 1.5), (-4.0, -5.5), (4.0, -5.5)] {
             assert!(falls(x, y), "{x} {y}");
         }
-        for (x, y) in [
-            (0.0, 0.0),
-            (0.0, -6.0),
-            (5.0, 5.0),
-            (-5.0, 5.0),
-            (7.0, -3.0),
-        ] {
+        for (x, y) in [(0.0, 0.0), (0.0, -6.0), (5.0, 5.0), (-5.0, 5.0), (7.0, -3.0)] {
             assert!(!falls(x, y), "{x} {y}");
         }
         let ray = Ray::new(DVec3::new(0.0, 6.0, 4.0), DVec3::NEG_Z);
@@ -282,18 +194,10 @@ fn cube(turn: glam::DQuat, size: f64) -> Vec<Surface> {
         for normal in [axis, -axis] {
             let (right, up) = normal.any_orthonormal_pair();
             // Counter-clockwise from outside.
-            let up = if right.cross(up).dot(normal) > 0.0 {
-                up
-            } else {
-                -up
-            };
+            let up = if right.cross(up).dot(normal) > 0.0 { up } else { -up };
             let corner = |x: f64, y: f64| turn * (normal + x * right + y * up) * size;
-            let [a, b, c, d] = [
-                corner(-1.0, -1.0),
-                corner(1.0, -1.0),
-                corner(1.0, 1.0),
-                corner(-1.0, 1.0),
-            ];
+            let [a, b, c, d] =
+                [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
             for vertices in [vec![a, b, c], vec![a, c, d]] {
                 faces.push(surface(&Shape::Polygon { vertices }, true));
             }
@@ -315,9 +219,7 @@ fn nothing_leaks_through_edges_and_corners_of_a_closed_mesh() {
         let target = turn * DVec3::new(1.0, along, 1.0);
         let origin = 0.5 * random.point();
         let ray = Ray::new(origin, (target - origin).normalize());
-        let met = faces
-            .iter()
-            .any(|face| face.hit(&ray, f64::INFINITY).is_some());
+        let met = faces.iter().any(|face| face.hit(&ray, f64::INFINITY).is_some());
         misses += usize::from(!met);
     }
     // Corners computed face by face differ in their last digits: only that may leak.
@@ -368,24 +270,18 @@ fn rays_leave_surfaces_at_any_scale() {
 fn moved(shape: &Shape, scale: f64, by: DVec3) -> Shape {
     let place = |point: DVec3| scale * point + by;
     match shape {
-        &Shape::Sphere { centre, radius } => Shape::Sphere {
-            centre: place(centre),
-            radius: scale * radius,
-        },
-        &Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        } => Shape::Cone {
+        &Shape::Sphere { centre, radius } => {
+            Shape::Sphere { centre: place(centre), radius: scale * radius }
+        }
+        &Shape::Cone { base, base_radius, apex, apex_radius } => Shape::Cone {
             base: place(base),
             base_radius: scale * base_radius,
             apex: place(apex),
             apex_radius: scale * apex_radius,
         },
-        Shape::Polygon { vertices } => Shape::Polygon {
-            vertices: vertices.iter().copied().map(place).collect(),
-        },
+        Shape::Polygon { vertices } => {
+            Shape::Polygon { vertices: vertices.iter().copied().map(place).collect() }
+        }
         Shape::Patch { vertices, normals } => Shape::Patch {
             vertices: vertices.iter().copied().map(place).collect(),
             normals: normals.clone(),

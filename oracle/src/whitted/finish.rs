@@ -56,14 +56,8 @@ impl Finish {
         };
         match material.shader {
             Shader::Phong | Shader::Own { .. } => plain,
-            Shader::Lambert => Self {
-                highlight: 0.0,
-                ..plain
-            },
-            Shader::Flat => Self {
-                is_flat: true,
-                ..plain.sends(own + plain.emission)
-            },
+            Shader::Lambert => Self { highlight: 0.0, ..plain },
+            Shader::Flat => Self { is_flat: true, ..plain.sends(own + plain.emission) },
             Shader::Depth { far, near } => {
                 let brightness = ((far - distance) / (far - near)).clamp(0.0, 1.0);
                 plain.sends(brightness * own)
@@ -71,11 +65,7 @@ impl Finish {
             Shader::Checker { other, size } => {
                 let cube = (point / size + OFF_GRID).floor();
                 let odd = cube.element_sum().rem_euclid(2.0) != 0.0;
-                Self {
-                    colour: if odd { meaning.light(other) } else { own },
-                    other: odd,
-                    ..plain
-                }
+                Self { colour: if odd { meaning.light(other) } else { own }, other: odd, ..plain }
             }
         }
     }
@@ -87,11 +77,7 @@ impl Finish {
             true => self.emission + colour - self.colour,
             false => self.emission,
         };
-        Self {
-            colour,
-            emission,
-            ..self
-        }
+        Self { colour, emission, ..self }
     }
 
     /// The same finish, but it only emits a colour.

@@ -43,13 +43,7 @@ pub struct Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self {
-            depth: 5,
-            fresnel: false,
-            spd_rays: false,
-            shadows: true,
-            pixels: Pixels::PLAIN,
-        }
+        Self { depth: 5, fresnel: false, spd_rays: false, shadows: true, pixels: Pixels::PLAIN }
     }
 }
 
@@ -61,22 +55,13 @@ struct Sight<'a> {
 
 impl Model for Sight<'_> {
     fn row(&self, y: f64) -> impl Fn(f64, &mut Counts) -> Seen {
-        let Camera {
-            eye,
-            corner,
-            right,
-            down,
-        } = self.camera;
+        let Camera { eye, corner, right, down } = self.camera;
         let first = corner + y * down;
         move |x, counts| {
             let mut path = Path::default();
             let light = self.stage.eye(eye, first + x * right, &mut path);
             *counts += path.counts;
-            Seen {
-                light,
-                way: path.signature(),
-                on_edge: false,
-            }
+            Seen { light, way: path.signature(), on_edge: false }
         }
     }
 }

@@ -27,10 +27,7 @@ impl<'a> Probe<'a> {
         options: &Options,
     ) -> Result<Self, Error> {
         let camera = crate::camera(scene, width, height)?;
-        Ok(Self {
-            stage: Stage::new(scene, &camera, options)?,
-            camera,
-        })
+        Ok(Self { stage: Stage::new(scene, &camera, options)?, camera })
     }
 
     /// The colour that the ray through a point of the picture sees, each channel 0 to 1. The
@@ -45,7 +42,6 @@ impl<'a> Probe<'a> {
     #[must_use]
     pub fn light(&self, x: f64, y: f64) -> DVec3 {
         let direction = self.camera.corner + x * self.camera.right + y * self.camera.down;
-        self.stage
-            .eye(self.camera.eye, direction, &mut Path::default())
+        self.stage.eye(self.camera.eye, direction, &mut Path::default())
     }
 }

@@ -52,10 +52,7 @@ struct Hit {
 /// Refuses materials that the reference can't shade.
 fn check_material(scene: &Scene, material: &Material) -> Result<(), Error> {
     if material.transmittance > 0.0 && material.refraction_index == 0.0 {
-        return Err(Error::RefractionIndex {
-            scene: scene.name.clone(),
-            line: material.line,
-        });
+        return Err(Error::RefractionIndex { scene: scene.name.clone(), line: material.line });
     }
     if let Shader::Own { name, .. } = &material.shader {
         return Err(Error::Shader {
@@ -111,16 +108,10 @@ impl<'a> Stage<'a> {
                 materials.push(material);
             }
         }
-        let lights: Vec<(LightKind, DVec3)> = scene
-            .lights
-            .iter()
-            .map(|light| (light.kind, scene.brightness(light)))
-            .collect();
-        let least_weight = if options.spd_rays {
-            0.0
-        } else {
-            weight::least(scene, &materials, &lights, options)
-        };
+        let lights: Vec<(LightKind, DVec3)> =
+            scene.lights.iter().map(|light| (light.kind, scene.brightness(light))).collect();
+        let least_weight =
+            if options.spd_rays { 0.0 } else { weight::least(scene, &materials, &lights, options) };
         Ok(Self {
             tree: Bvh::new(surfaces),
             materials,
@@ -183,12 +174,8 @@ impl<'a> Stage<'a> {
         let place = self.tree.surface(index).place(ray, distance);
         let outside = place.normal.dot(ray.direction) < 0.0;
         path.note(1 + 2 * index as u64 + u64::from(outside));
-        let mut finish = Finish::of(
-            self.materials[index],
-            place.point,
-            distance,
-            self.options.pixels.colour,
-        );
+        let mut finish =
+            Finish::of(self.materials[index], place.point, distance, self.options.pixels.colour);
         if finish.other {
             path.note(1);
         } else {
@@ -197,11 +184,8 @@ impl<'a> Stage<'a> {
             let texel = self.textures.colour(index, place.point, width, cosine);
             finish = finish.tinted(texel.unwrap_or(DVec3::ONE));
         }
-        let (normal, smooth) = if outside {
-            (place.normal, place.smooth)
-        } else {
-            (-place.normal, -place.smooth)
-        };
+        let (normal, smooth) =
+            if outside { (place.normal, place.smooth) } else { (-place.normal, -place.smooth) };
         let seen = smooth.dot(ray.direction) < 0.0;
         Some(Hit {
             finish,

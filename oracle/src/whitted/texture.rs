@@ -59,11 +59,7 @@ impl Textures {
         let colours = mesh.corner_colours(triangle);
         let colours = colours.map(|colours| colours.map(|it| colour.light(it.as_dvec3())));
         if texture.is_some() || colours.is_some() {
-            let facet = Facet {
-                corners: mesh.places(triangle),
-                texture,
-                colours,
-            };
+            let facet = Facet { corners: mesh.places(triangle), texture, colours };
             self.facets.insert(surface, facet);
         }
     }
@@ -171,11 +167,7 @@ impl Level {
                 texels.push((light.map(encoded) * 255.0).round() / 255.0);
             }
         }
-        Some(Self {
-            width,
-            height,
-            texels,
-        })
+        Some(Self { width, height, texels })
     }
 }
 
@@ -212,18 +204,10 @@ fn beside(index: i64, count: usize, wrap: Wrap) -> usize {
 
 /// A screen's value as light.
 fn decoded(value: f64) -> f64 {
-    if value <= 0.04045 {
-        value / 12.92
-    } else {
-        libm::pow((value + 0.055) / 1.055, 2.4)
-    }
+    if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
 }
 
 /// Light as a screen's value.
 fn encoded(light: f64) -> f64 {
-    if light <= 0.003_130_8 {
-        12.92 * light
-    } else {
-        1.055 * libm::pow(light, 1.0 / 2.4) - 0.055
-    }
+    if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055 }
 }

@@ -30,10 +30,7 @@ pub(super) fn least(
     options: &Options,
 ) -> f64 {
     let greatest = |colour: DVec3| options.pixels.colour.light(colour).max_element();
-    let lit: f64 = lights
-        .iter()
-        .map(|(_, brightness)| brightness.max_element().max(0.0))
-        .sum();
+    let lit: f64 = lights.iter().map(|(_, brightness)| brightness.max_element().max(0.0)).sum();
     let everywhere = scene.ambient.max_element().max(0.0);
     let zenith = scene.sky.map_or(0.0, |sky| greatest(sky.zenith));
     let background = greatest(scene.background).max(zenith).max(0.0);
@@ -42,10 +39,7 @@ pub(super) fn least(
             let own = greatest(material.colour);
             let diffuse = |colour: f64| material.diffuse * colour * (lit + everywhere);
             let shares = [material.specular, material.transmittance];
-            let shares: f64 = shares
-                .map(|share| options.pixels.colour.share(share))
-                .iter()
-                .sum();
+            let shares: f64 = shares.map(|share| options.pixels.colour.share(share)).iter().sum();
             let others = shares * beyond;
             match &material.shader {
                 Shader::Flat | Shader::Depth { .. } => own,
@@ -60,9 +54,5 @@ pub(super) fn least(
         });
         surfaces.fold(background, f64::max)
     });
-    if seen > 0.0 {
-        STEP / seen
-    } else {
-        f64::INFINITY
-    }
+    if seen > 0.0 { STEP / seen } else { f64::INFINITY }
 }

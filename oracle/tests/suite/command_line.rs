@@ -9,11 +9,7 @@ use oracle::{Picture, Settings};
 /// Runs `oracle` in `folder`.
 fn oracle(folder: &Path, arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_oracle");
-    Command::new(program)
-        .args(arguments)
-        .current_dir(folder)
-        .output()
-        .expect("oracle runs")
+    Command::new(program).args(arguments).current_dir(folder).output().expect("oracle runs")
 }
 
 fn text(bytes: &[u8]) -> &str {
@@ -55,17 +51,8 @@ fn folder() -> tempfile::TempDir {
 #[test]
 fn a_comparison_as_json_has_exactly_its_fields() {
     let folder = folder();
-    let done = oracle(
-        folder.path(),
-        &[
-            "compare",
-            "a.png",
-            "sphereflake:1",
-            "--json",
-            "--diff",
-            "d.png",
-        ],
-    );
+    let done =
+        oracle(folder.path(), &["compare", "a.png", "sphereflake:1", "--json", "--diff", "d.png"]);
     assert!(done.status.success(), "{}", text(&done.stderr));
     assert!(text(&done.stderr).contains("d.png: the difference, 16 times amplified"));
     assert!(
@@ -84,11 +71,7 @@ fn a_comparison_as_json_has_exactly_its_fields() {
     assert_eq!(found, expected);
     let difference = Picture::read_png(&folder.path().join("d.png")).expect("a PNG");
     assert_eq!(difference.pixels()[0], [0, 0, 80]);
-    assert!(
-        difference.pixels()[1..]
-            .iter()
-            .all(|pixel| *pixel == [0; 3])
-    );
+    assert!(difference.pixels()[1..].iter().all(|pixel| *pixel == [0; 3]));
 }
 
 #[test]
@@ -112,42 +95,21 @@ fn errors_name_their_file_and_exit_1() {
     let grey = image::GrayImage::new(4, 4);
     grey.save(folder.path().join("grey.png")).expect("written");
     let cases: [(&[&str], &str); 8] = [
-        (
-            &["compare", "missing.png", "sphereflake:1"],
-            "missing.png: ",
-        ),
+        (&["compare", "missing.png", "sphereflake:1"], "missing.png: "),
         (&["compare", "bad.png", "sphereflake:1"], "bad.png: "),
-        (
-            &["compare", "grey.png", "sphereflake:1"],
-            "grey.png: the PNG has pixels of the kind L8",
-        ),
-        (
-            &["compare", "a.png", "bad.nff"],
-            "bad.nff:2: from z `x` is not a number",
-        ),
+        (&["compare", "grey.png", "sphereflake:1"], "grey.png: the PNG has pixels of the kind L8"),
+        (&["compare", "a.png", "bad.nff"], "bad.nff:2: from z `x` is not a number"),
         (&["compare", "a.png", "missing.nff"], "missing.nff: "),
-        (
-            &["compare", "a.png", "sphereflake:1", "--diff", "no/d.png"],
-            "no/d.png: ",
-        ),
-        (
-            &["render", "sphereflake:9", "--out", "b.png"],
-            "435848050 spheres",
-        ),
-        (
-            &["render", "tetra:12", "--out", "b.png"],
-            "67108864 polygons",
-        ),
+        (&["compare", "a.png", "sphereflake:1", "--diff", "no/d.png"], "no/d.png: "),
+        (&["render", "sphereflake:9", "--out", "b.png"], "435848050 spheres"),
+        (&["render", "tetra:12", "--out", "b.png"], "67108864 polygons"),
     ];
     for (arguments, message) in cases {
         let done = oracle(folder.path(), arguments);
         assert_eq!(done.status.code(), Some(1), "{arguments:?}");
         assert!(done.stdout.is_empty(), "{arguments:?}");
         let said = text(&done.stderr);
-        assert!(
-            said.contains("oracle: ") && said.contains(message),
-            "{arguments:?}: {said}"
-        );
+        assert!(said.contains("oracle: ") && said.contains(message), "{arguments:?}: {said}");
     }
 }
 
@@ -171,10 +133,7 @@ fn sizes_that_are_none_are_a_wrong_use() {
         let done = oracle(folder.path(), &arguments);
         assert_eq!(done.status.code(), Some(2), "{size}");
         let said = text(&done.stderr);
-        assert!(
-            said.contains("--size <WxH>") && said.contains(message),
-            "{said}"
-        );
+        assert!(said.contains("--size <WxH>") && said.contains(message), "{said}");
     }
 }
 
@@ -224,14 +183,7 @@ fn whitteds_model_counts_its_rays_and_compares() {
 #[test]
 fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
     let folder = tempfile::tempdir().expect("a folder");
-    let base = [
-        "render",
-        "sphereflake:1",
-        "--out",
-        "b.png",
-        "--model",
-        "depth",
-    ];
+    let base = ["render", "sphereflake:1", "--out", "b.png", "--model", "depth"];
     for option in [
         &["--stats"][..],
         &["--no-shadows"],
@@ -279,10 +231,7 @@ fn what_is_compared_is_said_with_where_each_setting_is_from() {
     // Another scene than the picture's is a mistake more often than not.
     let (stderr, code) = said(path, &["a.png", "sphereflake:2"]);
     assert_eq!(code, Some(0), "{stderr}");
-    assert!(
-        stderr.contains("note: the picture is of sphereflake:1"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("note: the picture is of sphereflake:1"), "{stderr}");
 
     // Without settings, the defaults of `cellray render` are assumed.
     let file = path.join("a.png");
@@ -301,10 +250,7 @@ fn what_is_compared_is_said_with_where_each_setting_is_from() {
     assert!(!stderr.contains("the picture says"), "{stderr}");
     let (stderr, code) = said(path, &["a.png"]);
     assert_eq!(code, Some(1));
-    assert!(
-        stderr.contains("a.png does not say what it shows"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("a.png does not say what it shows"), "{stderr}");
 }
 
 #[test]
@@ -326,14 +272,7 @@ fn every_setting_is_read_from_the_picture_again() {
         "--roll-off",
         "--corners",
     ];
-    let out = [
-        "render",
-        "sphereflake:1",
-        "--size",
-        "40x30",
-        "--out",
-        "s.png",
-    ];
+    let out = ["render", "sphereflake:1", "--size", "40x30", "--out", "s.png"];
     let done = oracle(folder.path(), &[&out[..], &options].concat());
     assert!(done.status.success(), "{}", text(&done.stderr));
     let settings = Settings::of_png(&folder.path().join("s.png")).expect("settings");
@@ -358,10 +297,7 @@ fn every_setting_is_read_from_the_picture_again() {
     ] {
         let (stderr, code) = said(folder.path(), &["s.png", "--max-wrong", "0", other]);
         assert_eq!(code, Some(1), "{other}: {stderr}");
-        assert!(
-            stderr.contains("more than --max-wrong 0"),
-            "{other}: {stderr}"
-        );
+        assert!(stderr.contains("more than --max-wrong 0"), "{other}: {stderr}");
     }
 }
 
@@ -391,14 +327,8 @@ fn settings_that_mean_nothing_are_named() {
     let (stderr, code) = said(folder.path(), &["a.png"]);
     assert_eq!(code, Some(0), "{stderr}");
     // What a file says can't control a terminal.
-    assert!(
-        stderr.contains("unknown here: --fog thick\\u{1b}\n"),
-        "{stderr}"
-    );
-    assert!(
-        stderr.contains("of no use to the reference: --quality fast\n"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("unknown here: --fog thick\\u{1b}\n"), "{stderr}");
+    assert!(stderr.contains("of no use to the reference: --quality fast\n"), "{stderr}");
     settings.set("contrast", "much");
     picture.write_png_with(&file, &settings).expect("written");
     let (stderr, code) = said(folder.path(), &["a.png"]);

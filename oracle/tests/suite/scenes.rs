@@ -7,9 +7,7 @@ use nff::{Shape, depth};
 use oracle::whitted::{Options, trace};
 
 fn file(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scenes")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
 }
 
 #[test]
@@ -21,9 +19,7 @@ fn the_papers_scenes_cover_the_stated_share_and_leave_nothing_out() {
         assert_eq!(scene.view.resolution, (1280, 720), "{name}");
 
         let text = fs::read_to_string(file(name)).expect("text");
-        let stated = text
-            .split_once("Spheres cover ")
-            .and_then(|(_, rest)| rest.split_once(" %"));
+        let stated = text.split_once("Spheres cover ").and_then(|(_, rest)| rest.split_once(" %"));
         let (stated, _) = stated.expect("the comment states a share");
         let covered = oracle::trace(&scene, 1280, 720).expect("a picture").covered;
         assert_eq!(format!("{:.1}", covered * 100.0), stated, "{name}");
@@ -38,13 +34,7 @@ fn no_two_spheres_of_the_papers_scenes_intersect() {
         for (index, a) in spheres.iter().enumerate() {
             for b in &spheres[..index] {
                 let gap = a.centre.distance(b.centre) - a.radius - b.radius;
-                assert!(
-                    gap > 0.0,
-                    "{name}: {} and {} overlap by {}",
-                    a.centre,
-                    b.centre,
-                    -gap
-                );
+                assert!(gap > 0.0, "{name}: {} and {} overlap by {}", a.centre, b.centre, -gap);
             }
         }
     }
@@ -54,11 +44,8 @@ fn no_two_spheres_of_the_papers_scenes_intersect() {
 fn whitted16_is_the_benchmark_that_it_says_it_is() {
     let scene = nff::read(&file("whitted16.nff")).expect("a scene");
     let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
-    let (spheres, rest): (Vec<_>, Vec<_>) = scene
-        .objects
-        .iter()
-        .map(|object| &object.shape)
-        .partition(|shape| is_sphere(shape));
+    let (spheres, rest): (Vec<_>, Vec<_>) =
+        scene.objects.iter().map(|object| &object.shape).partition(|shape| is_sphere(shape));
     assert_eq!((spheres.len(), scene.lights.len()), (16, 2));
     assert!(matches!(rest[..], [Shape::Polygon { .. }]), "{rest:?}");
     assert_eq!(scene.view.resolution, (1280, 720));
@@ -81,12 +68,8 @@ fn the_scenes_of_whitteds_model_use_what_they_show() {
     assert_eq!(rays("mirrors.nff").0.refracted, 0);
     let (_, objects) = rays("shapes.nff");
     let has = |wanted: fn(&Shape) -> bool| objects.iter().any(|object| wanted(&object.shape));
-    assert!(has(
-        |it| matches!(it, Shape::Sphere { radius, .. } if *radius < 0.0)
-    ));
+    assert!(has(|it| matches!(it, Shape::Sphere { radius, .. } if *radius < 0.0)));
     assert!(has(|it| matches!(it, Shape::Cone { .. })));
     assert!(has(|it| matches!(it, Shape::Patch { .. })));
-    assert!(has(
-        |it| matches!(it, Shape::Polygon { vertices } if vertices.len() == 10)
-    ));
+    assert!(has(|it| matches!(it, Shape::Polygon { vertices } if vertices.len() == 10)));
 }

@@ -23,24 +23,14 @@ impl Fit {
         let scaled =
             |side: u32, by: u32, of: u32| (u64::from(side) * u64::from(by) / u64::from(of)) as u32;
         let nearly = |side: u32, whole: u32| {
-            if whole - side <= whole / 50 {
-                whole
-            } else {
-                side
-            }
+            if whole - side <= whole / 50 { whole } else { side }
         };
         let (width, height) = if u64::from(dw) * u64::from(ph) <= u64::from(dh) * u64::from(pw) {
             (dw, nearly(scaled(dw, ph, pw).clamp(1, dh), dh))
         } else {
             (nearly(scaled(dh, pw, ph).clamp(1, dw), dw), dh)
         };
-        Self {
-            left: (dw - width) / 2,
-            top: (dh - height) / 2,
-            width,
-            height,
-            picture,
-        }
+        Self { left: (dw - width) / 2, top: (dh - height) / 2, width, height, picture }
     }
 
     /// The same position for a picture of another size, which is stretched to fill it.
@@ -89,9 +79,7 @@ impl Fit {
     pub fn place(&self, x: f64, y: f64) -> Option<[f32; 2]> {
         let along = |at: f64, from: u32, length: u32, pixels: u32| {
             let part = (at - f64::from(from)) / f64::from(length);
-            (0.0..1.0)
-                .contains(&part)
-                .then(|| (part * f64::from(pixels)) as f32)
+            (0.0..1.0).contains(&part).then(|| (part * f64::from(pixels)) as f32)
         };
         let x = along(x, self.left, self.width, self.picture.0)?;
         let y = along(y, self.top, self.height, self.picture.1)?;
@@ -133,12 +121,7 @@ mod tests {
     fn proportions_are_kept_but_for_rounding() {
         let bars = Fit::new((100, 100), (300, 100));
         assert_eq!(
-            (
-                bars.column(99),
-                bars.column(100),
-                bars.column(199),
-                bars.column(200)
-            ),
+            (bars.column(99), bars.column(100), bars.column(199), bars.column(200)),
             (None, Some(0), Some(99), None)
         );
         assert_eq!(bars.place(150.0, 50.0), Some([50.0, 50.0]));

@@ -174,9 +174,7 @@ mod tests {
     fn the_filter_is_smooth_and_its_weights_add_up() {
         for step in 0..=100 {
             let at = f64::from(step) / 100.0;
-            let sum: f64 = (-1..3)
-                .map(|tap| mitchell((at - f64::from(tap)).abs()))
-                .sum();
+            let sum: f64 = (-1..3).map(|tap| mitchell((at - f64::from(tap)).abs())).sum();
             assert!((sum - 1.0).abs() < 1e-12, "{at}");
             assert_eq!(Taps::at(3.0 + at, 9).weights.iter().sum::<i64>(), ONE);
         }
@@ -192,19 +190,13 @@ mod tests {
         let steps = [0, 0, 255, 255, 0, 90, 180, 180, 20];
         let column = RgbImage::from_fn(9, 9, |_, y| image::Rgb([steps[y as usize], 7, 255]));
         let row = RgbImage::from_fn(9, 9, |x, _| image::Rgb([steps[x as usize], 7, 255]));
-        let (tall, wide) = (
-            Enlarged::new(&column, (49, 49)),
-            Enlarged::new(&row, (49, 49)),
-        );
+        let (tall, wide) = (Enlarged::new(&column, (49, 49)), Enlarged::new(&row, (49, 49)));
         let (tall, wide) = (tall.all(), wide.all());
         for (x, y, pixel) in tall.enumerate_pixels() {
             assert_eq!(*pixel, *wide.get_pixel(y, x));
             // From the first ray to the last: 8 steps become 48.
             let expected = exact(&steps, f64::from(y) / 6.0);
-            assert!(
-                (f64::from(pixel.0[0]) - expected).abs() < 2.0,
-                "{y}: {pixel:?}"
-            );
+            assert!((f64::from(pixel.0[0]) - expected).abs() < 2.0, "{y}: {pixel:?}");
             assert_eq!((pixel.0[1], pixel.0[2]), (7, 255));
         }
     }
@@ -251,10 +243,7 @@ mod tests {
             for larger in [(3, 3), (1, 9), (40, 1), (41, 23)] {
                 let all = Enlarged::new(&picture, larger).all();
                 assert_eq!(all.dimensions(), larger);
-                assert!(
-                    all.pixels().all(|pixel| pixel.0 == [250, 3, 99]),
-                    "{size:?}"
-                );
+                assert!(all.pixels().all(|pixel| pixel.0 == [250, 3, 99]), "{size:?}");
             }
         }
     }

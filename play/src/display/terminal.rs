@@ -84,15 +84,10 @@ impl Terminal {
     }
 
     fn take(has_pictures: bool) -> Result<Self, DisplayError> {
-        let none = |why: String| DisplayError::None {
-            kind: "terminal",
-            why,
-        };
+        let none = |why: String| DisplayError::None { kind: "terminal", why };
         let there = io::stdin().is_terminal() && (io::stdout().is_terminal() || !has_pictures);
         if !there {
-            return Err(none(
-                "standard input or output is not a terminal".to_owned(),
-            ));
+            return Err(none("standard input or output is not a terminal".to_owned()));
         }
         let is_resized = Arc::new(AtomicBool::new(false));
         let opened = || {
@@ -140,24 +135,19 @@ impl Terminal {
             Event::Key(key) => self.keys.take(key, at, &mut input),
             Event::Mouse(mouse) => {
                 // The centre of the character.
-                let (x, y) = (
-                    f64::from(mouse.column) + 0.5,
-                    f64::from(mouse.row) * 2.0 + 1.0,
-                );
+                let (x, y) = (f64::from(mouse.column) + 0.5, f64::from(mouse.row) * 2.0 + 1.0);
                 input(self.pointer.moved(x, y));
                 let at = (mouse.column, mouse.row);
                 if let Some(by) = self.mouse.replace(at).and_then(|from| way(from, at)) {
                     input(InputEvent::MouseMotion { by });
                 }
                 match mouse.kind {
-                    MouseEventKind::Down(button) => input(InputEvent::MouseButton {
-                        button: mouse_button(button),
-                        down: true,
-                    }),
-                    MouseEventKind::Up(button) => input(InputEvent::MouseButton {
-                        button: mouse_button(button),
-                        down: false,
-                    }),
+                    MouseEventKind::Down(button) => {
+                        input(InputEvent::MouseButton { button: mouse_button(button), down: true })
+                    }
+                    MouseEventKind::Up(button) => {
+                        input(InputEvent::MouseButton { button: mouse_button(button), down: false })
+                    }
                     MouseEventKind::ScrollUp => input(InputEvent::Wheel { by: [0.0, 1.0] }),
                     MouseEventKind::ScrollDown => input(InputEvent::Wheel { by: [0.0, -1.0] }),
                     MouseEventKind::ScrollLeft => input(InputEvent::Wheel { by: [-1.0, 0.0] }),
@@ -180,10 +170,7 @@ impl Terminal {
 impl Display for Terminal {
     fn area(&self) -> Geometry {
         let (columns, rows) = self.cells;
-        Geometry {
-            width: u32::from(columns),
-            height: 2 * u32::from(rows),
-        }
+        Geometry { width: u32::from(columns), height: 2 * u32::from(rows) }
     }
 
     fn scales(&self) -> bool {
@@ -238,9 +225,7 @@ impl Display for Terminal {
 
     fn show(&mut self, picture: &RgbImage, overlay: &Overlay) -> io::Result<()> {
         let fit = self.fit().filled_by(picture.dimensions());
-        let enlarged = fit
-            .enlarged()
-            .map(|size| Enlarged::new(picture, size).all());
+        let enlarged = fit.enlarged().map(|size| Enlarged::new(picture, size).all());
         let picture = enlarged.as_ref().unwrap_or(picture);
         let fit = fit.filled_by(picture.dimensions());
         let texts = texts(overlay, self.cells, fit);
@@ -261,11 +246,7 @@ impl Display for Terminal {
 /// line.
 pub fn size() -> (u16, u16) {
     let (columns, rows) = crossterm::terminal::size().unwrap_or(DEFAULT);
-    if columns == 0 || rows == 0 {
-        DEFAULT
-    } else {
-        (columns.min(MOST), rows.min(MOST))
-    }
+    if columns == 0 || rows == 0 { DEFAULT } else { (columns.min(MOST), rows.min(MOST)) }
 }
 
 /// The motion of the mouse from one character to another, in pixels; `None` if it did not move.

@@ -36,11 +36,7 @@ const LEAST: u32 = 64;
 const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
     PixelFormat::ARGB
 } else {
-    PixelFormat {
-        red_shift: 8,
-        green_shift: 16,
-        blue_shift: 24,
-    }
+    PixelFormat { red_shift: 8, green_shift: 16, blue_shift: 24 }
 };
 
 type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
@@ -79,10 +75,7 @@ impl Window {
     /// # Errors
     /// There is no display server, it refuses, or a library is missing.
     pub fn open(title: &str, size: Geometry) -> Result<Self, DisplayError> {
-        let none = |why: &str| DisplayError::None {
-            kind: "window",
-            why: why.to_owned(),
-        };
+        let none = |why: &str| DisplayError::None { kind: "window", why: why.to_owned() };
         let refused = |why: &str| {
             let server = server(|variable| std::env::var(variable).ok());
             none(&format!(
@@ -123,11 +116,7 @@ impl Window {
         if state.open.is_none() || matches!(status, PumpStatus::Exit(_)) {
             return Err(refused("the display server has not made a window"));
         }
-        Ok(Self {
-            events,
-            state,
-            painter: Painter::default(),
-        })
+        Ok(Self { events, state, painter: Painter::default() })
     }
 }
 
@@ -181,11 +170,7 @@ impl ApplicationHandler for State {
                 self.display_events.push(DisplayEvent::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
-            WindowEvent::KeyboardInput {
-                event,
-                is_synthetic,
-                ..
-            } => {
+            WindowEvent::KeyboardInput { event, is_synthetic, .. } => {
                 let down = event.state == ElementState::Pressed;
                 if let PhysicalKey::Code(code) = event.physical_key
                     && let Some(key) = keys::key(code)
@@ -232,10 +217,7 @@ impl ApplicationHandler for State {
 impl Display for Window {
     fn area(&self) -> Geometry {
         let side = |side: u32| side.clamp(1, Geometry::MAX_SIDE);
-        Geometry {
-            width: side(self.state.area.width),
-            height: side(self.state.area.height),
-        }
+        Geometry { width: side(self.state.area.width), height: side(self.state.area.height) }
     }
 
     fn scales(&self) -> bool {
@@ -252,9 +234,7 @@ impl Display for Window {
     }
 
     fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
-        let pumped = self
-            .events
-            .pump_app_events(Some(Duration::ZERO), &mut self.state);
+        let pumped = self.events.pump_app_events(Some(Duration::ZERO), &mut self.state);
         display_events.append(&mut self.state.display_events);
         display_events.extend(self.state.pointer.again().map(DisplayEvent::Input));
         if let PumpStatus::Exit(_) = pumped {
@@ -268,12 +248,7 @@ impl Display for Window {
     }
 
     fn show(&mut self, picture: &RgbImage, overlay: &Overlay) -> io::Result<()> {
-        let State {
-            open,
-            area,
-            measure,
-            ..
-        } = &mut self.state;
+        let State { open, area, measure, .. } = &mut self.state;
         let fit = Fit::new(*measure, (area.width, area.height)).filled_by(picture.dimensions());
         let Some((window, surface)) = open else {
             return Ok(());
@@ -317,12 +292,10 @@ fn is_wayland() -> bool {
 
 /// The display server's name: the environment variable that selects it, with its value.
 fn server(value: impl Fn(&str) -> Option<String>) -> String {
-    let named = ["WAYLAND_SOCKET", "WAYLAND_DISPLAY", "DISPLAY"]
-        .into_iter()
-        .find_map(|variable| {
-            let value = value(variable).filter(|value| !value.is_empty())?;
-            Some(format!("{variable}={value}"))
-        });
+    let named = ["WAYLAND_SOCKET", "WAYLAND_DISPLAY", "DISPLAY"].into_iter().find_map(|variable| {
+        let value = value(variable).filter(|value| !value.is_empty())?;
+        Some(format!("{variable}={value}"))
+    });
     named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
 }
 
@@ -336,12 +309,9 @@ fn is_open_file(number: &str) -> bool {
 
 /// winit's message, without the place in its source code.
 fn without_place(words: &str) -> &str {
-    let place_and_words = words
-        .strip_prefix("os error at ")
-        .and_then(|rest| rest.split_once(".rs:"));
-    place_and_words
-        .and_then(|(_, rest)| rest.split_once(": "))
-        .map_or(words, |(_, words)| words)
+    let place_and_words =
+        words.strip_prefix("os error at ").and_then(|rest| rest.split_once(".rs:"));
+    place_and_words.and_then(|(_, rest)| rest.split_once(": ")).map_or(words, |(_, words)| words)
 }
 
 /// Converts panics to errors: winit panics if a server lacks a feature that it needs.
@@ -465,10 +435,7 @@ mod tests {
         let words = "Could not find: a compositor";
         assert_eq!(without_place(&format!("{place}{words}")), words);
         assert_eq!(without_place(words), words);
-        assert_eq!(
-            without_place("os error at the server"),
-            "os error at the server"
-        );
+        assert_eq!(without_place("os error at the server"), "os error at the server");
     }
 
     #[test]

@@ -20,11 +20,8 @@ impl Codes {
     /// text is malformed.
     #[must_use]
     pub fn parse(text: &str, word_bits: u32) -> Option<Self> {
-        let words: Option<Vec<u64>> = text
-            .split_whitespace()
-            .rev()
-            .map(|word| u64::from_str_radix(word, 16).ok())
-            .collect();
+        let words: Option<Vec<u64>> =
+            text.split_whitespace().rev().map(|word| u64::from_str_radix(word, 16).ok()).collect();
         let words = words?;
         let fits = |word: &u64| word_bits == 64 || word >> word_bits == 0;
         if words.is_empty() || !words.iter().all(fits) {
@@ -33,11 +30,7 @@ impl Codes {
         let mut codes = Self::default();
         for (number, word) in (0_u16..).zip(words) {
             for bit in (0..word_bits).filter(|bit| word >> bit & 1 == 1) {
-                codes.insert(
-                    number
-                        .checked_mul(word_bits as u16)?
-                        .checked_add(bit as u16)?,
-                );
+                codes.insert(number.checked_mul(word_bits as u16)?.checked_add(bit as u16)?);
             }
         }
         Some(codes)
@@ -109,18 +102,13 @@ impl Capabilities {
             let path = folder.join("capabilities").join(kind);
             let text = fs::read_to_string(&path)?;
             Codes::parse(&text, usize::BITS).ok_or_else(|| {
-                let message = format!(
-                    "{}: {:?} is not a list of codes",
-                    path.display(),
-                    text.trim()
-                );
+                let message =
+                    format!("{}: {:?} is not a list of codes", path.display(), text.trim());
                 io::Error::new(io::ErrorKind::InvalidData, message)
             })
         };
         Ok(Self {
-            name: fs::read_to_string(folder.join("name"))?
-                .trim_end()
-                .to_owned(),
+            name: fs::read_to_string(folder.join("name"))?.trim_end().to_owned(),
             keys: codes("key")?,
             absolute: codes("abs")?,
             relative: codes("rel")?,

@@ -111,10 +111,7 @@ impl Devices for SystemDevices {
     }
 
     fn open(&mut self, path: &Path) -> io::Result<Box<dyn Device>> {
-        let file = OpenOptions::new()
-            .read(true)
-            .custom_flags(libc::O_NONBLOCK)
-            .open(path)?;
+        let file = OpenOptions::new().read(true).custom_flags(libc::O_NONBLOCK).open(path)?;
         Ok(Box::new(EventDevice(RawDevice::from_fd(file.into())?)))
     }
 }

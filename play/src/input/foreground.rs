@@ -41,10 +41,7 @@ impl SystemForeground {
     pub fn new() -> io::Result<Self> {
         let is_continued = Arc::new(AtomicBool::new(false));
         flag::register(SIGCONT, Arc::clone(&is_continued))?;
-        Ok(Self {
-            active: Active::of(Path::new(ACTIVE)).ok(),
-            is_continued,
-        })
+        Ok(Self { active: Active::of(Path::new(ACTIVE)).ok(), is_continued })
     }
 }
 
@@ -65,10 +62,7 @@ struct Active {
 
 impl Active {
     fn of(path: &Path) -> io::Result<Self> {
-        let mut active = Self {
-            file: File::open(path)?,
-            first: String::new(),
-        };
+        let mut active = Self { file: File::open(path)?, first: String::new() };
         active.first = active.name()?;
         Ok(active)
     }
@@ -83,11 +77,8 @@ impl Active {
 
     /// Whether the kernel has notified of a switch since the name was read.
     fn is_notified(&self) -> bool {
-        let mut active = libc::pollfd {
-            fd: self.file.as_raw_fd(),
-            events: libc::POLLPRI,
-            revents: 0,
-        };
+        let mut active =
+            libc::pollfd { fd: self.file.as_raw_fd(), events: libc::POLLPRI, revents: 0 };
         // SAFETY: the call accesses one record, which outlives it, and doesn't wait.
         unsafe { libc::poll(&raw mut active, 1, 0) == 1 }
     }

@@ -110,12 +110,7 @@ impl InputDevices {
         let there = |path: &PathBuf| paths.contains(path);
         self.useless.retain(|path, _| paths.contains(path));
         self.refused.retain(there);
-        let gone: Vec<_> = self
-            .open
-            .keys()
-            .filter(|path| !there(path))
-            .cloned()
-            .collect();
+        let gone: Vec<_> = self.open.keys().filter(|path| !there(path)).cloned().collect();
         for path in gone {
             self.close(&path, "it is no longer there", events);
         }
@@ -161,12 +156,7 @@ impl InputDevices {
         found: Capabilities,
         events: &mut Vec<InputEvent>,
     ) {
-        let Capabilities {
-            name,
-            keys,
-            absolute,
-            ..
-        } = found;
+        let Capabilities { name, keys, absolute, .. } = found;
         let pad = match kind {
             Kind::Pad(_) => Some(self.free_pad()),
             Kind::Sensors => match self.pad_named(mapping::pad_of_sensors(&name)) {
@@ -188,17 +178,10 @@ impl InputDevices {
                 self.refused.remove(&path);
                 if let (Kind::Pad(_), Some(pad)) = (kind, pad) {
                     self.messages.push(format!("pad {}: {name}", pad.0 + 1));
-                    events.push(InputEvent::PadConnected {
-                        pad,
-                        name: name.clone(),
-                    });
+                    events.push(InputEvent::PadConnected { pad, name: name.clone() });
                     mapping.begin(events);
                 }
-                let open = Open {
-                    device,
-                    mapping,
-                    name,
-                };
+                let open = Open { device, mapping, name };
                 self.open.insert(path, open);
             }
         }
@@ -206,8 +189,7 @@ impl InputDevices {
 
     fn refuse(&mut self, path: &Path, why: &str) {
         if self.refused.insert(path.to_owned()) {
-            self.messages
-                .push(format!("{} is not used: {why}", path.display()));
+            self.messages.push(format!("{} is not used: {why}", path.display()));
         }
     }
 
@@ -218,8 +200,7 @@ impl InputDevices {
         match (open.mapping.kind(), open.mapping.pad()) {
             (Kind::Pad(_), Some(pad)) => {
                 events.push(InputEvent::PadDisconnected { pad });
-                self.messages
-                    .push(format!("pad {} ({}) is gone: {why}", pad.0 + 1, open.name));
+                self.messages.push(format!("pad {} ({}) is gone: {why}", pad.0 + 1, open.name));
             }
             // A pad's sensors vanish with it.
             (Kind::Sensors, _) => {}

@@ -34,26 +34,16 @@ pub fn of_pad(device: &Capabilities) -> Option<Layout> {
         let has_stick_on_z = !axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && axis(Abs::ABS_RZ);
         Some(Layout {
             buttons: if is_xpad { XPAD } else { FROM_SOUTH },
-            axes: if has_stick_on_z {
-                STICKS_ON_Z
-            } else {
-                STICKS_AND_TRIGGERS
-            },
+            axes: if has_stick_on_z { STICKS_ON_Z } else { STICKS_AND_TRIGGERS },
         })
     } else if has(Code::BTN_TRIGGER)
         && has(Code::BTN_TRIGGER_HAPPY1)
         && has(Code::BTN_DEAD)
         && device.name.contains("PLAYSTATION(R)3")
     {
-        Some(Layout {
-            buttons: OLD_SIXAXIS,
-            axes: OLD_STICKS,
-        })
+        Some(Layout { buttons: OLD_SIXAXIS, axes: OLD_STICKS })
     } else if has(Code::BTN_TRIGGER) && axis(Abs::ABS_X) && axis(Abs::ABS_Y) {
-        Some(Layout {
-            buttons: JOYSTICK,
-            axes: STICKS_ON_Z,
-        })
+        Some(Layout { buttons: JOYSTICK, axes: STICKS_ON_Z })
     } else {
         None
     }
@@ -163,10 +153,8 @@ const JOYSTICK: &[(Code, Button)] = &[
 ];
 
 /// Directional pads that are reported as axes: the axis, and the buttons at its two ends.
-pub static HATS: [(Abs, Button, Button); 2] = [
-    (Abs::ABS_HAT0X, Button::Left, Button::Right),
-    (Abs::ABS_HAT0Y, Button::Up, Button::Down),
-];
+pub static HATS: [(Abs, Button, Button); 2] =
+    [(Abs::ABS_HAT0X, Button::Left, Button::Right), (Abs::ABS_HAT0Y, Button::Up, Button::Down)];
 
 /// The buttons of mice.
 pub static MOUSE: [(Code, MouseButton); 7] = [

@@ -87,10 +87,7 @@ impl Mapping {
             ranges,
             keys,
             held: Codes::default(),
-            sensors: Sensors {
-                acceleration: [0.0, 1.0, 0.0],
-                turn: 0.0,
-            },
+            sensors: Sensors { acceleration: [0.0, 1.0, 0.0], turn: 0.0 },
             sensed: false,
             motion: [0.0; 2],
             wheel: [0.0; 2],
@@ -147,11 +144,8 @@ impl Mapping {
         }
         self.begin(events);
         if matches!(self.kind, Kind::Sensors) {
-            let axes: Vec<_> = self
-                .ranges
-                .iter()
-                .map(|(&axis, range)| (axis, range.value))
-                .collect();
+            let axes: Vec<_> =
+                self.ranges.iter().map(|(&axis, range)| (axis, range.value)).collect();
             for (axis, value) in axes {
                 self.sense(Abs(axis), value);
             }
@@ -254,11 +248,7 @@ impl Mapping {
 
     fn sense(&mut self, axis: Abs, value: i32) {
         let resolution = self.ranges.get(&axis.0).map_or(0, |range| range.resolution);
-        let units = if resolution > 0 {
-            resolution as f32
-        } else {
-            SIXAXIS_UNITS_A_G
-        };
+        let units = if resolution > 0 { resolution as f32 } else { SIXAXIS_UNITS_A_G };
         let value = value as f32 / units;
         match axis {
             Abs::ABS_X => self.sensors.acceleration[0] = value,

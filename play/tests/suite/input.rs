@@ -42,12 +42,7 @@ fn new_sixaxis() -> Capabilities {
         .chain(0x136..=0x13e)
         .chain(0x220..=0x223)
         .collect();
-    device(
-        "Sony PLAYSTATION(R)3 Controller",
-        &keys,
-        &[0, 1, 2, 3, 4, 5],
-        &[],
-    )
+    device("Sony PLAYSTATION(R)3 Controller", &keys, &[0, 1, 2, 3, 4, 5], &[])
 }
 
 /// hid-sony up to Linux 4.12.
@@ -90,12 +85,7 @@ impl Bench {
         let said = Rc::new(RefCell::new(Said::default()));
         let number = self.1.get();
         self.1.set(number + 1);
-        let plugged = Plugged {
-            found,
-            number,
-            may_open: true,
-            said: Rc::clone(&said),
-        };
+        let plugged = Plugged { found, number, may_open: true, said: Rc::clone(&said) };
         self.0.borrow_mut().insert(name.into(), plugged);
         said
     }
@@ -107,10 +97,7 @@ impl Bench {
 
     fn let_open(&self, name: &str, may_open: bool) {
         let mut devices = self.0.borrow_mut();
-        devices
-            .get_mut(Path::new(name))
-            .expect("plugged in")
-            .may_open = may_open;
+        devices.get_mut(Path::new(name)).expect("plugged in").may_open = may_open;
     }
 }
 
@@ -145,19 +132,10 @@ struct Opened(Rc<RefCell<Said>>);
 
 impl Device for Opened {
     fn range(&self, axis: u16) -> io::Result<Range> {
-        let sixaxis = Range {
-            value: 128,
-            least: 0,
-            most: 255,
-            flat: 15,
-            resolution: 0,
-        };
+        let sixaxis = Range { value: 128, least: 0, most: 255, flat: 15, resolution: 0 };
         let rest = if matches!(axis, 2 | 5) { 0 } else { 128 };
         let value = self.0.borrow().axes.get(&axis).copied();
-        Ok(Range {
-            value: value.unwrap_or(rest),
-            ..sixaxis
-        })
+        Ok(Range { value: value.unwrap_or(rest), ..sixaxis })
     }
 
     fn held(&self) -> io::Result<Codes> {
@@ -252,19 +230,12 @@ fn both_numberings_of_the_sixaxis_are_the_same_buttons() {
         let mut player = Player::new(&bench, DeviceSet::All);
         player.frame(0);
         for (code, button) in codes {
-            said.borrow_mut()
-                .events
-                .extend([raw(KEY, code, 1), report()]);
+            said.borrow_mut().events.extend([raw(KEY, code, 1), report()]);
             player.frame(20);
             let pad = player.input.pad().expect("a pad");
-            let held: Vec<_> = Button::ALL
-                .iter()
-                .filter(|&&button| pad.held(button))
-                .collect();
+            let held: Vec<_> = Button::ALL.iter().filter(|&&button| pad.held(button)).collect();
             assert_eq!(held, [&button], "{code:#x}");
-            said.borrow_mut()
-                .events
-                .extend([raw(KEY, code, 0), report()]);
+            said.borrow_mut().events.extend([raw(KEY, code, 0), report()]);
             player.frame(20);
             assert!(player.input.pad().expect("a pad").released(button));
             player.frame(20);
@@ -287,16 +258,12 @@ fn sticks_and_triggers_go_from_end_to_end() {
         ];
         for (code, axis) in codes {
             for (value, expected) in [(0, -1.0), (255, 1.0), (128, 0.0), (120, 0.0), (136, 0.0)] {
-                said.borrow_mut()
-                    .events
-                    .extend([raw(ABS, code, value), report()]);
+                said.borrow_mut().events.extend([raw(ABS, code, value), report()]);
                 player.frame(20);
                 let pad = player.input.pad().expect("a pad");
                 assert_eq!(pad.axis(axis), expected, "{axis:?} {value}");
             }
-            said.borrow_mut()
-                .events
-                .extend([raw(ABS, code, 200), report()]);
+            said.borrow_mut().events.extend([raw(ABS, code, 200), report()]);
             player.frame(20);
             let value = player.input.pad().expect("a pad").axis(axis);
             assert!((0.4..0.6).contains(&value), "{axis:?} {value}");
@@ -307,9 +274,7 @@ fn sticks_and_triggers_go_from_end_to_end() {
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     for (value, expected) in [(0, 0.0), (51, 0.2), (255, 1.0)] {
-        said.borrow_mut()
-            .events
-            .extend([raw(ABS, 2, value), report()]);
+        said.borrow_mut().events.extend([raw(ABS, 2, value), report()]);
         player.frame(20);
         assert_eq!(player.input.pad().expect("a pad").axis(Axis::L2), expected);
     }
@@ -321,25 +286,12 @@ fn other_pads_have_their_own_tables() {
     let joystick: Vec<_> = (0x120..=0x12b).collect();
     let cases = [
         (
-            device(
-                "Microsoft X-Box 360 pad",
-                &south,
-                &[0, 1, 2, 3, 4, 5, 0x10, 0x11],
-                &[],
-            ),
+            device("Microsoft X-Box 360 pad", &south, &[0, 1, 2, 3, 4, 5, 0x10, 0x11], &[]),
             0x133,
             Button::Square,
         ),
-        (
-            device("Some pad", &south, &[0, 1, 2, 5, 0x10, 0x11], &[]),
-            0x133,
-            Button::Triangle,
-        ),
-        (
-            device("USB Gamepad", &joystick, &[0, 1, 0x10, 0x11], &[]),
-            0x121,
-            Button::Cross,
-        ),
+        (device("Some pad", &south, &[0, 1, 2, 5, 0x10, 0x11], &[]), 0x133, Button::Triangle),
+        (device("USB Gamepad", &joystick, &[0, 1, 0x10, 0x11], &[]), 0x121, Button::Cross),
     ];
     for (found, code, button) in cases {
         let name = found.name.clone();
@@ -367,30 +319,16 @@ fn other_pads_have_their_own_tables() {
 fn a_pads_sensors_are_the_pads() {
     let bench = Bench::default();
     // Numbered before the pad: the order of the nodes must not matter.
-    let sensors = device(
-        "Sony PLAYSTATION(R)3 Controller Motion Sensors",
-        &[],
-        &[0, 1, 2],
-        &[],
-    );
+    let sensors = device("Sony PLAYSTATION(R)3 Controller Motion Sensors", &[], &[0, 1, 2], &[]);
     let said = bench.plug("event0", sensors);
     bench.plug("event1", new_sixaxis());
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     assert_eq!(player.input.pads().len(), 1);
-    let still = [
-        raw(ABS, 0, 0),
-        raw(ABS, 1, 113),
-        raw(ABS, 2, -226),
-        report(),
-    ];
+    let still = [raw(ABS, 0, 0), raw(ABS, 1, 113), raw(ABS, 2, -226), report()];
     said.borrow_mut().events.extend(still);
     player.frame(20);
-    let sensors = player
-        .input
-        .pad()
-        .and_then(|pad| pad.sensors())
-        .expect("sensors");
+    let sensors = player.input.pad().and_then(|pad| pad.sensors()).expect("sensors");
     assert_eq!(sensors.acceleration, [0.0, 1.0, -2.0]);
 }
 
@@ -445,14 +383,7 @@ fn pads_come_and_go_and_keep_their_players() {
     player.frame(500);
     assert!(player.input.pads().is_empty());
     player.frame(600);
-    let ids = |player: &Player| {
-        player
-            .input
-            .pads()
-            .iter()
-            .map(|pad| pad.id())
-            .collect::<Vec<_>>()
-    };
+    let ids = |player: &Player| player.input.pads().iter().map(|pad| pad.id()).collect::<Vec<_>>();
     assert_eq!(ids(&player), [PadId(0), PadId(1)]);
     assert_eq!(player.hub.take_messages().len(), 2);
 
@@ -482,10 +413,7 @@ fn a_node_without_permission_is_tried_again_and_told_of_once() {
         player.frame(1100);
     }
     let messages = player.hub.take_messages();
-    assert!(
-        messages.len() == 1 && messages[0].contains("event0"),
-        "{messages:?}"
-    );
+    assert!(messages.len() == 1 && messages[0].contains("event0"), "{messages:?}");
     bench.let_open("event0", true);
     player.frame(1100);
     assert_eq!(player.input.pads().len(), 1);
@@ -500,13 +428,7 @@ fn what_the_kernel_dropped_is_not_held_for_ever() {
     player.frame(0);
     assert!(player.input.key_held(Key::A));
     // SYN_DROPPED; what follows up to the report is to be passed over.
-    let dropped = [
-        raw(SYN, 3, 0),
-        raw(KEY, 48, 1),
-        report(),
-        raw(KEY, 46, 1),
-        report(),
-    ];
+    let dropped = [raw(SYN, 3, 0), raw(KEY, 48, 1), report(), raw(KEY, 46, 1), report()];
     keys.borrow_mut().events.extend(dropped);
     keys.borrow_mut().held = [46].into_iter().collect();
     player.frame(20);
@@ -550,8 +472,7 @@ fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
     // as it was.
     {
         let mut pad = pad.borrow_mut();
-        pad.events
-            .extend([raw(SYN, 3, 0), raw(ABS, 1, 7), report()]);
+        pad.events.extend([raw(SYN, 3, 0), raw(ABS, 1, 7), report()]);
         pad.held = [0x130, 0x134].into_iter().collect();
         pad.axes.extend([(0, 255), (3, 0), (0x10, -1), (0x11, 0)]);
     }
@@ -608,9 +529,7 @@ fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
     let said = bench.plug("event0", new_sixaxis());
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
-    said.borrow_mut()
-        .events
-        .extend([raw(KEY, 0x130, 1), raw(ABS, 0, 255), report()]);
+    said.borrow_mut().events.extend([raw(KEY, 0x130, 1), raw(ABS, 0, 255), report()]);
     player.frame(20);
     let pad = player.input.pad().expect("a pad");
     assert!(pad.held(Button::Cross) && pad.axis(Axis::LeftX) == 1.0);
@@ -626,16 +545,9 @@ fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
 #[test]
 fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
     // xpad's, whatever it calls them: no buttons for the triggers.
-    let xpad: Vec<_> = [0x130, 0x131, 0x133, 0x134, 0x136, 0x137]
-        .into_iter()
-        .chain(0x13a..=0x13e)
-        .collect();
-    let logitech = device(
-        "Logitech Gamepad F310",
-        &xpad,
-        &[0, 1, 2, 3, 4, 5, 0x10, 0x11],
-        &[],
-    );
+    let xpad: Vec<_> =
+        [0x130, 0x131, 0x133, 0x134, 0x136, 0x137].into_iter().chain(0x13a..=0x13e).collect();
+    let logitech = device("Logitech Gamepad F310", &xpad, &[0, 1, 2, 3, 4, 5, 0x10, 0x11], &[]);
     // Over Bluetooth; its report has room for all buttons.
     let bluetooth = device(
         "Xbox Wireless Controller",
@@ -648,9 +560,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
         let name = found.name.clone();
         let bench = Bench::default();
         let said = bench.plug("event0", found);
-        said.borrow_mut()
-            .axes
-            .extend([(2, 128), (5, 128), (trigger, 0), (0x10, 0), (0x11, 0)]);
+        said.borrow_mut().axes.extend([(2, 128), (5, 128), (trigger, 0), (0x10, 0), (0x11, 0)]);
         let mut player = Player::new(&bench, DeviceSet::Pads);
         player.frame(0);
         said.borrow_mut().events.extend([
@@ -662,10 +572,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
         ]);
         player.frame(20);
         let pad = player.input.pad().expect("a pad");
-        assert!(
-            pad.held(Button::Square) && !pad.held(Button::Triangle),
-            "{name}"
-        );
+        assert!(pad.held(Button::Square) && !pad.held(Button::Triangle), "{name}");
         let sticks = [Axis::RightX, Axis::RightY].map(|axis| pad.axis(axis));
         assert_eq!(sticks, [1.0, -1.0], "{name}");
         assert!(pad.axis(Axis::L2) == 1.0 && pad.held(Button::L2), "{name}");
@@ -674,15 +581,10 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
     // A pad by place whose triggers are axes alone presses them, too.
     let keys: Vec<_> = (0x130..0x138).collect();
     let bench = Bench::default();
-    let said = bench.plug(
-        "event0",
-        device("Some pad", &keys, &[0, 1, 2, 3, 4, 5], &[]),
-    );
+    let said = bench.plug("event0", device("Some pad", &keys, &[0, 1, 2, 3, 4, 5], &[]));
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
-    said.borrow_mut()
-        .events
-        .extend([raw(ABS, 5, 255), report()]);
+    said.borrow_mut().events.extend([raw(ABS, 5, 255), report()]);
     player.frame(20);
     assert!(player.input.pad().expect("a pad").held(Button::R2));
     // Many buttons don't make an old SIXAXIS of a joystick.
@@ -691,9 +593,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
     let said = bench.plug("event0", device("Throttle", &many, &[0, 1], &[]));
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
-    said.borrow_mut()
-        .events
-        .extend([raw(KEY, 0x121, 1), report()]);
+    said.borrow_mut().events.extend([raw(KEY, 0x121, 1), report()]);
     player.frame(20);
     let pad = player.input.pad().expect("a pad");
     assert!(pad.held(Button::Cross) && !pad.held(Button::L3));

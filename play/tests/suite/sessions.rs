@@ -74,32 +74,19 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let talk = pictures(whole.path(), "0..12", &[]);
-    assert!(
-        talk.contains("12 picture(s) written, 0 existed already"),
-        "{talk}"
-    );
+    assert!(talk.contains("12 picture(s) written, 0 existed already"), "{talk}");
     let expected = files(whole.path());
     assert_eq!(expected.len(), 12);
-    assert!(
-        expected.windows(2).all(|pair| pair[0].1 != pair[1].1),
-        "nothing moves"
-    );
+    assert!(expected.windows(2).all(|pair| pair[0].1 != pair[1].1), "nothing moves");
 
     pictures(parts.path(), "7..12", &[]);
     fs::remove_file(parts.path().join("f-00009.png")).expect("a picture");
     let untouched = parts.path().join("f-00008.png");
-    let before = fs::metadata(&untouched)
-        .and_then(|data| data.modified())
-        .expect("a time");
+    let before = fs::metadata(&untouched).and_then(|data| data.modified()).expect("a time");
     let talk = pictures(parts.path(), "0..12", &[]);
-    assert!(
-        talk.contains("8 picture(s) written, 4 existed already"),
-        "{talk}"
-    );
+    assert!(talk.contains("8 picture(s) written, 4 existed already"), "{talk}");
     assert!(files(parts.path()) == expected);
-    let after = fs::metadata(&untouched)
-        .and_then(|data| data.modified())
-        .expect("a time");
+    let after = fs::metadata(&untouched).and_then(|data| data.modified()).expect("a time");
     assert_eq!(before, after);
 
     let other = tempfile::tempdir().expect("a folder");
@@ -122,41 +109,26 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("f-%05d.png");
     let output = on_a_full_disk()
-        .args([
-            "view",
-            SCENE,
-            "--size",
-            "1920x1080",
-            "--frames",
-            "3",
-            "--out",
-        ])
+        .args(["view", SCENE, "--size", "1920x1080", "--frames", "3", "--out"])
         .arg(&out)
         .output()
         .expect("the program");
     let talk = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{talk}");
-    assert!(
-        talk.contains("f-00000.png") && talk.contains("too large"),
-        "{talk}"
-    );
+    assert!(talk.contains("f-00000.png") && talk.contains("too large"), "{talk}");
     assert_eq!(files(folder.path()), []);
 }
 
 #[test]
 fn signals_end_pictures_between_two_of_them() {
-    [libc::SIGTERM, libc::SIGINT]
-        .into_iter()
-        .for_each(ends_pictures);
+    [libc::SIGTERM, libc::SIGINT].into_iter().for_each(ends_pictures);
 }
 
 fn ends_pictures(signal: i32) {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("f-%05d.png");
     let mut child = program()
-        .args([
-            "play", GAME, "--size", "64x36", "--frames", "1000000", "--out",
-        ])
+        .args(["play", GAME, "--size", "64x36", "--frames", "1000000", "--out"])
         .arg(&out)
         .stderr(std::process::Stdio::piped())
         .spawn()
@@ -183,10 +155,7 @@ fn bad_input_is_told_of() {
     fs::write(&file, "something").expect("a file");
     let there = file.to_str().expect("text");
     for (arguments, words) in [
-        (
-            &["play", "chess", "--display", "none"][..],
-            "no game \"chess\"; there are: billiards",
-        ),
+        (&["play", "chess", "--display", "none"][..], "no game \"chess\"; there are: billiards"),
         (
             &["play", "biliards", "--display", "none"],
             "no game \"biliards\"; did you mean \"billiards\"?",
@@ -194,79 +163,25 @@ fn bad_input_is_told_of() {
         (&["view", "none.nff", "--display", "none"], "none.nff"),
         (&["play", GAME, "--frames", "3..3"], "3..3"),
         (&["play", GAME, "--frames", "x"], "A..B"),
-        (
-            &["play", GAME, "--size", "-5x10"],
-            "'-5x10' for '--size <WxH>'",
-        ),
-        (
-            &["play", GAME, "--frames", "-1..2"],
-            "'-1..2' for '--frames <A..B>'",
-        ),
+        (&["play", GAME, "--size", "-5x10"], "'-5x10' for '--size <WxH>'"),
+        (&["play", GAME, "--frames", "-1..2"], "'-1..2' for '--frames <A..B>'"),
         (&["play", GAME, "--seed", "-1"], "'-1' for '--seed <N>'"),
         (&["play", GAME, "--fps", "-1"], "'-1' for '--fps <N>'"),
-        (
-            &["view", "none.nff", "--spus", "-1"],
-            "'-1' for '--spus <N>'",
-        ),
-        (
-            &["view", "none.nff", "--ray-depth", "-1"],
-            "'-1' for '--ray-depth <N>'",
-        ),
-        (
-            &["view", "none.nff", "--timeout", "-1"],
-            "'-1' for '--timeout <S>'",
-        ),
-        (
-            &["play", GAME, "--frames", "0..2", "--out", "f.png"],
-            "%05d",
-        ),
+        (&["view", "none.nff", "--spus", "-1"], "'-1' for '--spus <N>'"),
+        (&["view", "none.nff", "--ray-depth", "-1"], "'-1' for '--ray-depth <N>'"),
+        (&["view", "none.nff", "--timeout", "-1"], "'-1' for '--timeout <S>'"),
+        (&["play", GAME, "--frames", "0..2", "--out", "f.png"], "%05d"),
         (&["play", GAME, "--out", "f-%d.png"], "--frames"),
         (&["play", GAME, "--display", "none"], "--frames"),
-        (
-            &["play", GAME, "--display", "none", "--frames", "2..3"],
-            "frame 0",
-        ),
-        (
-            &["play", GAME, "--display", "fb", "--device", "/dev/null"],
-            "/dev/null",
-        ),
+        (&["play", GAME, "--display", "none", "--frames", "2..3"], "frame 0"),
+        (&["play", GAME, "--display", "fb", "--device", "/dev/null"], "/dev/null"),
         (&["play", GAME, "--display", "terminal"], "terminal"),
         (&["play", GAME, "--display", "window"], "window"),
         (&["play", GAME], "--display fb"),
-        (
-            &[
-                "play",
-                GAME,
-                "--display",
-                "none",
-                "--frames",
-                "1",
-                "--record",
-                there,
-            ],
-            there,
-        ),
-        (
-            &["play", GAME, "--display", "none", "--replay", there],
-            there,
-        ),
-        (
-            &[
-                "play",
-                GAME,
-                "--display",
-                "none",
-                "--frames",
-                "1",
-                "--spus",
-                "0",
-            ],
-            "0 SPUs",
-        ),
-        (
-            &["play", GAME, "--timeout", "18446744073709551615"],
-            "86400",
-        ),
+        (&["play", GAME, "--display", "none", "--frames", "1", "--record", there], there),
+        (&["play", GAME, "--display", "none", "--replay", there], there),
+        (&["play", GAME, "--display", "none", "--frames", "1", "--spus", "0"], "0 SPUs"),
+        (&["play", GAME, "--timeout", "18446744073709551615"], "86400"),
         (&["play", GAME, "--timeout", "0"], "86400"),
     ] {
         let talk = bad(arguments);
@@ -295,10 +210,7 @@ fn a_display_server_that_is_not_there_is_named_and_nothing_of_the_sources_is_tol
         let talk = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{talk}");
         let begin = format!("cellray-play: error: no window: {variable}={value}: ");
-        assert!(
-            talk.starts_with(&begin) && talk.contains("--display terminal"),
-            "{talk}"
-        );
+        assert!(talk.starts_with(&begin) && talk.contains("--display terminal"), "{talk}");
         for word in [".rs:", "panicked", ".cargo"] {
             assert!(!talk.contains(word), "{talk}");
         }
@@ -309,25 +221,13 @@ fn a_display_server_that_is_not_there_is_named_and_nothing_of_the_sources_is_tol
 fn games_are_listed() {
     let output = run(&["play"]);
     let list = String::from_utf8_lossy(&output.stdout);
-    assert!(
-        output.status.success() && list.contains(GAME) && list.contains("billiards"),
-        "{list}"
-    );
+    assert!(output.status.success() && list.contains(GAME) && list.contains("billiards"), "{list}");
 }
 
 #[test]
 fn capitals_make_no_difference_to_a_games_name() {
     let name = GAME.to_uppercase();
-    good(&[
-        "play",
-        &name,
-        "--size",
-        "64x36",
-        "--display",
-        "none",
-        "--frames",
-        "1",
-    ]);
+    good(&["play", &name, "--size", "64x36", "--display", "none", "--frames", "1"]);
 }
 
 #[test]
@@ -355,19 +255,8 @@ fn a_file_takes_the_framebuffers_place() {
 /// A session in a terminal, recorded.
 fn in_terminal(record: &Path) -> Pty {
     let mut command = program();
-    command.args([
-        "view",
-        SCENE,
-        "--display",
-        "terminal",
-        "--size",
-        "64x48",
-        "--record",
-    ]);
-    command
-        .arg(record)
-        .env("COLORTERM", "truecolor")
-        .env("TERM", "xterm-256color");
+    command.args(["view", SCENE, "--display", "terminal", "--size", "64x48", "--record"]);
+    command.arg(record).env("COLORTERM", "truecolor").env("TERM", "xterm-256color");
     Pty::start(command, 64, 24)
 }
 
@@ -376,14 +265,7 @@ fn in_terminal(record: &Path) -> Pty {
 fn in_a_long_frame(record: &Path) -> Pty {
     let mut command = program();
     command
-        .args([
-            "view",
-            WHITTED,
-            "--model",
-            "whitted",
-            "--display",
-            "terminal",
-        ])
+        .args(["view", WHITTED, "--model", "whitted", "--display", "terminal"])
         .args(["--size", "3840x2160", "--antialias", "16", "--spus", "1"])
         .arg("--record")
         .arg(record)
@@ -411,10 +293,7 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
     pty.assert_restored();
-    assert!(
-        pty.seen().contains("frame(s)"),
-        "the report comes after the picture"
-    );
+    assert!(pty.seen().contains("frame(s)"), "the report comes after the picture");
 
     let recorded = fs::read_to_string(&record).expect("a recording");
     let key = "\"key\":\"right\",\"down\":true";
@@ -442,10 +321,7 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     });
     assert_eq!(one.len() + 1, recorded.lines().count());
     assert!(one == two);
-    assert!(
-        one.first().map(|file| &file.1) != one.last().map(|file| &file.1),
-        "the eye moved"
-    );
+    assert!(one.first().map(|file| &file.1) != one.last().map(|file| &file.1), "the eye moved");
     // Of another game it is none.
     let record = record.to_str().expect("text");
     let talk = bad(&["play", GAME, "--display", "none", "--replay", record]);
@@ -523,10 +399,7 @@ fn what_a_recording_lacks_at_the_end_is_an_error() {
 #[test]
 fn a_timeout_may_be_longer_than_time() {
     let memory = Memory::new(Geometry::new(16, 16).expect("a size")).expect("memory");
-    let settings = Settings {
-        timeout: Duration::MAX,
-        ..Settings::default()
-    };
+    let settings = Settings { timeout: Duration::MAX, ..Settings::default() };
     let mut session = Session::start(Still, settings, Box::new(memory)).expect("a session");
     let mut clock = RealTime::default();
     let report = session.run(Some(2), &mut clock, &mut NoInput);
@@ -542,10 +415,7 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
     good(&[&none[..], &["--frames", "19", "--record", name]].concat());
     let text = fs::read_to_string(&record).expect("a recording");
     let checked = |line: &&str| line.contains("\"world\"");
-    assert_eq!(
-        (text.lines().count(), text.lines().filter(checked).count()),
-        (20, 3)
-    );
+    assert_eq!((text.lines().count(), text.lines().filter(checked).count()), (20, 3));
     let last = text.lines().last().expect("a line");
     assert!(last.contains("\"world\""), "{last}");
     let talk = good(&[&none[..], &["--replay", name]].concat());
@@ -581,14 +451,8 @@ fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
     // It is said when the terminal shows text again.
     let seen = pty.seen();
     let talk = seen.split("\x1b[?1049l").last().unwrap_or_default();
-    assert!(
-        talk.contains("no picture: ") && talk.contains("too large"),
-        "{talk}"
-    );
-    let kept = (
-        PathBuf::from("paper16-nff-0001.png"),
-        b"an earlier picture".to_vec(),
-    );
+    assert!(talk.contains("no picture: ") && talk.contains("too large"), "{talk}");
+    let kept = (PathBuf::from("paper16-nff-0001.png"), b"an earlier picture".to_vec());
     assert_eq!(files(folder.path()), [kept]);
 }
 
@@ -671,17 +535,11 @@ fn a_framebuffers_keys_are_taken_though_the_talk_goes_to_a_file() {
     let [fb, log] = ["fb", "log"].map(|name| folder.path().join(name));
     let mut command = Command::new("sh");
     let session = "exec \"$0\" view \"$1\" --display fb --device \"$2\" --size 64x36 >\"$3\"";
-    command
-        .args(["-c", session, env!("CARGO_BIN_EXE_cellray-play"), SCENE])
-        .args([&fb, &log]);
+    command.args(["-c", session, env!("CARGO_BIN_EXE_cellray-play"), SCENE]).args([&fb, &log]);
     let mut pty = Pty::start(command, 64, 24);
     pty.wait_until_taken(true);
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
-    assert!(
-        !pty.is_taken() && pty.seen().contains(" rays in "),
-        "{}",
-        pty.seen()
-    );
+    assert!(!pty.is_taken() && pty.seen().contains(" rays in "), "{}", pty.seen());
     assert_eq!(fs::read(&log).expect("a file"), b"");
 }

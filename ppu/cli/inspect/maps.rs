@@ -20,11 +20,7 @@ pub fn of_tiles(
     scene: &Scene,
     geometry: Geometry,
 ) -> Result<Vec<TileMap>, Failure> {
-    let settings = Settings {
-        spus: 1,
-        retain: true,
-        ..settings
-    };
+    let settings = Settings { spus: 1, retain: true, ..settings };
     let mut engine = Engine::start(settings, Box::new(Memory::new(geometry)?))?;
     engine.limit_tiles(Some(1));
     let tiles = geometry.width.div_ceil(TILE_WIDTH) * geometry.height.div_ceil(TILE_HEIGHT);
@@ -63,12 +59,7 @@ pub fn of_tiles(
             rays += spu.rays;
         }
         let traced = engine.traced_units().ok_or("the SPUs were lost")?;
-        let counts = [
-            rays.reflected + rays.refracted,
-            rays.shadow,
-            tests.made,
-            tests.cull,
-        ];
+        let counts = [rays.reflected + rays.refracted, rays.shadow, tests.made, tests.cull];
         for tile in traced.units.iter().flatten() {
             for (map, count) in maps.iter_mut().zip(counts) {
                 map.values[tile.number as usize] = count;
@@ -94,10 +85,7 @@ pub fn of_samples(
     if render_options.samples == Samples::One || render_options.contrast == 0 {
         return Ok(None);
     }
-    let plain = RenderOptions {
-        samples: Samples::One,
-        ..render_options
-    };
+    let plain = RenderOptions { samples: Samples::One, ..render_options };
     let plain = Scene::new(scene, plain, program)?;
     let mut engine = Engine::start(settings, Box::new(Memory::new(geometry)?))?;
     engine.render(&plain, &mut |_| ())?;
@@ -130,14 +118,8 @@ fn differs(picture: &RgbImage, (x, y): (u32, u32), contrast: u8) -> bool {
         let mut channels = here.0.iter().zip(other.0);
         channels.any(|(a, b)| a.abs_diff(b) >= contrast)
     };
-    let beside = [
-        (x.wrapping_sub(1), y),
-        (x + 1, y),
-        (x, y.wrapping_sub(1)),
-        (x, y + 1),
-    ];
-    let mut beside = beside
-        .into_iter()
-        .filter(|&(other_x, other_y)| tile(other_x, other_y) == tile(x, y));
+    let beside = [(x.wrapping_sub(1), y), (x + 1, y), (x, y.wrapping_sub(1)), (x, y + 1)];
+    let mut beside =
+        beside.into_iter().filter(|&(other_x, other_y)| tile(other_x, other_y) == tile(x, y));
     beside.any(|(x, y)| picture.get_pixel_checked(x, y).is_some_and(far))
 }

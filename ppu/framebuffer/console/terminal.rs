@@ -41,15 +41,8 @@ pub(super) struct VirtualTerminal {
 impl VirtualTerminal {
     pub(super) fn open(path: &Path) -> io::Result<VirtualTerminal> {
         let flags = libc::O_NONBLOCK | libc::O_NOCTTY;
-        let file = OpenOptions::new()
-            .read(true)
-            .write(true)
-            .custom_flags(flags)
-            .open(path)?;
-        Ok(VirtualTerminal {
-            _promise: None,
-            file,
-        })
+        let file = OpenOptions::new().read(true).write(true).custom_flags(flags).open(path)?;
+        Ok(VirtualTerminal { _promise: None, file })
     }
 
     /// A request that reads or writes a `T`.
@@ -69,11 +62,7 @@ impl VirtualTerminal {
 }
 
 fn answered(result: libc::c_int) -> io::Result<()> {
-    if result < 0 {
-        Err(io::Error::last_os_error())
-    } else {
-        Ok(())
-    }
+    if result < 0 { Err(io::Error::last_os_error()) } else { Ok(()) }
 }
 
 impl Terminal for VirtualTerminal {

@@ -48,19 +48,12 @@ const UNKNOWN: i32 = libc::ENOTTY;
 
 impl Terminal for Noted {
     fn mode(&self) -> io::Result<i32> {
-        self.found
-            .as_ref()
-            .copied()
-            .map_err(|error| io::Error::from(error.kind()))
+        self.found.as_ref().copied().map_err(|error| io::Error::from(error.kind()))
     }
 
     fn set_mode(&mut self, mode: i32) -> io::Result<()> {
         self.notes.note(Told::Mode(mode));
-        if self.denied {
-            Err(io::Error::from(io::ErrorKind::PermissionDenied))
-        } else {
-            Ok(())
-        }
+        if self.denied { Err(io::Error::from(io::ErrorKind::PermissionDenied)) } else { Ok(()) }
     }
 
     fn on_screen(&self) -> io::Result<u16> {
@@ -79,11 +72,7 @@ impl Terminal for Noted {
 
     fn answer(&self, answer: i32) -> io::Result<()> {
         self.notes.note(Told::Answer(answer));
-        if self.unasked {
-            Err(io::Error::from(io::ErrorKind::InvalidInput))
-        } else {
-            Ok(())
-        }
+        if self.unasked { Err(io::Error::from(io::ErrorKind::InvalidInput)) } else { Ok(()) }
     }
 
     fn discard_input(&self) {
@@ -93,13 +82,7 @@ impl Terminal for Noted {
 
 fn noted(found: io::Result<i32>, denied: bool) -> (Box<Noted>, Notes) {
     let notes = Notes::default();
-    let noted = Noted {
-        found,
-        denied,
-        unasked: false,
-        changes: None,
-        notes: notes.clone(),
-    };
+    let noted = Noted { found, denied, unasked: false, changes: None, notes: notes.clone() };
     (Box::new(noted), notes)
 }
 
@@ -141,12 +124,7 @@ fn the_screen_is_lost_while_another_terminal_is_on_it() {
     let (terminal, notes) = noted(Ok(KD_TEXT), false);
     notes.show(Some(2));
     let console = Console::take("tty", terminal).unwrap();
-    for (shown, ours) in [
-        (Some(2), true),
-        (Some(3), false),
-        (None, false),
-        (Some(2), true),
-    ] {
+    for (shown, ours) in [(Some(2), true), (Some(3), false), (None, false), (Some(2), true)] {
         notes.show(shown);
         assert_eq!(console.has_the_screen(), ours, "{shown:?}");
     }
@@ -159,13 +137,7 @@ fn the_screen_is_lost_while_another_terminal_is_on_it() {
 }
 
 /// How the kernel switches terminals by default.
-const AUTO: VtMode = VtMode {
-    mode: 0,
-    waitv: 3,
-    relsig: 0,
-    acqsig: 0,
-    frsig: 5,
-};
+const AUTO: VtMode = VtMode { mode: 0, waitv: 3, relsig: 0, acqsig: 0, frsig: 5 };
 
 #[test]
 fn the_kernel_says_what_is_no_terminal() {

@@ -27,14 +27,7 @@ fn ps3fb_alternates_two_frames_in_its_own_memory() {
     }
     witness.assert_shows(device.geometry(), 5120, 5120 * 720, 1);
     let text = device.describe();
-    for part in [
-        PATH,
-        "ps3fb",
-        "1280x720",
-        "5120",
-        "2 frames",
-        "in its memory",
-    ] {
+    for part in [PATH, "ps3fb", "1280x720", "5120", "2 frames", "in its memory"] {
         assert!(text.contains(part), "{part}: {text}");
     }
     drop(device);
@@ -55,10 +48,7 @@ fn ps3fb_with_borders_keeps_its_line_length() {
     let (device, witness) =
         Script::new("ps3fb", 1124, 644, 4544, 9 * MIB - 0x1_0000).open(None, None);
     let mut device = device.unwrap();
-    assert_eq!(
-        (device.mode(), device.target().stride),
-        (Mode::Direct, 4544)
-    );
+    assert_eq!((device.mode(), device.target().stride), (Mode::Direct, 4544));
     show(&mut device, 1);
     show(&mut device, 2);
     witness.assert_shows(device.geometry(), 4544, 4544 * 644, 2);
@@ -75,10 +65,7 @@ fn ps3fb_with_one_frame_selects_it_alone() {
     assert!(device.describe().contains(", vsync, "));
     show(&mut device, 1);
     drop(device);
-    assert_eq!(
-        witness.calls(),
-        [Screeninfo, On, Fsel(0), Vsync, Fsel(0), Vsync, Fsel(0), Off]
-    );
+    assert_eq!(witness.calls(), [Screeninfo, On, Fsel(0), Vsync, Fsel(0), Vsync, Fsel(0), Off]);
 
     let mut script = Script::ps3fb();
     script.num_frames = 1;
@@ -89,14 +76,9 @@ fn ps3fb_with_one_frame_selects_it_alone() {
 
 #[test]
 fn ps3fb_that_knows_one_frame_less_uses_one() {
-    let (device, witness) = Script::ps3fb()
-        .failing([(Fsel(1), libc::EINVAL)])
-        .open(None, None);
+    let (device, witness) = Script::ps3fb().failing([(Fsel(1), libc::EINVAL)]).open(None, None);
     show(&mut device.unwrap(), 0);
-    assert_eq!(
-        witness.calls(),
-        [Screeninfo, On, Fsel(1), Fsel(0), Vsync, Fsel(0), Off]
-    );
+    assert_eq!(witness.calls(), [Screeninfo, On, Fsel(1), Fsel(0), Vsync, Fsel(0), Off]);
 }
 
 #[test]
@@ -158,31 +140,17 @@ fn every_missing_call_is_tried_once() {
 fn another_failure_is_an_error_that_names_the_call() {
     let (device, _) = Script::ps3fb().failing([(On, libc::EIO)]).open(None, None);
     let text = device.err().unwrap().to_string();
-    assert!(
-        text.contains(PATH) && text.contains("PS3FB_IOCTL_ON"),
-        "{text}"
-    );
+    assert!(text.contains(PATH) && text.contains("PS3FB_IOCTL_ON"), "{text}");
 
-    let (device, witness) = Script::ps3fb()
-        .failing([(Fsel(0), libc::EIO)])
-        .open(None, None);
+    let (device, witness) = Script::ps3fb().failing([(Fsel(0), libc::EIO)]).open(None, None);
     let mut device = device.unwrap();
     let text = device.present().unwrap_err().to_string();
     assert!(text.contains("PS3FB_IOCTL_FSEL"), "{text}");
     drop(device);
     assert_eq!(witness.calls().last(), Some(&Off));
 
-    let (device, _) = Script::panning()
-        .failing([(Vsync, libc::ENODEV)])
-        .open(None, None);
-    assert!(
-        device
-            .unwrap()
-            .present()
-            .unwrap_err()
-            .to_string()
-            .contains("FBIO_WAITFORVSYNC")
-    );
+    let (device, _) = Script::panning().failing([(Vsync, libc::ENODEV)]).open(None, None);
+    assert!(device.unwrap().present().unwrap_err().to_string().contains("FBIO_WAITFORVSYNC"));
 }
 
 #[test]
@@ -239,10 +207,7 @@ fn drivers_that_cannot_pan_show_one_frame() {
 
 #[test]
 fn a_screen_within_a_larger_picture_is_written_where_it_is_seen() {
-    let geometry = Geometry {
-        width: 31,
-        height: 20,
-    };
+    let geometry = Geometry { width: 31, height: 20 };
     let mut script = Script::new("other", 31, 20, 203, 203 * 30);
     (script.var.xres_virtual, script.var.yres_virtual) = (50, 30);
     (script.var.xoffset, script.var.yoffset) = (7, 9);
@@ -258,15 +223,8 @@ fn a_screen_within_a_larger_picture_is_written_where_it_is_seen() {
     assert!(witness.bytes(0..offset).iter().all(|&byte| byte == 0xA5));
     for y in 0..20 {
         let end = offset + y * 203 + 31 * 4;
-        let next = if y < 19 {
-            offset + (y + 1) * 203
-        } else {
-            203 * 30
-        };
-        assert!(
-            witness.bytes(end..next).iter().all(|&byte| byte == 0xA5),
-            "after row {y}"
-        );
+        let next = if y < 19 { offset + (y + 1) * 203 } else { 203 * 30 };
+        assert!(witness.bytes(end..next).iter().all(|&byte| byte == 0xA5), "after row {y}");
     }
 }
 
@@ -290,10 +248,7 @@ fn direct_is_possible_only_where_dma_is() {
         (Script::new("other", 101, 57, 404, 404 * 57), "404"),
         (Script::new("other", 101, 57, 408, 408 * 57), "408"),
         (off_grid, "address"),
-        (
-            Script::new("other", 100, 57, 416, 416 * 57 - 16),
-            "last line",
-        ),
+        (Script::new("other", 100, 57, 416, 416 * 57 - 16), "last line"),
         (aside, "last line"),
         (askew, "address"),
     ];
@@ -318,32 +273,12 @@ fn ps3fb_can_be_told_to_copy() {
 
 #[test]
 fn another_size_than_the_devices_is_refused() {
-    let (device, witness) = Script::ps3fb().open(
-        Some(Geometry {
-            width: 640,
-            height: 480,
-        }),
-        None,
-    );
+    let (device, witness) = Script::ps3fb().open(Some(Geometry { width: 640, height: 480 }), None);
     let text = device.err().unwrap().to_string();
-    assert!(
-        text.contains("640x480") && text.contains("1280x720"),
-        "{text}"
-    );
+    assert!(text.contains("640x480") && text.contains("1280x720"), "{text}");
     assert_eq!(witness.calls(), []);
     assert!(witness.bytes(0..5120).iter().all(|&byte| byte == 0xA5));
-    assert!(
-        Script::ps3fb()
-            .open(
-                Some(Geometry {
-                    width: 1280,
-                    height: 720
-                }),
-                None
-            )
-            .0
-            .is_ok()
-    );
+    assert!(Script::ps3fb().open(Some(Geometry { width: 1280, height: 720 }), None).0.is_ok());
 }
 
 #[test]
@@ -360,13 +295,7 @@ fn other_pixels_are_refused_in_the_drivers_words() {
         (changed(|script| script.fix.kind = 1), "type 1"),
         (changed(|script| script.var.grayscale = 1), "0x1"),
         (
-            changed(|script| {
-                script.var.red = FbBitfield {
-                    offset: 20,
-                    length: 10,
-                    msb_right: 0,
-                }
-            }),
+            changed(|script| script.var.red = FbBitfield { offset: 20, length: 10, msb_right: 0 }),
             "20+10",
         ),
         (changed(|script| script.var.green.offset = 16), "16+8, 16+8"),
@@ -374,10 +303,7 @@ fn other_pixels_are_refused_in_the_drivers_words() {
     for (script, part) in cases {
         let (device, witness) = script.open(None, None);
         let error = device.err().unwrap();
-        assert!(
-            matches!(error, FramebufferError::UnsupportedPixels { .. }),
-            "{part}: {error}"
-        );
+        assert!(matches!(error, FramebufferError::UnsupportedPixels { .. }), "{part}: {error}");
         let text = error.to_string();
         assert!(
             text.contains(part) && text.contains("vga16fb") && text.contains(PATH),
@@ -415,10 +341,7 @@ fn numbers_that_contradict_each_other_are_refused() {
     ];
     for script in cases {
         let error = script.open(None, None).0.err().unwrap();
-        assert!(
-            matches!(error, FramebufferError::BadSurface { .. }),
-            "{error}"
-        );
+        assert!(matches!(error, FramebufferError::BadSurface { .. }), "{error}");
         assert!(error.to_string().contains("driver odd"), "{error}");
     }
 }

@@ -284,12 +284,7 @@ pub(super) struct Switches<N> {
 
 impl<N> Default for Switches<N> {
     fn default() -> Self {
-        Self {
-            down: 0,
-            pressed: 0,
-            released: 0,
-            names: PhantomData,
-        }
+        Self { down: 0, pressed: 0, released: 0, names: PhantomData }
     }
 }
 

@@ -31,9 +31,7 @@ impl RealTime {
     #[must_use]
     pub fn at_most(frames_per_second: u32) -> Self {
         Self {
-            least: Duration::from_secs(1)
-                .checked_div(frames_per_second)
-                .unwrap_or_default(),
+            least: Duration::from_secs(1).checked_div(frames_per_second).unwrap_or_default(),
             last: None,
         }
     }
@@ -90,10 +88,7 @@ mod tests {
         assert_eq!(clock.tick(), Duration::ZERO);
         let told: Duration = (0..5).map(|_| clock.tick()).sum();
         let passed = start.elapsed();
-        assert!(
-            told >= Duration::from_millis(50) && told <= passed,
-            "{told:?} of {passed:?}"
-        );
+        assert!(told >= Duration::from_millis(50) && told <= passed, "{told:?} of {passed:?}");
 
         let start = Instant::now();
         clock.pace(Duration::from_millis(30));

@@ -29,10 +29,7 @@ impl FromStr for FrameRange {
         let malformed = || FrameRangeError::Malformed(text.to_owned());
         let number = |digits: &str| {
             let is_number = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
-            is_number
-                .then(|| digits.parse::<u64>().ok())
-                .flatten()
-                .ok_or_else(malformed)
+            is_number.then(|| digits.parse::<u64>().ok()).flatten().ok_or_else(malformed)
         };
         let (first, end) = match text.split_once("..") {
             Some((first, end)) => (number(first)?, number(end)?),

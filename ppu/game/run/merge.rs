@@ -55,21 +55,14 @@ fn add(first: &mut InputEvent, next: &InputEvent) -> bool {
         }
         (
             InputEvent::PadAxis { pad, axis, value },
-            InputEvent::PadAxis {
-                pad: same,
-                axis: way,
-                value: last,
-            },
+            InputEvent::PadAxis { pad: same, axis: way, value: last },
         ) if (&*pad, &*axis) == (same, way) && last.is_finite() => {
             *value = *last;
             true
         }
         (
             InputEvent::PadSensors { pad, sensors },
-            InputEvent::PadSensors {
-                pad: same,
-                sensors: last,
-            },
+            InputEvent::PadSensors { pad: same, sensors: last },
         ) if pad == same && last.is_finite() => {
             *sensors = *last;
             true
@@ -90,18 +83,8 @@ mod tests {
             InputEvent::MouseMoved { to: [at, 2.0 * at] },
             InputEvent::MouseMotion { by: [1.0, -2.0] },
             InputEvent::Wheel { by: [0.0, 0.5] },
-            InputEvent::PadAxis {
-                pad,
-                axis: Axis::LeftX,
-                value: at / 100_000.0,
-            },
-            InputEvent::PadSensors {
-                pad,
-                sensors: Sensors {
-                    acceleration: [at; 3],
-                    turn: at,
-                },
-            },
+            InputEvent::PadAxis { pad, axis: Axis::LeftX, value: at / 100_000.0 },
+            InputEvent::PadSensors { pad, sensors: Sensors { acceleration: [at; 3], turn: at } },
         ]
     }
 
@@ -109,10 +92,7 @@ mod tests {
         let mut input = Input::default();
         input.begin_frame();
         for pad in 0..2 {
-            input.apply(&InputEvent::PadConnected {
-                pad: PadId(pad),
-                name: "a pad".into(),
-            });
+            input.apply(&InputEvent::PadConnected { pad: PadId(pad), name: "a pad".into() });
         }
         events.iter().for_each(|event| input.apply(event));
         input
@@ -127,10 +107,7 @@ mod tests {
         events.push(InputEvent::MouseLeft);
         let (before, expected) = (events.len(), state(&events));
         merge(&mut events);
-        assert!(
-            before > 100_000 && events.len() == 7 + 4 + 7 + 1,
-            "{events:?}"
-        );
+        assert!(before > 100_000 && events.len() == 7 + 4 + 7 + 1, "{events:?}");
         assert_eq!(state(&events), expected);
         let merged = events.clone();
         merge(&mut events);
@@ -139,19 +116,9 @@ mod tests {
 
     #[test]
     fn events_that_are_not_finite_change_nothing() {
-        let axis = |value| InputEvent::PadAxis {
-            pad: PadId(0),
-            axis: Axis::R2,
-            value,
-        };
+        let axis = |value| InputEvent::PadAxis { pad: PadId(0), axis: Axis::R2, value };
         let by = |x: f32| InputEvent::MouseMotion { by: [x, 0.0] };
-        let mut events = vec![
-            axis(0.5),
-            axis(f32::NAN),
-            by(3.0),
-            by(f32::INFINITY),
-            by(4.0),
-        ];
+        let mut events = vec![axis(0.5), axis(f32::NAN), by(3.0), by(f32::INFINITY), by(4.0)];
         let expected = state(&events);
         merge(&mut events);
         assert_eq!(state(&events), expected);

@@ -65,20 +65,14 @@ impl Pictures {
     /// Pictures with these names.
     #[must_use]
     pub fn new(paths: NumberedPath) -> Self {
-        Self {
-            paths,
-            labels: None,
-        }
+        Self { paths, labels: None }
     }
 
     /// The same with these labels in each file, and with the frame's view where it differs from the
     /// scene's own.
     #[must_use]
     pub fn labelled(self, labels: Labels, own_view: View) -> Self {
-        Self {
-            labels: Some((labels, own_view)),
-            ..self
-        }
+        Self { labels: Some((labels, own_view)), ..self }
     }
 
     /// Plays the session up to the end of a range, and writes the frames of the range that don't

@@ -136,11 +136,7 @@ pub(super) struct Recorder {
 
 impl Recorder {
     pub fn new(writer: Box<dyn Write>) -> Self {
-        Self {
-            writer,
-            line: Vec::new(),
-            held: None,
-        }
+        Self { writer, line: Vec::new(), held: None }
     }
 
     pub fn begin(&mut self, header: &Header) -> Result<(), RecordingError> {
@@ -264,10 +260,7 @@ impl Recording {
     /// What the recorded game received before its first frame.
     #[must_use]
     pub fn start(&self) -> Start {
-        Start {
-            seed: self.header.seed,
-            size: self.header.size,
-        }
+        Start { seed: self.header.seed, size: self.header.size }
     }
 
     /// Reads the next frame; `false` if there is none.

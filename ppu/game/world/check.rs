@@ -18,19 +18,12 @@ fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldErro
 
 /// Whether a number can be squared as a single; NaN can't.
 fn number(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
-    if value.abs() <= LARGEST {
-        Ok(())
-    } else {
-        Err(out_of_range(what, value, ""))
-    }
+    if value.abs() <= LARGEST { Ok(()) } else { Err(out_of_range(what, value, "")) }
 }
 
 /// Whether all components of a vector can be squared as singles.
 pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldErrorKind> {
-    vector
-        .to_array()
-        .into_iter()
-        .try_for_each(|value| number(what, value))
+    vector.to_array().into_iter().try_for_each(|value| number(what, value))
 }
 
 fn size(what: &'static str, value: f64) -> Result<(), WorldErrorKind> {
@@ -47,12 +40,7 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldErrorKind> {
             vector("centre", *centre)?;
             size("radius", *radius)
         }
-        Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        } => {
+        Shape::Cone { base, base_radius, apex, apex_radius } => {
             vector("base", *base)?;
             vector("apex", *apex)?;
             number("base radius", *base_radius)?;
@@ -70,14 +58,10 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldErrorKind> {
         Shape::Polygon { vertices } => polygon(vertices),
         Shape::Patch { vertices, normals } => {
             if vertices.len() != normals.len() {
-                return Err(WorldErrorKind::NoSurface(
-                    "a patch needs one normal for each vertex",
-                ));
+                return Err(WorldErrorKind::NoSurface("a patch needs one normal for each vertex"));
             }
             polygon(vertices)?;
-            normals
-                .iter()
-                .try_for_each(|normal| vector("normal", *normal))
+            normals.iter().try_for_each(|normal| vector("normal", *normal))
         }
     }
 }
@@ -87,9 +71,9 @@ pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldErrorKind> {
     match shape {
         Shape::Sphere { .. } => Ok(()),
         Shape::Cone { apex, .. } => vector("apex", *apex + by),
-        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => vertices
-            .iter()
-            .try_for_each(|vertex| vector("vertex", *vertex + by)),
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            vertices.iter().try_for_each(|vertex| vector("vertex", *vertex + by))
+        }
     }
 }
 
@@ -103,15 +87,11 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
     }
     if mesh.materials.len() != triangles {
         let count = mesh.materials.len();
-        return bad(format!(
-            "{triangles} triangles need as many materials, not {count}"
-        ));
+        return bad(format!("{triangles} triangles need as many materials, not {count}"));
     }
     if !mesh.normals.is_empty() && mesh.normals.len() != vertices {
         let count = mesh.normals.len();
-        return bad(format!(
-            "{vertices} vertices need as many normals, or none, not {count}"
-        ));
+        return bad(format!("{vertices} vertices need as many normals, or none, not {count}"));
     }
     if !mesh.texture_coordinates.is_empty() && mesh.texture_coordinates.len() != vertices {
         let count = mesh.texture_coordinates.len();
@@ -121,9 +101,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
     }
     if !mesh.colours.is_empty() && mesh.colours.len() != vertices {
         let count = mesh.colours.len();
-        return bad(format!(
-            "{vertices} vertices need as many colours, or none, not {count}"
-        ));
+        return bad(format!("{vertices} vertices need as many colours, or none, not {count}"));
     }
     for (vertex, colour) in mesh.colours.iter().enumerate() {
         let is_right = |channel: &f32| (0.0..=1.0).contains(channel);
@@ -135,9 +113,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
     }
     for (number, triangle) in mesh.triangles.iter().enumerate() {
         if let Some(vertex) = triangle.iter().find(|vertex| **vertex as usize >= vertices) {
-            return bad(format!(
-                "triangle {number} has vertex {vertex} of {vertices}"
-            ));
+            return bad(format!("triangle {number} has vertex {vertex} of {vertices}"));
         }
     }
     let mut used = vec![false; materials];
@@ -145,9 +121,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
         match used.get_mut(material as usize) {
             Some(used) => *used = true,
             None => {
-                return bad(format!(
-                    "triangle {number} has material {material} of {materials}"
-                ));
+                return bad(format!("triangle {number} has material {material} of {materials}"));
             }
         }
     }
@@ -161,9 +135,7 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
         number("texture coordinate", f64::from(value))?;
     }
     let used = used.into_iter().enumerate();
-    Ok(used
-        .filter_map(|(number, used)| used.then_some(number))
-        .collect())
+    Ok(used.filter_map(|(number, used)| used.then_some(number)).collect())
 }
 
 /// Whether a mesh has a volume, or an area, and is in range at a place.
@@ -171,32 +143,22 @@ pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldErrorKind> 
     for corner in corners(mesh) {
         vector("transformed vertex", place.transform_point3(corner))?;
     }
-    let DMat3 {
-        x_axis,
-        y_axis,
-        z_axis,
-    } = place.matrix3;
+    let DMat3 { x_axis, y_axis, z_axis } = place.matrix3;
     for axis in [x_axis, y_axis, z_axis] {
         vector("axis of the place", axis)?;
     }
     let volume = place.matrix3.determinant();
     if volume == 0.0 || !volume.is_finite() {
-        return Err(WorldErrorKind::NoSurface(
-            "the place of a mesh makes it flat",
-        ));
+        return Err(WorldErrorKind::NoSurface("the place of a mesh makes it flat"));
     }
     Ok(())
 }
 
 fn polygon(vertices: &[DVec3]) -> Result<(), WorldErrorKind> {
     if vertices.len() < 3 {
-        return Err(WorldErrorKind::NoSurface(
-            "a polygon needs at least three vertices",
-        ));
+        return Err(WorldErrorKind::NoSurface("a polygon needs at least three vertices"));
     }
-    vertices
-        .iter()
-        .try_for_each(|vertex| vector("vertex", *vertex))
+    vertices.iter().try_for_each(|vertex| vector("vertex", *vertex))
 }
 
 pub(super) fn material(material: &Material) -> Result<(), WorldErrorKind> {
@@ -223,9 +185,9 @@ pub(super) fn material(material: &Material) -> Result<(), WorldErrorKind> {
             number("near", *near)?;
             fade(*near, *far)
         }
-        Shader::Own { parameters, .. } => parameters
-            .iter()
-            .try_for_each(|value| number("parameter of the shader", *value)),
+        Shader::Own { parameters, .. } => {
+            parameters.iter().try_for_each(|value| number("parameter of the shader", *value))
+        }
     }
 }
 

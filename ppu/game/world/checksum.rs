@@ -26,10 +26,7 @@ impl Checksum {
     }
 
     pub fn vector(&mut self, vector: DVec3) {
-        vector
-            .to_array()
-            .into_iter()
-            .for_each(|value| self.float(value));
+        vector.to_array().into_iter().for_each(|value| self.float(value));
     }
 
     fn vectors(&mut self, vectors: &[DVec3]) {
@@ -44,12 +41,7 @@ impl Checksum {
                 self.vector(*centre);
                 self.float(*radius);
             }
-            Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
+            Shape::Cone { base, base_radius, apex, apex_radius } => {
                 self.word(1);
                 self.vectors(&[*base, *apex]);
                 self.float(*base_radius);

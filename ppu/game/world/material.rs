@@ -60,23 +60,13 @@ impl Material {
     /// A material with a highlight, which reflects three tenths of the light.
     #[must_use]
     pub fn shiny(red: f64, green: f64, blue: f64) -> Self {
-        Self {
-            diffuse: 0.7,
-            specular: 0.3,
-            shine: 20.0,
-            ..Self::matte(red, green, blue)
-        }
+        Self { diffuse: 0.7, specular: 0.3, shine: 20.0, ..Self::matte(red, green, blue) }
     }
 
     /// A mirror that reflects nearly all light.
     #[must_use]
     pub fn mirror() -> Self {
-        Self {
-            diffuse: 0.1,
-            specular: 0.9,
-            shine: 100.0,
-            ..Self::matte(1.0, 1.0, 1.0)
-        }
+        Self { diffuse: 0.1, specular: 0.9, shine: 100.0, ..Self::matte(1.0, 1.0, 1.0) }
     }
 
     /// Glass that lets nearly all light through, with the refraction of crown glass.
@@ -95,10 +85,7 @@ impl Material {
     /// A material that shows its colour unchanged, whatever the light.
     #[must_use]
     pub fn flat(red: f64, green: f64, blue: f64) -> Self {
-        Self {
-            shader: Shader::Flat,
-            ..Self::matte(red, green, blue)
-        }
+        Self { shader: Shader::Flat, ..Self::matte(red, green, blue) }
     }
 }
 
@@ -151,28 +138,19 @@ impl Light {
     #[must_use]
     pub fn at(position: impl Into<DVec3>) -> Self {
         let position = position.into();
-        Self {
-            kind: LightKind::Point { position },
-            colour: None,
-        }
+        Self { kind: LightKind::Point { position }, colour: None }
     }
 
     /// A directional light, infinitely far away in the direction `to_light`.
     #[must_use]
     pub fn sun(to_light: impl Into<DVec3>) -> Self {
         let to_light = to_light.into();
-        Self {
-            kind: LightKind::Directional { to_light },
-            colour: None,
-        }
+        Self { kind: LightKind::Directional { to_light }, colour: None }
     }
 
     /// The same light with a colour.
     #[must_use]
     pub fn coloured(self, red: f64, green: f64, blue: f64) -> Self {
-        Self {
-            colour: Some(DVec3::new(red, green, blue)),
-            ..self
-        }
+        Self { colour: Some(DVec3::new(red, green, blue)), ..self }
     }
 }

@@ -41,10 +41,7 @@ impl World {
     #[track_caller]
     pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
         check::material(&material)?;
-        let entry = self
-            .materials
-            .get_mut(id)
-            .ok_or(WorldErrorKind::NoMaterial)?;
+        let entry = self.materials.get_mut(id).ok_or(WorldErrorKind::NoMaterial)?;
         let material = material.into_nff(0);
         if entry.material == material {
             return Ok(());
@@ -73,10 +70,7 @@ impl World {
     pub fn recolour(&mut self, id: MaterialId, colour: impl Into<DVec3>) -> Result<(), WorldError> {
         let colour = colour.into();
         check::vector("colour", colour)?;
-        let entry = self
-            .materials
-            .get_mut(id)
-            .ok_or(WorldErrorKind::NoMaterial)?;
+        let entry = self.materials.get_mut(id).ok_or(WorldErrorKind::NoMaterial)?;
         if entry.material.colour != colour {
             entry.material.colour = colour;
             self.touch_material(id);
@@ -117,11 +111,7 @@ impl World {
         check::light(&light)?;
         // The brightness of the other lights may depend on how many there are.
         self.edits.rebuild = true;
-        Ok(self.lights.insert(WorldLight {
-            line: None,
-            light,
-            traced: SceneEntry::default(),
-        }))
+        Ok(self.lights.insert(WorldLight { line: None, light, traced: SceneEntry::default() }))
     }
 
     /// Returns a light.

@@ -36,10 +36,7 @@ impl WorldMesh {
     pub fn sum(&self, sum: &mut Checksum) {
         sum.word(self.sum);
         sum.word(u64::from(self.visible));
-        let DAffine3 {
-            matrix3,
-            translation,
-        } = self.place;
+        let DAffine3 { matrix3, translation } = self.place;
         for vector in [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis, translation] {
             sum.vector(vector);
         }
@@ -84,11 +81,7 @@ impl WorldMesh {
 fn normal_matrix(matrix: DMat3) -> DMat3 {
     let [x, y, z] = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
     let cofactors = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y));
-    if matrix.determinant() < 0.0 {
-        -cofactors
-    } else {
-        cofactors
-    }
+    if matrix.determinant() < 0.0 { -cofactors } else { cofactors }
 }
 
 impl World {
@@ -268,9 +261,7 @@ impl World {
             let first = joined.positions.len();
             let after = first + entry.mesh.positions.len();
             joined.positions.resize(after, [0.0; 3]);
-            joined
-                .normals
-                .resize(if has_normals { after } else { 0 }, [0.0; 3]);
+            joined.normals.resize(if has_normals { after } else { 0 }, [0.0; 3]);
             let normals = joined.normals.get_mut(first..).unwrap_or_default();
             entry.write(joined.origin, &mut joined.positions[first..], normals);
             if has_coordinates {

@@ -81,10 +81,7 @@ impl World {
             let steps = away.dot(step) / (step.length_squared() * depth);
             (steps + middle) as f32
         };
-        let pixel = [
-            along(camera.right, to_middle[0]),
-            along(camera.down, to_middle[1]),
-        ];
+        let pixel = [along(camera.right, to_middle[0]), along(camera.down, to_middle[1])];
         (depth > 0.0 && pixel.iter().all(|at| at.is_finite())).then_some(pixel)
     }
 
@@ -95,10 +92,7 @@ impl World {
     /// Each call tests all objects, and all triangles of the meshes whose boxes the ray meets.
     #[must_use]
     pub fn cast_ray(&self, origin: impl Into<DVec3>, direction: impl Into<DVec3>) -> Option<Pick> {
-        let ray = Ray {
-            origin: origin.into(),
-            direction: unit(direction.into())?,
-        };
+        let ray = Ray { origin: origin.into(), direction: unit(direction.into())? };
         let visible = self.objects.iter().filter(|(_, object)| object.visible);
         let objects = visible.filter_map(|(id, object)| {
             let crossing = ray.meet(object, self.is_transparent(object.material))?;
@@ -111,11 +105,7 @@ impl World {
                 target,
                 distance,
                 point: ray.origin + distance * ray.direction,
-                normal: if normal.dot(ray.direction) > 0.0 {
-                    -normal
-                } else {
-                    normal
-                },
+                normal: if normal.dot(ray.direction) > 0.0 { -normal } else { normal },
             })
         });
         met.min_by(|a, b| a.distance.total_cmp(&b.distance))
@@ -135,17 +125,9 @@ impl Ray {
             &Shape::Sphere { centre, radius } => {
                 let crossings = self.sphere(centre, radius.abs())?;
                 let sign = radius.signum();
-                self.nearest(
-                    crossings.map(|(t, normal)| (t, sign * normal)),
-                    is_transparent,
-                )
+                self.nearest(crossings.map(|(t, normal)| (t, sign * normal)), is_transparent)
             }
-            &Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
+            &Shape::Cone { base, base_radius, apex, apex_radius } => {
                 let radii = [base_radius, apex_radius].map(f64::abs);
                 let crossings = self.cone(base, apex, radii)?;
                 let is_hollow = base_radius.max(apex_radius) <= 0.0;
@@ -308,21 +290,12 @@ mod tests {
         let behind = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();
         let middle = [31.5, 23.5];
         let found = world.pick(middle, SIZE).unwrap();
-        assert_eq!(
-            (found.target, found.distance),
-            (Target::Object(behind), 11.0)
-        );
+        assert_eq!((found.target, found.distance), (Target::Object(behind), 11.0));
         assert_eq!((found.point, found.normal), (DVec3::NEG_Z, DVec3::Z));
         let before = world.add_sphere([0.0; 3], 1.0, red).unwrap();
-        assert_eq!(
-            world.pick(middle, SIZE).unwrap().target,
-            Target::Object(before)
-        );
+        assert_eq!(world.pick(middle, SIZE).unwrap().target, Target::Object(before));
         world.show(before, false).unwrap();
-        assert_eq!(
-            world.pick(middle, SIZE).unwrap().target,
-            Target::Object(behind)
-        );
+        assert_eq!(world.pick(middle, SIZE).unwrap().target, Target::Object(behind));
         assert_eq!(world.pick([0.0, 0.0], SIZE), None);
         assert_eq!(world.pick(middle, (0, 0)), None);
         assert_eq!(world.cast_ray([0.0; 3], [0.0; 3]), None);
@@ -334,12 +307,7 @@ mod tests {
         let mut world = world();
         let red = world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap();
         let glass = world.add_material(Material::glass()).unwrap();
-        let square = [
-            [-1.0, -1.0, 0.0],
-            [1.0, -1.0, 0.0],
-            [1.0, 1.0, 0.0],
-            [-1.0, 1.0, 0.0],
-        ];
+        let square = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]];
         let wall = world.add_polygon(&square, red).unwrap();
         let ahead = |world: &World| world.cast_ray([0.2, 0.3, 5.0], [0.0, 0.0, -2.0]);
         let back = |world: &World| world.cast_ray([0.2, 0.3, -5.0], [0.0, 0.0, 2.0]);
@@ -350,10 +318,7 @@ mod tests {
         assert_eq!(world.cast_ray([1.5, 0.0, 5.0], [0.0, 0.0, -1.0]), None);
         world.remove(wall).unwrap();
         let room = world.add_sphere([0.0; 3], -4.0, red).unwrap();
-        assert_eq!(
-            ahead(&world).unwrap().distance,
-            5.0 + (16.0_f64 - 0.13).sqrt()
-        );
+        assert_eq!(ahead(&world).unwrap().distance, 5.0 + (16.0_f64 - 0.13).sqrt());
         assert_eq!(ahead(&world).unwrap().target, Target::Object(room));
     }
 
@@ -404,9 +369,7 @@ mod tests {
         for turn in 0..40 {
             let mut n = || random.random_range(-1.0..1.0_f64);
             let mesh = Arc::new(Mesh {
-                positions: (0..60)
-                    .map(|_| [n() as f32, n() as f32, n() as f32])
-                    .collect(),
+                positions: (0..60).map(|_| [n() as f32, n() as f32, n() as f32]).collect(),
                 triangles: (0..20).map(|at| [3 * at, 3 * at + 1, 3 * at + 2]).collect(),
                 materials: vec![0; 20],
                 two_sided: turn % 3 == 0,
@@ -418,15 +381,12 @@ mod tests {
             let (mut world, mut flat) = (world(), world());
             let red = Material::matte(1.0, 0.0, 0.0);
             let material = [&mut world, &mut flat].map(|it| it.add_material(red.clone()).unwrap());
-            let sphere = world
-                .add_sphere([0.0, 0.0, -4.0], 1.0, material[0])
-                .unwrap();
+            let sphere = world.add_sphere([0.0, 0.0, -4.0], 1.0, material[0]).unwrap();
             let id = world.add_mesh(mesh.clone(), &material[..1], place).unwrap();
             let mut numbers = HashMap::new();
             for number in 0..20 {
-                let [a, b, c] = mesh
-                    .corners(number)
-                    .map(|it| place.transform_point3(it.as_dvec3()));
+                let [a, b, c] =
+                    mesh.corners(number).map(|it| place.transform_point3(it.as_dvec3()));
                 let sides = [[a, b, c], [a, c, b]];
                 for (side, corners) in sides.into_iter().enumerate() {
                     if mesh.two_sided || (side == 1) == mirrored {
@@ -442,10 +402,7 @@ mod tests {
                 let met = world.cast_ray(origin, direction);
                 let Some(expected) = expected else {
                     let rest = met.map(|met| met.target);
-                    assert!(
-                        rest.is_none_or(|it| it == Target::Object(sphere)),
-                        "{rest:?}"
-                    );
+                    assert!(rest.is_none_or(|it| it == Target::Object(sphere)), "{rest:?}");
                     found[0] += 1;
                     continue;
                 };
@@ -457,10 +414,7 @@ mod tests {
                 let number = numbers[&expected.target.object().unwrap()];
                 assert_eq!(met.target, Target::Mesh(id, number));
                 assert!((met.distance - expected.distance).abs() < 1e-9);
-                assert!(
-                    (met.normal - expected.normal).length() < 1e-6,
-                    "{met:?} {expected:?}"
-                );
+                assert!((met.normal - expected.normal).length() < 1e-6, "{met:?} {expected:?}");
                 found[1] += 1;
             }
             world.show_mesh(id, false).unwrap();

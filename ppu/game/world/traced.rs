@@ -146,24 +146,12 @@ impl World {
         if !is_whitted {
             self.set_spheres(&mut scene)?;
         }
-        Ok(Traced {
-            scene,
-            shaders,
-            program: *program,
-            mesh: content.mesh.clone(),
-            has_gathered,
-        })
+        Ok(Traced { scene, shaders, program: *program, mesh: content.mesh.clone(), has_gathered })
     }
 
     /// Brings the world's changes into a scene; `false` if they don't fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
-        let Traced {
-            scene,
-            shaders,
-            mesh,
-            has_gathered,
-            ..
-        } = traced;
+        let Traced { scene, shaders, mesh, has_gathered, .. } = traced;
         let has_other_view = *scene.view() != self.view;
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
@@ -218,11 +206,7 @@ impl World {
         let drawn = |object: &Object| match object.shape {
             Shape::Sphere { centre, radius } if radius > 0.0 && object.visible => {
                 let entry = self.materials.get(object.material)?;
-                Some(Sphere {
-                    centre,
-                    radius,
-                    colour: colour.light(entry.material.colour),
-                })
+                Some(Sphere { centre, radius, colour: colour.light(entry.material.colour) })
             }
             _ => None,
         };
@@ -248,13 +232,7 @@ impl World {
             return Ok(false);
         }
         let ambient = self.ambient_light();
-        let Self {
-            edits,
-            objects,
-            materials,
-            lights,
-            ..
-        } = self;
+        let Self { edits, objects, materials, lights, .. } = self;
         block.set_ambient(ambient).map_err(SceneError::from)?;
         for number in &edits.removed {
             block.remove_object(*number);

@@ -26,10 +26,7 @@ pub(crate) struct BoundingSphere {
 
 impl BoundingSphere {
     pub fn point(centre: DVec3) -> Self {
-        Self {
-            centre,
-            radius: 0.0,
-        }
+        Self { centre, radius: 0.0 }
     }
 
     /// The smallest sphere around this one and another.
@@ -51,10 +48,7 @@ impl BoundingSphere {
     /// A sphere that is larger by the rounding of the operations that made it.
     fn rounded(self) -> Self {
         let rounding = ROUNDING * (self.centre.abs().max_element() + self.radius);
-        Self {
-            radius: self.radius + rounding,
-            ..self
-        }
+        Self { radius: self.radius + rounding, ..self }
     }
 
     /// The largest distance of its points from `from`.
@@ -77,11 +71,7 @@ impl Hull {
         let mut spheres = [BoundingSphere::point(DVec3::ZERO); 4];
         spheres[..COUNT].copy_from_slice(&found);
         let bounds = found.iter().map(Bounds::of_sphere);
-        Self {
-            spheres,
-            count: COUNT,
-            bounds: bounds.fold(Bounds::NOTHING, Bounds::with),
-        }
+        Self { spheres, count: COUNT, bounds: bounds.fold(Bounds::NOTHING, Bounds::with) }
     }
 
     /// The same hull of a primitive that is known to be within these bounds.
@@ -108,10 +98,7 @@ pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
     let (&first, others) = spheres.split_first()?;
     if spheres.len() <= FEW {
         let widest = around_widest_pair(spheres)?;
-        if spheres
-            .iter()
-            .all(|it| it.farthest(widest.centre) <= widest.radius)
-        {
+        if spheres.iter().all(|it| it.farthest(widest.centre) <= widest.radius) {
             return Some(widest);
         }
         if let Some(circumscribed) = circumscribed(spheres) {
@@ -128,11 +115,7 @@ pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
         let start = (first.farthest(centre), &first);
         let (radius, sphere) = others.iter().fold(start, |found, sphere| {
             let radius = sphere.farthest(centre);
-            if radius > found.0 {
-                (radius, sphere)
-            } else {
-                found
-            }
+            if radius > found.0 { (radius, sphere) } else { found }
         });
         if radius < best.0 {
             best = (radius, centre);
@@ -217,10 +200,7 @@ mod tests {
             for enclose in [enclose, enclose_quickly] {
                 let around = enclose(&spheres).expect("a sphere");
                 for sphere in &spheres {
-                    assert!(
-                        sphere.farthest(around.centre) <= around.radius,
-                        "{spheres:?}"
-                    );
+                    assert!(sphere.farthest(around.centre) <= around.radius, "{spheres:?}");
                 }
             }
         }
@@ -276,10 +256,8 @@ mod tests {
         for _ in 0..200 {
             // The smallest sphere around the ends of a diameter and points inside is known.
             let (centre, axis) = (unit(&mut random) * 5.0, unit(&mut random));
-            let mut spheres = vec![
-                BoundingSphere::point(centre + axis),
-                BoundingSphere::point(centre - axis),
-            ];
+            let mut spheres =
+                vec![BoundingSphere::point(centre + axis), BoundingSphere::point(centre - axis)];
             for _ in 0..random.random_range(0..10) {
                 let share = random.random_range(0.0..1.0);
                 spheres.push(BoundingSphere {

@@ -13,25 +13,16 @@ pub(crate) struct Bounds {
 
 impl Bounds {
     /// The box around nothing.
-    pub const NOTHING: Self = Self {
-        low: DVec3::INFINITY,
-        high: DVec3::NEG_INFINITY,
-    };
+    pub const NOTHING: Self = Self { low: DVec3::INFINITY, high: DVec3::NEG_INFINITY };
 
     /// The box around a sphere.
     pub fn of_sphere(sphere: &BoundingSphere) -> Self {
-        Self {
-            low: sphere.centre - sphere.radius,
-            high: sphere.centre + sphere.radius,
-        }
+        Self { low: sphere.centre - sphere.radius, high: sphere.centre + sphere.radius }
     }
 
     /// The box around this one and another.
     pub fn with(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     pub fn size(&self) -> DVec3 {

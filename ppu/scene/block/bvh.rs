@@ -38,10 +38,7 @@ const MOST_GROWTH: f64 = 1.5;
 /// passes every ray that hits an object inside `sphere`.
 pub(crate) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
     let distance = sphere.centre.distance(eye);
-    BoundingSphere {
-        radius: sphere.radius + SLACK * (distance + sphere.radius),
-        ..sphere
-    }
+    BoundingSphere { radius: sphere.radius + SLACK * (distance + sphere.radius), ..sphere }
 }
 
 /// The volumes of a BVH's nodes.
@@ -90,24 +87,13 @@ pub(super) struct Bvh {
 
 impl Bvh {
     pub fn new(volumes: Volumes) -> Self {
-        Self {
-            volumes,
-            ..Self::default()
-        }
+        Self { volumes, ..Self::default() }
     }
 
     /// Builds the BVH over all objects. Each is given by its hull, or is `None` if there is none
     /// with that index.
     pub fn build(&mut self, hulls: &[Option<Hull>]) {
-        let Self {
-            spheres,
-            order,
-            levels,
-            boxes,
-            hull,
-            areas,
-            ..
-        } = self;
+        let Self { spheres, order, levels, boxes, hull, areas, .. } = self;
         spheres.clear();
         order.clear();
         for (index, hull) in hulls.iter().enumerate() {
@@ -254,13 +240,9 @@ impl Bvh {
         let Self { levels, height, .. } = self;
         match self.volumes {
             Volumes::Spheres => {
-                self.write_nodes(
-                    &levels[..*height],
-                    address,
-                    object,
-                    bytes,
-                    |spheres, child| node(eye, spheres, child),
-                );
+                self.write_nodes(&levels[..*height], address, object, bytes, |spheres, child| {
+                    node(eye, spheres, child)
+                });
             }
             Volumes::Boxes => {
                 let levels = &self.boxes[..*height];
@@ -471,10 +453,7 @@ fn split(order: &mut [usize], spheres: &[BoundingSphere]) {
     let left = whole * count.div_ceil(whole).div_ceil(2);
     let centre = |&index: &usize| spheres[index].centre;
     let low = order.iter().map(centre).fold(DVec3::INFINITY, DVec3::min);
-    let high = order
-        .iter()
-        .map(centre)
-        .fold(DVec3::NEG_INFINITY, DVec3::max);
+    let high = order.iter().map(centre).fold(DVec3::NEG_INFINITY, DVec3::max);
     let axis = (high - low).max_position();
     // Comparing the indices too makes the split the same on every machine.
     order.select_nth_unstable_by(left, |a, b| {

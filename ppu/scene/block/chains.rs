@@ -82,10 +82,7 @@ pub(super) fn greatest(colour: &[F32]) -> f64 {
 
 impl Chains {
     /// The bounds without any knowledge of a scene.
-    pub const UNBOUNDED: Self = Self {
-        ray_depth: MAX_DEPTH,
-        least_weight: 0.0,
-    };
+    pub const UNBOUNDED: Self = Self { ray_depth: MAX_DEPTH, least_weight: 0.0 };
 
     /// The bounds of a scene with these materials. The array has the greatest channels of the
     /// background, of the ambient light, and of the sum of all lights.
@@ -100,10 +97,7 @@ impl Chains {
             is_bounded &= !sends.is_own;
         }
         if options.spd_rays || !is_bounded {
-            return Self {
-                ray_depth: options.ray_depth,
-                ..Self::UNBOUNDED
-            };
+            return Self { ray_depth: options.ray_depth, ..Self::UNBOUNDED };
         }
         // The greatest brightness that a ray can see: a surface's own light, and a share of the
         // brightness that the next ray of the chain sees.
@@ -121,10 +115,7 @@ impl Chains {
             ray_depth += 1;
             weight *= share * (1.0 + ROUNDING);
         }
-        Self {
-            ray_depth,
-            least_weight: least as f32,
-        }
+        Self { ray_depth, least_weight: least as f32 }
     }
 }
 
@@ -133,20 +124,11 @@ mod tests {
     use super::*;
 
     fn sends(share: f64, diffuse: f64) -> Sends {
-        Sends {
-            share,
-            emission: 0.0,
-            diffuse,
-            highlight: 0.0,
-            is_own: false,
-        }
+        Sends { share, emission: 0.0, diffuse, highlight: 0.0, is_own: false }
     }
 
     fn to(ray_depth: u32) -> BlockOptions {
-        BlockOptions {
-            ray_depth,
-            ..BlockOptions::default()
-        }
+        BlockOptions { ray_depth, ..BlockOptions::default() }
     }
 
     #[test]
@@ -167,20 +149,14 @@ mod tests {
 
     #[test]
     fn counting_as_in_spd_bounds_nothing() {
-        let options = BlockOptions {
-            spd_rays: true,
-            ..to(6)
-        };
+        let options = BlockOptions { spd_rays: true, ..to(6) };
         let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
     }
 
     #[test]
     fn an_own_shader_bounds_nothing() {
-        let own = Sends {
-            is_own: true,
-            ..sends(0.0, 1.0)
-        };
+        let own = Sends { is_own: true, ..sends(0.0, 1.0) };
         let chains = Chains::of(to(7), [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (7, 0.0));
     }

@@ -50,14 +50,8 @@ const CULL_FACES: f64 = 16.0;
 impl Volumes {
     fn cycles(self) -> Cycles {
         match self {
-            Self::Spheres => Cycles {
-                cull: 33.0,
-                filter: 65.0,
-            },
-            Self::Boxes => Cycles {
-                cull: 51.0,
-                filter: 140.0,
-            },
+            Self::Spheres => Cycles { cull: 33.0, filter: 65.0 },
+            Self::Boxes => Cycles { cull: 51.0, filter: 140.0 },
         }
     }
 }
@@ -87,11 +81,7 @@ pub(super) struct Extent {
 impl Extent {
     pub fn of_sphere(sphere: &BoundingSphere) -> Self {
         let area = 4.0 * PI * sphere.radius * sphere.radius;
-        Self {
-            area,
-            reach: area,
-            curvature: 8.0 * PI * sphere.radius,
-        }
+        Self { area, reach: area, curvature: 8.0 * PI * sphere.radius }
     }
 
     pub fn of_box(bounds: &Bounds) -> Self {
@@ -115,10 +105,7 @@ struct Chances {
 
 impl Chances {
     fn of(scene: &Bounds) -> Self {
-        Self {
-            scene: Extent::of_box(scene),
-            size: scene.size().element_sum() / 3.0,
-        }
+        Self { scene: Extent::of_box(scene), size: scene.size().element_sum() / 3.0 }
     }
 
     /// The probability that a packet's cone, this wide, is not found to miss a volume.

@@ -46,12 +46,7 @@ impl SceneBlock {
         // more than local store.
         let own: Vec<u32> = (0..).take(scene.materials.len()).collect();
         let firsts = alike::firsts(&scene.materials);
-        let mut source = Source {
-            scene,
-            options,
-            shader: &shader,
-            firsts: &own,
-        };
+        let mut source = Source { scene, options, shader: &shader, firsts: &own };
         let mut outcome = Self::unchanging_of(source);
         let is_large = match &outcome {
             Ok(block) => block.streamed.as_ref().is_some_and(|it| it.table.is_some()),
@@ -77,10 +72,7 @@ impl SceneBlock {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
             let spare = Spare {
                 materials: more(tight.materials.len()),
-                objects: tight
-                    .primitives
-                    .each_ref()
-                    .map(|primitives| more(primitives.count())),
+                objects: tight.primitives.each_ref().map(|primitives| more(primitives.count())),
             };
             match Self::with_spare(source, spare, None) {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
@@ -148,10 +140,7 @@ impl SceneBlock {
         kind: LightKind,
         brightness: Option<DVec3>,
     ) -> Result<bool, BlockError> {
-        let place = SourceLocation {
-            file: &self.file,
-            line: Some(number as u32 + 1),
-        };
+        let place = SourceLocation { file: &self.file, line: Some(number as u32 + 1) };
         let Some(light) = self.lights.get_mut(number) else {
             return Ok(false);
         };
@@ -174,12 +163,8 @@ impl SceneBlock {
             // The record is written when an object needs it.
             Some(None) => Ok(true),
             // Other materials keep the record.
-            Some(Some(Surface {
-                is_shared: true, ..
-            })) => Ok(false),
-            Some(Some(Surface {
-                address, texture, ..
-            })) => {
+            Some(Some(Surface { is_shared: true, .. })) => Ok(false),
+            Some(Some(Surface { address, texture, .. })) => {
                 let (old, new) = (texture.as_ref(), material.texture.as_ref());
                 if old.map(Arc::as_ptr) != new.map(Arc::as_ptr) {
                     // The mesh's blocks and tiles are made for the textures.
@@ -237,10 +222,7 @@ impl SceneBlock {
     ) -> Result<Option<u32>, BlockError> {
         match self.materials.get(number) {
             None => Ok(None),
-            Some(Some(Surface {
-                address: Some(address),
-                ..
-            })) => Ok(Some(*address)),
+            Some(Some(Surface { address: Some(address), .. })) => Ok(Some(*address)),
             Some(_) => {
                 let Some(address) = self.material_room.pop() else {
                     return Ok(None);
@@ -264,13 +246,8 @@ impl SceneBlock {
             Some((has_on_surface(eye, &object.primitive), object.sides))
         };
         self.objects.iter().all(|range| {
-            let [
-                PrimitiveId {
-                    kind: PrimitiveKind::Sphere,
-                    slot,
-                },
-                rest @ ..,
-            ] = &self.parts[range.clone()]
+            let [PrimitiveId { kind: PrimitiveKind::Sphere, slot }, rest @ ..] =
+                &self.parts[range.clone()]
             else {
                 return true;
             };
@@ -295,10 +272,7 @@ impl SceneBlock {
         let (Some(address), Some(range)) = (address, self.objects.get(number)) else {
             return Ok(false);
         };
-        let place = SourceLocation {
-            file: &self.file,
-            line: Some(number as u32 + 1),
-        };
+        let place = SourceLocation { file: &self.file, line: Some(number as u32 + 1) };
         let mut parts = self.parts[range.clone()].iter();
         let eye = self.objects_eye;
         let primitives = &mut self.primitives;
@@ -355,14 +329,9 @@ impl SceneBlock {
             return Ok(None);
         }
         let first = self.parts.len();
-        let place = SourceLocation {
-            file: &self.file,
-            line: Some(number as u32 + 1),
-        };
+        let place = SourceLocation { file: &self.file, line: Some(number as u32 + 1) };
         let eye = self.objects_eye;
-        let Self {
-            primitives, parts, ..
-        } = self;
+        let Self { primitives, parts, .. } = self;
         let mut fits = true;
         objects::of_shape(shape, material, place, &mut |primitive, sides| {
             let kind = primitive.kind();

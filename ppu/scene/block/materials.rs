@@ -49,37 +49,22 @@ struct Shading<'a> {
 impl<'a> Shading<'a> {
     fn of(material: &'a Material, colour: Colour) -> Self {
         let emission = colour.light(material.emission);
-        let phong = Self {
-            emission,
-            shares: true,
-            shines: true,
-            ..Self::default()
-        };
+        let phong = Self { emission, shares: true, shines: true, ..Self::default() };
         match &material.shader {
             Shader::Phong => phong,
-            Shader::Lambert => Self {
-                shines: false,
-                ..phong
-            },
-            Shader::Flat => Self {
-                emission: emission + colour.light(material.colour),
-                ..Self::default()
-            },
+            Shader::Lambert => Self { shines: false, ..phong },
+            Shader::Flat => {
+                Self { emission: emission + colour.light(material.colour), ..Self::default() }
+            }
             Shader::Checker { other, size } => {
                 let other = colour.light(*other);
-                Self {
-                    shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])),
-                    ..phong
-                }
+                Self { shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])), ..phong }
             }
             Shader::Depth { far, near } => Self {
                 shader: Some((DEPTH, [*far, (far - near).recip(), 0.0, 0.0])),
                 ..Self::default()
             },
-            Shader::Own { name, parameters } => Self {
-                shader: Some((name, *parameters)),
-                ..phong
-            },
+            Shader::Own { name, parameters } => Self { shader: Some((name, *parameters)), ..phong },
         }
     }
 }
@@ -104,9 +89,7 @@ pub(super) fn background(
     };
     place.vector("sky", zenith)?;
     place.vector("direction to the zenith", up)?;
-    let shader = entry(SKY).ok_or_else(|| BlockError::NoSky {
-        file: file.to_owned(),
-    })?;
+    let shader = entry(SKY).ok_or_else(|| BlockError::NoSky { file: file.to_owned() })?;
     // A direction of 0 has no zenith; files with one are refused.
     let [x, y, z] = unit(up).unwrap_or_default().to_array();
     Ok(layout::Material {
@@ -147,18 +130,11 @@ pub(super) fn record(
         shader: _,
         texture: _,
     } = material;
-    let place = SourceLocation {
-        file,
-        line: Some(line),
-    };
+    let place = SourceLocation { file, line: Some(line) };
     place.vector("colour", colour)?;
     place.vector("emission", emission)?;
-    for (what, value) in [
-        ("Kd", diffuse),
-        ("Ks", specular),
-        ("shine", shine),
-        ("T", transmittance),
-    ] {
+    for (what, value) in [("Kd", diffuse), ("Ks", specular), ("shine", shine), ("T", transmittance)]
+    {
         place.number(what, value)?;
     }
     // The index of an opaque material is not used, whatever the file says.
@@ -202,17 +178,9 @@ pub(super) fn record(
     };
     let is_counted = options.spd_rays && shading.shares;
     let counted = |share: f64| {
-        if is_counted {
-            share.max(COUNTED)
-        } else {
-            share
-        }
+        if is_counted { share.max(COUNTED) } else { share }
     };
-    let mirror = if transmittance > 0.0 {
-        counted(mirror)
-    } else {
-        mirror
-    };
+    let mirror = if transmittance > 0.0 { counted(mirror) } else { mirror };
     let diffuse = counted(diffuse);
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
@@ -262,10 +230,8 @@ impl Light {
             place.vector("light", position)?;
         }
         place.vector("brightness", brightness)?;
-        let record = layout::Light {
-            brightness: singles(brightness),
-            ..layout::Light::new_zeroed()
-        };
+        let record =
+            layout::Light { brightness: singles(brightness), ..layout::Light::new_zeroed() };
         Ok(Self { kind, record })
     }
 
@@ -278,10 +244,7 @@ impl Light {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }
-        Ok(Self {
-            kind,
-            record: self.record,
-        })
+        Ok(Self { kind, record: self.record })
     }
 
     /// The greatest channel of its brightness.

@@ -31,11 +31,8 @@ impl MemoryUse {
             ("materials", materials, size_of::<layout::Material>()),
             ("lights", lights, size_of::<layout::Light>()),
         ];
-        let others = others.map(|(what, count, size)| Consumer {
-            what,
-            count,
-            bytes: count * size,
-        });
+        let others =
+            others.map(|(what, count, size)| Consumer { what, count, bytes: count * size });
         let mut consumers: Vec<Consumer> = objects.into_iter().chain(others).collect();
         consumers.retain(|consumer| consumer.count > 0);
         consumers.sort_by_key(|consumer| std::cmp::Reverse(consumer.bytes));
@@ -56,10 +53,7 @@ impl MemoryUse {
         }
         let objects = PrimitiveKind::ALL.map(|kind| {
             let count = counts[kind as usize];
-            (
-                count,
-                count * sizes[kind as usize] + bvh::size(count, Volumes::Spheres),
-            )
+            (count, count * sizes[kind as usize] + bvh::size(count, Volumes::Spheres))
         });
         let materials = is_used.iter().filter(|&&is_used| is_used).count();
         Self::new(objects, materials, scene.lights.len())

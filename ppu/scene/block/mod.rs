@@ -160,12 +160,7 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
-        Self::of(Source {
-            scene,
-            options,
-            shader,
-            firsts: &alike::firsts(&scene.materials),
-        })
+        Self::of(Source { scene, options, shader, firsts: &alike::firsts(&scene.materials) })
     }
 
     fn of(source: Source<'_>) -> Result<Self, BlockError> {
@@ -269,12 +264,7 @@ impl SceneBlock {
         volumes: [Volumes; 4],
         mut streamed: Option<Streamed>,
     ) -> Result<Self, BlockError> {
-        let Source {
-            scene,
-            options,
-            shader,
-            firsts,
-        } = source;
+        let Source { scene, options, shader, firsts } = source;
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
             return Err(BlockError::RayDepth(options.ray_depth));
         }
@@ -288,11 +278,8 @@ impl SceneBlock {
         let lights = lights(scene)?;
         let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
 
-        let Found {
-            found,
-            objects,
-            mut parts,
-        } = Found::of(scene, options.ray_depth, streamed.as_ref())?;
+        let Found { found, objects, mut parts } =
+            Found::of(scene, options.ray_depth, streamed.as_ref())?;
         let mut materials: Vec<Option<Surface>> = vec![None; scene.materials.len()];
         if let Some(streamed) = &mut streamed
             && let Some(textures) = &streamed.textures
@@ -327,10 +314,7 @@ impl SceneBlock {
         }
         for object in found.iter().flatten() {
             let index = firsts[object.material as usize] as usize;
-            if materials[index]
-                .as_ref()
-                .is_none_or(|it| it.address.is_none())
-            {
+            if materials[index].as_ref().is_none_or(|it| it.address.is_none()) {
                 let (record, mut surface) = record(index)?;
                 surface.address = Some(block.append(record.as_bytes()));
                 materials[index] = Some(surface);
@@ -348,9 +332,8 @@ impl SceneBlock {
                 materials[index] = materials[first].clone();
             }
         }
-        let material_room = (0..spare.materials)
-            .map(|_| block.reserve(size_of::<layout::Material>()))
-            .collect();
+        let material_room =
+            (0..spare.materials).map(|_| block.reserve(size_of::<layout::Material>())).collect();
         let material = |object: &Object| {
             let surface = materials[object.material as usize].as_ref();
             U32::new(surface.and_then(|it| it.address).unwrap_or(SCENE_ADDRESS))
@@ -398,10 +381,7 @@ impl SceneBlock {
     /// # Errors
     /// The eye is out of range; the block stays as it was.
     pub fn write_for(&mut self, eye: DVec3) -> Result<(), BlockError> {
-        let place = SourceLocation {
-            file: &self.file,
-            line: None,
-        };
+        let place = SourceLocation { file: &self.file, line: None };
         place.vector("eye", eye)?;
         let is_other_eye = self.eye.replace(eye) != Some(eye);
         for primitives in &mut self.primitives {
@@ -415,9 +395,7 @@ impl SceneBlock {
         let places = (self.light_address..).step_by(size);
         for (address, light) in places.zip(&self.lights) {
             let record = light.record(eye, leave);
-            self.block
-                .at(address, size)
-                .copy_from_slice(record.as_bytes());
+            self.block.at(address, size).copy_from_slice(record.as_bytes());
         }
         Ok(())
     }
@@ -558,10 +536,7 @@ fn surfacing(streamed: Option<&Streamed>, material: &nff::Material) -> Surfacing
     };
     let texture = material.texture.as_ref();
     let address = texture.and_then(|texture| streamed.texture_address(texture));
-    Surfacing {
-        texture: address.unwrap_or_default(),
-        is_coloured: streamed.blocks.is_coloured(),
-    }
+    Surfacing { texture: address.unwrap_or_default(), is_coloured: streamed.blocks.is_coloured() }
 }
 
 /// The bytes that the queue of rays leaves for a scene.
@@ -615,16 +590,10 @@ fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
 
 fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
     if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
-        return Err(BlockError::TooManyLights {
-            file: scene.name.clone(),
-            line: light.line,
-        });
+        return Err(BlockError::TooManyLights { file: scene.name.clone(), line: light.line });
     }
     let light = |light: &nff::Light| {
-        let place = SourceLocation {
-            file: &scene.name,
-            line: Some(light.line),
-        };
+        let place = SourceLocation { file: &scene.name, line: Some(light.line) };
         Light::of(light.kind, scene.brightness(light), place)
     };
     scene.lights.iter().map(light).collect()
@@ -651,11 +620,7 @@ impl Found {
     fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
         let in_main_memory = streamed.map(|it| it.kinds).unwrap_or_default();
         let is_streamed = |shape: &nff::Shape| in_main_memory.holds(shape);
-        let Self {
-            mut found,
-            mut objects,
-            mut parts,
-        } = Self::default();
+        let Self { mut found, mut objects, mut parts } = Self::default();
         let eye = scene.view.from;
         let most = MAX_OBJECTS as usize;
         let mut counts = [0; 4];
@@ -665,10 +630,7 @@ impl Found {
             let first = parts.len();
             let material = scene.materials.get(object.material as usize);
             if let Some(material) = material.filter(|_| !is_streamed(&object.shape)) {
-                let place = SourceLocation {
-                    file: &scene.name,
-                    line: Some(object.line),
-                };
+                let place = SourceLocation { file: &scene.name, line: Some(object.line) };
                 let (kind, about) = objects::about(&object.shape);
                 // Above the limit, objects are still counted, but not split into triangles, which
                 // takes time.
@@ -686,10 +648,7 @@ impl Found {
                             too_many.get_or_insert((place, kind));
                             return Ok(());
                         }
-                        parts.push(PrimitiveId {
-                            kind,
-                            slot: found.len(),
-                        });
+                        parts.push(PrimitiveId { kind, slot: found.len() });
                         found.push(Object {
                             primitive: primitive.clone(),
                             sides,
@@ -702,18 +661,10 @@ impl Found {
             objects.push(first..parts.len());
         }
         // A mesh in local store: its triangles are no objects of the scene, and come after them.
-        for triangle in scene
-            .mesh
-            .iter()
-            .filter(|_| streamed.is_none())
-            .flat_map(of_mesh)
-        {
+        for triangle in scene.mesh.iter().filter(|_| streamed.is_none()).flat_map(of_mesh) {
             let (shape, index, two_sided) = triangle;
             let kind = PrimitiveKind::Triangle;
-            let place = SourceLocation {
-                file: &scene.name,
-                line: None,
-            };
+            let place = SourceLocation { file: &scene.name, line: None };
             let Some(material) = scene.materials.get(index as usize) else {
                 continue;
             };
@@ -723,17 +674,10 @@ impl Found {
                     too_many.get_or_insert((place, kind));
                     return Ok(());
                 }
-                parts.push(PrimitiveId {
-                    kind,
-                    slot: found[kind as usize].len(),
-                });
+                parts.push(PrimitiveId { kind, slot: found[kind as usize].len() });
                 found[kind as usize].push(Object {
                     primitive,
-                    sides: if two_sided {
-                        sides | layout::SIDES_BOTH
-                    } else {
-                        sides
-                    },
+                    sides: if two_sided { sides | layout::SIDES_BOTH } else { sides },
                     material: index,
                 });
                 Ok(())
@@ -747,11 +691,7 @@ impl Found {
                 fits: MemoryUse::of(scene, counts).fits(room(1, ray_depth)),
             });
         }
-        Ok(Self {
-            found,
-            objects,
-            parts,
-        })
+        Ok(Self { found, objects, parts })
     }
 }
 

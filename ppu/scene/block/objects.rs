@@ -67,11 +67,7 @@ pub(super) fn of_shape(
     place: SourceLocation<'_>,
     found: &mut impl FnMut(Primitive, u32) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
-    let both = if material.transmittance > 0.0 {
-        SIDES_BOTH
-    } else {
-        0
-    };
+    let both = if material.transmittance > 0.0 { SIDES_BOTH } else { 0 };
     match shape {
         &Shape::Sphere { centre, radius } => {
             place.vector("centre", centre)?;
@@ -80,12 +76,7 @@ pub(super) fn of_shape(
             let sides = if both != 0 { both } else { exit };
             found(Primitive::Sphere { centre, radius }, sides)
         }
-        &Shape::Cone {
-            base,
-            base_radius,
-            apex,
-            apex_radius,
-        } => {
+        &Shape::Cone { base, base_radius, apex, apex_radius } => {
             place.vector("base", base)?;
             place.vector("apex", apex)?;
             place.number("base radius", base_radius)?;
@@ -122,17 +113,8 @@ pub(super) fn of_shape(
         Shape::Patch { vertices, normals } => {
             check_vertices(vertices, place)?;
             polygons::triangles(vertices, Some(normals), place, |primitive| {
-                let is_smooth = matches!(
-                    primitive,
-                    Primitive::Triangle {
-                        smooth: Some(_),
-                        ..
-                    }
-                );
-                found(
-                    primitive,
-                    if is_smooth { both | SIDES_SMOOTH } else { both },
-                )
+                let is_smooth = matches!(primitive, Primitive::Triangle { smooth: Some(_), .. });
+                found(primitive, if is_smooth { both | SIDES_SMOOTH } else { both })
             })
         }
     }
@@ -148,11 +130,7 @@ pub(super) fn sides_seen_from(
     sides: u32,
 ) -> impl Iterator<Item = u32> + use<> {
     let is_split = sides == SIDES_BOTH && has_on_surface(eye, primitive);
-    let both = if is_split {
-        [Some(0), Some(SIDES_EXIT)]
-    } else {
-        [Some(sides), None]
-    };
+    let both = if is_split { [Some(0), Some(SIDES_EXIT)] } else { [Some(sides), None] };
     both.into_iter().flatten()
 }
 
@@ -175,27 +153,14 @@ impl Head {
                 offset: radius,
                 extent: 0.0,
             },
-            Primitive::Rectangle {
-                corner,
-                edges: [u, v],
-                normal,
-                ..
-            } => {
+            Primitive::Rectangle { corner, edges: [u, v], normal, .. } => {
                 let reach = [u, v, u + v].map(taxicab);
                 Self::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
             }
-            Primitive::Triangle {
-                vertices: [a, b, c],
-                normal,
-                ..
-            } => Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
-            Primitive::Cone {
-                base,
-                axis,
-                height,
-                radii,
-                hollow,
-            } => {
+            Primitive::Triangle { vertices: [a, b, c], normal, .. } => {
+                Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a)))
+            }
+            Primitive::Cone { base, axis, height, radii, hollow } => {
                 let Slant { gain, slope } = Slant::of(primitive.growth(), hollow);
                 Self {
                     centre: base,
@@ -210,14 +175,7 @@ impl Head {
     }
 
     fn of_plane(corner: DVec3, normal: DVec3, extent: f64) -> Self {
-        Self {
-            centre: corner,
-            gain: 0.0,
-            axis: normal,
-            slope: 1.0,
-            offset: 0.0,
-            extent,
-        }
+        Self { centre: corner, gain: 0.0, axis: normal, slope: 1.0, offset: 0.0, extent }
     }
 }
 
@@ -225,12 +183,7 @@ impl Object {
     /// The part of the origin offset that covers the rounding of the object's numbers relative to
     /// `eye`. The coordinates of a point on the object add at most `leave` each to it.
     pub fn leave(&self, eye: DVec3) -> f64 {
-        let Head {
-            centre,
-            offset,
-            extent,
-            ..
-        } = Head::of(&self.primitive);
+        let Head { centre, offset, extent, .. } = Head::of(&self.primitive);
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
@@ -250,14 +203,7 @@ impl Object {
 
     /// Writes the record relative to `eye`; `material` is the address of the object's material.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
-        let Head {
-            centre,
-            gain,
-            axis,
-            slope,
-            offset,
-            ..
-        } = Head::of(&self.primitive);
+        let Head { centre, gain, axis, slope, offset, .. } = Head::of(&self.primitive);
         let offset = self.radius_seen_from(eye).unwrap_or(offset);
         let centre = centre - eye;
         let head = layout::Object {
@@ -275,9 +221,7 @@ impl Object {
         match self.primitive {
             Primitive::Sphere { .. } => {}
             Primitive::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
-            Primitive::Triangle {
-                vertices, smooth, ..
-            } => {
+            Primitive::Triangle { vertices, smooth, .. } => {
                 let corners = vertices.map(|vertex| quadword(vertex - eye));
                 let (triangle, normals) = rest.split_at_mut(size_of_val(&corners));
                 put(triangle, &corners);
@@ -286,10 +230,7 @@ impl Object {
                 }
             }
             Primitive::Cone { height, radii, .. } => {
-                put(
-                    rest,
-                    &[[radii[0], self.primitive.growth(), height, 0.0].map(single)],
-                );
+                put(rest, &[[radii[0], self.primitive.growth(), height, 0.0].map(single)]);
             }
         }
     }

@@ -34,16 +34,8 @@ pub(crate) fn offset_note(scene: &Scene) -> Option<String> {
     let extremes = extents().fold(None, |found: Option<(Extent, Extent)>, it| {
         let (smallest, largest) = found.unwrap_or((it, it));
         Some((
-            if it.size < smallest.size {
-                it
-            } else {
-                smallest
-            },
-            if it.leave > largest.leave {
-                it
-            } else {
-                largest
-            },
+            if it.size < smallest.size { it } else { smallest },
+            if it.leave > largest.leave { it } else { largest },
         ))
     });
     let (smallest, largest) = extremes?;
@@ -56,10 +48,7 @@ pub(crate) fn offset_note(scene: &Scene) -> Option<String> {
         0 => String::new(),
         others => format!("; {others} more object(s) are as far off"),
     };
-    let place = SourceLocation {
-        file: &scene.name,
-        line: Some(largest.line),
-    };
+    let place = SourceLocation { file: &scene.name, line: Some(largest.line) };
     let Extent { what, leave, .. } = largest;
     let Extent { line, size, .. } = smallest;
     let (leave, across) = (rounded(leave), rounded(2.0 * size));
@@ -84,17 +73,10 @@ fn rounded(value: f64) -> f64 {
 /// `None` if it has no surface.
 fn extent(scene: &Scene, object: &nff::Object) -> Option<Extent> {
     let material = scene.materials.get(object.material as usize)?;
-    let place = SourceLocation {
-        file: &scene.name,
-        line: Some(object.line),
-    };
+    let place = SourceLocation { file: &scene.name, line: Some(object.line) };
     let (mut bounds, mut leave) = (None::<Bounds>, 0.0_f64);
     let mut add = |primitive, sides| -> Result<(), BlockError> {
-        let part = Object {
-            primitive,
-            sides,
-            material: object.material,
-        };
+        let part = Object { primitive, sides, material: object.material };
         let hull = part.primitive.hull().bounds();
         bounds = Some(bounds.map_or(hull, |bounds| bounds.with(hull)));
         leave = leave.max(part.leave(scene.view.from));
@@ -112,12 +94,7 @@ fn extent(scene: &Scene, object: &nff::Object) -> Option<Extent> {
         Shape::Sphere { radius, .. } => radius.abs(),
         _ => half.length(),
     };
-    Some(Extent {
-        line: object.line,
-        what,
-        size,
-        leave,
-    })
+    Some(Extent { line: object.line, what, size, leave })
 }
 
 #[cfg(test)]
@@ -142,9 +119,8 @@ mod tests {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
         let files = std::fs::read_dir(folder).unwrap();
         let files = files.map(|entry| entry.unwrap().path());
-        let mut scenes: Vec<_> = files
-            .filter(|path| path.extension().is_some_and(|it| it == "nff"))
-            .collect();
+        let mut scenes: Vec<_> =
+            files.filter(|path| path.extension().is_some_and(|it| it == "nff")).collect();
         assert!(scenes.len() > 10, "{scenes:?}");
         let generated = ["sphereflake:0", "sphereflake:4", "tetra:1", "tetra:6"];
         scenes.extend(generated.map(Into::into));

@@ -51,12 +51,7 @@ pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Primitive> {
     let duals = [dual(u, v), dual(v, u)];
     // If it is too small for its duals to be singles, it becomes triangles instead.
     let sound = |dual: &DVec3| dual.is_finite() && dual.abs().max_element() <= LARGEST;
-    duals.iter().all(sound).then_some(Primitive::Rectangle {
-        corner,
-        edges,
-        normal,
-        duals,
-    })
+    duals.iter().all(sound).then_some(Primitive::Rectangle { corner, edges, normal, duals })
 }
 
 /// The vertices of a polygon, projected onto the plane that goes through their mean at right
@@ -90,10 +85,8 @@ pub(super) fn triangles(
     place: SourceLocation<'_>,
     mut found: impl FnMut(Primitive) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
-    let too_large = || BlockError::LargePolygon {
-        place: place.to_string(),
-        vertices: vertices.len(),
-    };
+    let too_large =
+        || BlockError::LargePolygon { place: place.to_string(), vertices: vertices.len() };
     // Checked first, because the time to find triangles grows with the square of their number.
     if vertices.len() > MAX_OBJECTS as usize + 2 {
         return Err(too_large());
@@ -109,11 +102,7 @@ pub(super) fn triangles(
         if longest < SMALLEST || area / longest <= SLIVER * longest {
             return Ok(());
         }
-        found(Primitive::Triangle {
-            vertices,
-            normal,
-            smooth,
-        })
+        found(Primitive::Triangle { vertices, normal, smooth })
     };
     let cut;
     let corners = match vertices {
@@ -127,9 +116,7 @@ pub(super) fn triangles(
     let Some(corners) = corners else {
         let crossing = nff::even_odd(vertices, MAX_OBJECTS as usize);
         let crossing = crossing.ok_or_else(too_large)?;
-        return crossing
-            .into_iter()
-            .try_for_each(|triangle| found(triangle, None));
+        return crossing.into_iter().try_for_each(|triangle| found(triangle, None));
     };
     let of = |values: &[DVec3], corners: [u32; 3]| corners.map(|index| values[index as usize]);
     corners.iter().try_for_each(|&corners| {

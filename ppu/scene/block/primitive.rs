@@ -90,9 +90,7 @@ impl Primitive {
     /// The size of its record in bytes.
     pub fn size(&self) -> usize {
         match self {
-            Self::Triangle {
-                smooth: Some(_), ..
-            } => PATCH_SIZE,
+            Self::Triangle { smooth: Some(_), .. } => PATCH_SIZE,
             _ => self.kind().least_size(),
         }
     }
@@ -109,25 +107,14 @@ impl Primitive {
     /// primitive.
     pub fn hull(&self) -> Hull {
         match *self {
-            Self::Sphere { centre, radius } => Hull::of([BoundingSphere {
-                centre,
-                radius: radius.abs(),
-            }]),
-            Self::Rectangle {
-                corner,
-                edges: [u, v],
-                ..
-            } => Hull::of(
+            Self::Sphere { centre, radius } => {
+                Hull::of([BoundingSphere { centre, radius: radius.abs() }])
+            }
+            Self::Rectangle { corner, edges: [u, v], .. } => Hull::of(
                 [corner, corner + u, corner + v, corner + u + v].map(BoundingSphere::point),
             ),
             Self::Triangle { vertices, .. } => Hull::of(vertices.map(BoundingSphere::point)),
-            Self::Cone {
-                base,
-                axis,
-                height,
-                radii: [low, high],
-                ..
-            } => {
+            Self::Cone { base, axis, height, radii: [low, high], .. } => {
                 // The centre is equally far from both discs' rims, unless that point is outside of
                 // the cone.
                 let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
@@ -151,11 +138,7 @@ impl Primitive {
     pub fn plane(&self) -> Option<(DVec3, DVec3)> {
         match *self {
             Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
-            Self::Triangle {
-                vertices: [corner, ..],
-                normal,
-                ..
-            } => Some((corner, normal)),
+            Self::Triangle { vertices: [corner, ..], normal, .. } => Some((corner, normal)),
             Self::Sphere { .. } | Self::Cone { .. } => None,
         }
     }
@@ -164,12 +147,7 @@ impl Primitive {
     /// is moved to the plane through the triangle's first vertex with the whole polygon's normal.
     /// A small triangle may be off that plane by more than its own size allows.
     pub fn is_bent(&self) -> bool {
-        let Self::Triangle {
-            vertices: [a, b, c],
-            normal,
-            ..
-        } = *self
-        else {
+        let Self::Triangle { vertices: [a, b, c], normal, .. } = *self else {
             return false;
         };
         let (ab, ac) = (b - a, c - a);

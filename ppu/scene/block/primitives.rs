@@ -67,10 +67,7 @@ impl Primitives {
         mut number: impl FnMut(usize, usize),
         block: &mut Block,
     ) -> Self {
-        let hulls: Vec<_> = found
-            .iter()
-            .map(|object| Some(object.primitive.hull()))
-            .collect();
+        let hulls: Vec<_> = found.iter().map(|object| Some(object.primitive.hull())).collect();
         let mut bvh = Bvh::new(volumes);
         bvh.build(&hulls);
         let mut slots = Vec::with_capacity(found.len() + spare);
@@ -80,11 +77,8 @@ impl Primitives {
             let object = &found[index];
             let mut slot = Slot::reserve(object.primitive.size(), block);
             slot.taken = true;
-            slot.object = Some(Placed {
-                object: object.clone(),
-                material: material(object),
-                leave: 0.0,
-            });
+            slot.object =
+                Some(Placed { object: object.clone(), material: material(object), leave: 0.0 });
             slots.push(slot);
             in_order.push(hulls[index]);
         }
@@ -131,11 +125,7 @@ impl Primitives {
         slot.stale = true;
         slot.moved = true;
         self.outgrown |= slot.object.is_none();
-        slot.object = Some(Placed {
-            object,
-            material,
-            leave: 0.0,
-        });
+        slot.object = Some(Placed { object, material, leave: 0.0 });
     }
 
     /// Removes the object in a slot, if there is one.
@@ -171,9 +161,7 @@ impl Primitives {
         if !is_changed {
             return;
         }
-        let Self {
-            slots, hulls, bvh, ..
-        } = self;
+        let Self { slots, hulls, bvh, .. } = self;
         let is_good = !self.outgrown && bvh.refit(|number| slots[number].moved, hulls);
         if !is_good {
             bvh.build(hulls);
@@ -191,11 +179,9 @@ impl Primitives {
     pub fn record(&self) -> layout::Bvh {
         let record = self.bvh.record(self.nodes);
         match *self.bvh.order() {
-            [only] => layout::Bvh {
-                roots: self.slots[only].address.into(),
-                levels: 0.into(),
-                ..record
-            },
+            [only] => {
+                layout::Bvh { roots: self.slots[only].address.into(), levels: 0.into(), ..record }
+            }
             _ => record,
         }
     }

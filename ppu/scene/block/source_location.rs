@@ -26,22 +26,13 @@ impl fmt::Display for SourceLocation<'_> {
 
 impl SourceLocation<'_> {
     fn out_of_range(&self, what: &'static str, value: f64, also: &'static str) -> BlockError {
-        BlockError::OutOfRange {
-            place: self.to_string(),
-            what,
-            value,
-            also,
-        }
+        BlockError::OutOfRange { place: self.to_string(), what, value, also }
     }
 
     /// Checks that a number can be squared as a single.
     pub fn number(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
         // False for NaN.
-        if value.abs() <= LARGEST {
-            Ok(())
-        } else {
-            Err(self.out_of_range(what, value, ""))
-        }
+        if value.abs() <= LARGEST { Ok(()) } else { Err(self.out_of_range(what, value, "")) }
     }
 
     /// Checks that all components of a vector are in range.

@@ -36,18 +36,9 @@ pub(super) struct InMainMemory {
 }
 
 impl InMainMemory {
-    const SPHERES: Self = Self {
-        spheres: true,
-        cones: false,
-    };
-    const CONES: Self = Self {
-        spheres: false,
-        cones: true,
-    };
-    const BOTH: Self = Self {
-        spheres: true,
-        cones: true,
-    };
+    const SPHERES: Self = Self { spheres: true, cones: false };
+    const CONES: Self = Self { spheres: false, cones: true };
+    const BOTH: Self = Self { spheres: true, cones: true };
 
     /// What may be in main memory of a scene that local store has no room for, in the order in
     /// which it is to be tried: one kind if that is enough, as objects in local store are quicker.
@@ -146,10 +137,7 @@ impl Streamed {
         if scene.mesh.is_none() && objects.is_empty() {
             return Ok(None);
         }
-        let wrong = |source| BlockError::Mesh {
-            file: scene.name.clone(),
-            source,
-        };
+        let wrong = |source| BlockError::Mesh { file: scene.name.clone(), source };
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
         let numbers = Numbers { firsts, least };
@@ -295,26 +283,18 @@ fn textures(
         }
     }
     if found.len() > MESH_TEXTURES as usize {
-        return Err(BlockError::TooManyTextures {
-            file: scene.name.clone(),
-            count: found.len(),
-        });
+        return Err(BlockError::TooManyTextures { file: scene.name.clone(), count: found.len() });
     }
     Ok((!found.is_empty()).then(|| Arc::new(Textures::new(found, colour))))
 }
 
 /// The origin for the spheres and cones of a scene that has no mesh.
 fn origin_of_objects(scene: &Scene) -> DVec3 {
-    let boxes = scene
-        .objects
-        .iter()
-        .filter_map(|object| match object.shape {
-            Shape::Sphere { centre, radius } => {
-                Some([centre - radius.abs(), centre + radius.abs()])
-            }
-            Shape::Cone { base, apex, .. } => Some([base.min(apex), base.max(apex)]),
-            Shape::Polygon { .. } | Shape::Patch { .. } => None,
-        });
+    let boxes = scene.objects.iter().filter_map(|object| match object.shape {
+        Shape::Sphere { centre, radius } => Some([centre - radius.abs(), centre + radius.abs()]),
+        Shape::Cone { base, apex, .. } => Some([base.min(apex), base.max(apex)]),
+        Shape::Polygon { .. } | Shape::Patch { .. } => None,
+    });
     let around = boxes
         .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
     around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
@@ -330,10 +310,7 @@ fn objects(scene: &Scene, kinds: InMainMemory, origin: DVec3) -> Result<MeshObje
         if !kinds.holds(&object.shape) {
             continue;
         }
-        let place = SourceLocation {
-            file: &scene.name,
-            line: Some(object.line),
-        };
+        let place = SourceLocation { file: &scene.name, line: Some(object.line) };
         objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
             let growth = primitive.growth() as f32;
             match primitive {
@@ -343,22 +320,18 @@ fn objects(scene: &Scene, kinds: InMainMemory, origin: DVec3) -> Result<MeshObje
                     sides,
                     material: object.material,
                 }),
-                Primitive::Cone {
-                    base,
-                    axis,
-                    height,
-                    radii,
-                    hollow,
-                } => found.cones.push(MeshCone {
-                    base: (base - origin).as_vec3(),
-                    axis: axis.as_vec3(),
-                    height: height as f32,
-                    radius: radii[0] as f32,
-                    growth,
-                    hollow,
-                    sides,
-                    material: object.material,
-                }),
+                Primitive::Cone { base, axis, height, radii, hollow } => {
+                    found.cones.push(MeshCone {
+                        base: (base - origin).as_vec3(),
+                        axis: axis.as_vec3(),
+                        height: height as f32,
+                        radius: radii[0] as f32,
+                        growth,
+                        hollow,
+                        sides,
+                        material: object.material,
+                    })
+                }
                 Primitive::Rectangle { .. } | Primitive::Triangle { .. } => {}
             }
             Ok(())

@@ -73,9 +73,7 @@ impl SceneBlock {
     /// The record at an address.
     fn at<T: FromBytes + KnownLayout + Immutable + Unaligned>(&self, address: U32) -> &T {
         let start = (address.get() - SCENE_ADDRESS) as usize;
-        T::ref_from_prefix(&self.bytes()[start..])
-            .expect("a record within the block")
-            .0
+        T::ref_from_prefix(&self.bytes()[start..]).expect("a record within the block").0
     }
 
     /// The addresses of the objects of a kind, from left to right, found by walking down the tree.

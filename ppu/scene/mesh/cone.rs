@@ -91,9 +91,6 @@ impl Slant {
     /// That of a cone whose radius grows so much with the height.
     pub fn of(growth: f64, hollow: bool) -> Self {
         let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
-        Self {
-            gain,
-            slope: -gain * growth,
-        }
+        Self { gain, slope: -gain * growth }
     }
 }

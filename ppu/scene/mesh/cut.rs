@@ -40,10 +40,8 @@ pub(super) fn cut(tree: &[Node], root: usize) -> (Vec<Branch>, usize) {
     if is_done(&first) {
         return (blocks(first), 1);
     }
-    let second: Vec<Vec<usize>> = first
-        .iter()
-        .map(|&item| spread(tree, vec![item], WIDTH, share))
-        .collect();
+    let second: Vec<Vec<usize>> =
+        first.iter().map(|&item| spread(tree, vec![item], WIDTH, share)).collect();
     if second.iter().all(|items| is_done(items)) {
         let nodes = second.into_iter().map(|items| Branch::Node(blocks(items)));
         return (nodes.collect(), 2);

@@ -44,11 +44,7 @@ fn with_polygons_in_mesh(scene: &Scene, keeps_quads: bool) -> Scene {
         let knows_material = (object.material as usize) < scene.materials.len();
         size(&object.shape) > 0 && knows_material && !is_kept
     };
-    let corners = 3 * scene
-        .objects
-        .iter()
-        .map(|it| size(&it.shape))
-        .sum::<usize>();
+    let corners = 3 * scene.objects.iter().map(|it| size(&it.shape)).sum::<usize>();
     let mut gatherer = Gatherer::new(scene, corners);
     let mut rest = Vec::new();
     for object in &scene.objects {
@@ -106,10 +102,11 @@ struct Gatherer {
 impl Gatherer {
     /// `corners`: those of all triangles that may be added.
     fn new(scene: &Scene, corners: usize) -> Self {
-        let mut mesh = scene.mesh.as_deref().cloned().unwrap_or_else(|| Mesh {
-            origin: origin(&scene.objects),
-            ..Mesh::default()
-        });
+        let mut mesh = scene
+            .mesh
+            .as_deref()
+            .cloned()
+            .unwrap_or_else(|| Mesh { origin: origin(&scene.objects), ..Mesh::default() });
         mesh.normals.resize(mesh.positions.len(), [0.0; 3]);
         let known = HashMap::with_capacity(corners);
         Self { mesh, known }
@@ -222,10 +219,7 @@ mod tests {
         scene.objects.push(Object {
             line: 0,
             material: 0,
-            shape: Shape::Sphere {
-                centre: DVec3::ZERO,
-                radius: 1.0,
-            },
+            shape: Shape::Sphere { centre: DVec3::ZERO, radius: 1.0 },
         });
         let gathered = gathered(&scene);
         assert_eq!(gathered.objects.len(), 1);

@@ -43,9 +43,7 @@ fn parts(pieces: &mut [Piece], count: usize, most: usize, found: &mut dyn FnMut(
 fn halve(pieces: &mut [Piece], most: usize) -> usize {
     let length = pieces.len();
     let legal = length.saturating_sub(most).max(1)..=most.min(length - 1);
-    sweep(pieces, &|index| {
-        legal.contains(&index).then_some([index, length - index])
-    })
+    sweep(pieces, &|index| legal.contains(&index).then_some([index, length - index]))
 }
 
 /// The box around the pieces of a run that begins at `first`.

@@ -144,10 +144,7 @@ impl MeshBlocks {
         materials: &[Material],
     ) -> Result<Self, MeshError> {
         let own: Vec<u32> = (0..).take(materials.len()).collect();
-        let numbers = Numbers {
-            firsts: &own,
-            least: NumberWidth::Byte,
-        };
+        let numbers = Numbers { firsts: &own, least: NumberWidth::Byte };
         Self::numbered(mesh, objects, materials, numbers, Colour::Linear)
     }
 
@@ -239,12 +236,7 @@ impl MeshBlocks {
         let number = |&first: &u32| numbers[first as usize].unwrap_or_default() as u32;
         let numbers: Vec<u32> = firsts.iter().map(number).collect();
         let colours: Vec<u32> = mesh.colours.iter().map(|it| packed(*it, colour)).collect();
-        let content = write::Content {
-            mesh,
-            objects,
-            numbers: &numbers,
-            colours: &colours,
-        };
+        let content = write::Content { mesh, objects, numbers: &numbers, colours: &colours };
         write::blocks(content, tree, root, &ends, used)
     }
 

@@ -63,7 +63,5 @@ impl MeshObjects {
 
 fn pieces(bounds: impl Iterator<Item = Bounds>) -> Vec<Piece> {
     let numbered = bounds.zip(0..);
-    numbered
-        .map(|(bounds, index)| Piece { bounds, index })
-        .collect()
+    numbered.map(|(bounds, index)| Piece { bounds, index }).collect()
 }

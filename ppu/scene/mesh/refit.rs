@@ -109,9 +109,7 @@ fn refit(
 fn lowest(nodes: &[Boxes], levels: u32) -> usize {
     let mut first = 0;
     for _ in 1..levels {
-        first = nodes
-            .get(first)
-            .map_or(0, |node| node_index(node.child[0].get()));
+        first = nodes.get(first).map_or(0, |node| node_index(node.child[0].get()));
     }
     first
 }
@@ -126,10 +124,7 @@ fn around_faces(faces: &[MeshFace], vertices: &[MeshVertex]) -> Option<Bounds> {
     corners.try_fold(Bounds::EMPTY, |bounds, corner| {
         let position = vertices.get(usize::from(corner))?.position;
         let point = Vec3::from(position.map(F32::get));
-        Some(bounds.with(Bounds {
-            low: point,
-            high: point,
-        }))
+        Some(bounds.with(Bounds { low: point, high: point }))
     })
 }
 

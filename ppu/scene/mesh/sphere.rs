@@ -24,10 +24,7 @@ impl MeshSphere {
     /// The box around it. SPUs widen boxes by more than the rounding of these sums.
     pub(super) fn bounds(&self) -> Bounds {
         let radius = Vec3::splat(self.radius.abs());
-        Bounds {
-            low: self.centre - radius,
-            high: self.centre + radius,
-        }
+        Bounds { low: self.centre - radius, high: self.centre + radius }
     }
 
     /// Its record in a block, where `material` is the number of the material in blocks.

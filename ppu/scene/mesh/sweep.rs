@@ -48,9 +48,5 @@ pub(super) fn sweep(pieces: &mut [Piece], weights: &dyn Fn(usize) -> Option<[usi
 /// A number whose order among unsigned ones is that of `value` among singles.
 fn ordered(value: f32) -> u32 {
     let bits = value.to_bits();
-    if bits >> 31 == 0 {
-        bits | 1 << 31
-    } else {
-        !bits
-    }
+    if bits >> 31 == 0 { bits | 1 << 31 } else { !bits }
 }

@@ -37,16 +37,10 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
-    pub const EMPTY: Self = Self {
-        low: Vec3::INFINITY,
-        high: Vec3::NEG_INFINITY,
-    };
+    pub const EMPTY: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
 
     pub fn with(self, other: Self) -> Self {
-        Self {
-            low: self.low.min(other.low),
-            high: self.high.max(other.high),
-        }
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// Half of its surface; 0 if it is empty.
@@ -71,11 +65,7 @@ pub(super) enum Kind {
 impl Kind {
     /// The bytes that a vertex takes.
     fn vertex(self, is_coloured: bool) -> usize {
-        let colour = if is_coloured {
-            size_of::<MeshColour>()
-        } else {
-            0
-        };
+        let colour = if is_coloured { size_of::<MeshColour>() } else { 0 };
         match self {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
                 size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
@@ -156,19 +146,11 @@ impl<'a> Tree<'a> {
             Kind::Spheres | Kind::Cones => (pieces.len() <= OBJECTS, OBJECTS),
         };
         if fits {
-            self.nodes.push(Node {
-                bounds,
-                pieces,
-                leaves: 1,
-                halves: None,
-            });
+            self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });
             return self.nodes.len() - 1;
         }
         let middle = pieces.start + split(&mut self.pieces[pieces.clone()], capacity);
-        let halves = [
-            self.grow(kind, pieces.start..middle),
-            self.grow(kind, middle..pieces.end),
-        ];
+        let halves = [self.grow(kind, pieces.start..middle), self.grow(kind, middle..pieces.end)];
         self.join(halves)
     }
 
@@ -241,19 +223,14 @@ fn split(pieces: &mut [Piece], capacity: usize) -> usize {
         // Whole blocks on one side: only the last one of these pieces isn't full.
         let blocks = |count: usize| count.div_ceil(capacity);
         return sweep(pieces, &|index| {
-            let is_whole = [index, count - index]
-                .iter()
-                .any(|part| part.is_multiple_of(capacity));
+            let is_whole = [index, count - index].iter().any(|part| part.is_multiple_of(capacity));
             is_whole.then_some([blocks(index), blocks(count - index)])
         });
     }
     let mut span = Bounds::EMPTY;
     for piece in &*pieces {
         let middle = piece.middle();
-        span = span.with(Bounds {
-            low: middle,
-            high: middle,
-        });
+        span = span.with(Bounds { low: middle, high: middle });
     }
     let Some((axis, scale, bin)) = best(pieces, span) else {
         // All pieces have the same middle.

@@ -45,12 +45,7 @@ pub(super) fn blocks(
     ends: &[(usize, Kind)],
     materials: Vec<u32>,
 ) -> Result<MeshBlocks, MeshError> {
-    let Tree {
-        mut pieces,
-        nodes,
-        width,
-        ..
-    } = tree;
+    let Tree { mut pieces, nodes, width, .. } = tree;
     let Content { mesh, objects, .. } = content;
     let mut writer = Writer {
         nodes: &nodes,
@@ -153,12 +148,7 @@ impl Writer<'_> {
         let mut vertices = Vec::new();
         let mut coordinates = Vec::new();
         let mut colours = Vec::new();
-        let Content {
-            mesh,
-            numbers,
-            colours: packed_colours,
-            ..
-        } = self.content;
+        let Content { mesh, numbers, colours: packed_colours, .. } = self.content;
         let mut faces = Vec::with_capacity(pieces.len());
         let mut upper = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
@@ -190,10 +180,7 @@ impl Writer<'_> {
                 place.1
             });
             let number = numbers[mesh.materials[triangle] as usize];
-            faces.push(MeshFace {
-                vertex,
-                material: number as u8,
-            });
+            faces.push(MeshFace { vertex, material: number as u8 });
             upper.push((number >> 8) as u8);
         }
         let wide = match self.width {
@@ -214,12 +201,7 @@ impl Writer<'_> {
             around(pieces),
             &header,
             &nodes,
-            &[
-                vertices.as_bytes(),
-                faces.as_bytes(),
-                coordinates.as_bytes(),
-                colours.as_bytes(),
-            ],
+            &[vertices.as_bytes(), faces.as_bytes(), coordinates.as_bytes(), colours.as_bytes()],
         );
         if wide != 0 {
             block.0[MESH_UPPER as usize..][..upper.len()].copy_from_slice(&upper);
@@ -229,16 +211,8 @@ impl Writer<'_> {
 
     fn of_objects(&mut self, number: u32, kind: Kind, pieces: &mut [super::Piece]) -> Block {
         let (kind_of_block, size, expected) = match kind {
-            Kind::Cones => (
-                MESH_CONES,
-                size_of::<Cone>(),
-                &mut self.statistics.expected_cones,
-            ),
-            _ => (
-                MESH_SPHERES,
-                size_of::<Object>(),
-                &mut self.statistics.expected_spheres,
-            ),
+            Kind::Cones => (MESH_CONES, size_of::<Cone>(), &mut self.statistics.expected_cones),
+            _ => (MESH_SPHERES, size_of::<Object>(), &mut self.statistics.expected_spheres),
         };
         let groups = runs(pieces, 1, WIDTH);
         let nodes = groups.len() + usize::from(groups.len() > 1);
@@ -249,9 +223,7 @@ impl Writer<'_> {
             let mut children = Vec::with_capacity(group.len());
             for piece in rest.by_ref().take(group.len()) {
                 children.push((piece.bounds, offset(nodes) + records.len() as u32));
-                let Content {
-                    objects, numbers, ..
-                } = self.content;
+                let Content { objects, numbers, .. } = self.content;
                 objects.write(kind, piece.index, numbers, &mut records);
                 *expected += piece.bounds.area() / self.whole;
             }

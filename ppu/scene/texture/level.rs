@@ -8,11 +8,8 @@ use nff::Texture;
 static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {
     std::array::from_fn(|byte| {
         let value = byte as f64 / 255.0;
-        let light = if value <= 0.040_45 {
-            value / 12.92
-        } else {
-            libm::pow((value + 0.055) / 1.055, 2.4)
-        };
+        let light =
+            if value <= 0.040_45 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) };
         light as f32
     })
 });
@@ -31,10 +28,7 @@ pub(super) struct Level {
 impl Level {
     /// The largest one.
     pub fn new(texture: &Texture) -> Self {
-        Self {
-            width: texture.width() as usize,
-            texels: texture.texels().to_vec(),
-        }
+        Self { width: texture.width() as usize, texels: texture.texels().to_vec() }
     }
 
     pub fn width(&self) -> usize {
@@ -96,10 +90,7 @@ impl Part {
 /// n - k, n and k + 1 of three old ones, divided by count.
 fn parts(count: usize) -> Vec<Part> {
     if count == 1 {
-        return vec![Part {
-            first: 0,
-            parts: [1.0, 0.0, 0.0],
-        }];
+        return vec![Part { first: 0, parts: [1.0, 0.0, 0.0] }];
     }
     let half = count / 2;
     let part = |number: usize| {
@@ -108,10 +99,7 @@ fn parts(count: usize) -> Vec<Part> {
         } else {
             [half - number, half, number + 1].map(|part| part as f32 / count as f32)
         };
-        Part {
-            first: 2 * number,
-            parts,
-        }
+        Part { first: 2 * number, parts }
     };
     (0..half).map(part).collect()
 }

@@ -48,12 +48,8 @@ impl Textures {
     /// itself, bytes would have too few steps in the dark.
     #[must_use]
     pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {
-        let mut textures = Self {
-            tiles: Vec::new(),
-            firsts: vec![0],
-            levels: Vec::new(),
-            sources: Vec::new(),
-        };
+        let mut textures =
+            Self { tiles: Vec::new(), firsts: vec![0], levels: Vec::new(), sources: Vec::new() };
         for source in &sources {
             let mut level = Some(Level::new(source));
             while let Some(largest) = level {

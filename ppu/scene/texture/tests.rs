@@ -25,11 +25,9 @@ fn each_tile_has_the_texels_of_its_filters() {
         Wrap::Clamp | Wrap::Mirror => place.clamp(0, count - 1),
     };
     for (width, height) in [(1, 1), (7, 8), (8, 9), (20, 3), (33, 17)] {
-        for wrap in [
-            [Wrap::Repeat, Wrap::Clamp],
-            [Wrap::Mirror, Wrap::Repeat],
-            [Wrap::Clamp, Wrap::Mirror],
-        ] {
+        for wrap in
+            [[Wrap::Repeat, Wrap::Clamp], [Wrap::Mirror, Wrap::Repeat], [Wrap::Clamp, Wrap::Mirror]]
+        {
             let textures = Textures::new(vec![numbered(width, height, wrap)], Colour::Linear);
             let (width, height) = (i64::from(width), i64::from(height));
             let level = &textures.levels[0];
@@ -57,10 +55,7 @@ fn levels_halve_until_there_is_one_texel() {
         (width as u32, height as u32, level.first.get())
     });
     let sizes: Vec<_> = sizes.collect();
-    assert_eq!(
-        sizes,
-        [(20, 5, 0), (10, 2, 3), (5, 1, 5), (2, 1, 6), (1, 1, 7)]
-    );
+    assert_eq!(sizes, [(20, 5, 0), (10, 2, 3), (5, 1, 5), (2, 1, 6), (1, 1, 7)]);
     assert_eq!(textures.tiles(), 8);
     assert_eq!(textures.bytes().len(), 8 * 384);
     assert!(textures.address().is_multiple_of(128));
@@ -81,10 +76,7 @@ fn levels_have_the_mean_light_of_their_texels() {
     assert_eq!((of_three.width(), of_three.texel(0, 0)), (1, [156; 3]));
     // Of five texels, the new ones have two fifths, two fifths and one fifth.
     let of_five = half(&plain(5, 1, |x, _| [if x == 2 { 255 } else { 0 }; 3]));
-    assert_eq!(
-        (of_five.texel(0, 0), of_five.texel(1, 0)),
-        ([124; 3], [124; 3])
-    );
+    assert_eq!((of_five.texel(0, 0), of_five.texel(1, 0)), ([124; 3], [124; 3]));
 }
 
 #[test]

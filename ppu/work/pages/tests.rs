@@ -6,10 +6,7 @@ use super::super::tiles::tile_count;
 use super::super::{Split, Units};
 use super::*;
 
-const SIZE: Geometry = Geometry {
-    width: 640,
-    height: 160,
-};
+const SIZE: Geometry = Geometry { width: 640, height: 160 };
 const TILES: usize = 100;
 
 const HEAD: &str = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 640 160\n\
@@ -31,10 +28,7 @@ struct Screen {
 
 impl Screen {
     fn new() -> Self {
-        Self {
-            pages: [0; 2],
-            known: Pages::default(),
-        }
+        Self { pages: [0; 2], known: Pages::default() }
     }
 
     fn target(&mut self, page: usize) -> Target {
@@ -57,8 +51,7 @@ impl Screen {
         let camera = scene.camera(SIZE.width, SIZE.height).unwrap();
         let projection = Projection::new(&camera, SIZE);
         let mut tiles = TileSet::default();
-        self.known
-            .open(target, scene, &camera, &projection, &mut tiles);
+        self.known.open(target, scene, &camera, &projection, &mut tiles);
         tiles.numbers().to_vec()
     }
 
@@ -86,10 +79,7 @@ fn what_a_page_shows_is_not_traced_again() {
 fn of_what_has_moved_old_and_new_place_are_traced() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
     // The middle sphere moves to the right by three spheres' widths.
-    let after = scene(&format!(
-        "{HEAD}{}",
-        SPHERES.replace("s 0 0 0", "s 0.6 0 0")
-    ));
+    let after = scene(&format!("{HEAD}{}", SPHERES.replace("s 0 0 0", "s 0.6 0 0")));
     let mut screen = Screen::new();
     for page in [0, 1] {
         screen.show(page, &before);
@@ -99,11 +89,7 @@ fn of_what_has_moved_old_and_new_place_are_traced() {
     let around_both = [44, 45, 54, 55];
     assert_eq!(screen.show(0, &after), around_both);
     assert!(screen.show(0, &after).is_empty());
-    assert_eq!(
-        screen.show(1, &after),
-        around_both,
-        "each page has its own past"
-    );
+    assert_eq!(screen.show(1, &after), around_both, "each page has its own past");
     assert_eq!(screen.show(1, &before), around_both);
 }
 
@@ -115,10 +101,7 @@ fn a_new_colour_is_a_change() {
     let red = "f 1 0 0 1 0 0 0 1\n";
     let changed = SPHERES.replace("s 0 0 0", &format!("{red}s 0 0 0"));
     // The last sphere has the new colour too.
-    assert_eq!(
-        screen.show(0, &scene(&format!("{HEAD}{changed}"))),
-        [44, 45, 47, 54, 55, 57]
-    );
+    assert_eq!(screen.show(0, &scene(&format!("{HEAD}{changed}"))), [44, 45, 47, 54, 55, 57]);
 }
 
 #[test]
@@ -129,9 +112,7 @@ fn what_comes_and_goes_is_a_change() {
     screen.show(0, &two);
     assert_eq!(screen.show(0, &three), [44, 45, 54, 55]);
     assert_eq!(screen.show(0, &two), [44, 45, 54, 55]);
-    let behind = scene(&format!(
-        "{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 -16 0 0.1\n"
-    ));
+    let behind = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 -16 0 0.1\n"));
     assert!(screen.show(0, &behind).is_empty());
 }
 
@@ -190,14 +171,10 @@ fn tiles_are_blank_while_the_background_stays() {
             *ticks = (7 | if tile.get() == 5 { TILE_BLANK } else { 0 }).into();
         }
     }
-    screen
-        .known
-        .close(units.lines(), &costs, &mut TileSet::default());
+    screen.known.close(units.lines(), &costs, &mut TileSet::default());
     let blank = |screen: &Screen| {
         let blank = screen.known.blank().unwrap();
-        (0..TILES as u32)
-            .filter(|&tile| blank.contains(tile))
-            .collect::<Vec<_>>()
+        (0..TILES as u32).filter(|&tile| blank.contains(tile)).collect::<Vec<_>>()
     };
     assert_eq!(blank(&screen), [5]);
     screen.open(1, &before);

@@ -9,31 +9,18 @@ use crate::scene;
 use crate::scene::random::{magnitude, unit};
 use protocol::formulation::EyeRecord;
 
-const SIZE: Geometry = Geometry {
-    width: 80,
-    height: 50,
-};
+const SIZE: Geometry = Geometry { width: 80, height: 50 };
 
 /// The columns and rows of the pixels whose rays enter a sphere in the SPU's arithmetic, among all
 /// pixels of the picture.
 fn seen(camera: &Camera, projection: &Projection, sphere: &scene::Sphere) -> Vec<(u32, u32)> {
     let mut records = EyeSpheres::default();
-    records.cull(
-        std::slice::from_ref(sphere),
-        projection,
-        Skip::Nothing,
-        EyeRecord::Centre,
-    );
+    records.cull(std::slice::from_ref(sphere), projection, Skip::Nothing, EyeRecord::Centre);
     let record = records.records()[0];
     let pixels = (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| (x, y)));
     pixels
         .filter(|&(x, y)| {
-            entry(
-                &record,
-                EyeRecord::Centre,
-                direction(camera, x.into(), y.into()),
-            )
-            .is_some()
+            entry(&record, EyeRecord::Centre, direction(camera, x.into(), y.into())).is_some()
         })
         .collect()
 }
@@ -53,10 +40,7 @@ fn no_pixel_out_of_bounds_shows_the_sphere() {
             assert!(bounds.x.end <= SIZE.width && bounds.y.end <= SIZE.height);
             let seen = seen(&camera, &projection, &sphere);
             for (x, y) in &seen {
-                assert!(
-                    bounds.x.contains(x) && bounds.y.contains(y),
-                    "{bounds:?} {x} {y}"
-                );
+                assert!(bounds.x.contains(x) && bounds.y.contains(y), "{bounds:?} {x} {y}");
             }
             shown += u32::from(!seen.is_empty());
             bounded += u32::from(bounds.x.len() < SIZE.width as usize);
@@ -90,16 +74,8 @@ fn bounds_are_close() {
         let close = |bound: &Range<u32>, first: u32, last: u32| {
             bound.start + 2 >= first && bound.end <= last + 1 + 2
         };
-        assert!(close(
-            &bounds.x,
-            columns.clone().min().unwrap(),
-            columns.max().unwrap()
-        ));
-        assert!(close(
-            &bounds.y,
-            rows.clone().min().unwrap(),
-            rows.max().unwrap()
-        ));
+        assert!(close(&bounds.x, columns.clone().min().unwrap(), columns.max().unwrap()));
+        assert!(close(&bounds.y, rows.clone().min().unwrap(), rows.max().unwrap()));
     }
 }
 
@@ -113,15 +89,10 @@ fn what_is_behind_or_beside_has_no_pixels_and_what_is_around_has_all() {
         let centre = camera.eye - ahead * 5.0 + unit(&mut random);
         assert!(projection.bounds(centre, 3.9).is_empty());
         let around = camera.eye + unit(&mut random);
-        assert_eq!(
-            projection.bounds(around, 1.5),
-            Rectangle { x: 0..80, y: 0..50 }
-        );
+        assert_eq!(projection.bounds(around, 1.5), Rectangle { x: 0..80, y: 0..50 });
         let left = camera.corner - camera.right * 20.0;
         assert!(
-            projection
-                .bounds(camera.eye + left * 9.0, 0.01 * camera.right.length())
-                .is_empty()
+            projection.bounds(camera.eye + left * 9.0, 0.01 * camera.right.length()).is_empty()
         );
     }
 }
@@ -135,10 +106,7 @@ fn rays_are_no_further_from_their_packets_middle_than_is_said() {
         let spread = Projection::new(&camera, SIZE).packet_spread();
         limited += u32::from(spread.is_finite());
         for _ in 0..30 {
-            let (x, y) = (
-                random.random_range(0..20) * 4,
-                random.random_range(0..13) * 4,
-            );
+            let (x, y) = (random.random_range(0..20) * 4, random.random_range(0..13) * 4);
             let (x, y) = (f64::from(x), f64::from(y));
             let middle = wide(direction(&camera, x + 1.5, y + 1.5));
             for (dx, dy) in [(0.0, 0.0), (3.0, 0.0), (0.0, 3.0), (3.0, 3.0), (1.0, 2.0)] {
@@ -160,10 +128,7 @@ fn steps_too_small_for_directions_bound_nothing() {
     };
     let projection = Projection::new(&camera, SIZE);
     assert_eq!(projection.packet_spread(), f64::INFINITY);
-    assert_eq!(
-        projection.bounds(DVec3::Z * -9.0, 1.0),
-        Rectangle { x: 0..80, y: 0..50 }
-    );
+    assert_eq!(projection.bounds(DVec3::Z * -9.0, 1.0), Rectangle { x: 0..80, y: 0..50 });
 }
 
 #[test]

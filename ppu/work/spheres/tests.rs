@@ -10,10 +10,7 @@ use crate::scene::random::{across, magnitude, unit};
 use glam::DVec3;
 use nff::Camera;
 
-const SIZE: Geometry = Geometry {
-    width: 320,
-    height: 200,
-};
+const SIZE: Geometry = Geometry { width: 320, height: 200 };
 
 /// A random direction close to the sphere's edge, or elsewhere near the sphere.
 fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) -> Singles {
@@ -53,23 +50,16 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
             let form = form(&mut random);
             let record = record(&sphere, &projection, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
-            let (exact, found) = (
-                enters(&sphere, camera.eye, wide(ray)),
-                entry(&record, form, ray),
-            );
+            let (exact, found) =
+                (enters(&sphere, camera.eye, wide(ray)), entry(&record, form, ray));
             let passes = is_above(record.ray_limit, record.centre, ray);
             assert!(passes || !exact, "{sphere:?} {record:?} {ray:x?}");
             assert!(passes || found.is_none(), "{sphere:?} {record:?} {ray:x?}");
             if let Some(t) = found {
-                assert!(
-                    t >= f64::from(record.near.get()),
-                    "{sphere:?} {record:?} {ray:x?}"
-                );
+                assert!(t >= f64::from(record.near.get()), "{sphere:?} {record:?} {ray:x?}");
             }
             for (count, event) in
-                counts
-                    .iter_mut()
-                    .zip([exact, found.is_some(), exact != found.is_some(), !passes])
+                counts.iter_mut().zip([exact, found.is_some(), exact != found.is_some(), !passes])
             {
                 *count += u32::from(event);
             }
@@ -98,10 +88,7 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
         let angle = libm::asin(share) + 0.001;
         let passing = along * libm::cos(angle) + across(&mut random, along) * libm::sin(angle);
         let passing = passing.to_array().map(|value| (value as f32).to_bits());
-        assert!(
-            !is_above(record.ray_limit, record.centre, passing),
-            "{sphere:?}"
-        );
+        assert!(!is_above(record.ray_limit, record.centre, passing), "{sphere:?}");
     }
 }
 
@@ -176,19 +163,13 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
                 continue;
             };
             let inner = away + along * magnitude(&mut random, -40.0, 0.0);
-            let normal = inner
-                .normalize()
-                .to_array()
-                .map(|value| (value as f32).to_bits());
+            let normal = inner.normalize().to_array().map(|value| (value as f32).to_bits());
             if wide(normal).dot(along) < 0.0 {
                 continue;
             }
             let hit = entry(&record, form, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
             let left_out = is_outside(&record, normal);
-            assert!(
-                !(hit && left_out),
-                "{sphere:?} {record:?} {ray:x?} {normal:x?}"
-            );
+            assert!(!(hit && left_out), "{sphere:?} {record:?} {ray:x?} {normal:x?}");
             outside += u32::from(left_out);
         }
     }
@@ -210,9 +191,7 @@ fn no_ray_enters_a_sphere_around_the_eye() {
             let form = form(&mut random);
             let record = record(&sphere, &projection, form);
             for _ in 0..10 {
-                let ray = unit(&mut random)
-                    .to_array()
-                    .map(|value| (value as f32).to_bits());
+                let ray = unit(&mut random).to_array().map(|value| (value as f32).to_bits());
                 assert_eq!(entry(&record, form, ray), None, "{sphere:?} {ray:x?}");
             }
         }
@@ -257,19 +236,11 @@ fn extreme_numbers_stay_singles() {
     for eye in [DVec3::ZERO, DVec3::splat(most), DVec3::splat(-most)] {
         camera.eye = eye;
         let projection = Projection::new(&camera, SIZE);
-        for centre in [
-            DVec3::ZERO,
-            DVec3::splat(most),
-            DVec3::new(most, -most, 1.0),
-        ] {
+        for centre in [DVec3::ZERO, DVec3::splat(most), DVec3::new(most, -most, 1.0)] {
             for radius in [1.0 / most, 1.0, most] {
                 let colour = DVec3::ONE;
                 let record = record(
-                    &scene::Sphere {
-                        centre,
-                        radius,
-                        colour,
-                    },
+                    &scene::Sphere { centre, radius, colour },
                     &projection,
                     form(&mut random),
                 );
@@ -319,11 +290,7 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
     ];
     let mut eye_spheres = EyeSpheres::default();
     let reds = |eye_spheres: &EyeSpheres| -> Vec<f32> {
-        eye_spheres
-            .records()
-            .iter()
-            .map(|record| record.colour[0].get())
-            .collect()
+        eye_spheres.records().iter().map(|record| record.colour[0].get()).collect()
     };
     for _ in 0..2 {
         eye_spheres.cull(&spheres, &projection, Skip::Misses, EyeRecord::Centre);
@@ -331,11 +298,7 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
         eye_spheres.cull(&spheres, &projection, Skip::Nothing, EyeRecord::Centre);
         assert_eq!(reds(&eye_spheres), [0.4, 0.2, 0.5, 0.1, 0.6, 0.3]);
     }
-    let nears: Vec<f32> = eye_spheres
-        .records()
-        .iter()
-        .map(|record| record.near.get())
-        .collect();
+    let nears: Vec<f32> = eye_spheres.records().iter().map(|record| record.near.get()).collect();
     assert!(nears.is_sorted(), "{nears:?}");
 }
 

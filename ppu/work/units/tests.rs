@@ -5,21 +5,14 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 
 fn tiles(unit: &WorkUnit) -> Vec<u32> {
-    unit.tiles[..unit.count.get() as usize]
-        .iter()
-        .map(|tile| tile.get())
-        .collect()
+    unit.tiles[..unit.count.get() as usize].iter().map(|tile| tile.get()).collect()
 }
 
 /// Checks that the units have every wanted tile once, and no more tiles than a line has room for.
 fn check(units: &Units, wanted: &[u32]) {
     for unit in units.lines() {
         assert!((1..=UNIT_TILES).contains(&unit.count.get()));
-        assert!(
-            unit.tiles[unit.count.get() as usize..]
-                .iter()
-                .all(|tile| tile.get() == 0)
-        );
+        assert!(unit.tiles[unit.count.get() as usize..].iter().all(|tile| tile.get() == 0));
     }
     let mut found: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
     found.sort_unstable();
@@ -36,9 +29,8 @@ fn every_tile_is_in_one_unit() {
         wanted.truncate(count);
         wanted.sort_unstable();
         let even = vec![7; 65536];
-        let costs: Vec<u32> = (0..65536)
-            .map(|_| libm::exp2(random.random_range(0.0..32.0f64)) as u32)
-            .collect();
+        let costs: Vec<u32> =
+            (0..65536).map(|_| libm::exp2(random.random_range(0.0..32.0f64)) as u32).collect();
         for spus in [1, 2, 6, 16] {
             for split in [Split::Units, Split::Slices] {
                 for costs in [None, Some(even.as_slice()), Some(costs.as_slice())] {
@@ -61,10 +53,7 @@ fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the
         assert_eq!(order, wanted);
         let sizes: Vec<u32> = units.lines().iter().map(|unit| unit.count.get()).collect();
         assert_eq!(sizes[0], first);
-        assert!(
-            sizes.is_sorted_by(|before, after| before >= after),
-            "{sizes:?}"
-        );
+        assert!(sizes.is_sorted_by(|before, after| before >= after), "{sizes:?}");
         assert!(sizes[sizes.len() - 3..] == [1, 1, 1], "{sizes:?}");
         let an_spu = units.lines().len() as u32 / spus;
         assert!(count.contains(&an_spu), "{an_spu} on {spus} SPUs");
@@ -77,10 +66,7 @@ fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the
 fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_are_small() {
     let mut random = ChaCha8Rng::seed_from_u64(22);
     let wanted: Vec<u32> = (0..900).collect();
-    let costs: Vec<u32> = wanted
-        .iter()
-        .map(|_| random.random_range(100..3000))
-        .collect();
+    let costs: Vec<u32> = wanted.iter().map(|_| random.random_range(100..3000)).collect();
     let cost = |tile: &u32| u64::from(costs[*tile as usize]);
     let mut units = Units::default();
     units.split(&wanted, 6, Split::Units, Some(&costs));
@@ -92,20 +78,10 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
     assert!(cheap.is_sorted_by_key(|tile| Reverse(cost(tile))));
     let early = |tile: &&u32| order[..450].contains(tile);
     let share = cheap.iter().filter(early).count() as f64 / cheap.len() as f64;
-    assert!(
-        (0.2..0.5).contains(&share),
-        "{share} of the cheap tiles in the first half"
-    );
-    assert!(
-        order[900 - 6 * CHEAP_AT_THE_END..]
-            .iter()
-            .all(|tile| cheap.contains(tile))
-    );
-    let sums: Vec<u64> = units
-        .lines()
-        .iter()
-        .map(|unit| tiles(unit).iter().map(cost).sum())
-        .collect();
+    assert!((0.2..0.5).contains(&share), "{share} of the cheap tiles in the first half");
+    assert!(order[900 - 6 * CHEAP_AT_THE_END..].iter().all(|tile| cheap.contains(tile)));
+    let sums: Vec<u64> =
+        units.lines().iter().map(|unit| tiles(unit).iter().map(cost).sum()).collect();
     let all: u64 = sums.iter().sum();
     let mut left = all;
     for (unit, sum) in units.lines().iter().zip(&sums) {
@@ -113,15 +89,9 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
         assert!(*sum <= share || unit.count.get() == 1, "{sum} of {left}");
         left -= sum;
     }
+    assert!(sums[0] > all / 30, "the first unit is large: {} of {all}", sums[0]);
     assert!(
-        sums[0] > all / 30,
-        "the first unit is large: {} of {all}",
-        sums[0]
-    );
-    assert!(
-        sums[sums.len() - 6..]
-            .iter()
-            .all(|&sum| sum <= all / (6 * PARTS_OF_THE_WHOLE)),
+        sums[sums.len() - 6..].iter().all(|&sum| sum <= all / (6 * PARTS_OF_THE_WHOLE)),
         "{sums:?}"
     );
 }
@@ -132,10 +102,7 @@ fn imbalance(units: &Units, spus: usize, costs: &[u32]) -> f64 {
     let mut ends = vec![0u64; spus];
     for unit in units.lines() {
         let next = ends.iter_mut().min().unwrap();
-        *next += tiles(unit)
-            .iter()
-            .map(|&tile| u64::from(costs[tile as usize]))
-            .sum::<u64>();
+        *next += tiles(unit).iter().map(|&tile| u64::from(costs[tile as usize])).sum::<u64>();
     }
     let all: u64 = ends.iter().sum();
     *ends.iter().max().unwrap() as f64 * spus as f64 / all as f64
@@ -146,10 +113,7 @@ fn known_costs_balance_an_uneven_picture() {
     // One corner of the picture costs fifty times as much as the rest.
     let wanted: Vec<u32> = (0..900).collect();
     let dear = |tile: u32| tile % 20 >= 10 && tile / 20 >= 25;
-    let costs: Vec<u32> = wanted
-        .iter()
-        .map(|&tile| if dear(tile) { 5000 } else { 100 })
-        .collect();
+    let costs: Vec<u32> = wanted.iter().map(|&tile| if dear(tile) { 5000 } else { 100 }).collect();
     let mut units = Units::default();
     units.split(&wanted, 6, Split::Units, Some(&costs));
     let known = imbalance(&units, 6, &costs);
@@ -174,10 +138,7 @@ fn slices_are_consecutive_and_equal_in_tiles() {
             for number in 0..spus as usize {
                 let slice = &units.lines()[slices[number] as usize..slices[number + 1] as usize];
                 let tiles: u32 = slice.iter().map(|unit| unit.count.get()).sum();
-                assert!(
-                    tiles.abs_diff(count / spus) <= 1,
-                    "{count} tiles, {spus} SPUs"
-                );
+                assert!(tiles.abs_diff(count / spus) <= 1, "{count} tiles, {spus} SPUs");
             }
             let end = units.lines().len() as u32;
             assert!(slices[spus as usize..].iter().all(|&first| first == end));
@@ -187,41 +148,22 @@ fn slices_are_consecutive_and_equal_in_tiles() {
 
 #[test]
 fn costs_are_those_of_the_last_time() {
-    let geometry = Geometry {
-        width: 256,
-        height: 32,
-    };
+    let geometry = Geometry { width: 256, height: 32 };
     let mut costs = TileCosts::default();
     assert_eq!(costs.of(geometry), None);
     let mut units = Units::default();
-    let cost = |unit: &WorkUnit, ticks: u32| UnitCost {
-        count: unit.count,
-        ticks: [ticks.into(); 31],
-    };
+    let cost =
+        |unit: &WorkUnit, ticks: u32| UnitCost { count: unit.count, ticks: [ticks.into(); 31] };
     units.split(&[0, 1, 2, 3, 4, 5, 6, 7], 1, Split::Units, None);
-    let answers: Vec<UnitCost> = (10..)
-        .zip(units.lines())
-        .map(|(ticks, unit)| cost(unit, ticks))
-        .collect();
+    let answers: Vec<UnitCost> =
+        (10..).zip(units.lines()).map(|(ticks, unit)| cost(unit, ticks)).collect();
     costs.learn(geometry, units.lines(), &answers);
-    assert_eq!(
-        costs.of(geometry),
-        Some(&[10, 11, 12, 13, 14, 15, 16, 17][..])
-    );
+    assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 16, 17][..]));
     units.split(&[2, 6], 1, Split::Units, costs.of(geometry));
-    assert_eq!(
-        units.lines().iter().flat_map(tiles).collect::<Vec<_>>(),
-        [6, 2]
-    );
+    assert_eq!(units.lines().iter().flat_map(tiles).collect::<Vec<_>>(), [6, 2]);
     let answers = [cost(&units.lines()[0], 50), UnitCost::new_zeroed()];
     costs.learn(geometry, units.lines(), &answers);
-    assert_eq!(
-        costs.of(geometry),
-        Some(&[10, 11, 12, 13, 14, 15, 50, 17][..])
-    );
-    let other = Geometry {
-        width: 32,
-        height: 256,
-    };
+    assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 50, 17][..]));
+    let other = Geometry { width: 32, height: 256 };
     assert_eq!(costs.of(other), None);
 }

@@ -39,10 +39,7 @@ pub(super) fn read<E: From<gimli::Error>>(
             };
             if row.end_sequence() {
                 // Another sequence may already have started where this one ends.
-                sources.entry(address).or_insert(Source {
-                    file: PathBuf::new(),
-                    line: 0,
-                });
+                sources.entry(address).or_insert(Source { file: PathBuf::new(), line: 0 });
                 continue;
             }
             let source = Source {

@@ -104,10 +104,8 @@ impl Code {
             _ => return Err(CodeError::Kind),
         };
         let sections = place(&file, relocatable)?;
-        let bases: HashMap<_, _> = sections
-            .iter()
-            .map(|section| (section.index, section.start))
-            .collect();
+        let bases: HashMap<_, _> =
+            sections.iter().map(|section| (section.index, section.start)).collect();
         let base_of = |index: Option<SectionIndex>| {
             let base = relocatable.then(|| index.and_then(|index| bases.get(&index).copied()));
             base.flatten().unwrap_or(0)
@@ -145,9 +143,8 @@ impl Code {
                 globals.insert(address);
             }
             if symbol.kind() == SymbolKind::Text && symbol.size() > 0 {
-                let size = u32::try_from(symbol.size())
-                    .unwrap_or(LOCAL_STORE_SIZE)
-                    .min(LOCAL_STORE_SIZE);
+                let size =
+                    u32::try_from(symbol.size()).unwrap_or(LOCAL_STORE_SIZE).min(LOCAL_STORE_SIZE);
                 ranges.push((address, address.saturating_add(size), name.to_owned()));
             }
         }
@@ -163,12 +160,7 @@ impl Code {
             }
             Ok(bytes)
         };
-        Ok(Self {
-            words,
-            functions,
-            labels,
-            sources: lines::read(load)?,
-        })
+        Ok(Self { words, functions, labels, sources: lines::read(load)? })
     }
 
     /// All ranges of code by address: those that function symbols cover, and those between them.
@@ -233,15 +225,9 @@ fn place(file: &File<'_>, relocatable: bool) -> Result<Vec<Placed>, CodeError> {
             None => 0,
         };
         let size = section.size();
-        let end = address
-            .checked_add(size)
-            .filter(|&end| end <= LOCAL_STORE_SIZE.into());
+        let end = address.checked_add(size).filter(|&end| end <= LOCAL_STORE_SIZE.into());
         let Some(end) = end.filter(|_| address % 4 == 0) else {
-            return Err(CodeError::OutsideLocalStore {
-                section: name,
-                address,
-                size,
-            });
+            return Err(CodeError::OutsideLocalStore { section: name, address, size });
         };
         placed.push(Placed {
             index: section.index(),
@@ -314,9 +300,7 @@ fn functions(
     let mut functions = Vec::new();
     for section in sections {
         let mut at = section.start;
-        let inside = ranges
-            .iter()
-            .filter(|range| (section.start..section.end).contains(&range.0));
+        let inside = ranges.iter().filter(|range| (section.start..section.end).contains(&range.0));
         let end = (section.end, section.end, String::new());
         for (start, end, name) in inside.chain([&end]) {
             // A global symbol between functions may start a function without a size.

@@ -56,11 +56,7 @@ pub(super) fn allocate(
         let slot = usize::from(nodes[at].i.rt);
         let lives_on = values.last[slot] == Some(at)
             && (!POOL.contains(&nodes[at].i.rt) || live & bit(nodes[at].i.rt) != 0);
-        let until = if lives_on {
-            end
-        } else {
-            last_read[at].max(place[at] + 1)
-        };
+        let until = if lives_on { end } else { last_read[at].max(place[at] + 1) };
         taken[slot].push((place[at], until));
     }
     let heads = values.heads(nodes);
@@ -80,9 +76,7 @@ pub(super) fn allocate(
         let span = (place[at], group_end[at]);
         let free = |register: &u8| {
             let spans = &taken[usize::from(*register)];
-            spans
-                .iter()
-                .all(|&(start, end)| end <= span.0 || span.1 <= start)
+            spans.iter().all(|&(start, end)| end <= span.0 || span.1 <= start)
         };
         let chosen = [own].into_iter().chain(POOL).find(free)?;
         taken[usize::from(chosen)].push(span);

@@ -58,9 +58,8 @@ pub(super) fn colour(
         // From after the instruction up to the last reader of its value.
         let first = start(at, number) + 1;
         let end = until[at] + (number * pass) as i64;
-        let span: Vec<usize> = (first..=end)
-            .map(|place| place.rem_euclid(round as i64) as usize)
-            .collect();
+        let span: Vec<usize> =
+            (first..=end).map(|place| place.rem_euclid(round as i64) as usize).collect();
         let free = |register: &u8| {
             let rows = &taken[usize::from(*register)];
             live & bit(*register) == 0 && span.iter().all(|&row| !rows[row])
@@ -91,9 +90,7 @@ pub(super) fn colour(
                 node.i.rt = registers[number][at];
             }
             used |= node.writes().map_or(0, bit);
-            used |= node
-                .reads()
-                .fold(0, |set, (_, register)| set | bit(register));
+            used |= node.reads().fold(0, |set, (_, register)| set | bit(register));
         }
     }
     Some((coloured, used.count_ones()))

@@ -21,10 +21,7 @@ pub(super) struct Freedom {
 }
 
 impl Freedom {
-    pub const NONE: Self = Self {
-        moves: false,
-        passes: 1,
-    };
+    pub const NONE: Self = Self { moves: false, passes: 1 };
 }
 
 /// A pair of instructions of which one must issue before the other.
@@ -96,10 +93,7 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
     let values = Values::of(nodes);
     let memory = Memory::of(nodes, &values);
     let kept = values.kept(nodes, live);
-    let mut graph = Graph {
-        nodes,
-        edges: Vec::new(),
-    };
+    let mut graph = Graph { nodes, edges: Vec::new() };
     let mut readers: Vec<Vec<(usize, Source)>> = vec![Vec::new(); 256];
     let mut writer: [Option<usize>; 256] = [None; 256];
     let mut barrier = None;
@@ -166,15 +160,9 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
 pub(super) fn cyclic(nodes: &[Node], live: Registers, freedom: Freedom) -> Vec<Edge> {
     let values = Values::of(nodes);
     let memory = Memory::of(nodes, &values);
-    let mut graph = Graph {
-        nodes,
-        edges: Vec::new(),
-    };
+    let mut graph = Graph { nodes, edges: Vec::new() };
     for (at, movable) in Movable::of_loop(nodes, freedom).into_iter().enumerate() {
-        if let Some(Movable {
-            increment, ahead, ..
-        }) = movable
-        {
+        if let Some(Movable { increment, ahead, .. }) = movable {
             graph.flow(increment, at, 1 - ahead.0);
             graph.order(at, increment, ahead.1);
         }
@@ -190,11 +178,7 @@ pub(super) fn cyclic(nodes: &[Node], live: Registers, freedom: Freedom) -> Vec<E
                 },
             };
             graph.flow(from, at, distance);
-            let passes = if values.hands_on(nodes, from, live) {
-                1
-            } else {
-                freedom.passes
-            };
+            let passes = if values.hands_on(nodes, from, live) { 1 } else { freedom.passes };
             graph.keep(at, from, passes - distance, Some(source));
         }
     }

@@ -38,12 +38,7 @@ impl Movable {
     /// For each node of a loop's body: whether and how it may move.
     pub fn of_loop(nodes: &[Node], freedom: Freedom) -> Vec<Option<Self>> {
         let values = Values::of(nodes);
-        let movable = |at| {
-            freedom
-                .moves
-                .then(|| Self::at(nodes, &values, at))
-                .flatten()
-        };
+        let movable = |at| freedom.moves.then(|| Self::at(nodes, &values, at)).flatten();
         (0..nodes.len()).map(movable).collect()
     }
 
@@ -106,11 +101,7 @@ impl Moved {
 
     /// Whether a displacement is that of the plain access but for whole steps of the register.
     pub fn allows(&self, displacement: i32) -> bool {
-        let Movable {
-            step,
-            displacement: plain,
-            ..
-        } = self.access;
+        let Movable { step, displacement: plain, .. } = self.access;
         let displacement = i64::from(displacement);
         (LEAST..=MOST).contains(&displacement) && (plain - displacement) % step == 0
     }
@@ -140,15 +131,8 @@ mod tests {
     fn load(displacement: i32, step: i32, behind: bool) -> Option<Movable> {
         let load = Node::added(plain(Op::Lqd, 5, 4, displacement), None, "");
         let advance = Node::added(plain(Op::Ai, 4, 4, step), None, "");
-        let nodes = if behind {
-            [advance, load]
-        } else {
-            [load, advance]
-        };
-        let moves = Freedom {
-            moves: true,
-            ..Freedom::NONE
-        };
+        let nodes = if behind { [advance, load] } else { [load, advance] };
+        let moves = Freedom { moves: true, ..Freedom::NONE };
         Movable::of_loop(&nodes, moves)[usize::from(behind)]
     }
 
@@ -182,16 +166,10 @@ mod tests {
         assert_eq!(late.in_kernel(), 32 - 48);
         assert_eq!([0, 1, 9].map(|pass| late.in_fill(pass)), [32 - 48; 3]);
         // The last pass has only its own increment before the access, the one before it two.
-        assert_eq!(
-            [0, 1, 2, 3].map(|more| late.in_drain(more)),
-            [16, 0, -16, -16]
-        );
+        assert_eq!([0, 1, 2, 3].map(|more| late.in_drain(more)), [16, 0, -16, -16]);
         let early = Moved::new(access, -2);
         assert_eq!(early.in_kernel(), 64);
-        assert_eq!(
-            [0, 1, 2, 3].map(|pass| early.in_fill(pass)),
-            [32, 48, 64, 64]
-        );
+        assert_eq!([0, 1, 2, 3].map(|pass| early.in_fill(pass)), [32, 48, 64, 64]);
         assert_eq!([0, 1].map(|more| early.in_drain(more)), [64; 2]);
     }
 
@@ -201,10 +179,7 @@ mod tests {
         assert_eq!(load(0, 0, false), None);
         let store = Node::added(plain(Op::Stqd, 5, 4, 0), None, "");
         let reload = Node::added(plain(Op::Lqd, 4, 4, 16), None, "");
-        let moves = Freedom {
-            moves: true,
-            ..Freedom::NONE
-        };
+        let moves = Freedom { moves: true, ..Freedom::NONE };
         assert_eq!(Movable::of_loop(&[store, reload], moves), [None, None]);
     }
 }

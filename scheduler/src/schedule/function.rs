@@ -56,9 +56,7 @@ pub(super) struct Symbol {
 impl Symbol {
     /// The address in assembly notation.
     pub fn text(&self) -> String {
-        let Self {
-            name, addend, part, ..
-        } = self;
+        let Self { name, addend, part, .. } = self;
         match addend {
             0 => format!("{name}{part}"),
             1.. => format!("{name}+{addend}{part}"),
@@ -192,11 +190,7 @@ pub(super) struct Block {
 
 impl Block {
     pub fn flow(&self) -> Flow {
-        let straight = Flow {
-            branch: None,
-            falls_through: true,
-            leaves: Leaves::No,
-        };
+        let straight = Flow { branch: None, falls_through: true, leaves: Leaves::No };
         let Some(last) = self.nodes.last().filter(|node| node.ends_block()) else {
             return straight;
         };
@@ -208,11 +202,7 @@ impl Block {
             Some(_) => Leaves::No,
             None => Leaves::Anywhere,
         };
-        let indirect = if last.i.ra == LINK {
-            Leaves::Return
-        } else {
-            Leaves::Anywhere
-        };
+        let indirect = if last.i.ra == LINK { Leaves::Return } else { Leaves::Anywhere };
         let (falls_through, leaves) = match last.i.op {
             Op::Br | Op::Bra => (false, outside),
             Op::Brz | Op::Brnz | Op::Brhz | Op::Brhnz => (true, outside),
@@ -221,11 +211,7 @@ impl Block {
             Op::Iret => (false, Leaves::Anywhere),
             _ => (true, Leaves::Anywhere),
         };
-        Flow {
-            branch,
-            falls_through,
-            leaves,
-        }
+        Flow { branch, falls_through, leaves }
     }
 }
 
@@ -259,11 +245,7 @@ impl Function {
 
     /// A new id for a block.
     pub fn new_id(&self) -> BlockId {
-        self.blocks
-            .iter()
-            .map(|block| block.id + 1)
-            .max()
-            .unwrap_or(0)
+        self.blocks.iter().map(|block| block.id + 1).max().unwrap_or(0)
     }
 
     /// How many branches go to a block.
@@ -331,9 +313,7 @@ impl Function {
 pub(super) fn live_before(nodes: &[Node], live: Registers) -> Registers {
     nodes.iter().rev().fold(live, |live, node| {
         let written = node.writes().map_or(0, bit);
-        let read = node
-            .reads()
-            .fold(0, |set, (_, register)| set | bit(register));
+        let read = node.reads().fold(0, |set, (_, register)| set | bit(register));
         live & !written | read
     })
 }

@@ -57,11 +57,7 @@ fn complete(words: &mut Vec<Node>) {
 }
 
 fn no_operation(op: Op, stage: u32) -> Node {
-    let rt = if op.row().class == Class::Nop {
-        UNUSED_TARGET
-    } else {
-        0
-    };
+    let rt = if op.row().class == Class::Nop { UNUSED_TARGET } else { 0 };
     let mut node = Node::added(plain(op, rt, 0, 0), None, "pairing");
     node.stage = stage;
     node
@@ -69,13 +65,5 @@ fn no_operation(op: Op, stage: u32) -> Node {
 
 /// An instruction with registers and a constant as operands.
 pub(super) fn plain(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction {
-        op,
-        rt,
-        ra,
-        rb: 0,
-        rc: 0,
-        branch_distance: 0,
-        immediate,
-    }
+    Instruction { op, rt, ra, rb: 0, rc: 0, branch_distance: 0, immediate }
 }

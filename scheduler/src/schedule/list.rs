@@ -43,10 +43,8 @@ pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>)
 
 /// The cycles from each node's issue to the end of the block.
 fn heights(nodes: &[Node], edges: &[Edge]) -> Vec<i64> {
-    let mut heights: Vec<i64> = nodes
-        .iter()
-        .map(|node| i64::from(node.class().latency()))
-        .collect();
+    let mut heights: Vec<i64> =
+        nodes.iter().map(|node| i64::from(node.class().latency())).collect();
     let mut by_source = edges.to_vec();
     // Edges of straight-line code only go forward.
     by_source.sort_by_key(|edge| std::cmp::Reverse(edge.from));

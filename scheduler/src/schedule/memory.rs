@@ -121,9 +121,7 @@ impl Memory {
             Some(step) => {
                 let near = ahead.div_euclid(step);
                 let passes = (near - QUADWORD..=near + QUADWORD).filter(|&passes| passes >= 1);
-                passes
-                    .into_iter()
-                    .find(|passes| (ahead - passes * step).abs() < QUADWORD)
+                passes.into_iter().find(|passes| (ahead - passes * step).abs() < QUADWORD)
             }
         }
     }
@@ -186,13 +184,7 @@ fn access(nodes: &[Node], values: &Values, at: usize, node: &Node) -> Option<Acc
             _ => (Root::Zero, None, immediate),
         },
     };
-    Some(Access {
-        root,
-        index,
-        offset,
-        store,
-        anything: node.may_alias || node.in_order,
-    })
+    Some(Access { root, index, offset, store, anything: node.may_alias || node.in_order })
 }
 
 /// Expresses a value as another value plus a constant.

@@ -46,14 +46,8 @@ fn apart(nodes: &[Node], movable: &[Option<Movable>]) -> Vec<Vec<Apart>> {
             continue;
         };
         let latency = i64::from(nodes[increment].class().latency());
-        apart[access].push(Apart {
-            other: increment,
-            forbidden: (0, latency),
-        });
-        apart[increment].push(Apart {
-            other: access,
-            forbidden: (1 - latency, 1),
-        });
+        apart[access].push(Apart { other: increment, forbidden: (0, latency) });
+        apart[increment].push(Apart { other: access, forbidden: (1 - latency, 1) });
     }
     apart
 }
@@ -99,11 +93,7 @@ pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: b
     loop {
         let mut changed = false;
         for edge in edges {
-            let (from, to) = if forward {
-                (edge.from, edge.to)
-            } else {
-                (edge.to, edge.from)
-            };
+            let (from, to) = if forward { (edge.from, edge.to) } else { (edge.to, edge.from) };
             let reached = length[from].saturating_add(edge.latency - interval * edge.distance);
             if length[from] > UNREACHED && reached > length[to] {
                 length[to] = reached;
@@ -161,20 +151,13 @@ impl<'a> Problem<'a> {
     /// The cycle of each node, or `None` if this attempt does not find a place for all of them.
     pub fn attempt(&self, number: u64) -> Option<Vec<i64>> {
         let count = self.nodes.len();
-        if self
-            .bounds
-            .iter()
-            .any(|&(earliest, latest)| earliest > latest)
-        {
+        if self.bounds.iter().any(|&(earliest, latest)| earliest > latest) {
             return None;
         }
         let mut random = Random::new(number + 1);
         let noise = 1 + number % 16;
-        let priorities: Vec<i64> = self
-            .heights
-            .iter()
-            .map(|height| height + random.below(noise) as i64)
-            .collect();
+        let priorities: Vec<i64> =
+            self.heights.iter().map(|height| height + random.below(noise) as i64).collect();
         let mut table = Table::new(self);
         table.put(count - 1, self.interval - 1);
         let mut last: Vec<Option<i64>> = vec![None; count];
@@ -214,9 +197,7 @@ impl<'a> Problem<'a> {
             Some(table.times[edge.to]? - edge.latency + interval * edge.distance)
         });
         let earliest = predecessors.fold(floor, i64::max).min(ceiling);
-        let latest = successors
-            .fold(ceiling, i64::min)
-            .min(earliest + interval - 1);
+        let latest = successors.fold(ceiling, i64::min).min(earliest + interval - 1);
         let free = (earliest..=latest).find(|&cycle| table.conflicting(at, cycle).is_empty());
         if free.is_some() {
             return free;
@@ -248,11 +229,7 @@ impl<'a> Problem<'a> {
         for (at, &cycle) in times.iter().enumerate() {
             table.put(at, cycle);
         }
-        let end = times
-            .iter()
-            .max()
-            .map_or(0, |last| last / self.interval + 1)
-            * self.interval;
+        let end = times.iter().max().map_or(0, |last| last / self.interval + 1) * self.interval;
         let mut order: Vec<usize> = (0..times.len() - 1).collect();
         order.sort_by_key(|&at| std::cmp::Reverse((times[at], at)));
         for at in order {
@@ -266,9 +243,8 @@ impl<'a> Problem<'a> {
                 .map(|edge| times[edge.to] - edge.latency + self.interval * edge.distance)
                 .fold(ceiling.min(end - 1), i64::min);
             table.take(at);
-            let latest = (times[at]..=limit)
-                .rev()
-                .find(|&cycle| table.conflicting(at, cycle).is_empty());
+            let latest =
+                (times[at]..=limit).rev().find(|&cycle| table.conflicting(at, cycle).is_empty());
             times[at] = latest.unwrap_or(times[at]);
             table.put(at, times[at]);
         }
@@ -311,9 +287,7 @@ impl<'a> Table<'a> {
     /// The nodes that use the same row and pipe, or that conflict with the node there.
     fn conflicting(&self, at: usize, cycle: i64) -> Vec<usize> {
         let cells = self.cells(at, cycle).into_iter();
-        let mut others: Vec<usize> = cells
-            .filter_map(|(row, pipe)| self.rows[row][pipe])
-            .collect();
+        let mut others: Vec<usize> = cells.filter_map(|(row, pipe)| self.rows[row][pipe]).collect();
         for &Apart { other, forbidden } in &self.apart[at] {
             let clash = |time: i64| {
                 let (first, end) = forbidden;

@@ -23,13 +23,7 @@ pub(super) struct Names<'a> {
 impl<'a> Names<'a> {
     /// `used` are all names in the source.
     pub fn new(given: Vec<Name<'a>>, used: BTreeSet<String>) -> Self {
-        Self {
-            given,
-            unclaimed: used.clone(),
-            used,
-            moved: BTreeMap::new(),
-            made: Vec::new(),
-        }
+        Self { given, unclaimed: used.clone(), used, moved: BTreeMap::new(), made: Vec::new() }
     }
 
     /// The name of register `number` when it holds a value that the source has in `plain`.
@@ -75,9 +69,8 @@ impl<'a> Names<'a> {
         let given = self.given.iter();
         let repeated =
             given.filter(|name| name.inside && (inside.0..inside.1).contains(&name.line));
-        let mut all: Vec<(String, u8)> = repeated
-            .map(|name| (name.name.to_owned(), name.number))
-            .collect();
+        let mut all: Vec<(String, u8)> =
+            repeated.map(|name| (name.name.to_owned(), name.number)).collect();
         all.append(&mut self.made);
         all
     }
@@ -91,11 +84,7 @@ impl<'a> Names<'a> {
             _ => {}
         }
         let known = |name: &&Name<'_>| line == 0 || name.line < line;
-        let names = self
-            .given
-            .iter()
-            .filter(known)
-            .filter(|name| name.number <= number);
+        let names = self.given.iter().filter(known).filter(|name| name.number <= number);
         // The latest of the names for the nearest register.
         match names.max_by_key(|name| (name.number, name.line)) {
             Some(name) if name.number == number => name.name.to_owned(),

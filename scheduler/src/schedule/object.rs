@@ -88,9 +88,7 @@ impl<'data> Plain<'data> {
     /// All symbol names.
     pub fn names(&self) -> BTreeSet<String> {
         let symbols = self.file.symbols();
-        symbols
-            .filter_map(|symbol| symbol.name().ok().map(str::to_owned))
-            .collect()
+        symbols.filter_map(|symbol| symbol.name().ok().map(str::to_owned)).collect()
     }
 
     /// Whether the line table names the source.
@@ -102,11 +100,7 @@ impl<'data> Plain<'data> {
 
     /// The code of the function with this name, or `None` if there is none.
     pub fn function_code(&self, name: &str, source: &str) -> Result<Option<FunctionCode>, Fault> {
-        let found = self
-            .code
-            .functions()
-            .iter()
-            .find(|found| found.name == name);
+        let found = self.code.functions().iter().find(|found| found.name == name);
         let symbol = self.file.symbols().find(|symbol| symbol.name() == Ok(name));
         let (Some(found), Some(symbol)) = (found, symbol) else {
             return Ok(None);
@@ -135,47 +129,22 @@ impl<'data> Plain<'data> {
         for (address, word) in self.code.words(found.start, found.end) {
             let fault = |what| (line(address), what);
             let i = Instruction::decode(word).ok_or_else(|| fault(Unschedulable::Word(word)))?;
-            let reference = view
-                .reference(address, i, relocations.get(&address))
-                .map_err(fault)?;
-            placed.push(Placed {
-                address,
-                word,
-                i,
-                reference,
-                line: line(address),
-            });
+            let reference = view.reference(address, i, relocations.get(&address)).map_err(fault)?;
+            placed.push(Placed { address, word, i, reference, line: line(address) });
         }
-        Ok(Some(FunctionCode {
-            name: name.to_owned(),
-            start,
-            end: found.end,
-            placed,
-        }))
+        Ok(Some(FunctionCode { name: name.to_owned(), start, end: found.end, placed }))
     }
 
     /// The code of a function as blocks.
     pub fn function(&self, function_code: &FunctionCode) -> Result<Function, Fault> {
-        let FunctionCode {
-            name,
-            start,
-            end,
-            placed,
-        } = function_code;
+        let FunctionCode { name, start, end, placed } = function_code;
         if start % 8 != 0 {
             let line = placed.first().map_or(0, |first| first.line);
             return Err((line, Unschedulable::Alignment(name.clone())));
         }
         let mut nodes = Vec::new();
         let mut starts = BTreeSet::from([*start]);
-        for Placed {
-            address,
-            word,
-            i,
-            reference,
-            line,
-        } in placed
-        {
+        for Placed { address, word, i, reference, line } in placed {
             let fault = |what| (*line, what);
             if i.op.row().class == Class::Hb {
                 return Err(fault(Unschedulable::Hint));
@@ -241,11 +210,7 @@ impl<'data> Plain<'data> {
     fn blocks(&self, start: u32, starts: &BTreeSet<u32>, nodes: Vec<(u32, Node)>) -> Vec<Block> {
         let block = |&at: &u32| Block {
             id: at as usize,
-            name: self
-                .code
-                .label(at)
-                .filter(|_| at != start)
-                .map(str::to_owned),
+            name: self.code.label(at).filter(|_| at != start).map(str::to_owned),
             nodes: Vec::new(),
             cycles: None,
         };
@@ -308,10 +273,7 @@ impl View<'_, '_> {
         i: Instruction,
         link: Option<&Link>,
     ) -> Result<Option<Reference>, Unschedulable> {
-        let relative = matches!(
-            i.op.row().format,
-            Format::Ri16Relative | Format::HintRelative
-        );
+        let relative = matches!(i.op.row().format, Format::Ri16Relative | Format::HintRelative);
         let link = match link {
             Some(link) => link,
             None if relative => &Link {
@@ -350,9 +312,7 @@ impl View<'_, '_> {
             })));
         };
         let place = self.plain.file.section_by_index(section);
-        let place = place
-            .ok()
-            .and_then(|place| place.name().ok().map(str::to_owned));
+        let place = place.ok().and_then(|place| place.name().ok().map(str::to_owned));
         let place = place.ok_or(Unschedulable::Address(address))?;
         let first = (section.0, 0);
         let last = (section.0, u64::try_from(link.offset).unwrap_or(0));

@@ -123,11 +123,7 @@ pub(super) fn pipeline(function: &mut Function) -> Vec<LoopReport> {
             }
             Err(why) => Outcome::Plain(why),
         };
-        reports.push(LoopReport {
-            name,
-            line,
-            outcome,
-        });
+        reports.push(LoopReport { name, line, outcome });
     }
     reports
 }
@@ -154,12 +150,7 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     if first != at {
         return Err("it has several blocks".into());
     }
-    let Flow {
-        falls_through: true,
-        leaves: Leaves::No,
-        ..
-    } = block.flow()
-    else {
+    let Flow { falls_through: true, leaves: Leaves::No, .. } = block.flow() else {
         return Err("it does not end in brnz".into());
     };
     let count = branch.i.rt;
@@ -180,10 +171,7 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     let live = liveness.start[at] | liveness.end[at];
     let (even, odd) = (cycles(body, Pipe::Even), cycles(body, Pipe::Odd));
     let flow = |edges: Vec<Edge>| -> Vec<Edge> {
-        edges
-            .into_iter()
-            .filter(|edge| edge.keeps.is_none())
-            .collect()
+        edges.into_iter().filter(|edge| edge.keeps.is_none()).collect()
     };
     let true_edges = flow(cyclic(body, live, Freedom::NONE));
     let resources = even.max(odd) as i64;
@@ -191,21 +179,13 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     let unbounded = (resources.max(3)..).find(recurrence);
     let minimum = unbounded.ok_or("no interval is long enough")?;
     // A loop without overlap takes this long.
-    let plain_cycles = super::list::schedule(body, liveness.end[at])
-        .1
-        .last()
-        .map_or(0, |last| last + 1) as i64;
+    let plain_cycles =
+        super::list::schedule(body, liveness.end[at]).1.last().map_or(0, |last| last + 1) as i64;
     let hint_edges = |nodes: &[Node]| {
         let branch = nodes.len() - 1;
         let mut edges = Vec::new();
         if let Some(hint) = nodes.iter().position(|node| node.class() == Class::Hb) {
-            let edge = |from, to, latency| Edge {
-                from,
-                to,
-                latency,
-                distance: 0,
-                keeps: None,
-            };
+            let edge = |from, to, latency| Edge { from, to, latency, distance: 0, keeps: None };
             edges.push(edge(hint, branch, HINT_CYCLES as i64 + 1));
             edges.push(edge(branch, hint, -(HINT_REACH as i64 / 2)));
         }
@@ -255,20 +235,11 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
 
 /// What a kernel of this interval may do, the simplest form of code first.
 fn freedoms(body: &[Node], interval: i64) -> impl Iterator<Item = Freedom> {
-    let moves = Freedom {
-        moves: true,
-        ..Freedom::NONE
-    };
+    let moves = Freedom { moves: true, ..Freedom::NONE };
     let any_moves = Movable::of_loop(body, moves).iter().any(Option::is_some);
-    let most = if body[body.len() - 1].one_pass {
-        1
-    } else {
-        MAX_PASSES
-    };
+    let most = if body[body.len() - 1].one_pass { 1 } else { MAX_PASSES };
     let passes = (1..=most).filter(move |&passes| passes == 1 || passes * interval <= EXPANDED);
-    let each = [false, true]
-        .into_iter()
-        .filter(move |&moves| any_moves || !moves);
+    let each = [false, true].into_iter().filter(move |&moves| any_moves || !moves);
     passes.flat_map(move |passes| each.clone().map(move |moves| Freedom { moves, passes }))
 }
 
@@ -304,16 +275,9 @@ fn search(
         let last = times.iter().max().copied().unwrap_or(0);
         let stages = (last / interval + 1) as u64;
         // Passes that do not overlap need no registers of their own.
-        (stages > 1 || passes == 1).then_some(Found {
-            stages,
-            registers,
-            nodes,
-            times,
-        })
+        (stages > 1 || passes == 1).then_some(Found { stages, registers, nodes, times })
     });
-    schedules
-        .take(KEPT)
-        .min_by_key(|found| (found.stages, found.registers))
+    schedules.take(KEPT).min_by_key(|found| (found.stages, found.registers))
 }
 
 /// Gives the accesses that may move the displacements for their places in the kernel.
@@ -338,11 +302,7 @@ fn row_order(node: &Node, time: i64, interval: i64) -> (i64, bool) {
 
 /// The cycles of the longest chain within a pass.
 fn longest_chain(edges: &[Edge], count: usize) -> i64 {
-    let within: Vec<Edge> = edges
-        .iter()
-        .filter(|edge| edge.distance == 0)
-        .copied()
-        .collect();
+    let within: Vec<Edge> = edges.iter().filter(|edge| edge.distance == 0).copied().collect();
     let chains = longest(&within, 0, vec![0; count], true);
     chains.into_iter().max().unwrap_or(0)
 }
@@ -359,11 +319,7 @@ fn with_hint(body: &[Node], interval: i64, id: BlockId) -> Vec<Node> {
 
 /// A hint for the branch of a loop of one block.
 pub(super) fn hint(id: BlockId, late: bool) -> Node {
-    let reference = Reference::Hint {
-        branch: id,
-        target: Some(id),
-        late,
-    };
+    let reference = Reference::Hint { branch: id, target: Some(id), late };
     Node::added(plain(Op::Hbrr, 0, 0, 0), Some(reference), "hint")
 }
 
@@ -380,10 +336,7 @@ fn in_rows(nodes: &[Vec<Node>], times: &[i64], interval: i64, figures: Figures) 
     };
     Kernel {
         passes: nodes.iter().map(placed).collect(),
-        rows: order
-            .iter()
-            .map(|&at| (times[at] % interval) as u64)
-            .collect(),
+        rows: order.iter().map(|&at| (times[at] % interval) as u64).collect(),
         figures,
     }
 }
@@ -434,9 +387,7 @@ impl Kernel {
     /// The first passes, up to where all stages run.
     fn fill(&self) -> Vec<Node> {
         let first_passes = |last: u32| {
-            self.outside(last, 0..=last, |moved, stage| {
-                moved.in_fill(i64::from(last) - stage)
-            })
+            self.outside(last, 0..=last, |moved, stage| moved.in_fill(i64::from(last) - stage))
         };
         (0..self.stages() - 1).flat_map(first_passes).collect()
     }
@@ -458,10 +409,7 @@ impl Kernel {
 fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'static str> {
     let live = function.liveness().start[at];
     let plain_loop = function.blocks[at].clone();
-    let name = plain_loop
-        .name
-        .clone()
-        .unwrap_or_else(|| format!("{}_loop", function.name));
+    let name = plain_loop.name.clone().unwrap_or_else(|| format!("{}_loop", function.name));
     let mut next_id = function.new_id();
     let mut new_id = || {
         next_id += 1;
@@ -512,9 +460,7 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
     let mut fill = kernel.fill();
     if !own_hint {
         let length = kernel.rows.len() * kernel.passes.len();
-        let late = fill
-            .len()
-            .saturating_sub(HINT_REACH.saturating_sub(length) / 2);
+        let late = fill.len().saturating_sub(HINT_REACH.saturating_sub(length) / 2);
         let mut hint = hint(last_id, late > 0);
         if let Some(Reference::Hint { target, .. }) = &mut hint.reference {
             *target = Some(first_id);
@@ -523,10 +469,8 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
     }
 
     let part = |part: u32| {
-        let mut nodes: Vec<Node> = kernel
-            .part(stages - 1 + part, 0..=stages - 1)
-            .cloned()
-            .collect();
+        let mut nodes: Vec<Node> =
+            kernel.part(stages - 1 + part, 0..=stages - 1).cloned().collect();
         for node in &mut nodes {
             match &mut node.reference {
                 Some(Reference::Block(id)) if *id == plain_loop.id => {
@@ -578,11 +522,7 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
         }
     }
     let outer = function.branches_to(plain_loop.id) > 1;
-    let mut blocks = vec![named(
-        plain_loop.id,
-        if outer { "_entry" } else { "" },
-        entry,
-    )];
+    let mut blocks = vec![named(plain_loop.id, if outer { "_entry" } else { "" }, entry)];
     blocks.push(named(new_id(), "", fill));
     blocks.extend((0..parts).map(part));
     if !drain.is_empty() {

@@ -50,9 +50,7 @@ type Fault = (u64, Unschedulable);
 
 impl<'a> Source<'a> {
     pub fn new(text: &'a str) -> Self {
-        Self {
-            lines: text.lines().collect(),
-        }
+        Self { lines: text.lines().collect() }
     }
 
     /// The functions that the source contains.
@@ -69,11 +67,7 @@ impl<'a> Source<'a> {
             let Some((end, _)) = ends.next() else {
                 return Err((at as u64 + 1, Unschedulable::NoEnd(name.to_owned())));
             };
-            functions.push(Lines {
-                name: name.to_owned(),
-                first: at,
-                end,
-            });
+            functions.push(Lines { name: name.to_owned(), first: at, end });
             at = end + 1;
         }
         Ok(functions)
@@ -109,9 +103,7 @@ impl<'a> Source<'a> {
 
     /// A line's comment without `#`. Lines count from 1.
     pub fn comment(&self, line: u64) -> &'a str {
-        let text = (line as usize)
-            .checked_sub(1)
-            .and_then(|at| self.lines.get(at));
+        let text = (line as usize).checked_sub(1).and_then(|at| self.lines.get(at));
         let comment = text.and_then(|text| text.split_once('#'));
         comment.map_or("", |(_, comment)| comment.trim())
     }
@@ -142,20 +134,14 @@ impl<'a> Source<'a> {
                 line: at as u64 + 1,
                 name,
                 number: number as u8,
-                inside: functions
-                    .iter()
-                    .any(|lines| (lines.first..lines.end).contains(&at)),
+                inside: functions.iter().any(|lines| (lines.first..lines.end).contains(&at)),
             });
         }
         names
     }
 
     fn included_names<'n>(&self, numbers: &'n BTreeMap<String, u64>) -> Vec<Name<'n>> {
-        let own: Vec<&str> = self
-            .lines
-            .iter()
-            .filter_map(|line| Some(set(line)?.0))
-            .collect();
+        let own: Vec<&str> = self.lines.iter().filter_map(|line| Some(set(line)?.0)).collect();
         let is_taken = |number: u64| own.iter().any(|&name| numbers.get(name) == Some(&number));
         let mut by_number: BTreeMap<u64, Vec<&'n str>> = BTreeMap::new();
         for (name, &number) in numbers {
@@ -203,9 +189,7 @@ impl<'a> Source<'a> {
     /// The registers that the header lists as results of a function, or `None` if it has no such
     /// line.
     pub fn results(&self, function: &Lines) -> Option<Registers> {
-        let header = self.lines[..function.first]
-            .iter()
-            .rposition(|line| out(line).is_some())?;
+        let header = self.lines[..function.first].iter().rposition(|line| out(line).is_some())?;
         let mut registers = 0;
         let first = out(self.lines[header]).unwrap_or_default();
         let more = self.lines[header + 1..].iter();
@@ -218,9 +202,7 @@ impl<'a> Source<'a> {
 
     /// The line of the header that lists the registers that a function writes, counted from 0.
     pub fn uses(&self, function: &Lines) -> Option<usize> {
-        self.lines[..function.first]
-            .iter()
-            .rposition(|line| line.starts_with(USES))
+        self.lines[..function.first].iter().rposition(|line| line.starts_with(USES))
     }
 
     /// Copies lines, counted from 0. A line that names the source, called `path`, follows the
@@ -348,9 +330,7 @@ mod tests {
     use super::*;
 
     fn written(line: &str, registers: &[u8]) -> String {
-        let set = registers
-            .iter()
-            .fold(0, |set, &register| set | bit(register));
+        let set = registers.iter().fold(0, |set, &register| set | bit(register));
         let mut text = String::new();
         push_uses(line, set, &mut text);
         text
@@ -364,37 +344,20 @@ mod tests {
             "#   Uses    $3, $5-$7, $79, $127   Saves  -   Stack  0   Calls  -"
         );
         assert_eq!(written("#   Uses    $3", &[2]), "#   Uses    $2");
-        assert_eq!(
-            written("#   Uses    $3   Saves  -", &[]),
-            "#   Uses    -   Saves  -"
-        );
+        assert_eq!(written("#   Uses    $3   Saves  -", &[]), "#   Uses    -   Saves  -");
     }
 
     #[test]
     fn many_registers_take_further_lines() {
         let every_other: Vec<u8> = (2..80).step_by(2).collect();
-        let text = written(
-            "#   Uses    $3   Saves  -   Stack  0   Calls  -",
-            &every_other,
-        );
+        let text = written("#   Uses    $3   Saves  -   Stack  0   Calls  -", &every_other);
         let lines: Vec<&str> = text.lines().collect();
-        assert!(
-            lines.len() > 1 && lines.iter().all(|line| line.len() <= WIDTH),
-            "{text}"
-        );
-        assert!(
-            lines[1..].iter().all(|line| line.starts_with(FURTHER)),
-            "{text}"
-        );
+        assert!(lines.len() > 1 && lines.iter().all(|line| line.len() <= WIDTH), "{text}");
+        assert!(lines[1..].iter().all(|line| line.starts_with(FURTHER)), "{text}");
         assert_eq!(
             named_registers(&text),
-            every_other
-                .iter()
-                .fold(0, |set, &register| set | bit(register))
+            every_other.iter().fold(0, |set, &register| set | bit(register))
         );
-        assert!(
-            text.ends_with("$78   Saves  -   Stack  0   Calls  -"),
-            "{text}"
-        );
+        assert!(text.ends_with("$78   Saves  -   Stack  0   Calls  -"), "{text}");
     }
 }

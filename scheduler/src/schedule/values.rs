@@ -40,10 +40,7 @@ impl Values {
     /// The value that a node reads in a field.
     pub fn operand(&self, node: usize, field: Field) -> Option<Source> {
         let reads = self.reads[node].iter();
-        reads
-            .copied()
-            .find(|read| read.0 == field)
-            .map(|read| read.1)
+        reads.copied().find(|read| read.0 == field).map(|read| read.1)
     }
 
     /// Whether a node of a loop makes the last value of a register that is in `live`, which is live

@@ -40,21 +40,12 @@ pub(super) fn instructions(
     }
     let plain = plain.placed.iter();
     for placed in plain.filter(|placed| !is_no_operation(placed.i)) {
-        let Placed {
-            address, i, line, ..
-        } = placed;
+        let Placed { address, i, line, .. } = placed;
         let expected = function.copies.get(address).copied().unwrap_or(1);
         let found = found.get(address).copied().unwrap_or(0);
         if found != expected {
             let instruction = shown(*i);
-            return Err((
-                *line,
-                Unschedulable::Miscounted {
-                    instruction,
-                    expected,
-                    found,
-                },
-            ));
+            return Err((*line, Unschedulable::Miscounted { instruction, expected, found }));
         }
     }
     Ok(())
@@ -80,9 +71,7 @@ fn is_addition(node: &Node) -> bool {
 /// Whether both are the same except for registers, the blocks that branches go to, and the steps
 /// that a displacement makes up for.
 fn is_alike(plain: &Placed, node: &Node) -> bool {
-    let moved = node
-        .moved
-        .is_some_and(|moved| moved.allows(node.i.immediate));
+    let moved = node.moved.is_some_and(|moved| moved.allows(node.i.immediate));
     let bare = |i: Instruction, reference: &Option<Reference>| {
         let mut i = i.without_registers();
         if moved || matches!(reference, Some(Reference::Block(_))) {
@@ -139,9 +128,7 @@ fn is_meant(
         None | Some(Reference::Hint { target: None, .. }) => found.reference.is_none(),
         Some(Reference::Block(_) | Reference::Hint { .. }) => {
             let from = if node.i.op == Op::Bra { 0 } else { *address };
-            let target = start
-                .wrapping_add(from)
-                .wrapping_add_signed(node.i.immediate);
+            let target = start.wrapping_add(from).wrapping_add_signed(node.i.immediate);
             meant.immediate = found.i.immediate;
             found.reference == Some(Reference::Block(target as usize))
         }
@@ -177,31 +164,16 @@ mod tests {
             reference: None,
             line: u64::from(address / 4),
         });
-        FunctionCode {
-            name: "f".into(),
-            start: 8,
-            end: 24,
-            placed: placed.collect(),
-        }
+        FunctionCode { name: "f".into(), start: 8, end: 24, placed: placed.collect() }
     }
 
     fn function() -> Function {
-        Function {
-            name: "f".into(),
-            blocks: Vec::new(),
-            results: 0,
-            copies: BTreeMap::new(),
-        }
+        Function { name: "f".into(), blocks: Vec::new(), results: 0, copies: BTreeMap::new() }
     }
 
     fn word(node: Node) -> Word {
         let (cycle, pipe) = (0, Pipe::Even);
-        Word {
-            node,
-            address: 0,
-            slot: Slot { cycle, pipe },
-            labels: Vec::new(),
-        }
+        Word { node, address: 0, slot: Slot { cycle, pipe }, labels: Vec::new() }
     }
 
     fn added(code: u32) -> Word {
@@ -239,10 +211,7 @@ mod tests {
     #[test]
     fn what_is_lost_or_doubled_is_counted() {
         let lost = fault(|words| drop(words.pop()));
-        assert!(
-            lost.contains("the schedule has `il $3,1 (0x40800083)` 0 times, not 1"),
-            "{lost}"
-        );
+        assert!(lost.contains("the schedule has `il $3,1 (0x40800083)` 0 times, not 1"), "{lost}");
         let doubled = fault(|words| words.extend(scheduled().pop()));
         assert!(doubled.contains("2 times, not 1"), "{doubled}");
         let mut function = function();

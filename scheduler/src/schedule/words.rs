@@ -87,11 +87,7 @@ fn hint_returns(function: &mut Function) {
     for block in &mut function.blocks {
         if block.nodes.last().is_some_and(Node::is_return) {
             let at = block.nodes.len().saturating_sub(HINT_REACH);
-            let reference = Reference::Hint {
-                branch: block.id,
-                target: None,
-                late: at > 0,
-            };
+            let reference = Reference::Hint { branch: block.id, target: None, late: at > 0 };
             let hint = plain(Op::Hbr, 0, block.nodes[block.nodes.len() - 1].i.ra, 0);
             let hint = Node::added(hint, Some(reference), "hint");
             block.nodes.insert(at, hint);
@@ -197,16 +193,11 @@ fn words(
             _ => {}
         }
     }
-    let code: Vec<(u32, u32)> = (0..)
-        .step_by(4)
-        .zip(nodes.iter().map(|node| node.i.encode()))
-        .collect();
+    let code: Vec<(u32, u32)> =
+        (0..).step_by(4).zip(nodes.iter().map(|node| node.i.encode())).collect();
     let mut named: BTreeMap<u32, Vec<String>> = BTreeMap::new();
     let mut origins = BTreeSet::from([0]);
-    for (id, label) in labels
-        .iter()
-        .filter(|(id, label)| !label.is_empty() && starts[id] > 0)
-    {
+    for (id, label) in labels.iter().filter(|(id, label)| !label.is_empty() && starts[id] > 0) {
         origins.insert(starts[id]);
         named.entry(starts[id]).or_default().push(label.clone());
     }

@@ -10,9 +10,7 @@ use spu_scheduler::check::{self, CheckError, Model, Outcome};
 use spu_scheduler::code::{Code, CodeError};
 
 fn folder(program: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/programs")
-        .join(program)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs").join(program)
 }
 
 /// Builds `tests/programs/<program>` and returns the file in the work folder that `of` names.
@@ -43,9 +41,7 @@ fn a_pipelined_loop_reaches_what_its_notes_say() {
     let code = program("saxpy");
     let function = &code.functions()[0];
     let loops = find_loops(&code.words(function.start, function.end), Rules::default());
-    let [found] = &loops[..] else {
-        panic!("{loops:?}")
-    };
+    let [found] = &loops[..] else { panic!("{loops:?}") };
     // Eight groups of one even and one odd instruction, but r1 is ready one cycle after its store
     // could issue.
     assert_eq!((found.even, found.odd), (8, 8));
@@ -66,10 +62,7 @@ fn a_pipelined_loop_reaches_what_its_notes_say() {
 fn without_its_hint_the_loop_misses_each_time() {
     let code = program("saxpy");
     let function = &code.functions()[0];
-    let unhinted = Rules {
-        hints: false,
-        ..Rules::default()
-    };
+    let unhinted = Rules { hints: false, ..Rules::default() };
     let loops = find_loops(&code.words(function.start, function.end), unhinted);
     let steady = loops[0].steady.as_ref().unwrap();
     assert_eq!(steady.account.cycles(), 9 + 18);
@@ -109,32 +102,21 @@ fn the_sections_of_an_object_are_laid_out() {
         let other = &code.functions()[1];
         let loops = find_loops(&code.words(other.start, other.end), Rules::default());
         assert_eq!(loops.len(), 1);
-        assert_eq!(
-            (loops[0].start, loops[0].branch),
-            (other.start, other.start + 8)
-        );
+        assert_eq!((loops[0].start, loops[0].branch), (other.start, other.start + 8));
     }
 }
 
 #[test]
 fn wrong_notes_are_named() {
     let code = program("saxpy");
-    let outcome = notes(&code, "saxpy", |text| {
-        text.replace("# 6o", "# 5o").replace("# 3e", "# 3o")
-    });
-    let shown: Vec<_> = outcome
-        .differences
-        .iter()
-        .map(ToString::to_string)
-        .collect();
+    let outcome =
+        notes(&code, "saxpy", |text| text.replace("# 6o", "# 5o").replace("# 3e", "# 3o"));
+    let shown: Vec<_> = outcome.differences.iter().map(ToString::to_string).collect();
     let file = folder("saxpy/saxpy.s");
     let file = file.display();
     assert_eq!(
         shown,
-        [
-            format!("{file}:38: note 3o, model 3e"),
-            format!("{file}:45: note 5o, model 6o"),
-        ]
+        [format!("{file}:38: note 3o, model 3e"), format!("{file}:45: note 5o, model 6o"),]
     );
 }
 
@@ -149,11 +131,7 @@ fn notes_that_fit_no_instruction_are_named() {
     assert_eq!(outcome.notes, 4);
     assert_eq!(
         models,
-        [
-            (11, Model::Several(2)),
-            (12, Model::NoInstruction),
-            (15, Model::Unknown),
-        ]
+        [(11, Model::Several(2)), (12, Model::NoInstruction), (15, Model::Unknown),]
     );
 }
 

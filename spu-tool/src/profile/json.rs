@@ -25,9 +25,8 @@ pub(super) fn document(view: &View<'_>, function: Option<&FunctionFigures>) -> S
 
 fn tally_value(tally: &Tally) -> Value {
     let stalls = tally.stalls.by_cost().into_iter();
-    let stalls: Map<_, _> = stalls
-        .map(|(cause, cycles)| (cause.to_string(), cycles.into()))
-        .collect();
+    let stalls: Map<_, _> =
+        stalls.map(|(cause, cycles)| (cause.to_string(), cycles.into())).collect();
     json!({
         "cycles": tally.cycles(),
         "issued": tally.issued,

@@ -21,10 +21,7 @@ struct Sources<'r> {
 
 impl<'r> Sources<'r> {
     fn new(read: Read<'r>) -> Self {
-        Self {
-            read,
-            files: HashMap::new(),
-        }
+        Self { read, files: HashMap::new() }
     }
 
     /// `folder/file.s:12  the line`, with each run of blanks reduced to one.
@@ -143,9 +140,7 @@ pub(super) fn function(view: &View<'_>, figures: &FunctionFigures, read: Read<'_
             "{figures}  {address:05x}  {:<32} {:<44} {}",
             instruction.replace('\t', " "),
             stalls(&tally, cycles, 2),
-            lines
-                .get(&address)
-                .map_or(String::new(), |source| sources.describe(source)),
+            lines.get(&address).map_or(String::new(), |source| sources.describe(source)),
         );
         text.push_str(row.trim_end());
         text.push('\n');

@@ -61,16 +61,9 @@ impl<'a> View<'a> {
             ran.sort();
             ran.dedup();
             let name = |id: &Option<ProgramId>| id.map_or("unnamed".into(), |id| id.to_string());
-            return Err(ViewError::OtherProgram {
-                asked,
-                ran: list(ran.iter().map(name), "none"),
-            });
+            return Err(ViewError::OtherProgram { asked, ran: list(ran.iter().map(name), "none") });
         }
-        Ok(Self {
-            code,
-            cycles_per_second: profile.cycles_per_second(),
-            tallies,
-        })
+        Ok(Self { code, cycles_per_second: profile.cycles_per_second(), tallies })
     }
 
     /// The total of the whole program.
@@ -99,11 +92,7 @@ impl<'a> View<'a> {
         let outside = sum(outside.map(|(_, tally)| tally));
         if outside != Tally::default() {
             figures.push(FunctionFigures {
-                function: Function {
-                    name: OUTSIDE.into(),
-                    start: 0,
-                    end: 0,
-                },
+                function: Function { name: OUTSIDE.into(), start: 0, end: 0 },
                 calls: 0,
                 tally: outside,
             });
@@ -193,10 +182,7 @@ impl<'a> View<'a> {
     }
 
     fn between(&self, start: u32, end: u32) -> Tally {
-        sum(self
-            .tallies
-            .range((start, 0)..(end, 0))
-            .map(|(_, tally)| tally))
+        sum(self.tallies.range((start, 0)..(end, 0)).map(|(_, tally)| tally))
     }
 
     fn function_at(&self, address: u32) -> Option<String> {
@@ -217,9 +203,5 @@ fn sum<'t>(tallies: impl Iterator<Item = &'t Tally>) -> Tally {
 
 fn list(names: impl Iterator<Item = String>, none: &str) -> String {
     let names: Vec<_> = names.collect();
-    if names.is_empty() {
-        none.into()
-    } else {
-        names.join(", ")
-    }
+    if names.is_empty() { none.into() } else { names.join(", ") }
 }

@@ -19,8 +19,6 @@ pub struct FunctionReport {
 /// The lost cycles in one line: `12 operand of LS, 6 double-precision stall`.
 pub(super) fn waits(account: &Account) -> String {
     let waits = account.waits();
-    let text = waits
-        .iter()
-        .map(|(cause, cycles)| format!("{cycles} {cause}"));
+    let text = waits.iter().map(|(cause, cycles)| format!("{cycles} {cause}"));
     text.collect::<Vec<_>>().join(", ")
 }

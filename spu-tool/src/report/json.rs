@@ -89,10 +89,8 @@ fn issued(line: &Line, issue: &Issue) -> Issued {
 
 fn tally(account: &Account) -> Value {
     let waits = account.waits();
-    let stalls: Map<String, Value> = waits
-        .iter()
-        .map(|(cause, cycles)| (cause.to_string(), (*cycles).into()))
-        .collect();
+    let stalls: Map<String, Value> =
+        waits.iter().map(|(cause, cycles)| (cause.to_string(), (*cycles).into())).collect();
     json!({
         "cycles": account.cycles(),
         "instructions": account.instructions(),

@@ -42,11 +42,7 @@ fn summary(schedule: &Schedule) -> String {
     let Some(account) = &schedule.account else {
         return "  no total: not every word is an instruction\n".into();
     };
-    format!(
-        "  {} cycles straight on: {}\n",
-        account.cycles(),
-        tally(account)
-    )
+    format!("  {} cycles straight on: {}\n", account.cycles(), tally(account))
 }
 
 /// The instructions, pairs and stalls of an account.
@@ -90,17 +86,8 @@ fn describe_loop(text: &mut String, code: &Code, found: &Loop) {
         return;
     };
     let cycles = steady.cycles_a_pass();
-    let _ = writeln!(
-        text,
-        "    {} cycles a pass, bound {}",
-        number(cycles),
-        found.bound()
-    );
-    let _ = write!(
-        text,
-        "    bounds: even {}, odd {}, recurrence ",
-        found.even, found.odd
-    );
+    let _ = writeln!(text, "    {} cycles a pass, bound {}", number(cycles), found.bound());
+    let _ = write!(text, "    bounds: even {}, odd {}, recurrence ", found.even, found.odd);
     match &found.recurrence {
         None => text.push_str("none"),
         Some(recurrence) => {
@@ -121,11 +108,7 @@ fn describe_loop(text: &mut String, code: &Code, found: &Loop) {
 
 /// Formats whole numbers without a fraction.
 pub(super) fn number(value: f64) -> String {
-    if value.fract() == 0.0 {
-        format!("{value:.0}")
-    } else {
-        format!("{value:.2}")
-    }
+    if value.fract() == 0.0 { format!("{value:.0}") } else { format!("{value:.2}") }
 }
 
 fn rows(text: &mut String, code: &Code, lines: &[Line]) {
@@ -145,10 +128,7 @@ fn row(line: &Line, leads: bool) -> String {
     let instruction = disassemble(line.word, line.address).to_string();
     let instruction = instruction.replacen('\t', " ", 1).replace('\t', " ");
     let Some((_, issue)) = line.issued else {
-        return format!(
-            "{:11}{:COLUMNS$} {:05x}  {instruction}",
-            "", "", line.address
-        );
+        return format!("{:11}{:COLUMNS$} {:05x}  {instruction}", "", "", line.address);
     };
     let pair = if leads || issue.dual {
         'D'

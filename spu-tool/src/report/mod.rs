@@ -34,12 +34,7 @@ impl<'a> Report<'a> {
                 loops: find_loops(&words, rules),
             }
         };
-        let functions: Vec<_> = code
-            .functions()
-            .iter()
-            .filter(wanted)
-            .map(analyse)
-            .collect();
+        let functions: Vec<_> = code.functions().iter().filter(wanted).map(analyse).collect();
         (name.is_none() || !functions.is_empty()).then_some(Self { code, functions })
     }
 

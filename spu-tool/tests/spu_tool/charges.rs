@@ -79,9 +79,7 @@ struct Machine(Arc<machine::Machine>);
 impl Machine {
     fn of(make: fn(Arc<dyn MainMemory>, Timing) -> Arc<machine::Machine>) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
-        memory
-            .register(BASE, vec![0; 1 << 20], Access::ReadWrite)
-            .unwrap();
+        memory.register(BASE, vec![0; 1 << 20], Access::ReadWrite).unwrap();
         Self(make(memory, Timing::default()))
     }
 
@@ -186,19 +184,11 @@ fn every_cycle_of_the_account_is_charged_once() {
         one.end();
     }
     let profile = check(&machine);
-    let used = |cause| {
-        (0..3)
-            .map(|spe| profile.tally(spe).stalls.of(cause))
-            .sum::<u64>()
-    };
+    let used = |cause| (0..3).map(|spe| profile.tally(spe).stalls.of(cause)).sum::<u64>();
     // The program has all of these causes, so the sums above test each of them.
-    for cause in [
-        Cause::BranchMiss,
-        Cause::Channel,
-        Cause::Dma,
-        Cause::DoubleStall,
-        Cause::Synchronise,
-    ] {
+    for cause in
+        [Cause::BranchMiss, Cause::Channel, Cause::Dma, Cause::DoubleStall, Cause::Synchronise]
+    {
         assert!(used(cause) > 0, "{cause}");
     }
 }
@@ -269,11 +259,7 @@ next:   fa      $21,$21,$22
         ("lnop", [10, 10, 0], "{}".into()),
         ("ai", [10, 0, 10], "{}".into()),
         // Nine of ten branches are taken.
-        (
-            "brnz",
-            [10, 0, 10 + 10 + 9 * 18],
-            r#"{"branch miss":162,"operand of FX2":10}"#.into(),
-        ),
+        ("brnz", [10, 0, 10 + 10 + 9 * 18], r#"{"branch miss":162,"operand of FX2":10}"#.into()),
         ("rdch", [1, 0, 1 + slept], stall(Cause::Channel, slept)),
         ("lnop", [1, 0, 1], "{}".into()),
         ("stop", [1, 0, 1], "{}".into()),

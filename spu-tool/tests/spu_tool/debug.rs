@@ -16,10 +16,7 @@ fn debug(bench: &Bench, options: &[&str], program: &Path, commands: &str) -> Out
 fn assert_lines(text: &str, lines: &[&str]) {
     let mut rest = text.lines();
     for line in lines {
-        assert!(
-            rest.any(|found| found.contains(line)),
-            "no {line} in order in\n{text}"
-        );
+        assert!(rest.any(|found| found.contains(line)), "no {line} in order in\n{text}");
     }
 }
 
@@ -158,12 +155,7 @@ fn the_mfc_and_channels_are_shown() {
         c";
     let memory = ["--main-memory", "64K@0x60000000"];
     let get = "get          256 bytes, local store 0x01000, effective address 0x60000000, tag 9";
-    let simulated = debug(
-        &bench,
-        &[&memory[..], &["--timing"]].concat(),
-        &program,
-        commands,
-    );
+    let simulated = debug(&bench, &[&memory[..], &["--timing"]].concat(), &program, commands);
     assert_eq!(simulated.status, 0);
     let seen = [
         get,
@@ -177,17 +169,9 @@ fn the_mfc_and_channels_are_shown() {
     ];
     assert_lines(&simulated.output, &seen);
     // Without simulated time, a command waits only if it is put off.
-    let delayed = debug(
-        &bench,
-        &[&memory[..], &["--mfc", "at-last"]].concat(),
-        &program,
-        commands,
-    );
+    let delayed = debug(&bench, &[&memory[..], &["--mfc", "at-last"]].concat(), &program, commands);
     assert_eq!((delayed.status, delayed.error.as_str()), (0, ""));
-    assert_lines(
-        &delayed.output,
-        &[get, "cycles are counted in simulated time", "none"],
-    );
+    assert_lines(&delayed.output, &[get, "cycles are counted in simulated time", "none"]);
     let at_once = debug(&bench, &memory, &program, commands);
     assert!(!at_once.output.contains(get));
 }
@@ -202,12 +186,7 @@ fn a_fault_can_be_looked_at() {
     assert_eq!(outcome.status, 120);
     assert_lines(
         &outcome.output,
-        &[
-            "The program has failed: halt",
-            "heqi",
-            "$3    0000004d",
-            "can't go on; quit ends",
-        ],
+        &["The program has failed: halt", "heqi", "$3    0000004d", "can't go on; quit ends"],
     );
 }
 
@@ -216,14 +195,8 @@ fn wrong_commands_change_nothing() {
     let bench = Bench::new();
     let program = bench.program("calls");
     let wrong = [
-        (
-            "contiune",
-            "there is no command contiune; did you mean continue?",
-        ),
-        (
-            "break outre",
-            "the program has no symbol outre; did you mean outer?",
-        ),
+        ("contiune", "there is no command contiune; did you mean continue?"),
+        ("break outre", "the program has no symbol outre; did you mean outer?"),
         ("break 0x40000", "0x40000 is beyond local store"),
         ("break 2", "0x2 is no address of an instruction"),
         ("delete main", "there is no breakpoint at"),
@@ -243,10 +216,7 @@ fn wrong_commands_change_nothing() {
     }
     let outcome = debug(&bench, &["--gdb", "0"], &program, "");
     assert_eq!(outcome.status, 127);
-    assert_eq!(
-        outcome.error,
-        "spu: --gdb does not go with spu debug; use spu run\n"
-    );
+    assert_eq!(outcome.error, "spu: --gdb does not go with spu debug; use spu run\n");
 }
 
 /// With commands in a file, standard input is the program's. What it prints comes before the

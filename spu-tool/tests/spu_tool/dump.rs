@@ -31,9 +31,5 @@ fn without_sections_the_segments_are_listed() {
     bench.write("stripped", image);
     let outcome = bench.spu(&["dump", "stripped"]);
     assert_eq!(outcome.status, 0, "{}", outcome.error);
-    assert!(
-        outcome.output.contains("00000  40800083  il $3,1"),
-        "{}",
-        outcome.output
-    );
+    assert!(outcome.output.contains("00000  40800083  il $3,1"), "{}", outcome.output);
 }

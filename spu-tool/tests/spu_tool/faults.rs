@@ -18,24 +18,9 @@ fn fault(source: &str, options: &[&str], status: i32, names: &[&str]) {
 
 #[test]
 fn each_fault_has_its_status() {
-    fault(
-        " il $3,5\nhere: heqi $3,5",
-        &[],
-        120,
-        &["halt", "0x00004 <here>", "heqi $0,$3,5"],
-    );
-    fault(
-        " nop\n .long 0x00800000",
-        &[],
-        121,
-        &["invalid instruction 0x00800000", "<_start+0x4>"],
-    );
-    fault(
-        " rdch $3,$ch100",
-        &[],
-        122,
-        &["rdch is not possible on channel 100"],
-    );
+    fault(" il $3,5\nhere: heqi $3,5", &[], 120, &["halt", "0x00004 <here>", "heqi $0,$3,5"]);
+    fault(" nop\n .long 0x00800000", &[], 121, &["invalid instruction 0x00800000", "<_start+0x4>"]);
+    fault(" rdch $3,$ch100", &[], 122, &["rdch is not possible on channel 100"]);
     let command = " il $3,3\n wrch $ch19,$3\n il $4,0x40\n wrch $ch21,$4\n stop 0x2000";
     fault(command, &[], 123, &["DMA alignment", "3 bytes"]);
     let nowhere =
@@ -43,24 +28,14 @@ fn each_fault_has_its_status() {
     fault(nowhere, &[], 123, &["storage fault", "0x10"]);
     fault(" stop 0x123", &[], 124, &["stop 0x0123"]);
     fault(" stopd $3,$3,$3", &[], 124, &["0x3fff"]);
-    fault(
-        "again: br again",
-        &["--max-instructions", "1000"],
-        125,
-        &["limit", "<again>"],
-    );
+    fault("again: br again", &["--max-instructions", "1000"], 125, &["limit", "<again>"]);
 }
 
 #[test]
 fn the_limit_counts_every_instruction() {
     let source = " il $3,1\n il $4,2\n stop 0x2000";
     fault(source, &["--max-instructions", "0"], 125, &["0x00000"]);
-    fault(
-        source,
-        &["--max-instructions", "2"],
-        125,
-        &["0x00008", "stop"],
-    );
+    fault(source, &["--max-instructions", "2"], 125, &["0x00008", "stop"]);
     let bench = Bench::new();
     bench.run(&["--max-instructions", "3"], &bench.instructions(source), 0);
     // Instructions before a library call count, too.
@@ -72,24 +47,9 @@ fn the_limit_counts_every_instruction() {
 
 #[test]
 fn calls_that_nobody_serves_are_named() {
-    fault(
-        " stop 0x2109\n nop",
-        &[],
-        124,
-        &["class 0x09", "stop 0x2109"],
-    );
-    fault(
-        " stop 0x2100\n .long 0x2a000000",
-        &[],
-        124,
-        &["call 42", "C99", "1 to 41"],
-    );
-    fault(
-        " stop 0x2101\n .long 0",
-        &[],
-        124,
-        &["call 0", "Posix", "1 to 68"],
-    );
+    fault(" stop 0x2109\n nop", &[], 124, &["class 0x09", "stop 0x2109"]);
+    fault(" stop 0x2100\n .long 0x2a000000", &[], 124, &["call 42", "C99", "1 to 41"]);
+    fault(" stop 0x2101\n .long 0", &[], 124, &["call 0", "Posix", "1 to 68"]);
 }
 
 /// A program that closes standard error still gets its exit status.
@@ -107,28 +67,13 @@ fn a_fault_without_standard_error() {
 
 #[test]
 fn a_program_that_sleeps_for_ever_is_ended() {
-    fault(
-        " nop\n rdch $3,$ch29",
-        &[],
-        125,
-        &["inbound mailbox", "no more words", "<_start+0x4>"],
-    );
+    fault(" nop\n rdch $3,$ch29", &[], 125, &["inbound mailbox", "no more words", "<_start+0x4>"]);
     // Nobody reads a mailbox without a file, in simulated time or not.
     for (channel, option) in [(28, "--out-mbox"), (30, "--out-intr-mbox")] {
         let twice = format!(" wrch $ch{channel},$3\n wrch $ch{channel},$3\n stop 0x2000");
-        fault(
-            &twice,
-            &[],
-            125,
-            &["waits for room", option, "<_start+0x4>"],
-        );
+        fault(&twice, &[], 125, &["waits for room", option, "<_start+0x4>"]);
     }
-    fault(
-        " rdch $3,$ch3",
-        &["--patience", "0"],
-        125,
-        &["sleeps for ever"],
-    );
+    fault(" rdch $3,$ch3", &["--patience", "0"], 125, &["sleeps for ever"]);
 }
 
 #[test]
@@ -141,25 +86,13 @@ fn files_that_can_not_be_used_are_named() {
     bench.write("data", [0; 100]);
     let cases: &[(&[&str], &[&str])] = &[
         (&["none.elf"], &["none.elf", "No such file"]),
-        (
-            &["--in-mbox", "words", program],
-            &["words", "line 2", "three"],
-        ),
+        (&["--in-mbox", "words", program], &["words", "line 2", "three"]),
         (&["--in-mbox", "large", program], &["large", "32 bits"]),
         (&["--load-ls", "none@0", program], &["none"]),
-        (
-            &["--load-ls", "data@0x3fff0", program],
-            &["data", "0x3fff0", "does not fit"],
-        ),
+        (&["--load-ls", "data@0x3fff0", program], &["data", "0x3fff0", "does not fit"]),
         (&["--load-mem", "data@0x9000", program], &["data", "0x9000"]),
-        (
-            &["--dump-mem", "out@0x9000:16", program],
-            &["out", "0x9000"],
-        ),
-        (
-            &["--main-memory", "4K@0x10000000", program],
-            &["0x10000000", "overlaps"],
-        ),
+        (&["--dump-mem", "out@0x9000:16", program], &["out", "0x9000"]),
+        (&["--main-memory", "4K@0x10000000", program], &["0x10000000", "overlaps"]),
         (&["--main-memory", "4K", program], &["SIZE@EA"]),
         (&["--main-memory", "9G@0", program], &["4G"]),
         (&["--arg", "0x100000000", program], &[":64"]),
@@ -191,11 +124,9 @@ fn what_is_no_program_is_refused() {
     other[19] = 21;
     bench.write("other", other);
     for verb in ["run", "dump"] {
-        for (file, name) in [
-            ("text", "not an ELF file"),
-            ("short", "damaged"),
-            ("other", "machine 21"),
-        ] {
+        for (file, name) in
+            [("text", "not an ELF file"), ("short", "damaged"), ("other", "machine 21")]
+        {
             let outcome = bench.spu(&[verb, file]);
             assert_eq!(outcome.status, 126, "{}", outcome.error);
             assert!(
@@ -222,14 +153,7 @@ fn damaged_images_never_crash() {
         let dump = bench.spu(&["dump", "damaged"]);
         prop_assert!([0, 126, 127].contains(&dump.status), "{}", dump.error);
         prop_assert!(!dump.error.contains("panicked"), "{}", dump.error);
-        let limits = [
-            "run",
-            "--max-instructions",
-            "10000",
-            "--patience",
-            "1",
-            "damaged",
-        ];
+        let limits = ["run", "--max-instructions", "10000", "--patience", "1", "damaged"];
         let run = bench.spu(&limits);
         prop_assert!(!run.error.contains("panicked"), "{}", run.error);
         Ok(())

@@ -172,13 +172,7 @@ fn a_debugger_takes_no_simulated_time() {
     let program = bench.program("dma");
     let path = bench.path("figures");
     let option = format!("--timing={}", path.display());
-    let options = [
-        &option,
-        "--main-memory",
-        "4K@0x60000000",
-        "--arg",
-        "0x60000000:64",
-    ];
+    let options = [&option, "--main-memory", "4K@0x60000000", "--arg", "0x60000000:64"];
     bench.run(&options, &program, 0);
     let figures = bench.read("figures");
     let mut gdb = Session::new(&options, &program);

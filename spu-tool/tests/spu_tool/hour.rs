@@ -17,10 +17,7 @@ fn root() -> PathBuf {
 fn build(bench: &Bench, name: &str, dot: &str) -> (PathBuf, PathBuf) {
     let main = root().join("examples/spu/main.s");
     let source = bench.write(&format!("{name}.s"), dot);
-    let (object, image) = (
-        bench.path(&format!("{name}.o")),
-        bench.path(&format!("{name}.elf")),
-    );
+    let (object, image) = (bench.path(&format!("{name}.o")), bench.path(&format!("{name}.elf")));
     let tools = Tools::find().unwrap();
     tools.assemble(&[], &[], &object, &source).unwrap();
     Image::new(&root().join("linker/spu.ld"))
@@ -37,11 +34,7 @@ fn cycles(bench: &Bench, image: &Path) -> u32 {
     let run = bench.spu(&["run", "--dump-regs", "--timing", image]);
     assert_eq!(run.status, 0, "{}", run.error);
     let result = "$3    00000028 00000028 00000028 00000028";
-    assert!(
-        run.error.contains(result) && DOCUMENT.contains(result),
-        "{}",
-        run.error
-    );
+    assert!(run.error.contains(result) && DOCUMENT.contains(result), "{}", run.error);
     let line = run.error.lines().find(|line| line.starts_with("cycles"));
     line.unwrap().rsplit(' ').next().unwrap().parse().unwrap()
 }
@@ -89,9 +82,5 @@ fn the_documents_listing_is_the_models() {
     let (_, object) = build(&bench, "dot", &source);
     let timed = bench.spu(&["time", object.to_str().unwrap(), "--function", "dot"]);
     let line = "    31 cycles a pass, bound 6\n";
-    assert!(
-        timed.output.contains(line) && DOCUMENT.contains(line),
-        "{}",
-        timed.output
-    );
+    assert!(timed.output.contains(line) && DOCUMENT.contains(line), "{}", timed.output);
 }

@@ -4,10 +4,7 @@
 //! There is no compiler for the SPU, so the programs make library calls with the sequences that
 //! newlib uses (`programs/runtime.inc`): stored instructions, saved registers, `va_list`.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "the harness shows it with a failed test"
-)]
+#![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
 mod charges;
 mod debug;

@@ -17,15 +17,8 @@ fn a_trace_shows_what_each_instruction_wrote() {
     assert_golden("loop.trace", &bench.read("trace"));
     let program = bench.program("hello");
     let outcome = bench.run(&["--trace"], &program, 42);
-    assert!(
-        outcome.error.contains("# library call: vprintf\n"),
-        "{}",
-        outcome.error
-    );
-    assert!(
-        outcome.output.starts_with("hello"),
-        "output and trace are apart"
-    );
+    assert!(outcome.error.contains("# library call: vprintf\n"), "{}", outcome.error);
+    assert!(outcome.output.starts_with("hello"), "output and trace are apart");
 }
 
 #[test]
@@ -50,14 +43,8 @@ fn statistics_count_what_ran() {
 fn statistics_count_transfers_and_calls() {
     let bench = Bench::new();
     let program = bench.program("dma");
-    let options = [
-        "--stats=stats",
-        "--json",
-        "--main-memory",
-        "4K@0x60000000",
-        "--arg",
-        "0x60000000:64",
-    ];
+    let options =
+        ["--stats=stats", "--json", "--main-memory", "4K@0x60000000", "--arg", "0x60000000:64"];
     bench.run(&options, &program, 0);
     let stats: serde_json::Value = serde_json::from_str(&bench.read("stats")).unwrap();
     for kind in ["get", "put"] {
@@ -141,19 +128,12 @@ fn timing_goes_with_transfers_and_library_calls_but_not_with_mailboxes() {
     let far = bench.path("far.toml").display().to_string();
     let figures = timing(&bench, &program, &["--machine", &far], 0);
     assert_eq!(figures["stalls"]["DMA"], waited + 1000);
-    assert!(
-        figures["blocked_by"]["tag"].as_u64().unwrap() > 100,
-        "{figures}"
-    );
+    assert!(figures["blocked_by"]["tag"].as_u64().unwrap() > 100, "{figures}");
 
     bench.write("words", "1\n");
     let outcome = bench.run(&["--timing", "--in-mbox=words"], &program, 127);
     assert!(outcome.error.contains("--in-mbox"), "{}", outcome.error);
     let asleep = bench.instructions("        rdch $3,$ch29\n        stop 0x2000");
     let outcome = bench.run(&["--timing", "--patience=1"], &asleep, 125);
-    assert!(
-        outcome.error.contains("sleeps for ever"),
-        "{}",
-        outcome.error
-    );
+    assert!(outcome.error.contains("sleeps for ever"), "{}", outcome.error);
 }

@@ -19,9 +19,7 @@ fn page(program: &str) -> String {
 /// What stands between each `before` and the next `after`.
 fn all<'t>(text: &'t str, before: &str, after: &str) -> Vec<&'t str> {
     let parts = text.split(before).skip(1);
-    parts
-        .filter_map(|part| Some(part.split_once(after)?.0))
-        .collect()
+    parts.filter_map(|part| Some(part.split_once(after)?.0)).collect()
 }
 
 /// The number of rectangles in the paths of a class, over the whole page.
@@ -37,30 +35,18 @@ fn every_instruction_has_a_row_and_a_cell_in_its_pipe() {
     let rows = all(&page, "<tr id=\"", "\"");
     assert_eq!(rows.len(), 25 + 16);
     // Each is in the picture and in the strip above it.
-    assert_eq!(
-        rectangles(&page, "e") + rectangles(&page, "o"),
-        2 * (25 + 16)
-    );
+    assert_eq!(rectangles(&page, "e") + rectangles(&page, "o"), 2 * (25 + 16));
     assert_eq!(page.matches("<td class=\"even\">even</td>").count(), 10 + 8);
     assert!(page.contains("lqd $10,0($4)"));
     // 9 pairs straight on and 7 in the loop have a mark each.
     let pairs = all(&page, "<path class=\"pair\" d=\"", "\"");
-    assert_eq!(
-        pairs
-            .iter()
-            .map(|path| path.matches('M').count())
-            .sum::<usize>(),
-        9 + 7
-    );
+    assert_eq!(pairs.iter().map(|path| path.matches('M').count()).sum::<usize>(), 9 + 7);
 }
 
 #[test]
 fn waits_lead_to_the_instruction_that_is_waited_for() {
     let page = page("saxpy");
-    assert!(
-        page.contains("3 for $12 from <a href=\"#f0-0000c\">0000c</a>"),
-        "{page}"
-    );
+    assert!(page.contains("3 for $12 from <a href=\"#f0-0000c\">0000c</a>"), "{page}");
     // One wait of 3 cycles straight on.
     let waits = all(&page, "<path class=\"wait\" d=\"", "\"");
     assert_eq!(waits.len(), 1);
@@ -70,10 +56,7 @@ fn waits_lead_to_the_instruction_that_is_waited_for() {
         let ids: HashSet<_> = all(&page, " id=\"", "\"").into_iter().collect();
         for link in all(&page, "href=\"", "\"") {
             let name = link.strip_prefix('#');
-            assert!(
-                name.is_some_and(|name| ids.contains(name)),
-                "{program}: {link}"
-            );
+            assert!(name.is_some_and(|name| ids.contains(name)), "{program}: {link}");
         }
     }
 }

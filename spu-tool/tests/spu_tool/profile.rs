@@ -107,10 +107,7 @@ fn the_listing_shows_every_instruction_with_its_line() {
     let back = row(&text, " bi $0");
     assert_eq!(back[..5], ["54", "72.0%", "3", "18.00", "100%"]);
     assert!(text.contains("3 calls, "), "{text}");
-    let refused = profile(
-        folder.path(),
-        &["program", "run.json", "--function", "never"],
-    );
+    let refused = profile(folder.path(), &["program", "run.json", "--function", "never"]);
     assert_eq!(refused.status.code(), Some(127));
     let message = String::from_utf8(refused.stderr).unwrap();
     assert!(message.contains("no function never"), "{message}");
@@ -150,20 +147,11 @@ fn damaged_profiles_and_other_programs_are_refused() {
         (damaged("\"cycles\":", "\"cycles\":1"), "not the sum"),
         (damaged("\"issued\":3", "\"issued\":4"), "not the sum"),
         (damaged("\"joined\":0", "\"joined\":9"), "not the sum"),
-        (
-            damaged("branch miss", "bad luck"),
-            "unknown cause \"bad luck\"",
-        ),
+        (damaged("branch miss", "bad luck"), "unknown cause \"bad luck\""),
         (damaged("\"address\":", "\"address\":9999999"), "address 0x"),
         (damaged("\"word\":", "\"word\":-"), "not a profile: "),
-        (
-            damaged("\"program\":\"", "\"program\":\"x"),
-            "not a profile: ",
-        ),
-        (
-            damaged("\"program\":\"", "\"program\":\"0"),
-            "not a profile",
-        ),
+        (damaged("\"program\":\"", "\"program\":\"x"), "not a profile: "),
+        (damaged("\"program\":\"", "\"program\":\"0"), "not a profile"),
     ] {
         fs::write(folder.path().join("damaged.json"), &text).unwrap();
         let output = profile(folder.path(), &["program", "damaged.json"]);

@@ -37,12 +37,7 @@ const WAIT: &str = "
         wrch    $ch23,$9
         rdch    $9,$ch24";
 
-const OPTIONS: [&str; 4] = [
-    "--main-memory",
-    "64K@0x60000000",
-    "--load-mem",
-    "data@0x60000000",
-];
+const OPTIONS: [&str; 4] = ["--main-memory", "64K@0x60000000", "--load-mem", "data@0x60000000"];
 
 #[test]
 fn a_missing_wait_shows() {
@@ -50,10 +45,7 @@ fn a_missing_wait_shows() {
     bench.write("data", [0x2a; 16]);
     let options = |more: &[&'static str]| [&OPTIONS[..], more].concat();
     let assembled = |name: &str, wait: &str| {
-        let source = format!(
-            "        .text\n        .global _start\n_start:{}",
-            program(wait)
-        );
+        let source = format!("        .text\n        .global _start\n_start:{}", program(wait));
         bench.assemble(name, &source)
     };
     let [right, wrong] = [("right", WAIT), ("wrong", "")].map(|(name, wait)| assembled(name, wait));
@@ -82,11 +74,7 @@ fn a_missing_wait_shows() {
     }
     // A policy for commands that take no time makes no sense in simulated time.
     let refused = bench.run(&options(&["--mfc", "at-last", "--timing"]), &right, 127);
-    assert!(
-        refused.error.contains("cannot be used with"),
-        "{}",
-        refused.error
-    );
+    assert!(refused.error.contains("cannot be used with"), "{}", refused.error);
 }
 
 #[test]

@@ -7,10 +7,8 @@ pub struct Random(u64);
 
 impl Random {
     pub fn new(purpose: &str) -> Self {
-        let seed = env::var("SPU_TEST_SEED").map_or(0x5eed, |seed| {
-            seed.parse()
-                .expect("SPU_TEST_SEED must be a decimal number")
-        });
+        let seed = env::var("SPU_TEST_SEED")
+            .map_or(0x5eed, |seed| seed.parse().expect("SPU_TEST_SEED must be a decimal number"));
         println!("{purpose}: SPU_TEST_SEED={seed}");
         Self(seed)
     }

@@ -12,9 +12,7 @@ use spu_scheduler::code::Code;
 use spu_tool::report::Report;
 
 pub fn folder(program: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("../scheduler/tests/programs")
-        .join(program)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scheduler/tests/programs").join(program)
 }
 
 /// Builds the program of `scheduler/tests/programs/<program>` and returns the file in the work
@@ -37,9 +35,7 @@ fn program(name: &str) -> Code {
 }
 
 fn kept(file: &str, text: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/kept")
-        .join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kept").join(file);
     if env::var_os("MAKE_REF").is_some() {
         fs::write(&path, text).unwrap();
     }

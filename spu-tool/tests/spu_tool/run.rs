@@ -5,10 +5,7 @@ fn printf_as_newlib_calls_it() {
     let bench = Bench::new();
     let text = "hello, moon: -42, 3.142, 123456789012345!\n";
     let outcome = bench.run(&[], &bench.program("hello"), text.len() as i32);
-    assert_eq!(
-        (outcome.output.as_str(), outcome.error.as_str()),
-        (text, "")
-    );
+    assert_eq!((outcome.output.as_str(), outcome.error.as_str()), (text, ""));
 }
 
 #[test]
@@ -31,9 +28,7 @@ fn a_program_that_profiles_itself() {
         let [process, calls] = [1, 2].map(|n: usize| numbers[n].parse::<u32>().unwrap());
         assert!(process > 0 && calls > 0, "{}", outcome.output);
         let file = std::fs::read(bench.path("gmon.out")).unwrap();
-        let samples = file
-            .chunks(2)
-            .map(|count| u32::from(count[0]) << 8 | u32::from(count[1]));
+        let samples = file.chunks(2).map(|count| u32::from(count[0]) << 8 | u32::from(count[1]));
         assert_eq!(file.len(), 0x1000);
         assert!(samples.sum::<u32>() >= 5);
     }
@@ -91,14 +86,7 @@ fn registers_at_the_entry() {
     assert_eq!(plain[4], "$3    00000000 00000001 00000000 00000000");
     assert_eq!(plain[5], "$4    00000000 18000000 00000000 00000000");
     assert_eq!(plain[7], "$6    00000000 40000000 00000000 00000000");
-    let own = registers(&[
-        "--arg",
-        "7",
-        "--arg",
-        "0x123456789:64",
-        "--arg",
-        "0xffffffff",
-    ]);
+    let own = registers(&["--arg", "7", "--arg", "0x123456789:64", "--arg", "0xffffffff"]);
     assert_eq!(own[4], "$3    00000007 00000000 00000000 00000000");
     assert_eq!(own[5], "$4    00000001 23456789 00000000 00000000");
     assert_eq!(own[6], "$5    ffffffff 00000000 00000000 00000000");
@@ -115,14 +103,7 @@ fn a_program_opens_only_what_it_was_given() {
     std::os::unix::fs::symlink(&secret, root.join("absolute")).unwrap();
     std::os::unix::fs::symlink("../secret", root.join("relative")).unwrap();
     let secret = secret.to_str().unwrap();
-    let paths = [
-        "/given",
-        "given",
-        secret,
-        "../secret",
-        "/absolute",
-        "/relative",
-    ];
+    let paths = ["/given", "given", secret, "../secret", "/absolute", "/relative"];
     let mut source = "
         .include \"runtime.inc\"
         library mknod, 0x2101, 36
@@ -159,11 +140,7 @@ main:   enter
     bench.run(&["--root", "root", "--dump-ls", "outside"], &program, 2);
     assert!(bench.path("outside").exists());
     let outcome = bench.run(&["--root", "nowhere"], &program, 127);
-    assert!(
-        outcome.error.contains("--root nowhere"),
-        "{}",
-        outcome.error
-    );
+    assert!(outcome.error.contains("--root nowhere"), "{}", outcome.error);
 }
 
 #[test]
@@ -171,14 +148,7 @@ fn mailboxes_are_files() {
     let bench = Bench::new();
     let program = bench.program("mailboxes");
     bench.write("in", "1 2 3 # few\n0x10 0x7fffffff\n100\n0\n");
-    let options = [
-        "--in-mbox",
-        "in",
-        "--out-mbox",
-        "out",
-        "--out-intr-mbox",
-        "intr",
-    ];
+    let options = ["--in-mbox", "in", "--out-mbox", "out", "--out-intr-mbox", "intr"];
     bench.run(&options, &program, 0);
     let doubled = [2, 4, 6, 0x20, 0xffff_fffe_u32, 200].map(|word| format!("{word:#010x}\n"));
     assert_eq!(bench.read("out"), doubled.concat());
@@ -262,17 +232,9 @@ fn help_names_every_status() {
     let outcome = bench.spu(&["run", "--help"]);
     assert_eq!(outcome.status, 0);
     for status in 120..=127 {
-        assert!(
-            outcome.output.contains(&format!("  {status}    ")),
-            "{status}"
-        );
+        assert!(outcome.output.contains(&format!("  {status}    ")), "{status}");
     }
-    for option in [
-        "--max-instructions",
-        "--main-memory",
-        "--in-mbox",
-        "Examples:",
-    ] {
+    for option in ["--max-instructions", "--main-memory", "--in-mbox", "Examples:"] {
         assert!(outcome.output.contains(option), "{option}");
     }
 }

@@ -7,9 +7,7 @@ use std::process::{Command, Output};
 use crate::report::folder;
 
 fn kept(file: &str) -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/kept")
-        .join(file);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kept").join(file);
     fs::read_to_string(path).unwrap()
 }
 
@@ -72,10 +70,7 @@ fn the_page_goes_to_its_file_and_its_size_is_told() {
     assert!(output.status.success(), "{}", stderr(&output));
     assert_eq!(out(&output), "");
     let page = fs::read_to_string(built.path().join("page.html")).unwrap();
-    assert_eq!(
-        stderr(&output),
-        format!("page.html: {} bytes\n", page.len())
-    );
+    assert_eq!(stderr(&output), format!("page.html: {} bytes\n", page.len()));
     assert!(page.contains("a&lt;b&gt;&amp;c:"), "{page}");
     let nowhere = time(built.path(), &["--html", "nowhere/page.html", "program"]);
     assert!(stderr(&nowhere).contains("nowhere/page.html: "));
@@ -93,10 +88,7 @@ fn switches_reach_the_model() {
     assert!(switched.contains("28 cycles a pass"), "{switched}");
     let machine = built.path().join("machine.toml");
     fs::write(&machine, "[pipelines]\nmiss_cycles = 30\n").unwrap();
-    let described = out(&time(
-        built.path(),
-        &["--machine", "machine.toml", "program"],
-    ));
+    let described = out(&time(built.path(), &["--machine", "machine.toml", "program"]));
     assert!(described.contains("39 cycles a pass"), "{described}");
     fs::write(&machine, "[pipelines]\n\nmiss = 30\n").unwrap();
     let wrong = time(built.path(), &["--machine", "machine.toml", "program"]);
@@ -131,31 +123,16 @@ fn errors_name_file_and_fault() {
     for (within, arguments, expected) in [
         (&built, &["nothing"][..], "nothing: "),
         (&built, &["text"], "text: not an ELF file"),
-        (
-            &built,
-            &["program", "--function", "x"],
-            "no function x; it has saxpy",
-        ),
-        (
-            &built,
-            &["--check", "program", "other.s"],
-            "other.s: the line table",
-        ),
+        (&built, &["program", "--function", "x"], "no function x; it has saxpy"),
+        (&built, &["--check", "program", "other.s"], "other.s: the line table"),
         (&built, &["--check", "program", "none.s"], "none.s: "),
-        (
-            &bare,
-            &["--check", "program"],
-            "saxpy.s: the file has no schedule note",
-        ),
+        (&bare, &["--check", "program"], "saxpy.s: the file has no schedule note"),
         (&built, &["program", "sources/saxpy.s"], "--check"),
         (&built, &["program", "--miss-cycles", "17"], "17"),
     ] {
         let output = time(within.path(), arguments);
         let status = output.status.code();
-        assert!(
-            status.is_some_and(|code| code > 1),
-            "{arguments:?}: {status:?}"
-        );
+        assert!(status.is_some_and(|code| code > 1), "{arguments:?}: {status:?}");
         assert!(stderr(&output).contains(expected), "{}", stderr(&output));
         assert_eq!(out(&output), "");
     }

@@ -9,10 +9,7 @@ fn assert_told(bench: &Bench, arguments: &[&str], status: i32, parts: &[&str]) {
     let outcome = bench.spu(arguments);
     assert_eq!(outcome.status, status, "{arguments:?}: {}", outcome.error);
     let told = &outcome.error;
-    assert!(
-        parts.iter().all(|part| told.contains(part)),
-        "{arguments:?}: {told}"
-    );
+    assert!(parts.iter().all(|part| told.contains(part)), "{arguments:?}: {told}");
 }
 
 #[test]
@@ -23,24 +20,14 @@ fn a_file_after_an_option_that_takes_it_by_equals() {
     for option in ["--stats", "--timing", "--profile", "--trace", "--dump-regs"] {
         let command = format!("spu run {option}=out.json {program} arg");
         let arguments = ["run", option, "out.json", program, "arg"];
-        assert_told(
-            &bench,
-            &arguments,
-            127,
-            &["out.json is no SPU program", &command],
-        );
+        assert_told(&bench, &arguments, 127, &["out.json is no SPU program", &command]);
     }
     // Also if the file exists already.
     bench.write("out.json", "{}");
     let arguments = ["run", "--stats", "out.json", program];
     assert_told(&bench, &arguments, 127, &["spu run --stats=out.json"]);
     let arguments = ["run", "--stats", "out.json"];
-    assert_told(
-        &bench,
-        &arguments,
-        127,
-        &["spu run --stats=out.json PROGRAM"],
-    );
+    assert_told(&bench, &arguments, 127, &["spu run --stats=out.json PROGRAM"]);
     // A program may follow such an option.
     assert_told(&bench, &["run", "--dump-regs", program], 7, &["$127"]);
 }
@@ -51,30 +38,19 @@ fn what_is_no_program() {
     bench.write("kernel.s", "        ai $3,$3,1\n");
     for command in ["run", "debug", "dump"] {
         let arguments = [command, "kernel.s"];
-        let parts = [
-            "but text",
-            "spu-elf-as kernel.s -o kernel.o",
-            "spu-elf-ld kernel.o -o kernel.elf",
-        ];
+        let parts =
+            ["but text", "spu-elf-as kernel.s -o kernel.o", "spu-elf-ld kernel.o -o kernel.elf"];
         assert_told(&bench, &arguments, 126, &parts);
     }
     let program = bench.program("calls");
     let objects = bench.path("objects");
-    let object = std::fs::read_dir(&objects)
-        .unwrap()
-        .next()
-        .unwrap()
-        .unwrap();
+    let object = std::fs::read_dir(&objects).unwrap().next().unwrap().unwrap();
     let object = object.path();
     let object = object.strip_prefix(bench.folder.path()).unwrap_or(&object);
     let parts = ["it is an object", "spu-elf-ld", "spu time"];
     assert_told(&bench, &["run", object.to_str().unwrap()], 126, &parts);
     let this = std::env::current_exe().unwrap();
-    let machine = if cfg!(target_arch = "x86_64") {
-        "it is for x86-64"
-    } else {
-        "it is for"
-    };
+    let machine = if cfg!(target_arch = "x86_64") { "it is for x86-64" } else { "it is for" };
     assert_told(&bench, &["run", this.to_str().unwrap()], 126, &[machine]);
     bench.write("data", [0, 1, 2]);
     assert_told(&bench, &["run", "data"], 126, &["data: not an ELF file\n"]);

@@ -20,10 +20,7 @@ static ALLOCATOR: Watching = Watching;
 /// not part of the program on a console.
 fn asked() {
     // A thread that is ending can't access the variable and is not watched.
-    if !WATCHED
-        .try_with(|watched| watched.replace(false))
-        .unwrap_or(false)
-    {
+    if !WATCHED.try_with(|watched| watched.replace(false)).unwrap_or(false) {
         return;
     }
     let trace = Backtrace::force_capture().to_string();

@@ -28,10 +28,7 @@ fn commands_are_handed_over_to_their_programs() {
         let output = run();
         let err = text(&output.stderr);
         assert!(!output.status.success());
-        assert!(
-            err.contains(program) && err.contains("cargo build"),
-            "{err}"
-        );
+        assert!(err.contains(program) && err.contains("cargo build"), "{err}");
         // First one on PATH, then one in cellray's own folder, which takes precedence.
         symlink("/bin/false", elsewhere.path().join(program)).unwrap();
         assert_eq!(run().status.code(), Some(1));

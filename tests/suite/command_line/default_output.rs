@@ -44,18 +44,12 @@ fn the_picture_has_the_scenes_name_and_one_line_tells_of_it() {
     let (code, said) = render(folder.path(), &[scene]);
     assert_eq!(code, Some(0), "{said}");
     assert!(said.starts_with("cellray: paper13.png: 64x36, "), "{said}");
-    assert!(
-        said.contains(" rays in ") && said.contains("frames/s"),
-        "{said}"
-    );
+    assert!(said.contains(" rays in ") && said.contains("frames/s"), "{said}");
     assert_eq!(said.lines().count(), 1, "{said}");
     // Its own picture is replaced, and that is told.
     let (code, said) = render(folder.path(), &[scene]);
     assert_eq!(code, Some(0), "{said}");
-    assert!(
-        said.starts_with("cellray: paper13.png, replaced: 64x36, "),
-        "{said}"
-    );
+    assert!(said.starts_with("cellray: paper13.png, replaced: 64x36, "), "{said}");
     let (code, said) = render(folder.path(), &["sphereflake:1"]);
     assert_eq!(code, Some(0), "{said}");
     assert_eq!(names(folder.path()), ["paper13.png", "sphereflake-1.png"]);
@@ -91,10 +85,7 @@ fn no_picture_is_written_if_none_is_asked_for() {
         assert!(said.starts_with("cellray: no picture: 6"), "{said}");
         assert!(names(folder.path()).is_empty());
     }
-    let (code, said) = render(
-        folder.path(),
-        &[&["scenes/paper13.nff"], &page[..]].concat(),
-    );
+    let (code, said) = render(folder.path(), &[&["scenes/paper13.nff"], &page[..]].concat());
     assert_eq!(code, Some(0), "{said}");
     assert_eq!(names(folder.path()), ["page.html"]);
 }

@@ -33,10 +33,9 @@ fn different(a: &RgbImage, b: &RgbImage) -> usize {
 #[test]
 fn every_formulation_draws_the_same_picture_but_for_its_error() {
     let standard = Formulations::standard();
-    for (scene, of_scene) in [
-        ("scenes/paper16.nff", standard.eye),
-        ("scenes/whitted16.nff", standard.seen),
-    ] {
+    for (scene, of_scene) in
+        [("scenes/paper16.nff", standard.eye), ("scenes/whitted16.nff", standard.seen)]
+    {
         let (expected, names, err) = rendered(scene, &[]);
         assert_eq!(names, [of_scene.name, standard.triangle.name]);
         assert!(!err.contains("note"), "{err}");
@@ -53,11 +52,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
             assert_eq!(err.contains("has no kernel"), !has_kernel, "{err}");
             let different = different(&picture, &expected);
             // A twentieth of the pixels, because the bare estimate has only 7 good bits.
-            assert!(
-                different < 96 * 54 / 20,
-                "{}: {different} pixels",
-                sphere.name
-            );
+            assert!(different < 96 * 54 / 20, "{}: {different} pixels", sphere.name);
         }
     }
 }
@@ -68,10 +63,7 @@ fn what_is_not_shipped_can_be_built() {
     for sphere in SPHERES {
         if !shipped.contains(&Formulations::of(sphere, &TRIANGLES[0])) {
             let named = ["kernels -- image --sphere", "--program", sphere.name];
-            bad(
-                &["render", "scenes/paper16.nff", "--sphere", sphere.name],
-                &named,
-            );
+            bad(&["render", "scenes/paper16.nff", "--sphere", sphere.name], &named);
         }
     }
     for triangle in &TRIANGLES[1..] {
@@ -99,17 +91,8 @@ fn a_quality_is_a_choice_of_formulations() {
 #[test]
 fn what_can_not_be_chosen_is_named() {
     let scene = "scenes/paper16.nff";
-    bad(
-        &["render", scene, "--sphere", "newton3"],
-        &["newton3", "newton2"],
-    );
-    bad(
-        &["render", scene, "--triangle", "plucker"],
-        &["plucker", "watertight"],
-    );
+    bad(&["render", scene, "--sphere", "newton3"], &["newton3", "newton2"]);
+    bad(&["render", scene, "--triangle", "plucker"], &["plucker", "watertight"]);
     bad(&["render", scene, "--quality", "best"], &["best", "exact"]);
-    bad(
-        &["render", scene, "--quality", "fast", "--program", "p.elf"],
-        &["--quality", "--program"],
-    );
+    bad(&["render", scene, "--quality", "fast", "--program", "p.elf"], &["--quality", "--program"]);
 }

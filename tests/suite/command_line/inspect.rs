@@ -7,9 +7,7 @@ use super::support::{bad, good};
 /// What stands between each `before` and the next `after`.
 fn all<'t>(text: &'t str, before: &str, after: &str) -> Vec<&'t str> {
     let parts = text.split(before).skip(1);
-    parts
-        .filter_map(|part| Some(part.split_once(after)?.0))
-        .collect()
+    parts.filter_map(|part| Some(part.split_once(after)?.0)).collect()
 }
 
 #[test]
@@ -34,9 +32,8 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
     assert!(pages[0] == pages[1], "the pages of two runs differ");
     let page = &pages[0];
     // 160x90 pixels are three by six tiles.
-    let maps = [
-        "cycles", "waits", "fetched", "finished", "spu", "bounces", "shadows", "tests", "volumes",
-    ];
+    let maps =
+        ["cycles", "waits", "fetched", "finished", "spu", "bounces", "shadows", "tests", "volumes"];
     for map in maps {
         let overlay = all(page, &format!("<svg class=\"overlay for-{map}\""), "</svg>");
         assert_eq!(overlay.len(), 1, "{map}");

@@ -30,13 +30,7 @@ fn a_mesh_is_rendered_with_notes_on_what_it_lacks() {
 fn the_view_can_be_replaced() {
     let (own, _) = render(&[]);
     let (above, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,-1"]);
-    let (turned, _) = render(&[
-        "--from",
-        "0.5,0.5,4",
-        "--look-at",
-        "0.5,0.5,0",
-        "--up=1,1,0",
-    ]);
+    let (turned, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,0", "--up=1,1,0"]);
     let (narrow, _) = render(&["--angle", "20"]);
     assert!(own != above && above != turned && own != narrow);
     let behind = ["--from", "0.5,0.5,-4", "--look-at", "0.5,0.5,0"];
@@ -51,17 +45,11 @@ fn bad_meshes_and_views() {
     let path = folder.path().join("bad.obj");
     fs::write(&path, OBJ.replace("f 1 2", "f 1 9")).unwrap();
     let name = path.to_str().unwrap();
-    bad(
-        &["render", name],
-        &["bad.obj:6: a face has the vertex 9, but there are only 4"],
-    );
+    bad(&["render", name], &["bad.obj:6: a face has the vertex 9, but there are only 4"]);
     bad(&["render", "none.glb"], &["none.glb"]);
     for wrong in ["1,2", "1,2,3,4", "1,x,3", "1,2,nan", "1,2,3,x"] {
         let option = format!("--look-at={wrong}");
-        bad(
-            &["render", name, &option],
-            &["--look-at", "three finite numbers"],
-        );
+        bad(&["render", name, &option], &["--look-at", "three finite numbers"]);
     }
     let square = folder.path().join("square.obj");
     fs::write(&square, OBJ).unwrap();

@@ -59,10 +59,7 @@ fn renders_a_picture_with_statistics() {
     assert_eq!(stats["frames_traced"], 2);
     // Whole packets are counted: the bottom row of packets is half within the picture.
     let tests = |kind: &str| stats["tests"][kind].as_u64().unwrap();
-    assert_eq!(
-        tests("made") + tests("skipped") + tests("unseen"),
-        2 * 160 * 92 * 16
-    );
+    assert_eq!(tests("made") + tests("skipped") + tests("unseen"), 2 * 160 * 92 * 16);
     assert!(tests("made") < 2 * 160 * 92 * 4);
     assert!(tests("hits_looked_for") <= tests("made") && tests("hidden") <= tests("skipped"));
     assert!(tests("cull") > 0);
@@ -81,12 +78,7 @@ fn renders_a_picture_with_statistics() {
     assert!(stats["frames_per_second"].as_f64().unwrap() > 0.0);
     let spus = stats["spu"].as_array().unwrap();
     assert_eq!(spus.len(), 3);
-    assert_eq!(
-        spus.iter()
-            .map(|spu| spu["tiles"].as_u64().unwrap())
-            .sum::<u64>(),
-        2 * 3 * 6
-    );
+    assert_eq!(spus.iter().map(|spu| spu["tiles"].as_u64().unwrap()).sum::<u64>(), 2 * 3 * 6);
     for spu in spus {
         assert!(spu["busy"].as_f64().unwrap() > 0.0);
         assert!(spu["packets"].as_u64().unwrap() > 0);
@@ -120,10 +112,7 @@ fn a_frame_that_stands_still_is_traced_once_unless_asked_for() {
         (serde_json::from_str(&out).unwrap(), err)
     };
     let (stats, err) = run(&[]);
-    assert_eq!(
-        (&stats["frames"], &stats["frames_traced"]),
-        (&4.into(), &1.into())
-    );
+    assert_eq!((&stats["frames"], &stats["frames_traced"]), (&4.into(), &1.into()));
     assert_eq!(stats["rays"]["eye"], 160 * 90);
     assert_eq!(stats["tiles"]["retained"], 3 * 3 * 6);
     assert!(err.contains("4 frame(s), 1 traced"), "{err}");
@@ -159,17 +148,10 @@ fn late_transfers_change_nothing() {
     let folder = tempfile::tempdir().unwrap();
     // Spheres in local store; triangles, spheres and tiles of textures that are fetched when
     // needed.
-    for scene in [
-        "sphereflake:3",
-        "terrain:5",
-        "sphereflake:4",
-        "scenes/chess.glb",
-    ] {
+    for scene in ["sphereflake:3", "terrain:5", "sphereflake:4", "scenes/chess.glb"] {
         let [at_once, at_last] = ["at-once", "at-last"].map(|policy| {
             let path = folder.path().join(policy);
-            let arguments = [
-                "render", scene, "--size", "132x100", "--frames", "3", "--out",
-            ];
+            let arguments = ["render", scene, "--size", "132x100", "--frames", "3", "--out"];
             let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
                 .args(arguments)
                 .arg(&path)
@@ -204,44 +186,26 @@ fn simulated_time_repeats() {
                 "--stats",
                 "-",
             ])
-            .envs([
-                ("LIBSPE2_TIMING", "1".as_ref()),
-                ("LIBSPE2_REPORT", report.as_os_str()),
-            ])
+            .envs([("LIBSPE2_TIMING", "1".as_ref()), ("LIBSPE2_REPORT", report.as_os_str())])
             .current_dir(env!("CARGO_MANIFEST_DIR"))
             .output()
             .unwrap();
         assert!(output.status.success(), "{}", text(&output.stderr));
         let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-        (
-            stats["frames_per_second"].clone(),
-            stats["spu"].clone(),
-            fs::read(report).unwrap(),
-        )
+        (stats["frames_per_second"].clone(), stats["spu"].clone(), fs::read(report).unwrap())
     });
     assert_eq!(first.0, second.0);
     assert_eq!(first.1, second.1);
     assert!(first.2 == second.2, "the reports differ");
     // This is a sixteenth of a frame that takes half a millisecond.
     let frames_per_second = first.0.as_f64().unwrap();
-    assert!(
-        (10_000.0..50_000.0).contains(&frames_per_second),
-        "{frames_per_second}"
-    );
+    assert!((10_000.0..50_000.0).contains(&frames_per_second), "{frames_per_second}");
 }
 
 #[test]
 fn statistics_on_standard_output_are_nothing_but_json() {
-    let (out, _) = good(&[
-        "render",
-        "scenes/paper13.nff",
-        "--size",
-        "8x8",
-        "--out",
-        "none",
-        "--stats",
-        "-",
-    ]);
+    let (out, _) =
+        good(&["render", "scenes/paper13.nff", "--size", "8x8", "--out", "none", "--stats", "-"]);
     serde_json::from_str::<serde_json::Value>(&out).unwrap();
 }
 
@@ -250,32 +214,14 @@ fn a_file_takes_the_place_of_the_framebuffer() {
     let folder = tempfile::tempdir().unwrap();
     let device = folder.path().join("fb0");
     let picture = folder.path().join("p.png");
-    good(&[
-        "fb",
-        "scenes/paper16.nff",
-        "--size",
-        "101x57",
-        "--device",
-        device.to_str().unwrap(),
-    ]);
-    good(&[
-        "render",
-        "scenes/paper16.nff",
-        "--size",
-        "101x57",
-        "--out",
-        picture.to_str().unwrap(),
-    ]);
+    good(&["fb", "scenes/paper16.nff", "--size", "101x57", "--device", device.to_str().unwrap()]);
+    good(&["render", "scenes/paper16.nff", "--size", "101x57", "--out", picture.to_str().unwrap()]);
     let bytes = fs::read(device).unwrap();
     let picture = image::open(picture).unwrap().into_rgb8();
     let stride = bytes.len() / 57;
     for (x, y, pixel) in picture.enumerate_pixels() {
         let offset = y as usize * stride + x as usize * 4;
-        assert_eq!(
-            bytes[offset..offset + 4],
-            [0, pixel[0], pixel[1], pixel[2]],
-            "pixel {x}, {y}"
-        );
+        assert_eq!(bytes[offset..offset + 4], [0, pixel[0], pixel[1], pixel[2]], "pixel {x}, {y}");
     }
 }
 
@@ -284,36 +230,12 @@ fn a_framebuffer_of_another_geometry() {
     let folder = tempfile::tempdir().unwrap();
     let device = folder.path().join("fb0");
     let device = device.to_str().unwrap();
-    good(&[
-        "fb",
-        "scenes/paper16.nff",
-        "--size",
-        "64x32",
-        "--device",
-        device,
-    ]);
+    good(&["fb", "scenes/paper16.nff", "--size", "64x32", "--device", device]);
     let before = fs::read(device).unwrap();
-    bad(
-        &[
-            "fb",
-            "scenes/paper16.nff",
-            "--size",
-            "64x48",
-            "--device",
-            device,
-        ],
-        &[device, "64x48"],
-    );
+    bad(&["fb", "scenes/paper16.nff", "--size", "64x48", "--device", device], &[device, "64x48"]);
     assert_eq!(fs::read(device).unwrap(), before);
     bad(
-        &[
-            "fb",
-            "scenes/paper16.nff",
-            "--device",
-            "/nonexistent/fb0",
-            "--size",
-            "4x4",
-        ],
+        &["fb", "scenes/paper16.nff", "--device", "/nonexistent/fb0", "--size", "4x4"],
         &["/nonexistent"],
     );
     bad(
@@ -329,10 +251,7 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}s 0 0 0 NaN\n"), &["bad.nff:9", "NaN"]);
     bad_scene(&format!("{VIEW}s 0 0 0 1e999\n"), &["bad.nff:9", "1e999"]);
     bad_scene(&format!("{VIEW}s 1e30 0 0 1\n"), &["bad.nff", "sphere 1"]);
-    bad_scene(
-        &format!("{VIEW}s 0 0 0 1e-30\n"),
-        &["bad.nff", "radius of sphere 1", "2^-62"],
-    );
+    bad_scene(&format!("{VIEW}s 0 0 0 1e-30\n"), &["bad.nff", "radius of sphere 1", "2^-62"]);
     bad_scene(&format!("{VIEW}p 4000000000\n0 0 0\n"), &["bad.nff:9"]);
     bad_scene(&format!("{VIEW}q 1 2\n"), &["bad.nff:9", "q"]);
     let many = "s 0 0 0 1\n".repeat(2049);
@@ -367,10 +286,7 @@ fn bad_arguments() {
     let scene = "scenes/paper16.nff";
     for size in ["0x10", "9000x10", "99999999999x10"] {
         let message = format!("a picture of {size} pixels: each side must be 1 to 8192");
-        bad(
-            &["render", scene, "--size", size],
-            &["--size <WxH>", &message],
-        );
+        bad(&["render", scene, "--size", size], &["--size <WxH>", &message]);
     }
     bad(&["render", scene, "--size", "big"], &["big"]);
     for verb in ["render", "fb"] {
@@ -386,61 +302,21 @@ fn bad_arguments() {
             bad(&[verb, scene, name, value], &parts);
         }
     }
-    bad(
-        &["render", scene, "--frames", "-4..2"],
-        &["'-4..2' for '--frames <A..B>'"],
-    );
-    bad(
-        &["render", scene, "--turn", "-1"],
-        &["'-1' for '--turn <N>'"],
-    );
-    bad(
-        &["fb", scene, "--buffers", "-1"],
-        &["'-1' for '--buffers <N>'"],
-    );
+    bad(&["render", scene, "--frames", "-4..2"], &["'-4..2' for '--frames <A..B>'"]);
+    bad(&["render", scene, "--turn", "-1"], &["'-1' for '--turn <N>'"]);
+    bad(&["fb", scene, "--buffers", "-1"], &["'-1' for '--buffers <N>'"]);
     bad(&["sphereflake", "-1"], &["'-1' for '<LEVEL>'"]);
-    bad(
-        &["render", scene, "--size", "8x8", "--spus", "0"],
-        &["0 SPUs", "1 to 16"],
-    );
-    bad(
-        &["render", scene, "--size", "8x8", "--spus", "17"],
-        &["17 SPUs"],
-    );
-    bad(
-        &["render", scene, "--split", "half"],
-        &["half", "units", "slices"],
-    );
+    bad(&["render", scene, "--size", "8x8", "--spus", "0"], &["0 SPUs", "1 to 16"]);
+    bad(&["render", scene, "--size", "8x8", "--spus", "17"], &["17 SPUs"]);
+    bad(&["render", scene, "--split", "half"], &["half", "units", "slices"]);
     bad(&["render", scene, "--frames", "0"], &["0"]);
     bad(&["render", scene, "--ray-depth", "0"], &["0", "1 to 16"]);
     bad(&["render", scene, "--ray-depth", "17"], &["17", "1 to 16"]);
-    bad(
-        &["render", scene, "--model", "gouraud"],
-        &["gouraud", "depth", "whitted"],
-    );
+    bad(&["render", scene, "--model", "gouraud"], &["gouraud", "depth", "whitted"]);
     bad(&["fb", scene, "--corners"], &["--corners"]);
+    bad(&["render", scene, "--size", "8x8", "--out", "/nonexistent/p.png"], &["/nonexistent"]);
     bad(
-        &[
-            "render",
-            scene,
-            "--size",
-            "8x8",
-            "--out",
-            "/nonexistent/p.png",
-        ],
-        &["/nonexistent"],
-    );
-    bad(
-        &[
-            "render",
-            scene,
-            "--size",
-            "8x8",
-            "--out",
-            "none",
-            "--stats",
-            "/nonexistent/s.json",
-        ],
+        &["render", scene, "--size", "8x8", "--out", "none", "--stats", "/nonexistent/s.json"],
         &["/nonexistent/s.json"],
     );
 }
@@ -448,9 +324,7 @@ fn bad_arguments() {
 #[test]
 fn info_names_the_library_and_its_spes() {
     let (out, _) = good(&["info", "--device", "/nonexistent"]);
-    let program = Path::new(env!("CARGO_BIN_EXE_cellray"))
-        .file_name()
-        .unwrap();
+    let program = Path::new(env!("CARGO_BIN_EXE_cellray")).file_name().unwrap();
     assert!(out.contains(program.to_str().unwrap()), "{out}");
     assert!(out.contains("SPEs         6"), "{out}");
     let formulations = "with --sphere also by interpolated, double, paper\n";

@@ -15,13 +15,7 @@ fn a_new_game_is_a_crate_that_cargo_takes() {
     let path = game.to_str().unwrap();
     good(&["new", path, "--path", "."]);
     let metadata = Command::new(env!("CARGO"))
-        .args([
-            "metadata",
-            "--no-deps",
-            "--format-version",
-            "1",
-            "--manifest-path",
-        ])
+        .args(["metadata", "--no-deps", "--format-version", "1", "--manifest-path"])
         .arg(game.join("Cargo.toml"))
         .output()
         .unwrap();
@@ -30,10 +24,7 @@ fn a_new_game_is_a_crate_that_cargo_takes() {
     let package = &metadata["packages"][0];
     assert_eq!(package["name"], "my-game");
     let root = fs::canonicalize(".").unwrap();
-    for (name, path) in [
-        ("cellray", root.clone()),
-        ("cellray-play", root.join("play")),
-    ] {
+    for (name, path) in [("cellray", root.clone()), ("cellray-play", root.join("play"))] {
         let dependencies = package["dependencies"].as_array().unwrap();
         let found = dependencies.iter().find(|found| found["name"] == name);
         assert_eq!(found.unwrap()["path"], path.to_str().unwrap());
@@ -49,14 +40,7 @@ fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
     let game = folder.path().join("game");
     good(&["new", game.to_str().unwrap(), "--path", "."]);
     let tree = Command::new(env!("CARGO"))
-        .args([
-            "tree",
-            "--offline",
-            "--prefix",
-            "none",
-            "--edges",
-            "normal,build",
-        ])
+        .args(["tree", "--offline", "--prefix", "none", "--edges", "normal,build"])
         .arg("--manifest-path")
         .arg(game.join("Cargo.toml"))
         .output()
@@ -76,9 +60,7 @@ fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
     let profile = fs::read_to_string("ppu/cli/new/profile.toml").unwrap();
     let workspace = fs::read_to_string("Cargo.toml").unwrap();
     let (_, workspace) = workspace.split_once("[profile.release.package]").unwrap();
-    let entries = profile
-        .lines()
-        .filter_map(|line| line.split_once(" = { opt-level = "));
+    let entries = profile.lines().filter_map(|line| line.split_once(" = { opt-level = "));
     let mut count = 0;
     for (name, level) in entries.filter(|(name, _)| *name != "\"*\"") {
         assert!(names.contains(name), "no game is built of {name}");
@@ -97,12 +79,7 @@ fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
 fn a_new_game_may_come_from_git() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("game");
-    good(&[
-        "new",
-        game.to_str().unwrap(),
-        "--git",
-        "https://example.org/cellray",
-    ]);
+    good(&["new", game.to_str().unwrap(), "--git", "https://example.org/cellray"]);
     let manifest = fs::read_to_string(game.join("Cargo.toml")).unwrap();
     assert!(manifest.contains(r#"cellray-play = { git = "https://example.org/cellray" }"#));
 }
@@ -114,10 +91,7 @@ fn a_new_game_needs_a_name_and_sources() {
     bad(&["new", name.to_str().unwrap()], &["2d: a package's name"]);
     let game = folder.path().join("game");
     let empty = folder.path().to_str().unwrap();
-    bad(
-        &["new", game.to_str().unwrap(), "--path", empty],
-        &["sources are not there"],
-    );
+    bad(&["new", game.to_str().unwrap(), "--path", empty], &["sources are not there"]);
     assert!(!game.exists());
 }
 
@@ -138,10 +112,7 @@ fn a_shader_is_tried_with_and_without_a_program() {
     good(&["render", &scene, "--program", &program, "--out", &built]);
     good(&["render", &scene, "--shader", STRIPES, "--out", &linked]);
     assert_eq!(pixels(built.as_ref()), pixels(linked.as_ref()));
-    bad(
-        &["render", &scene, "--out", &file("without.png")],
-        &["stripes"],
-    );
+    bad(&["render", &scene, "--out", &file("without.png")], &["stripes"]);
 }
 
 #[test]
@@ -149,10 +120,7 @@ fn a_shader_that_is_wrong_is_told_by_its_line() {
     let folder = tempfile::tempdir().unwrap();
     let wrong = folder.path().join("wrong.s");
     fs::write(&wrong, "        nop\n        add $3,$3,$4\n").unwrap();
-    bad(
-        &["shader", "build", wrong.to_str().unwrap()],
-        &["wrong.s:2:"],
-    );
+    bad(&["shader", "build", wrong.to_str().unwrap()], &["wrong.s:2:"]);
     bad(&["shader", "build", "no-such.s"], &["no-such.s"]);
 }
 
@@ -177,9 +145,7 @@ fn a_shader_is_scheduled_where_the_game_is() {
     let mut lines = tutorial.lines().map(str::trim);
     let command = lines.find(|line| line.starts_with("cellray shader schedule"));
     let stderr = typed(command.unwrap());
-    let told = lines
-        .find(|line| line.starts_with("cellray: shader_stripes:"))
-        .unwrap();
+    let told = lines.find(|line| line.starts_with("cellray: shader_stripes:")).unwrap();
     assert!(stderr.lines().any(|line| line == told), "{stderr}");
     // The rings are written by the macro `shader`, whose code the scheduler can't replace.
     let rings = "examples/shader/shaders/rings.s";
@@ -222,12 +188,6 @@ fn the_loop_of_a_shader_is_told_by_its_pass() {
     let out = folder.path().join("faster.s");
     let out = out.to_str().unwrap();
     let (_, stderr) = good(&["shader", "schedule", "examples/spu/dot.s", "-o", out]);
-    assert!(
-        stderr.contains("loop next: 31 cycles a pass, 6 scheduled"),
-        "{stderr}"
-    );
-    bad(
-        &["shader", "schedule", "no-such.s", "-o", out],
-        &["no-such.s"],
-    );
+    assert!(stderr.contains("loop next: 31 cycles a pass, 6 scheduled"), "{stderr}");
+    bad(&["shader", "schedule", "no-such.s", "-o", out], &["no-such.s"]);
 }

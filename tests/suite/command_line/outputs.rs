@@ -28,11 +28,7 @@ fn closed_pipe() -> Stdio {
 }
 
 fn full_disk() -> Stdio {
-    File::options()
-        .write(true)
-        .open("/dev/full")
-        .unwrap()
-        .into()
+    File::options().write(true).open("/dev/full").unwrap().into()
 }
 
 #[test]
@@ -62,9 +58,7 @@ fn a_message_that_nobody_reads_costs_no_picture() {
 
 #[test]
 fn data_whose_reader_has_gone_ends_quietly() {
-    let stats = [
-        "render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-",
-    ];
+    let stats = ["render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-"];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "5"][..], &["info"], &stats, &picture] {
         let mut command = program();
@@ -78,9 +72,7 @@ fn data_whose_reader_has_gone_ends_quietly() {
 
 #[test]
 fn data_that_can_not_be_written_is_an_error() {
-    let stats = [
-        "render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-",
-    ];
+    let stats = ["render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-"];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "2"][..], &["info"], &stats, &picture] {
         let mut command = program();
@@ -144,10 +136,7 @@ fn the_extension_is_the_format() {
         let arguments = render(&path(name));
         let arguments: Vec<_> = arguments.iter().map(String::as_str).collect();
         bad(&arguments, &[".png, .jpg or .jpeg"]);
-        bad(
-            &[&arguments[..], &["--inspect", &path("page.html")]].concat(),
-            &[],
-        );
+        bad(&[&arguments[..], &["--inspect", &path("page.html")]].concat(), &[]);
     }
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
@@ -155,10 +144,7 @@ fn the_extension_is_the_format() {
 #[test]
 fn a_device_is_written_to() {
     good(&["render", SCENE, "--size", "64x48", "--out", "/dev/null"]);
-    bad(
-        &["render", SCENE, "--size", "64x48", "--out", "/dev/full"],
-        &["/dev/full"],
-    );
+    bad(&["render", SCENE, "--size", "64x48", "--out", "/dev/full"], &["/dev/full"]);
 }
 
 #[test]
@@ -188,14 +174,7 @@ fn a_ground_too_large_for_its_shadows_is_noted() {
     };
     let name = file.to_str().unwrap();
     let frame = folder.path().join("fb");
-    let on_framebuffer = [
-        "fb",
-        name,
-        "--size",
-        "32x24",
-        "--device",
-        frame.to_str().unwrap(),
-    ];
+    let on_framebuffer = ["fb", name, "--size", "32x24", "--device", frame.to_str().unwrap()];
     for (radius, is_noted) in [(1_000_000, true), (1000, false)] {
         fs::write(&file, scene(radius)).unwrap();
         for arguments in [&["render", name, "--out", "none"][..], &on_framebuffer] {

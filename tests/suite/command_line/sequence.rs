@@ -41,10 +41,7 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
     let stderr = render(whole.path(), "0..9");
-    assert!(
-        stderr.contains("9 picture(s) written, 0 existed already"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("9 picture(s) written, 0 existed already"), "{stderr}");
     let pictures = files(whole.path());
     assert_eq!(pictures.len(), 9);
     // The eye turns, and is back at the start after eight frames.
@@ -58,10 +55,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     render(parts.path(), "0..2");
     fs::write(parts.path().join("f-003.png"), "kept").unwrap();
     let stderr = render(parts.path(), "0..9");
-    assert!(
-        stderr.contains("3 picture(s) written, 6 existed already"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("3 picture(s) written, 6 existed already"), "{stderr}");
     fs::remove_file(parts.path().join("f-003.png")).unwrap();
     render(parts.path(), "3..4");
     assert!(files(parts.path()) == pictures, "parts are others");
@@ -81,25 +75,14 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let output = Command::new("sh")
         .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_cellray"))
-        .args([
-            "render",
-            SCENE,
-            "--size",
-            "1920x1080",
-            "--frames",
-            "0..3",
-            "--out",
-        ])
+        .args(["render", SCENE, "--size", "1920x1080", "--frames", "0..3", "--out"])
         .arg(pattern(folder.path()))
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .unwrap();
     let stderr = text(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{stderr}");
-    assert!(
-        stderr.contains("f-000.png") && stderr.contains("too large"),
-        "{stderr}"
-    );
+    assert!(stderr.contains("f-000.png") && stderr.contains("too large"), "{stderr}");
     assert_eq!(files(folder.path()), []);
 }
 
@@ -111,15 +94,7 @@ fn signals_end_it_between_two_pictures() {
         let mut child = Command::new("env")
             .arg("--default-signal")
             .arg(env!("CARGO_BIN_EXE_cellray"))
-            .args([
-                "render",
-                SCENE,
-                "--size",
-                "64x36",
-                "--frames",
-                "0..1000000",
-                "--out",
-            ])
+            .args(["render", SCENE, "--size", "64x36", "--frames", "0..1000000", "--out"])
             .arg(pattern(folder.path()))
             .current_dir(env!("CARGO_MANIFEST_DIR"))
             .stderr(Stdio::null())

@@ -29,11 +29,7 @@ fn compared(scene: &str, options: &[&str], path: &Path, settings: &Settings) {
     assert_eq!(settings.scene(), Some(scene), "{what}");
     assert_eq!(settings.unknown(), [""; 0], "{what}");
     let name = Path::new(env!("CARGO_MANIFEST_DIR")).join(scene);
-    let name = if name.is_file() {
-        &name
-    } else {
-        Path::new(scene)
-    };
+    let name = if name.is_file() { &name } else { Path::new(scene) };
     let mut of_nff = meshes::load(name).unwrap().scene;
     // Nothing is left to be assumed.
     assert_eq!(settings.assumed(&of_nff), Settings::default(), "{what}");
@@ -48,28 +44,13 @@ fn compared(scene: &str, options: &[&str], path: &Path, settings: &Settings) {
 
 #[test]
 fn by_default() {
-    let whitted = [
-        "--antialias 4",
-        "--colour srgb",
-        "--contrast 32",
-        "--model whitted",
-        "--ray-depth 5",
-    ];
+    let whitted =
+        ["--antialias 4", "--colour srgb", "--contrast 32", "--model whitted", "--ray-depth 5"];
     assert_eq!(check("scenes/whitted16.nff", &[]), whitted);
-    let depth = [
-        "--antialias 4",
-        "--colour linear",
-        "--contrast 32",
-        "--model depth",
-    ];
+    let depth = ["--antialias 4", "--colour linear", "--contrast 32", "--model depth"];
     assert_eq!(check("scenes/paper16.nff", &[]), depth);
-    let corners = [
-        "--antialias 1",
-        "--colour linear",
-        "--corners",
-        "--model whitted",
-        "--ray-depth 5",
-    ];
+    let corners =
+        ["--antialias 1", "--colour linear", "--corners", "--model whitted", "--ray-depth 5"];
     assert_eq!(check("scenes/whitted16.nff", &["--corners"]), corners);
 }
 
@@ -106,12 +87,7 @@ fn each_option_that_changes_the_picture() {
         &["--roll-off"],
         &["--corners", "--colour", "srgb"],
         &["--corners", "--antialias", "4", "--spd-rays"],
-        &[
-            "--from=3,-9,4",
-            "--look-at=0,0,1",
-            "--up=0.1,0,1",
-            "--angle=30",
-        ],
+        &["--from=3,-9,4", "--look-at=0,0,1", "--up=0.1,0,1", "--angle=30"],
         &["--quality", "exact"],
         &["--quality", "fast"],
         &["--sphere", "paper"],
@@ -126,14 +102,7 @@ fn numbered_pictures_have_the_eye_of_their_frames() {
     let out = folder.path().join("f-%d.png");
     let scene = "scenes/whitted16.nff";
     let options = ["--frames", "0..3", "--turn", "8", "--angle", "35"];
-    let arguments = [
-        "render",
-        scene,
-        "--size",
-        SIZE,
-        "--out",
-        out.to_str().unwrap(),
-    ];
+    let arguments = ["render", scene, "--size", SIZE, "--out", out.to_str().unwrap()];
     good(&[&arguments[..], &options].concat());
     for number in 0..3 {
         let path = folder.path().join(format!("f-{number}.png"));
@@ -152,16 +121,7 @@ fn the_picture_of_an_inspected_frame_has_its_settings() {
     let [page, path] = ["page.html", "p.png"].map(|name| folder.path().join(name));
     let [page, out] = [&page, &path].map(|path| path.to_str().unwrap());
     let scene = "scenes/shadows.nff";
-    good(&[
-        "render",
-        scene,
-        "--size",
-        SIZE,
-        "--inspect",
-        page,
-        "--out",
-        out,
-    ]);
+    good(&["render", scene, "--size", SIZE, "--inspect", page, "--out", out]);
     compared(scene, &[], &path, &Settings::of_png(&path).unwrap());
 }
 
@@ -172,14 +132,7 @@ fn what_is_no_setting_of_the_picture_is_not_in_the_file() {
     let path = folder.path().join("p.png");
     let out = path.to_str().unwrap();
     let file = |options: &[&str]| {
-        let arguments = [
-            "render",
-            "scenes/whitted16.nff",
-            "--size",
-            SIZE,
-            "--out",
-            out,
-        ];
+        let arguments = ["render", "scenes/whitted16.nff", "--size", SIZE, "--out", out];
         good(&[&arguments[..], options].concat());
         std::fs::read(&path).unwrap()
     };

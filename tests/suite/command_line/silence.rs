@@ -38,14 +38,7 @@ fn the_time_allowed_is_the_hosts_where_time_is_simulated() {
             .current_dir(root)
             .env("LIBSPE2_TIMING", "1")
             .env("LIBSPE2_REPORT", &report)
-            .args([
-                "render",
-                "scenes/paper16.nff",
-                "--size",
-                "160x90",
-                "--out",
-                "none",
-            ])
+            .args(["render", "scenes/paper16.nff", "--size", "160x90", "--out", "none"])
             .args(["--timeout", &seconds.to_string(), "--program"])
             .arg(&elf)
             .output()
@@ -60,10 +53,7 @@ fn the_time_allowed_is_the_hosts_where_time_is_simulated() {
         assert!(err.contains(", circle"), "{err}");
         let report: serde_json::Value = serde_json::from_slice(&fs::read(report).unwrap()).unwrap();
         let simulated = report["seconds"].as_f64().unwrap();
-        assert!(
-            simulated < f64::from(seconds),
-            "{simulated} s were simulated"
-        );
+        assert!(simulated < f64::from(seconds), "{simulated} s were simulated");
         return;
     }
     panic!("the SPUs do not read their mail");

@@ -21,32 +21,14 @@ fn numbered_frames_need_a_place_for_the_number() {
 #[test]
 fn generated_scenes_that_are_not() {
     for (name, parts) in [
-        (
-            "sphereflake",
-            &["sphereflake: this scene needs a level, as in sphereflake:2"][..],
-        ),
+        ("sphereflake", &["sphereflake: this scene needs a level, as in sphereflake:2"][..]),
         ("tetra", &["as in tetra:3"]),
         ("terrain", &["as in terrain:5"]),
-        (
-            "sphereflake:",
-            &["is not a whole number from 0 to 6, as in sphereflake:2"],
-        ),
-        (
-            "sphereflake:-1",
-            &["`-1` is not a whole number from 0 to 6"],
-        ),
-        (
-            "sphereflake:7",
-            &["5380840 spheres", "the greatest level is 6"],
-        ),
-        (
-            "sphereflake:99",
-            &["over 10^38 spheres", "the greatest level is 6"],
-        ),
-        (
-            "tetra:x",
-            &["`x` is not a whole number from 0 to 9, as in tetra:3"],
-        ),
+        ("sphereflake:", &["is not a whole number from 0 to 6, as in sphereflake:2"]),
+        ("sphereflake:-1", &["`-1` is not a whole number from 0 to 6"]),
+        ("sphereflake:7", &["5380840 spheres", "the greatest level is 6"]),
+        ("sphereflake:99", &["over 10^38 spheres", "the greatest level is 6"]),
+        ("tetra:x", &["`x` is not a whole number from 0 to 9, as in tetra:3"]),
         ("tetra:10", &["the greatest level is 9"]),
         ("terrain:12", &["not a whole number from 0 to 11"]),
         ("gears:31", &["the greatest size is 30"]),
@@ -71,19 +53,10 @@ fn scene_files_that_are_not() {
     for (name, meant) in [
         ("scenes/whitted61.nff", "did you mean scenes/whitted16.nff?"),
         ("scenes/whitted16", "did you mean scenes/whitted16.nff?"),
-        (
-            "scenes/Still-Life.nff",
-            "did you mean scenes/still-life.nff?",
-        ),
+        ("scenes/Still-Life.nff", "did you mean scenes/still-life.nff?"),
         ("scenes/chess.gltf", "did you mean scenes/chess.glb?"),
-        (
-            "scenes/nothing-like-it.nff",
-            "nothing-like-it.nff: there is no such file\n",
-        ),
-        (
-            "no/such/folder.nff",
-            "no/such/folder.nff: there is no such file\n",
-        ),
+        ("scenes/nothing-like-it.nff", "nothing-like-it.nff: there is no such file\n"),
+        ("no/such/folder.nff", "no/such/folder.nff: there is no such file\n"),
     ] {
         bad(&["render", name], &[meant]);
     }
@@ -101,10 +74,7 @@ fn numbers_that_are_out_of_range() {
         ("--turn", "0", "1\n"),
     ] {
         let message = format!("it is not a whole number from {range}");
-        bad(
-            &["render", SCENE, option, value],
-            &[option, value, &message],
-        );
+        bad(&["render", SCENE, option, value], &[option, value, &message]);
     }
 }
 
@@ -137,10 +107,7 @@ fn a_formulation_beside_a_quality_is_told() {
     }
     bad(
         &["render", SCENE, "--quality", "exact", "--sphere", "newton2"],
-        &[
-            "intersects spheres by newton2",
-            "perpendicular, interpolated, double, paper",
-        ],
+        &["intersects spheres by newton2", "perpendicular, interpolated, double, paper"],
     );
 }
 
@@ -149,18 +116,8 @@ fn a_formulation_beside_a_quality_is_told() {
 fn a_folder_that_is_not_there_is_told_before_tracing() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("gone/p.png");
-    let missing = format!(
-        "there is no folder {}",
-        folder.path().join("gone").display()
-    );
+    let missing = format!("there is no folder {}", folder.path().join("gone").display());
     // Without SPUs no frame can be begun.
-    let arguments = [
-        "render",
-        SCENE,
-        "--spus",
-        "0",
-        "--out",
-        out.to_str().unwrap(),
-    ];
+    let arguments = ["render", SCENE, "--spus", "0", "--out", out.to_str().unwrap()];
     bad(&arguments, &["gone/p.png", &missing]);
 }

@@ -38,11 +38,7 @@ pub fn bad(arguments: &[&str], parts: &[&str]) {
     let err = text(&output.stderr);
     assert!(!output.status.success(), "{arguments:?} succeeded");
     assert!(output.status.code().is_some(), "{arguments:?} died: {err}");
-    assert!(
-        output.stdout.is_empty(),
-        "{arguments:?}: {}",
-        text(&output.stdout)
-    );
+    assert!(output.stdout.is_empty(), "{arguments:?}: {}", text(&output.stdout));
     assert!(!err.contains("panicked"), "{err}");
     for part in parts {
         assert!(err.contains(part), "{arguments:?}: no {part:?} in: {err}");
@@ -60,14 +56,6 @@ pub fn bad_scene(scene: &str, parts: &[&str]) {
     let path = folder.path().join("bad.nff");
     fs::write(&path, scene).unwrap();
     let picture = folder.path().join("picture.png");
-    bad(
-        &[
-            "render",
-            path.to_str().unwrap(),
-            "--out",
-            picture.to_str().unwrap(),
-        ],
-        parts,
-    );
+    bad(&["render", path.to_str().unwrap(), "--out", picture.to_str().unwrap()], parts);
     assert!(!picture.exists(), "a picture of {scene:?}");
 }

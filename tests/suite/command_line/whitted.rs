@@ -8,14 +8,7 @@ use crate::command_line::support::{VIEW, bad_scene, good, pixels};
 
 #[test]
 fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
-    let arguments = [
-        "render",
-        "sphereflake:1",
-        "--size",
-        "16x16",
-        "--out",
-        "none",
-    ];
+    let arguments = ["render", "sphereflake:1", "--size", "16x16", "--out", "none"];
     let (_, err) = good(&[&arguments[..], &["--model", "depth"]].concat());
     for part in [
         "polygons are not drawn by depth shading (1",
@@ -52,15 +45,7 @@ fn traced(scene: &str, options: &[&str]) -> (RgbImage, serde_json::Value) {
 
 /// The numbers of rays under the names of the Standard Procedural Databases. Checks their sum.
 fn rays(stats: &serde_json::Value) -> [u64; 7] {
-    let names = [
-        "eye",
-        "eye_hit",
-        "reflected",
-        "refracted",
-        "shadow",
-        "hit",
-        "background",
-    ];
+    let names = ["eye", "eye_hit", "reflected", "refracted", "shadow", "hit", "background"];
     let rays = names.map(|name| stats["rays"][name].as_u64().unwrap());
     let [eye, eye_hit, reflected, refracted, _, hit, background] = rays;
     assert_eq!(eye + reflected + refracted, hit + background);
@@ -148,8 +133,5 @@ fn shapes_other_than_spheres_are_drawn() {
 fn a_scene_with_too_many_lights_names_the_first_of_them() {
     // Objects that don't fit are streamed from main memory; lights are not.
     let many = "l 0 0 9\n".repeat(65);
-    bad_scene(
-        &format!("{VIEW}{many}s 0 0 0 1\n"),
-        &["bad.nff:73: more than 64 lights"],
-    );
+    bad_scene(&format!("{VIEW}{many}s 0 0 0 1\n"), &["bad.nff:73: more than 64 lights"]);
 }

@@ -14,16 +14,12 @@ fn scene() -> nff::Scene {
     let text = "v\nfrom 0 1 6\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\nf 1 1 1 0.8 0.2 30 0 1\n";
     let mut scene = nff::parse(text.as_bytes(), "sheet", &nff::Limits::default()).unwrap();
-    let mut mesh = nff::Mesh {
-        two_sided: true,
-        ..nff::Mesh::default()
-    };
+    let mut mesh = nff::Mesh { two_sided: true, ..nff::Mesh::default() };
     for (row, column) in (0..=20_u16).flat_map(|row| (0..=20_u16).map(move |column| (row, column)))
     {
         let [x, y] = [column, row].map(|it| f32::from(it) * 0.2 - 2.0);
         mesh.positions.push([x, y, 0.2 * x * y]);
-        mesh.colours
-            .push([row % 3, column % 4, (row + column) % 5].map(|it| f32::from(it) / 4.0));
+        mesh.colours.push([row % 3, column % 4, (row + column) % 5].map(|it| f32::from(it) / 4.0));
     }
     for (row, column) in (0..20).flat_map(|row| (0..20).map(move |column| (row, column))) {
         let [a, b, c, d] = [0, 1, 21, 22].map(|corner| row * 21 + column + corner);

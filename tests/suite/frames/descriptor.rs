@@ -46,12 +46,7 @@ impl Descriptor {
         let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
         let (box_code, colour_code) = (program.box_code(), program.colour_code());
         let program = program.formulations().unwrap();
-        records.cull(
-            scene.spheres(),
-            &projection,
-            Skip::Misses,
-            program.eye.record,
-        );
+        records.cull(scene.spheres(), &projection, Skip::Misses, program.eye.record);
         let mut units = Units::default();
         units.split(&[0, 1], spus, Split::Slices, None);
         let frame = work::describe(&Order {

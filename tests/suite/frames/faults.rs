@@ -16,9 +16,7 @@ use spu_build::{Image, Tools};
 fn program(body: &str) -> Program {
     let taking = "        rdch $3,$SPU_RdInMbox\n        rdch $4,$SPU_RdInMbox\n        or $5,$3,$4\n        \
                   brz $5,quit\n";
-    assemble(&format!(
-        "{taking}{body}\n        br _start\nquit:\n        stop 0x2000\n"
-    ))
+    assemble(&format!("{taking}{body}\n        br _start\nquit:\n        stop 0x2000\n"))
 }
 
 /// Assembles a program from these instructions.
@@ -53,20 +51,8 @@ fn render(body: &str, timeout: Duration) -> EngineError {
 fn render_with(program: Program, timeout: Duration) -> EngineError {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("picture.png");
-    let framebuffer = PictureFile::new(
-        &picture,
-        Geometry {
-            width: 64,
-            height: 64,
-        },
-    )
-    .unwrap();
-    let settings = Settings {
-        spus: 3,
-        timeout,
-        program,
-        ..Settings::default()
-    };
+    let framebuffer = PictureFile::new(&picture, Geometry { width: 64, height: 64 }).unwrap();
+    let settings = Settings { spus: 3, timeout, program, ..Settings::default() };
     let mut engine = Engine::start(settings, Box::new(framebuffer)).unwrap();
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
     let error = engine.render(&scene, &mut |_| ()).unwrap_err();
@@ -95,10 +81,7 @@ const DMA: &str = "
 
 #[test]
 fn an_unknown_stop_code() {
-    check(
-        "        stop 0x1234",
-        &["SPU ", "unknown code 0x1234", "0x00010", "0x00001234"],
-    );
+    check("        stop 0x1234", &["SPU ", "unknown code 0x1234", "0x00010", "0x00001234"]);
 }
 
 #[test]
@@ -157,18 +140,12 @@ const HAS_MAIL: &str = "has not read its mailbox";
 /// The message about SPUs that do not answer for this number of seconds.
 fn silent_for(seconds: u64, program: Program) -> String {
     let error = render_with(program, Duration::from_secs(seconds));
-    assert!(
-        matches!(error, EngineError::Silent { spu: 0, .. }),
-        "{error}"
-    );
+    assert!(matches!(error, EngineError::Silent { spu: 0, .. }), "{error}");
     let text = error.to_string();
     let begin = format!(
         "SPU 0 has not answered, and for {seconds} s no SPU has taken or finished any work (0 of 4 work units"
     );
-    assert!(
-        text.starts_with(&begin) && text.contains("--timeout"),
-        "{text}"
-    );
+    assert!(text.starts_with(&begin) && text.contains("--timeout"), "{text}");
     text
 }
 
@@ -267,28 +244,12 @@ fn a_program_that_is_slow_is_waited_for() {
 
 #[test]
 fn an_answer_that_means_nothing() {
-    let error = render(
-        "        il $6,999\n        wrch $SPU_WrOutIntrMbox,$6",
-        PATIENCE,
-    );
+    let error = render("        il $6,999\n        wrch $SPU_WrOutIntrMbox,$6", PATIENCE);
     assert!(error.to_string().contains("unknown status 999"), "{error}");
 }
 
 #[test]
 fn a_program_that_says_done_and_has_done_nothing() {
-    let error = render(
-        "        il $6,0\n        wrch $SPU_WrOutIntrMbox,$6",
-        PATIENCE,
-    );
-    assert!(
-        matches!(
-            error,
-            EngineError::Incomplete {
-                traced: 0,
-                wanted: 4096,
-                ..
-            }
-        ),
-        "{error}"
-    );
+    let error = render("        il $6,0\n        wrch $SPU_WrOutIntrMbox,$6", PATIENCE);
+    assert!(matches!(error, EngineError::Incomplete { traced: 0, wanted: 4096, .. }), "{error}");
 }

@@ -76,11 +76,7 @@ impl Fixture {
         frame.statistics = statistics.address().into();
         frame.units = units.address().into();
         frame.costs = costs.address().into();
-        let settings = Settings {
-            spus,
-            timeout: patience(),
-            ..Settings::default()
-        };
+        let settings = Settings { spus, timeout: patience(), ..Settings::default() };
         let (recorder, _) = Recorder::pair(4, 4);
         Self {
             engine: Engine::start(settings, recorder).unwrap(),
@@ -127,13 +123,9 @@ impl Fixture {
             spoil(&mut frame);
             let refusal = self.refused(&frame);
             let text = refusal.to_string();
-            assert!(
-                refusal.field.split(", ").any(|name| name == *field),
-                "{field}: {text}"
-            );
+            assert!(refusal.field.split(", ").any(|name| name == *field), "{field}: {text}");
             assert!(text.contains(part), "{field}: {text}");
-            self.submit(&good)
-                .unwrap_or_else(|error| panic!("after {field}: {error}"));
+            self.submit(&good).unwrap_or_else(|error| panic!("after {field}: {error}"));
         }
     }
 }

@@ -54,13 +54,7 @@ impl Clock for Leaping {
 
 /// One SPU's statistics of a frame, the cost of its first unit, and the total time.
 fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
-    let Descriptor {
-        mut frame,
-        spheres,
-        block,
-        units,
-        ..
-    } = Descriptor::of(scene, 1);
+    let Descriptor { mut frame, spheres, block, units, .. } = Descriptor::of(scene, 1);
     frame.spheres = SPHERES.into();
     frame.scene = SCENE.into();
     frame.unit_counter = UNIT_COUNTER.into();
@@ -85,9 +79,7 @@ fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
         let bytes = if bytes.is_empty() { vec![0] } else { bytes };
         memory.register(address, bytes, Access::ReadWrite).unwrap();
     }
-    let clock = Arc::new(Leaping {
-        now: AtomicU64::new(0),
-    });
+    let clock = Arc::new(Leaping { now: AtomicU64::new(0) });
     let interconnect = Machine::with_clock(memory.clone(), clock.clone());
     let spe = Spe::new(&interconnect, Config::default());
     let image = Image::parse(Settings::default().program.image()).unwrap();
@@ -113,16 +105,10 @@ fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
 }
 
 fn phases(line: &Statistics) -> u64 {
-    [
-        line.ticks_fetch,
-        line.ticks_cull,
-        line.ticks_rays,
-        line.ticks_isect,
-        line.ticks_shade,
-    ]
-    .map(|ticks| ticks.get())
-    .iter()
-    .sum()
+    [line.ticks_fetch, line.ticks_cull, line.ticks_rays, line.ticks_isect, line.ticks_shade]
+        .map(|ticks| ticks.get())
+        .iter()
+        .sum()
 }
 
 fn holds(scene: &nff::Scene) {
@@ -134,10 +120,7 @@ fn holds(scene: &nff::Scene) {
     assert!(counted <= total, "{counted} of {total} ticks");
     assert!(total - counted < 24 * LEAP, "{counted} of {total} ticks");
     let phases = phases(&line);
-    assert!(
-        phases <= busy + dma_wait,
-        "{phases} of {busy} and {dma_wait}"
-    );
+    assert!(phases <= busy + dma_wait, "{phases} of {busy} and {dma_wait}");
     assert!(4 * phases > busy, "{phases} of {busy} and {dma_wait}");
 
     let tiles = cost.count.get() as usize;

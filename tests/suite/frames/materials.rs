@@ -20,10 +20,7 @@ const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresol
 fn scene(is_of_spheres: bool) -> nff::Scene {
     let mut text = VIEW.to_owned();
     for number in 0..1500 {
-        let (x, y) = (
-            f64::from(number % 50) * 0.2 - 5.0,
-            f64::from(number / 50) * 0.2 - 3.0,
-        );
+        let (x, y) = (f64::from(number % 50) * 0.2 - 5.0, f64::from(number / 50) * 0.2 - 3.0);
         let colour = f64::from(number) / 1500.0;
         writeln!(text, "f {colour} 0.5 {} 0.8 0.2 9 0 0", 1.0 - colour).unwrap();
         if is_of_spheres {
@@ -77,15 +74,11 @@ fn fields_of_the_materials_that_are_wrong() {
         ("materials", "a multiple of 128", |frame| {
             frame.materials = (frame.materials.get() + 64).into()
         }),
-        ("mesh_material_count", "a multiple of 256", |frame| {
-            frame.mesh_material_count = 0.into()
-        }),
+        ("mesh_material_count", "a multiple of 256", |frame| frame.mesh_material_count = 0.into()),
         ("mesh_material_count", "a multiple of 256", |frame| {
             frame.mesh_material_count = 1500.into()
         }),
-        ("mesh_material_count", "up to 65536", |frame| {
-            frame.mesh_material_count = 0x1_0100.into()
-        }),
+        ("mesh_material_count", "up to 65536", |frame| frame.mesh_material_count = 0x1_0100.into()),
         ("mesh", "as the work unit's document has it", |frame| {
             // The blocks have numbers of two bytes.
             frame.features = (frame.features.get() & !protocol::layout::FEATURE_MATERIALS).into();

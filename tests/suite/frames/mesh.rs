@@ -126,18 +126,15 @@ impl Blocks {
     /// The first block of a kind.
     fn first(&self, kind: u32) -> u32 {
         let blocks = 0..self.fixture.frame.mesh_blocks.get();
-        let found = blocks
-            .into_iter()
-            .find(|&block| self.get(word(block, KIND)) == kind);
+        let found = blocks.into_iter().find(|&block| self.get(word(block, KIND)) == kind);
         found.expect("the mesh has blocks of this kind")
     }
 
     /// The first block of a kind that some ray needs.
     fn first_needed(&mut self, kind: u32) -> u32 {
         let blocks = 0..self.fixture.frame.mesh_blocks.get();
-        let of_kind: Vec<u32> = blocks
-            .filter(|&block| self.get(word(block, KIND)) == kind)
-            .collect();
+        let of_kind: Vec<u32> =
+            blocks.filter(|&block| self.get(word(block, KIND)) == kind).collect();
         let mut of_kind = of_kind.into_iter();
         let found = of_kind.find(|&block| self.traced_with(&[(word(block, 0), 0)]).is_err());
         found.expect("rays need blocks of this kind")
@@ -197,36 +194,20 @@ fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
 #[test]
 fn fields_of_the_mesh_that_are_wrong() {
     let cases: [(&str, &str, Spoil); 20] = [
-        ("mesh", "a multiple of 128", |frame| {
-            frame.mesh = (frame.mesh.get() + 16).into()
-        }),
-        ("mesh_blocks", "1 to 2^24 blocks", |frame| {
-            frame.mesh_blocks = 0.into()
-        }),
-        ("mesh_blocks", "1 to 2^24 blocks", |frame| {
-            frame.mesh_blocks = 0x100_0001.into()
-        }),
+        ("mesh", "a multiple of 128", |frame| frame.mesh = (frame.mesh.get() + 16).into()),
+        ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0.into()),
+        ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0x100_0001.into()),
         ("mesh_code", "a multiple of 128", |frame| {
             frame.mesh_code = (frame.mesh_code.get() + 64).into()
         }),
-        ("mesh_code_bytes", "at most 38656", |frame| {
-            frame.mesh_code_bytes = 38672.into()
-        }),
+        ("mesh_code_bytes", "at most 38656", |frame| frame.mesh_code_bytes = 38672.into()),
         ("mesh_code_bytes", "a multiple of 16", |frame| {
             frame.mesh_code_bytes = (frame.mesh_code_bytes.get() - 4).into()
         }),
-        ("mesh_code_bytes", "4294967280", |frame| {
-            frame.mesh_code_bytes = 0xffff_fff0.into()
-        }),
-        ("mesh_material_count", "1 to 256", |frame| {
-            frame.mesh_material_count = 0.into()
-        }),
-        ("mesh_material_count", "1 to 256", |frame| {
-            frame.mesh_material_count = 257.into()
-        }),
-        ("mesh_material_count", "of the scene", |frame| {
-            frame.mesh_material_count = 256.into()
-        }),
+        ("mesh_code_bytes", "4294967280", |frame| frame.mesh_code_bytes = 0xffff_fff0.into()),
+        ("mesh_material_count", "1 to 256", |frame| frame.mesh_material_count = 0.into()),
+        ("mesh_material_count", "1 to 256", |frame| frame.mesh_material_count = 257.into()),
+        ("mesh_material_count", "of the scene", |frame| frame.mesh_material_count = 256.into()),
         ("mesh_materials", "of the scene", |frame| {
             frame.mesh_materials = (SCENE_ADDRESS - 16).into()
         }),
@@ -236,15 +217,9 @@ fn fields_of_the_mesh_that_are_wrong() {
         ("mesh_materials", "of the scene", |frame| {
             frame.mesh_materials = (SCENE_ADDRESS + frame.scene_bytes.get() - 80).into()
         }),
-        ("mesh_slots", "4 to 20 blocks", |frame| {
-            frame.mesh_slots = 3.into()
-        }),
-        ("mesh_slots", "4 to 20 blocks", |frame| {
-            frame.mesh_slots = 29.into()
-        }),
-        ("mesh_slots", "4294967295", |frame| {
-            frame.mesh_slots = u32::MAX.into()
-        }),
+        ("mesh_slots", "4 to 20 blocks", |frame| frame.mesh_slots = 3.into()),
+        ("mesh_slots", "4 to 20 blocks", |frame| frame.mesh_slots = 29.into()),
+        ("mesh_slots", "4294967295", |frame| frame.mesh_slots = u32::MAX.into()),
         ("batch", "at most 8 with a mesh", |frame| {
             frame.batch = 9.into();
         }),
@@ -320,10 +295,7 @@ fn blocks_that_are_not_as_they_should_be() {
         ("a long run", run(0, 9)),
         ("a run behind the triangles", run(triangles - 1, 2)),
         ("a run between triangles", (header(children), (1 << 16) | 2)),
-        (
-            "a vertex that is not there",
-            (header(faces), vertices << 24),
-        ),
+        ("a vertex that is not there", (header(faces), vertices << 24)),
         ("a material that is not there", (header(faces), 1)),
         ("a leaf that says it is inner", (header(KIND), MESH_INNER)),
     ];
@@ -333,11 +305,7 @@ fn blocks_that_are_not_as_they_should_be() {
     // The lane is empty now, but has a box.
     let lane = (0..4).rfind(|lane| blocks.get(header(children - 24 + lane)) != NO_BOX);
     let lane = lane.unwrap();
-    blocks.refused(
-        "a box without a child",
-        leaf,
-        &[(header(children + lane), 0)],
-    );
+    blocks.refused("a box without a child", leaf, &[(header(children + lane), 0)]);
 }
 
 #[test]
@@ -370,10 +338,7 @@ fn objects_are_refused(scene: &nff::Scene, kind: u32, size: u32) {
         ("an object between quadwords", (child, first + 4)),
         ("an object in another block", (child, u32::MAX)),
         ("a material that is not there", (material, 2)),
-        (
-            "a leaf that says it has triangles",
-            (header(KIND), MESH_LEAF),
-        ),
+        ("a leaf that says it has triangles", (header(KIND), MESH_LEAF)),
     ];
     for (what, case) in cases {
         blocks.refused(what, leaf, &[case]);
@@ -404,10 +369,7 @@ fn any_block_of(scene: &nff::Scene) {
         let value = match random.random_range(0..4) {
             0 => random.random(),
             1 => blocks.get(at) ^ (1 << random.random_range(0..32)),
-            2 => blocks
-                .get(at)
-                .wrapping_add(random.random_range(0..9))
-                .wrapping_sub(4),
+            2 => blocks.get(at).wrapping_add(random.random_range(0..9)).wrapping_sub(4),
             _ => (random.random_range(0..130) << 16) | random.random_range(0..2048),
         };
         match blocks.traced_with(&[(at, value)]) {
@@ -416,9 +378,6 @@ fn any_block_of(scene: &nff::Scene) {
             Err(error) => panic!("{number}: {value:#x} at {at:#x}: {error}"),
         }
     }
-    assert!(
-        drawn > 50 && refused > 50,
-        "{drawn} drawn, {refused} refused"
-    );
+    assert!(drawn > 50 && refused > 50, "{drawn} drawn, {refused} refused");
     assert!(blocks.traced_with(&[]).unwrap() == picture);
 }

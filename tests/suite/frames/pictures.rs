@@ -14,10 +14,7 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 fn one_spu() -> Settings {
-    Settings {
-        spus: 1,
-        ..Settings::default()
-    }
+    Settings { spus: 1, ..Settings::default() }
 }
 
 #[test]
@@ -28,12 +25,7 @@ fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
         let reference = render(&scene, width, height, one_spu());
         for spus in 1..=6 {
             for split in [Split::Units, Split::Slices] {
-                let settings = Settings {
-                    spus,
-                    split,
-                    retain: false,
-                    ..Settings::default()
-                };
+                let settings = Settings { spus, split, retain: false, ..Settings::default() };
                 let (framebuffer, shown) = Recorder::pair(width, height);
                 let mut engine = Engine::start(settings, framebuffer).unwrap();
                 let scene = Scene::from_nff(&scene).unwrap();
@@ -65,11 +57,7 @@ fn every_packet_is_accounted_for_with_every_sphere() {
     ] {
         let scene = Scene::from_nff(nff).unwrap();
         let (framebuffer, shown) = Recorder::pair(200, 100);
-        let settings = Settings {
-            skip,
-            retain: false,
-            ..Settings::default()
-        };
+        let settings = Settings { skip, retain: false, ..Settings::default() };
         let mut engine = Engine::start(settings, framebuffer).unwrap();
         let mut first = None;
         for _ in 0..3 {
@@ -100,24 +88,15 @@ fn tests_that_skipping_leaves_out_are_of_spheres_that_no_ray_comes_near() {
     for name in ["paper1.nff", "paper13.nff", "spheres64.nff"] {
         let scene = Scene::from_nff(&nff_scene(name)).unwrap();
         let [skipping, without] = [Skip::Misses, Skip::Nothing].map(|skip| {
-            let settings = Settings {
-                skip,
-                ..Settings::default()
-            };
+            let settings = Settings { skip, ..Settings::default() };
             let (framebuffer, _) = Recorder::pair(320, 180);
             let mut engine = Engine::start(settings, framebuffer).unwrap();
             engine.render(&scene, &mut |_| ()).unwrap().tests()
         });
         // The test with a packet's own rays is closer than the one with its cone.
         let near = skipping.made + skipping.hidden;
-        assert!(
-            without.hits_looked_for <= near,
-            "{name}: {skipping:?} {without:?}"
-        );
-        assert!(
-            without.hits_looked_for > near / 2,
-            "{name}: {skipping:?} {without:?}"
-        );
+        assert!(without.hits_looked_for <= near, "{name}: {skipping:?} {without:?}");
+        assert!(without.hits_looked_for > near / 2, "{name}: {skipping:?} {without:?}");
     }
 }
 
@@ -135,10 +114,7 @@ const SCENES: [&str; 8] = [
 /// Renders with and without skipping. The bytes must be equal.
 fn skipping_changes_nothing(scene: &nff::Scene, width: u32, height: u32) -> RgbImage {
     let skipping = render(scene, width, height, Settings::default());
-    let settings = Settings {
-        skip: Skip::Nothing,
-        ..Settings::default()
-    };
+    let settings = Settings { skip: Skip::Nothing, ..Settings::default() };
     let without = render(scene, width, height, settings);
     assert!(skipping == without, "{scene:?} at {width}x{height}");
     skipping
@@ -214,10 +190,7 @@ fn an_empty_scene_is_its_background() {
     let scene = nff_scene("empty.nff");
     let expected = nff::depth::bytes(scene.background);
     for spus in [1, 2, 6] {
-        let settings = Settings {
-            spus,
-            ..Settings::default()
-        };
+        let settings = Settings { spus, ..Settings::default() };
         let picture = render(&scene, 70, 20, settings);
         assert!(picture.pixels().all(|pixel| pixel.0 == expected));
     }
@@ -233,9 +206,7 @@ fn hits_are_counted_within_the_picture_only() {
     for (width, height) in [(61, 37), (4, 4), (65, 17)] {
         let (framebuffer, _) = Recorder::pair(width, height);
         let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
-        let statistics = engine
-            .render(&Scene::from_nff(&scene).unwrap(), &mut |_| ())
-            .unwrap();
+        let statistics = engine.render(&Scene::from_nff(&scene).unwrap(), &mut |_| ()).unwrap();
         let hits: u64 = statistics.spus.iter().map(|spu| spu.rays.eye_hit).sum();
         assert_eq!(hits, u64::from(width * height), "{width}x{height}");
     }
@@ -269,10 +240,7 @@ impl Straddling {
             )
         };
         assert_eq!(base as usize, start, "the address is taken");
-        Self {
-            base: NonNull::new(base.cast()).unwrap(),
-            geometry,
-        }
+        Self { base: NonNull::new(base.cast()).unwrap(), geometry }
     }
 
     fn bytes(&self) -> usize {
@@ -306,12 +274,8 @@ impl Framebuffer for Straddling {
         let bytes = ptr::slice_from_raw_parts(self.base.as_ptr(), self.bytes());
         // SAFETY: all SPUs have answered, so nothing writes to the mapping now.
         let bytes = unsafe { &*bytes };
-        let expected = render(
-            &nff_scene("paper16.nff"),
-            self.geometry.width,
-            self.geometry.height,
-            one_spu(),
-        );
+        let expected =
+            render(&nff_scene("paper16.nff"), self.geometry.width, self.geometry.height, one_spu());
         for (x, y, pixel) in expected.enumerate_pixels() {
             let offset = (y * STRIDE + x * 4) as usize;
             assert_eq!(bytes[offset + 1..offset + 4], pixel.0, "pixel {x}, {y}");
@@ -326,16 +290,8 @@ impl Framebuffer for Straddling {
 
 #[test]
 fn a_framebuffer_across_a_multiple_of_4_gb() {
-    let geometry = Geometry {
-        width: 120,
-        height: 200,
-    };
+    let geometry = Geometry { width: 120, height: 200 };
     let framebuffer = Box::new(Straddling::new(geometry));
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
-    engine
-        .render(
-            &Scene::from_nff(&nff_scene("paper16.nff")).unwrap(),
-            &mut |_| (),
-        )
-        .unwrap();
+    engine.render(&Scene::from_nff(&nff_scene("paper16.nff")).unwrap(), &mut |_| ()).unwrap();
 }

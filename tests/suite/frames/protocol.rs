@@ -47,14 +47,10 @@ fn whitted_fixture(spus: u32) -> Fixture {
 #[test]
 fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
     let cases: [(&str, &str, Spoil); 32] = [
-        ("magic", "0x43524119", |frame| {
-            frame.magic = (0x4352_4159_u32 ^ 0x40).into()
-        }),
+        ("magic", "0x43524119", |frame| frame.magic = (0x4352_4159_u32 ^ 0x40).into()),
         ("version", "1 (0x1)", |frame| frame.version = 1.into()),
         ("size", "256 (0x100)", |frame| frame.size = 256.into()),
-        ("features", "2147483649", |frame| {
-            frame.features = 0x8000_0001_u32.into()
-        }),
+        ("features", "2147483649", |frame| frame.features = 0x8000_0001_u32.into()),
         ("spus", "0 (0x0)", |frame| frame.spus = 0.into()),
         ("spus", "17 (0x11)", |frame| frame.spus = 17.into()),
         ("spus", "1 (0x1)", |frame| frame.spus = 1.into()),
@@ -62,59 +58,27 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
         ("width", "0 (0x0)", |frame| frame.width = 0.into()),
         ("width", "8193 (0x2001)", |frame| frame.width = 8193.into()),
         ("height", "0 (0x0)", |frame| frame.height = 0.into()),
-        ("height", "4294967295", |frame| {
-            frame.height = u32::MAX.into()
-        }),
+        ("height", "4294967295", |frame| frame.height = u32::MAX.into()),
         ("stride", "260 (0x104)", |frame| frame.stride = 260.into()),
         ("stride", "240 (0xf0)", |frame| frame.stride = 240.into()),
-        ("stride", "65536 (0x10000)", |frame| {
-            frame.stride = 65536.into()
-        }),
-        ("framebuffer", "8)", |frame| {
-            frame.framebuffer = (frame.framebuffer.get() + 8).into()
-        }),
-        ("spheres", "", |frame| {
-            frame.spheres = (frame.spheres.get() + 64).into()
-        }),
-        ("unit_counter", "", |frame| {
-            frame.unit_counter = (frame.unit_counter.get() + 4).into()
-        }),
-        ("units", "", |frame| {
-            frame.units = (frame.units.get() + 64).into()
-        }),
-        ("costs", "", |frame| {
-            frame.costs = (frame.costs.get() + 8).into()
-        }),
+        ("stride", "65536 (0x10000)", |frame| frame.stride = 65536.into()),
+        ("framebuffer", "8)", |frame| frame.framebuffer = (frame.framebuffer.get() + 8).into()),
+        ("spheres", "", |frame| frame.spheres = (frame.spheres.get() + 64).into()),
+        ("unit_counter", "", |frame| frame.unit_counter = (frame.unit_counter.get() + 4).into()),
+        ("units", "", |frame| frame.units = (frame.units.get() + 64).into()),
+        ("costs", "", |frame| frame.costs = (frame.costs.get() + 8).into()),
         ("unit_count", "3 (0x3)", |frame| frame.unit_count = 3.into()),
-        ("unit_count", "4294967295", |frame| {
-            frame.unit_count = u32::MAX.into()
-        }),
+        ("unit_count", "4294967295", |frame| frame.unit_count = u32::MAX.into()),
         ("skip", "2 (0x2)", |frame| frame.skip = 2.into()),
-        ("statistics", "", |frame| {
-            frame.statistics = (frame.statistics.get() + 16).into()
-        }),
-        ("sphere_count", "2049 (0x801)", |frame| {
-            frame.sphere_count = 2049.into()
-        }),
-        ("sphere_count", "1073741824", |frame| {
-            frame.sphere_count = 0x4000_0000.into()
-        }),
-        ("sphere_count", "13 (0xd)", |frame| {
-            frame.features = 0.into()
-        }),
+        ("statistics", "", |frame| frame.statistics = (frame.statistics.get() + 16).into()),
+        ("sphere_count", "2049 (0x801)", |frame| frame.sphere_count = 2049.into()),
+        ("sphere_count", "1073741824", |frame| frame.sphere_count = 0x4000_0000.into()),
+        ("sphere_count", "13 (0xd)", |frame| frame.features = 0.into()),
         ("red_shift", "8 (0x8)", |frame| frame.red_shift = 8.into()),
-        ("green_shift", "4 (0x4)", |frame| {
-            frame.green_shift = 4.into()
-        }),
-        ("red_shift", "25 (0x19)", |frame| {
-            frame.red_shift = 25.into()
-        }),
-        ("green_shift", "25 (0x19)", |frame| {
-            frame.green_shift = 25.into()
-        }),
-        ("blue_shift", "4294967295", |frame| {
-            frame.blue_shift = u32::MAX.into()
-        }),
+        ("green_shift", "4 (0x4)", |frame| frame.green_shift = 4.into()),
+        ("red_shift", "25 (0x19)", |frame| frame.red_shift = 25.into()),
+        ("green_shift", "25 (0x19)", |frame| frame.green_shift = 25.into()),
+        ("blue_shift", "4294967295", |frame| frame.blue_shift = u32::MAX.into()),
     ];
     fixture(2).refuses(&cases);
 }
@@ -128,117 +92,67 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("waiting", "must be a multiple of 128", |frame| {
             frame.waiting = (frame.waiting.get() + 64).into()
         }),
-        (
-            "scene_bytes",
-            "must be a multiple of 128 and leave",
-            |frame| frame.scene_bytes = (frame.scene_bytes.get() + 64).into(),
-        ),
-        ("scene_bytes", "leave room", |frame| {
-            frame.scene_bytes = (SCENE_ROOM + 128).into()
+        ("scene_bytes", "must be a multiple of 128 and leave", |frame| {
+            frame.scene_bytes = (frame.scene_bytes.get() + 64).into()
         }),
-        ("scene_bytes", "4294967168", |frame| {
-            frame.scene_bytes = 0xffff_ff80.into()
-        }),
-        ("scene_bytes", "4294967295", |frame| {
-            frame.scene_bytes = u32::MAX.into()
-        }),
+        ("scene_bytes", "leave room", |frame| frame.scene_bytes = (SCENE_ROOM + 128).into()),
+        ("scene_bytes", "4294967168", |frame| frame.scene_bytes = 0xffff_ff80.into()),
+        ("scene_bytes", "4294967295", |frame| frame.scene_bytes = u32::MAX.into()),
         // Three batches of eight packets need 12288 bytes.
-        (
-            "ray_depth",
-            "16 (0x10), 8 (0x8): must be a multiple",
-            |frame| {
-                frame.ray_depth = 16.into();
-                frame.batch = 8.into();
-                frame.scene_bytes = (SCENE_ROOM - 12288 + 128).into();
-            },
-        ),
-        ("ray_depth", "0 (0x0): must be 1 to 16", |frame| {
-            frame.ray_depth = 0.into()
+        ("ray_depth", "16 (0x10), 8 (0x8): must be a multiple", |frame| {
+            frame.ray_depth = 16.into();
+            frame.batch = 8.into();
+            frame.scene_bytes = (SCENE_ROOM - 12288 + 128).into();
         }),
-        ("ray_depth", "17 (0x11): must be 1 to 16", |frame| {
-            frame.ray_depth = 17.into()
-        }),
-        ("ray_depth", "4294967295", |frame| {
-            frame.ray_depth = u32::MAX.into()
-        }),
+        ("ray_depth", "0 (0x0): must be 1 to 16", |frame| frame.ray_depth = 0.into()),
+        ("ray_depth", "17 (0x11): must be 1 to 16", |frame| frame.ray_depth = 17.into()),
+        ("ray_depth", "4294967295", |frame| frame.ray_depth = u32::MAX.into()),
         // Sixteen packets need 24576 bytes, and 29696 for their buffers.
-        (
-            "scene_bytes",
-            "1 (0x1), 16 (0x10): must be a multiple",
-            |frame| {
-                frame.ray_depth = 1.into();
-                frame.batch = 16.into();
-                frame.scene_bytes = (SCENE_ROOM - 29696 + 128).into();
-            },
-        ),
-        (
-            "batch",
-            "0 (0x0): must be 1 to 16, and at most 8 with a mesh",
-            |frame| frame.batch = 0.into(),
-        ),
-        ("batch", "17 (0x11): must be 1 to 16", |frame| {
-            frame.batch = 17.into()
+        ("scene_bytes", "1 (0x1), 16 (0x10): must be a multiple", |frame| {
+            frame.ray_depth = 1.into();
+            frame.batch = 16.into();
+            frame.scene_bytes = (SCENE_ROOM - 29696 + 128).into();
         }),
+        ("batch", "0 (0x0): must be 1 to 16, and at most 8 with a mesh", |frame| {
+            frame.batch = 0.into()
+        }),
+        ("batch", "17 (0x11): must be 1 to 16", |frame| frame.batch = 17.into()),
         ("batch", "more than 512 objects", |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 9.into();
             frame.trees[0].objects = 513.into();
         }),
-        ("light_count", "65 (0x41): must be at most 64", |frame| {
-            frame.light_count = 65.into()
-        }),
-        ("lights", "on quadwords of the scene", |frame| {
-            frame.lights = (SCENE_ADDRESS - 16).into()
-        }),
+        ("light_count", "65 (0x41): must be at most 64", |frame| frame.light_count = 65.into()),
+        ("lights", "on quadwords of the scene", |frame| frame.lights = (SCENE_ADDRESS - 16).into()),
         ("lights", "on quadwords of the scene", |frame| {
             frame.lights = (frame.lights.get() + 8).into()
         }),
         ("lights", "on quadwords of the scene", |frame| {
             frame.lights = (SCENE_ADDRESS + frame.scene_bytes.get() - 16).into()
         }),
-        ("light_count", "4294967295", |frame| {
-            frame.light_count = u32::MAX.into()
-        }),
-        ("sphere_count", "1 (0x1)", |frame| {
-            frame.sphere_count = 1.into()
-        }),
+        ("light_count", "4294967295", |frame| frame.light_count = u32::MAX.into()),
+        ("sphere_count", "1 (0x1)", |frame| frame.sphere_count = 1.into()),
         // The scene is too short for its declared contents.
         ("trees", "lie in the scene", |frame| {
             frame.scene_bytes = 0.into();
             frame.lights = SCENE_ADDRESS.into();
             frame.light_count = 0.into();
         }),
-        (
-            "box_trees",
-            "16 (0x10), 896 (0x380): must be bits of the 4 trees",
-            |frame| frame.box_trees = 16.into(),
-        ),
-        ("box_trees", "4294967295", |frame| {
-            frame.box_trees = u32::MAX.into()
+        ("box_trees", "16 (0x10), 896 (0x380): must be bits of the 4 trees", |frame| {
+            frame.box_trees = 16.into()
         }),
+        ("box_trees", "4294967295", |frame| frame.box_trees = u32::MAX.into()),
         // The scene ends 16 bytes before the end of the code for boxes.
         ("scene_bytes", "the code for boxes", |frame| {
             frame.box_trees = 2.into();
             frame.scene_bytes = (BOX_CODE + BOX_CODE_ROOM - SCENE_ADDRESS - 16).into();
         }),
-        ("trees", "1024 objects", |frame| {
-            frame.trees[0].objects = 1025.into()
-        }),
-        ("trees", "1024 objects", |frame| {
-            frame.trees[3].objects = u32::MAX.into()
-        }),
-        ("trees", "at most 4 nodes at the top", |frame| {
-            frame.trees[1].root_count = 0.into()
-        }),
-        ("trees", "at most 4 nodes at the top", |frame| {
-            frame.trees[2].root_count = 5.into()
-        }),
-        ("trees", "6 levels", |frame| {
-            frame.trees[0].levels = 7.into()
-        }),
-        ("trees", "lie in the scene", |frame| {
-            frame.trees[1].roots = (SCENE_ADDRESS - 128).into()
-        }),
+        ("trees", "1024 objects", |frame| frame.trees[0].objects = 1025.into()),
+        ("trees", "1024 objects", |frame| frame.trees[3].objects = u32::MAX.into()),
+        ("trees", "at most 4 nodes at the top", |frame| frame.trees[1].root_count = 0.into()),
+        ("trees", "at most 4 nodes at the top", |frame| frame.trees[2].root_count = 5.into()),
+        ("trees", "6 levels", |frame| frame.trees[0].levels = 7.into()),
+        ("trees", "lie in the scene", |frame| frame.trees[1].roots = (SCENE_ADDRESS - 128).into()),
         ("trees", "lie in the scene", |frame| {
             frame.trees[2].roots = (SCENE_ADDRESS + frame.scene_bytes.get()).into()
         }),
@@ -288,14 +202,9 @@ fn a_descriptor_at_an_odd_address_is_refused() {
     for address in [0x1_0000_0040_u64, 0x1001, 0x7f] {
         // SAFETY: the SPU must refuse the address without using it. The test checks that it does.
         let error = unsafe { fixture.engine.mail(address, &frame, &mut |_| ()) }.unwrap_err();
-        let EngineError::Refused { refusal, .. } = &error else {
-            panic!("{error}")
-        };
+        let EngineError::Refused { refusal, .. } = &error else { panic!("{error}") };
         assert_eq!(refusal.field, "address");
-        assert!(
-            error.to_string().contains(&format!("{address:#x}")),
-            "{error}"
-        );
+        assert!(error.to_string().contains(&format!("{address:#x}")), "{error}");
     }
     fixture.submit(&frame).unwrap();
 }
@@ -347,27 +256,16 @@ fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
         ("units", |frame| frame.units = 0x1000.into()),
         ("costs", |frame| frame.costs = 0x1000.into()),
     ];
-    let plain = spoils
-        .into_iter()
-        .map(|(name, spoil)| (name, spoil, fixture(2)));
+    let plain = spoils.into_iter().map(|(name, spoil)| (name, spoil, fixture(2)));
     let scene: Spoil = |frame| frame.scene = 0x1000.into();
     let whitted = std::iter::once(("scene", scene, whitted_fixture(2)));
     for (name, spoil, mut fixture) in plain.chain(whitted) {
         let mut frame = fixture.frame;
         spoil(&mut frame);
         let error = fixture.submit(&frame).unwrap_err();
-        assert!(
-            matches!(error, EngineError::Ended { .. }),
-            "{name}: {error}"
-        );
+        assert!(matches!(error, EngineError::Ended { .. }), "{name}: {error}");
         let text = error.to_string();
-        assert!(
-            text.contains("DMA") && text.contains("unmapped memory"),
-            "{name}: {text}"
-        );
-        assert!(
-            matches!(fixture.submit(&frame), Err(EngineError::Lost)),
-            "{name}"
-        );
+        assert!(text.contains("DMA") && text.contains("unmapped memory"), "{name}: {text}");
+        assert!(matches!(fixture.submit(&frame), Err(EngineError::Lost)), "{name}");
     }
 }

@@ -37,9 +37,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         shader: Shader::Phong,
         texture: None,
     };
-    let materials: Vec<Material> = (0..5)
-        .map(|_| material(vector(random, 1.0).abs()))
-        .collect();
+    let materials: Vec<Material> = (0..5).map(|_| material(vector(random, 1.0).abs())).collect();
     Scene {
         name: "random".into(),
         view: View {
@@ -54,9 +52,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         sky: None,
         ambient: DVec3::ZERO,
         lights: Vec::new(),
-        objects: (0..count)
-            .map(|_| sphere(random, materials.len()))
-            .collect(),
+        objects: (0..count).map(|_| sphere(random, materials.len())).collect(),
         materials,
         mesh: None,
     }

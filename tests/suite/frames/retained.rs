@@ -29,10 +29,7 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     let picture = shown.lock().unwrap().take().unwrap();
     for _ in 0..3 {
         let statistics = engine.render(&scene, &mut |_| ()).unwrap();
-        assert_eq!(
-            (statistics.primary_rays(), statistics.tiles_retained),
-            (0, 28)
-        );
+        assert_eq!((statistics.primary_rays(), statistics.tiles_retained), (0, 28));
         assert_eq!(statistics.tests(), Default::default());
         assert_eq!(statistics.ticks(), 0);
         assert!(!statistics.is_traced());
@@ -50,21 +47,13 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
     let changes: [(&str, Change); 11] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),
         ("a share", |scene| scene.materials[3].diffuse = 0.5),
-        ("a shader", |scene| {
-            scene.materials[4].shader = nff::Shader::Flat
-        }),
+        ("a shader", |scene| scene.materials[4].shader = nff::Shader::Flat),
         ("a light's place", |scene| {
-            scene.lights[1].kind = nff::LightKind::Point {
-                position: DVec3::new(30.0, -30.0, 24.0),
-            }
+            scene.lights[1].kind = nff::LightKind::Point { position: DVec3::new(30.0, -30.0, 24.0) }
         }),
-        ("a light's colour", |scene| {
-            scene.lights[0].colour = Some(DVec3::ONE)
-        }),
+        ("a light's colour", |scene| scene.lights[0].colour = Some(DVec3::ONE)),
         ("a light less", |scene| scene.lights.truncate(1)),
-        ("the ambient light", |scene| {
-            scene.ambient = DVec3::splat(0.2)
-        }),
+        ("the ambient light", |scene| scene.ambient = DVec3::splat(0.2)),
         ("the background", |scene| scene.background.z = 0.0),
         ("a place", |scene| move_sphere(scene, 5)),
         ("an object less", |scene| scene.objects.truncate(12)),
@@ -91,26 +80,14 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
         });
         let [before, after] = &mut pictures;
         assert!(before != after, "{what} shows nowhere");
-        assert!(
-            *after == render(&changed, 64, 32, Settings::default()),
-            "{what}"
-        );
+        assert!(*after == render(&changed, 64, 32, Settings::default()), "{what}");
     }
     let scene = Scene::from_nff(&whitted).unwrap();
     engine.render(&scene, &mut |_| ()).unwrap();
     for render_options in [
-        RenderOptions {
-            shadows: false,
-            ..RenderOptions::default()
-        },
-        RenderOptions {
-            ray_depth: 2,
-            ..RenderOptions::default()
-        },
-        RenderOptions {
-            fresnel: true,
-            ..RenderOptions::default()
-        },
+        RenderOptions { shadows: false, ..RenderOptions::default() },
+        RenderOptions { ray_depth: 2, ..RenderOptions::default() },
+        RenderOptions { fresnel: true, ..RenderOptions::default() },
     ] {
         let scene = Scene::new(&whitted, render_options, &Program::tracer()).unwrap();
         let traced = [(); 2].map(|()| {
@@ -137,23 +114,14 @@ fn halve_the_ground(scene: &mut nff::Scene) {
 #[test]
 fn what_is_asked_to_be_traced_is_traced() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
-    let retrace = Settings {
-        retain: false,
-        ..Settings::default()
-    };
-    let no_skip = Settings {
-        skip: Skip::Nothing,
-        ..Settings::default()
-    };
+    let retrace = Settings { retain: false, ..Settings::default() };
+    let no_skip = Settings { skip: Skip::Nothing, ..Settings::default() };
     for settings in [retrace, no_skip] {
         let (framebuffer, _) = Recorder::pair(200, 100);
         let mut engine = Engine::start(settings, framebuffer).unwrap();
         for _ in 0..2 {
             let statistics = engine.render(&scene, &mut |_| ()).unwrap();
-            assert_eq!(
-                (statistics.primary_rays(), statistics.tiles_retained),
-                (20_000, 0)
-            );
+            assert_eq!((statistics.primary_rays(), statistics.tiles_retained), (20_000, 0));
         }
     }
 }
@@ -161,10 +129,7 @@ fn what_is_asked_to_be_traced_is_traced() {
 #[test]
 fn the_background_is_not_sent_twice() {
     let scene = Scene::from_nff(&nff_scene("paper1.nff")).unwrap();
-    let retrace = Settings {
-        retain: false,
-        ..Settings::default()
-    };
+    let retrace = Settings { retain: false, ..Settings::default() };
     let (framebuffer, shown) = Recorder::pair(640, 360);
     let mut engine = Engine::start(retrace, framebuffer).unwrap();
     let blank = |statistics: &FrameStatistics| -> (u64, u64) {
@@ -176,10 +141,7 @@ fn the_background_is_not_sent_twice() {
     let (filled, before) = blank(engine.render(&scene, &mut |_| ()).unwrap());
     assert!(filled > 100 && before == 0, "{filled} {before}");
     let picture = shown.lock().unwrap().take().unwrap();
-    assert_eq!(
-        blank(engine.render(&scene, &mut |_| ()).unwrap()),
-        (filled, filled)
-    );
+    assert_eq!(blank(engine.render(&scene, &mut |_| ()).unwrap()), (filled, filled));
     assert!(shown.lock().unwrap().take().unwrap() == picture);
 }
 
@@ -202,11 +164,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
     // The first two stay: see frame_of_depth.
     let count = scene.objects.len();
     let any = random.random_range(2..count);
-    let Object {
-        shape: Shape::Sphere { centre, radius },
-        material,
-        ..
-    } = &mut scene.objects[any]
+    let Object { shape: Shape::Sphere { centre, radius }, material, .. } = &mut scene.objects[any]
     else {
         unreachable!("these scenes have only spheres");
     };
@@ -237,17 +195,10 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
 
 /// Two spheres that set the range of depth shading, so that other objects do not change it.
 fn frame_of_depth(scene: &mut nff::Scene) {
-    let place = |centre, radius| Object {
-        line: 0,
-        material: 0,
-        shape: Shape::Sphere { centre, radius },
-    };
-    scene
-        .objects
-        .insert(0, place(DVec3::new(3.0, -13.0, 0.0), 3.1));
-    scene
-        .objects
-        .insert(1, place(DVec3::new(0.0, 30.0, 0.0), 0.5));
+    let place =
+        |centre, radius| Object { line: 0, material: 0, shape: Shape::Sphere { centre, radius } };
+    scene.objects.insert(0, place(DVec3::new(3.0, -13.0, 0.0), 3.1));
+    scene.objects.insert(1, place(DVec3::new(0.0, 30.0, 0.0), 0.5));
 }
 
 /// Two pages that are shown in turn, like those of a screen.
@@ -261,11 +212,7 @@ impl TwoPages {
     fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Snapshot) {
         let page = || Memory::new(Geometry { width, height }).unwrap();
         let shown: Snapshot = Arc::new(Mutex::new(None));
-        let pages = Self {
-            pages: [page(), page()],
-            next: 0,
-            shown: Arc::clone(&shown),
-        };
+        let pages = Self { pages: [page(), page()], next: 0, shown: Arc::clone(&shown) };
         (Box::new(pages), shown)
     }
 }
@@ -298,10 +245,7 @@ impl Framebuffer for TwoPages {
 fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
     let mut retained = 0;
     for (seed, (pair, split)) in (41..).zip([
-        (
-            Recorder::pair as fn(u32, u32) -> (Box<dyn Framebuffer>, Snapshot),
-            Split::Units,
-        ),
+        (Recorder::pair as fn(u32, u32) -> (Box<dyn Framebuffer>, Snapshot), Split::Units),
         (TwoPages::pair, Split::Units),
         (Recorder::pair, Split::Slices),
     ]) {
@@ -310,19 +254,10 @@ fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
         frame_of_depth(&mut scene);
         let (width, height) = (330, 170);
         let (framebuffer, shown) = pair(width, height);
-        let mut engine = Engine::start(
-            Settings {
-                split,
-                ..Settings::default()
-            },
-            framebuffer,
-        )
-        .unwrap();
+        let mut engine =
+            Engine::start(Settings { split, ..Settings::default() }, framebuffer).unwrap();
         let (reference, expected) = Recorder::pair(width, height);
-        let whole = Settings {
-            retain: false,
-            ..Settings::default()
-        };
+        let whole = Settings { retain: false, ..Settings::default() };
         let mut whole = Engine::start(whole, reference).unwrap();
         for step in 0..60 {
             if step % 7 != 6 {
@@ -332,10 +267,8 @@ fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
             let statistics = engine.render(&scene, &mut |_| ()).unwrap();
             retained += statistics.tiles_retained;
             whole.render(&scene, &mut |_| ()).unwrap();
-            let (shown, expected): (RgbImage, RgbImage) = (
-                shown.lock().unwrap().take().unwrap(),
-                expected.lock().unwrap().take().unwrap(),
-            );
+            let (shown, expected): (RgbImage, RgbImage) =
+                (shown.lock().unwrap().take().unwrap(), expected.lock().unwrap().take().unwrap());
             assert!(shown == expected, "seed {seed}, step {step}");
         }
     }
@@ -384,24 +317,15 @@ fn nothing_is_retained_while_others_draw_and_just_after() {
     let expected = render(&nff, 100, 50, Settings::default());
     let (shown, disturbed) = (Snapshot::default(), Arc::new(AtomicBool::new(false)));
     let framebuffer = Box::new(Shared {
-        memory: Memory::new(Geometry {
-            width: 100,
-            height: 50,
-        })
-        .unwrap(),
+        memory: Memory::new(Geometry { width: 100, height: 50 }).unwrap(),
         disturbed: Arc::clone(&disturbed),
         shown: Arc::clone(&shown),
     });
     let scene = Scene::from_nff(&nff).unwrap();
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
-    for (others_draw, retained) in [
-        (false, 0),
-        (false, 8),
-        (true, 0),
-        (true, 0),
-        (false, 0),
-        (false, 8),
-    ] {
+    for (others_draw, retained) in
+        [(false, 0), (false, 8), (true, 0), (true, 0), (false, 0), (false, 8)]
+    {
         disturbed.store(others_draw, Ordering::Relaxed);
         let statistics = engine.render(&scene, &mut |_| ()).unwrap();
         assert_eq!(statistics.tiles_retained, retained);
@@ -451,11 +375,7 @@ fn nothing_is_retained_over_an_error() {
     let nff = nff_scene("paper16.nff");
     let shown = Snapshot::default();
     let framebuffer = Box::new(Unsteady {
-        memory: Memory::new(Geometry {
-            width: 100,
-            height: 50,
-        })
-        .unwrap(),
+        memory: Memory::new(Geometry { width: 100, height: 50 }).unwrap(),
         presents: 0,
         shown: Arc::clone(&shown),
     });

@@ -33,21 +33,14 @@ fn scene() -> nff::Scene {
     };
     scene.materials[0].texture = texture(50, 30, [Wrap::Repeat, Wrap::Mirror]);
     scene.materials[1].texture = texture(17, 40, [Wrap::Clamp, Wrap::Repeat]);
-    let mut mesh = nff::Mesh {
-        two_sided: true,
-        ..nff::Mesh::default()
-    };
+    let mut mesh = nff::Mesh { two_sided: true, ..nff::Mesh::default() };
     let at = |row: u32, column: u32| row * 4 + column;
     for (row, column) in (0..8).flat_map(|row| (0..4).map(move |column| (row, column))) {
         let (x, z) = (f64::from(column) - 1.5, f64::from(row % 4) - 1.5);
-        let point = if row < 4 {
-            [2.0 * x, -1.0, -2.0 * z]
-        } else {
-            [2.0 * x, 0.7 * z + 1.0, -3.0]
-        };
+        let point =
+            if row < 4 { [2.0 * x, -1.0, -2.0 * z] } else { [2.0 * x, 0.7 * z + 1.0, -3.0] };
         mesh.positions.push(point.map(|it| it as f32));
-        mesh.texture_coordinates
-            .push([1.3 * x, 0.9 * z].map(|it| it as f32));
+        mesh.texture_coordinates.push([1.3 * x, 0.9 * z].map(|it| it as f32));
     }
     for (row, column) in (0..7).flat_map(|row| (0..3).map(move |column| (row, column))) {
         if row == 3 {
@@ -89,33 +82,19 @@ fn fields_of_the_textures_that_are_wrong() {
         ("texture_code", "a multiple of 128", |frame| {
             frame.texture_code = (frame.texture_code.get() + 64).into()
         }),
-        ("texture_code_bytes", "at most 4096", |frame| {
-            frame.texture_code_bytes = 4112.into()
-        }),
+        ("texture_code_bytes", "at most 4096", |frame| frame.texture_code_bytes = 4112.into()),
         ("texture_code_bytes", "a multiple of 16", |frame| {
             frame.texture_code_bytes = (frame.texture_code_bytes.get() - 4).into()
         }),
         ("textures", "a multiple of 128", |frame| {
             frame.textures = (frame.textures.get() + 16).into()
         }),
-        ("texture_tiles", "1 to 2^20 tiles", |frame| {
-            frame.texture_tiles = 0.into()
-        }),
-        ("texture_tiles", "1 to 2^20 tiles", |frame| {
-            frame.texture_tiles = 0x10_0001.into()
-        }),
-        ("texture_count", "1 to 256 textures", |frame| {
-            frame.texture_count = 0.into()
-        }),
-        ("texture_count", "1 to 256 textures", |frame| {
-            frame.texture_count = 257.into()
-        }),
-        ("texture_level_count", "up to 1024 levels", |frame| {
-            frame.texture_level_count = 0.into()
-        }),
-        ("texture_level_count", "of the scene", |frame| {
-            frame.texture_level_count = 1024.into()
-        }),
+        ("texture_tiles", "1 to 2^20 tiles", |frame| frame.texture_tiles = 0.into()),
+        ("texture_tiles", "1 to 2^20 tiles", |frame| frame.texture_tiles = 0x10_0001.into()),
+        ("texture_count", "1 to 256 textures", |frame| frame.texture_count = 0.into()),
+        ("texture_count", "1 to 256 textures", |frame| frame.texture_count = 257.into()),
+        ("texture_level_count", "up to 1024 levels", |frame| frame.texture_level_count = 0.into()),
+        ("texture_level_count", "of the scene", |frame| frame.texture_level_count = 1024.into()),
         ("texture_records", "on quadwords", |frame| {
             frame.texture_records = (frame.texture_records.get() + 4).into()
         }),
@@ -197,11 +176,7 @@ fn records_of_textures_that_are_wrong() {
         ("tiles behind the last", level(FIRST), tiles),
         ("some tiles behind the last", level(FIRST), tiles - 8),
         ("tiles without number", level(FIRST), u32::MAX),
-        (
-            "a material's texture between records",
-            material,
-            records.get(material) + 4,
-        ),
+        ("a material's texture between records", material, records.get(material) + 4),
         ("a material's texture behind the last", material, address),
         ("a material's texture anywhere", material, 16),
     ];
@@ -223,10 +198,7 @@ fn records_of_textures_that_are_wrong() {
     let without = records.traced_with(material, 0).unwrap();
     let frame = records.fixture.frame;
     records.fixture.submit(&frame).unwrap();
-    assert!(
-        without != picture(&records.fixture),
-        "a material without its texture"
-    );
+    assert!(without != picture(&records.fixture), "a material without its texture");
 }
 
 /// Blocks may have texture coordinates only in frames with textures, and must have room for them.
@@ -238,9 +210,7 @@ fn blocks_with_texture_coordinates() {
     // The only blocks with triangles are leaves; the last one has the texture coordinates.
     let leaf = (0..frame.mesh_blocks.get() as usize)
         .filter(|block| {
-            fixture
-                .mesh
-                .read(block * MESH_BLOCK as usize + 8, &mut word);
+            fixture.mesh.read(block * MESH_BLOCK as usize + 8, &mut word);
             u32::from_be_bytes(word) == MESH_LEAF
         })
         .last()
@@ -255,19 +225,13 @@ fn blocks_with_texture_coordinates() {
     plain.mesh_code = (frame.mesh_code.get() - u64::from(EYE_CODE_ROOM)).into();
     plain.mesh_code_bytes = (frame.mesh_code_bytes.get() + EYE_CODE_ROOM).into();
     let refused = fixture.refused(&plain).to_string();
-    assert!(
-        refused.contains(&format!("block {leaf} of the mesh")),
-        "{refused}"
-    );
+    assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.read(at + 24, &mut word);
     let vertices = u32::from_be_bytes(word);
     // With so many vertices, all but their coordinates have room.
     fixture.mesh.write(at + 24, &80_u32.to_be_bytes());
     let refused = fixture.refused(&frame).to_string();
-    assert!(
-        refused.contains(&format!("block {leaf} of the mesh")),
-        "{refused}"
-    );
+    assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.write(at + 24, &vertices.to_be_bytes());
     fixture.submit(&frame).unwrap();
 }

@@ -55,10 +55,7 @@ fn rays_without_room_in_local_store_wait_in_main_memory() {
         assert!(bytes.iter().all(|used| *used > 0), "{bytes:?}");
 
         frame.scene_bytes = (frame.scene_bytes.get() + 128).into();
-        assert_eq!(
-            fixture.refused(&frame).field,
-            "scene_bytes, ray_depth, batch"
-        );
+        assert_eq!(fixture.refused(&frame).field, "scene_bytes, ray_depth, batch");
     }
 }
 

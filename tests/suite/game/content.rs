@@ -27,18 +27,10 @@ pub fn shape(random: &mut ChaCha8Rng) -> Shape {
         },
         4 => {
             // The vertices need not be in a plane.
-            let bent = if random.random() {
-                0.7 * c
-            } else {
-                DVec3::ZERO
-            };
-            Shape::Polygon {
-                vertices: vec![middle, middle + a, middle + a + b + bent, middle + b],
-            }
+            let bent = if random.random() { 0.7 * c } else { DVec3::ZERO };
+            Shape::Polygon { vertices: vec![middle, middle + a, middle + a + b + bent, middle + b] }
         }
-        5 => Shape::Polygon {
-            vertices: vec![middle, middle + a, middle + b],
-        },
+        5 => Shape::Polygon { vertices: vec![middle, middle + a, middle + b] },
         6 => Shape::Polygon {
             vertices: vec![
                 middle,
@@ -67,14 +59,8 @@ pub fn material(random: &mut ChaCha8Rng, goes_on: bool) -> Material {
     let shader = match random.random_range(0..8) {
         0 => Shader::Flat,
         1 => Shader::Lambert,
-        2 => Shader::Checker {
-            other: colour(random),
-            size: random.random_range(0.2..1.0),
-        },
-        3 => Shader::Depth {
-            far: 20.0,
-            near: 4.0,
-        },
+        2 => Shader::Checker { other: colour(random), size: random.random_range(0.2..1.0) },
+        3 => Shader::Depth { far: 20.0, near: 4.0 },
         _ => Shader::Phong,
     };
     let mut material = Material {
@@ -96,11 +82,7 @@ pub fn material(random: &mut ChaCha8Rng, goes_on: bool) -> Material {
 
 pub fn light(random: &mut ChaCha8Rng) -> Light {
     let place = vector(random, 1.0) + DVec3::new(1.0, 6.0, 4.0);
-    let light = if random.random() {
-        Light::at(place)
-    } else {
-        Light::sun(place)
-    };
+    let light = if random.random() { Light::at(place) } else { Light::sun(place) };
     if random.random() {
         let [red, green, blue] = colour(random).to_array();
         light.coloured(red, green, blue)

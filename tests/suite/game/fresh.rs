@@ -32,20 +32,13 @@ impl Played {
     ) -> Self {
         let mut world = World::new();
         world.set_render_options(render_options);
-        let mut played = Self {
-            world,
-            goes_on,
-            objects: Vec::new(),
-            materials: Vec::new(),
-            lights: Vec::new(),
-        };
+        let mut played =
+            Self { world, goes_on, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() };
         let world = &mut played.world;
         world.set_background(DVec3::new(0.1, 0.2, 0.3)).unwrap();
         world.set_ambient(DVec3::splat(0.1)).unwrap();
         for _ in 0..lights {
-            played
-                .lights
-                .push(world.add_light(content::light(random)).unwrap());
+            played.lights.push(world.add_light(content::light(random)).unwrap());
         }
         for _ in 0..5 {
             let material = content::material(random, goes_on);
@@ -123,24 +116,13 @@ struct Screen {
 impl Screen {
     fn new(retain: bool) -> Self {
         let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
-        let settings = Settings {
-            spus: 2,
-            retain,
-            ..Settings::default()
-        };
-        Self {
-            engine: Engine::start(settings, framebuffer).unwrap(),
-            shown,
-        }
+        let settings = Settings { spus: 2, retain, ..Settings::default() };
+        Self { engine: Engine::start(settings, framebuffer).unwrap(), shown }
     }
 
     /// Returns the picture of a scene, and the number of tiles that were not traced for it.
     fn picture(&mut self, scene: &Scene) -> (image::RgbImage, u64) {
-        let retained = self
-            .engine
-            .render(scene, &mut |_| ())
-            .unwrap()
-            .tiles_retained;
+        let retained = self.engine.render(scene, &mut |_| ()).unwrap().tiles_retained;
         let picture = self.shown.lock().unwrap().take();
         (picture.unwrap(), retained)
     }
@@ -160,10 +142,7 @@ fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) 
             let (picture, left) = changed.picture(world.scene(&program).unwrap());
             let scene = Scene::new(&world.to_nff(), render_options, &program).unwrap();
             let (expected, _) = fresh.picture(&scene);
-            assert!(
-                picture == expected,
-                "seed {seed}, world {number}, frame {frame}"
-            );
+            assert!(picture == expected, "seed {seed}, world {number}, frame {frame}");
             if frame > 0 {
                 retained += left;
                 frames += 1;
@@ -177,10 +156,7 @@ fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) 
 }
 
 fn render_options(model: Model) -> RenderOptions {
-    RenderOptions {
-        model,
-        ..RenderOptions::default()
-    }
+    RenderOptions { model, ..RenderOptions::default() }
 }
 
 #[test]
@@ -202,10 +178,7 @@ fn by_whitteds_model_with_mirrors_and_glass() {
 
 #[test]
 fn without_shadows() {
-    let render_options = RenderOptions {
-        shadows: false,
-        ..render_options(Model::Whitted)
-    };
+    let render_options = RenderOptions { shadows: false, ..render_options(Model::Whitted) };
     let retained = play(4, render_options, 1, false);
     assert!(retained > 0.3, "{retained}");
 }

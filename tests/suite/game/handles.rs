@@ -57,10 +57,7 @@ fn a_material_in_use_stays() {
     let (red, blue) = (red(&mut world), red(&mut world));
     let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
     let error = world.remove_material(red).unwrap_err();
-    assert!(matches!(
-        error.kind(),
-        WorldErrorKind::MaterialInUse { users: 1 }
-    ));
+    assert!(matches!(error.kind(), WorldErrorKind::MaterialInUse { users: 1 }));
     world.make_of(ball, blue).unwrap();
     world.make_of(ball, blue).unwrap();
     world.remove_material(red).unwrap();
@@ -68,10 +65,7 @@ fn a_material_in_use_stays() {
     world.remove(ball).unwrap();
     world.remove_material(blue).unwrap();
     for gone in [red, blue, MaterialId::default()] {
-        let shape = Shape::Sphere {
-            centre: DVec3::ZERO,
-            radius: 1.0,
-        };
+        let shape = Shape::Sphere { centre: DVec3::ZERO, radius: 1.0 };
         for refused in [
             world.material(gone).map(drop),
             world.recolour(gone, DVec3::ONE),
@@ -93,16 +87,10 @@ fn a_removed_light_is_refused() {
     world.remove_light(light).unwrap();
     world.add_light(Light::at(DVec3::ZERO)).unwrap();
     for gone in [light, LightId::default()] {
-        assert!(matches!(
-            kind(&world.light(gone)),
-            Some(WorldErrorKind::NoLight)
-        ));
+        assert!(matches!(kind(&world.light(gone)), Some(WorldErrorKind::NoLight)));
         let moved = world.set_light(gone, Light::at(DVec3::ZERO));
         assert!(matches!(kind(&moved), Some(WorldErrorKind::NoLight)));
-        assert!(matches!(
-            kind(&world.remove_light(gone)),
-            Some(WorldErrorKind::NoLight)
-        ));
+        assert!(matches!(kind(&world.remove_light(gone)), Some(WorldErrorKind::NoLight)));
     }
     assert_eq!(world.lights().count(), 1);
 }
@@ -115,14 +103,8 @@ fn a_fixed_object_stays_until_it_is_freed() {
     world.fix(ball).unwrap();
     assert!(world.is_fixed(ball).unwrap());
     let shape = world.shape(ball).unwrap().clone();
-    assert!(matches!(
-        kind(&world.move_to(ball, DVec3::ONE)),
-        Some(WorldErrorKind::Fixed)
-    ));
-    assert!(matches!(
-        kind(&world.reshape(ball, shape)),
-        Some(WorldErrorKind::Fixed)
-    ));
+    assert!(matches!(kind(&world.move_to(ball, DVec3::ONE)), Some(WorldErrorKind::Fixed)));
+    assert!(matches!(kind(&world.reshape(ball, shape)), Some(WorldErrorKind::Fixed)));
     world.show(ball, false).unwrap();
     world.free(ball).unwrap();
     world.move_to(ball, DVec3::ONE).unwrap();
@@ -133,17 +115,10 @@ fn a_fixed_object_stays_until_it_is_freed() {
 fn what_has_a_position_is_moved_as_it_is() {
     let mut world = World::new();
     let red = red(&mut world);
-    let cone = Shape::Cone {
-        base: DVec3::ZERO,
-        base_radius: 1.0,
-        apex: DVec3::Y,
-        apex_radius: 0.5,
-    };
+    let cone =
+        Shape::Cone { base: DVec3::ZERO, base_radius: 1.0, apex: DVec3::Y, apex_radius: 0.5 };
     let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
-    let patch = Shape::Patch {
-        vertices: vertices.clone(),
-        normals: vec![DVec3::Z; 3],
-    };
+    let patch = Shape::Patch { vertices: vertices.clone(), normals: vec![DVec3::Z; 3] };
     for shape in [cone, Shape::Polygon { vertices }, patch] {
         let object = world.add(shape, red).unwrap();
         world.move_to(object, DVec3::splat(2.0)).unwrap();
@@ -166,17 +141,8 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
     let before = world.checksum();
     for bad in [f64::NAN, f64::INFINITY, 1e30, -1e30] {
         let place = DVec3::new(0.0, bad, 0.0);
-        let glass = Material {
-            refraction_index: bad,
-            ..Material::glass()
-        };
-        let odd = Material {
-            shader: Shader::Depth {
-                far: bad,
-                near: 0.0,
-            },
-            ..Material::glass()
-        };
+        let glass = Material { refraction_index: bad, ..Material::glass() };
+        let odd = Material { shader: Shader::Depth { far: bad, near: 0.0 }, ..Material::glass() };
         for refused in [
             world.move_to(ball, place),
             world.recolour(red, place),
@@ -184,47 +150,26 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
             world.set_ambient(place),
             world.look_from(place, DVec3::ZERO),
             world.add_light(Light::at(place)).map(drop),
-            world
-                .add_light(Light::at(DVec3::ONE).coloured(bad, 0.0, 0.0))
-                .map(drop),
+            world.add_light(Light::at(DVec3::ONE).coloured(bad, 0.0, 0.0)).map(drop),
             world.add_sphere(place, 1.0, red).map(drop),
             world.add_sphere(DVec3::ZERO, bad, red).map(drop),
             world.set_material(red, glass),
             world.set_material(red, odd),
         ] {
-            assert!(
-                matches!(kind(&refused), Some(WorldErrorKind::OutOfRange { .. })),
-                "{bad}"
-            );
+            assert!(matches!(kind(&refused), Some(WorldErrorKind::OutOfRange { .. })), "{bad}");
         }
     }
-    let no_direction = Light {
-        kind: LightKind::Directional {
-            to_light: DVec3::ZERO,
-        },
-        colour: None,
-    };
-    assert!(matches!(
-        kind(&world.add_light(no_direction)),
-        Some(WorldErrorKind::NoDirection)
-    ));
+    let no_direction =
+        Light { kind: LightKind::Directional { to_light: DVec3::ZERO }, colour: None };
+    assert!(matches!(kind(&world.add_light(no_direction)), Some(WorldErrorKind::NoDirection)));
     let flat = [DVec3::ZERO, DVec3::X];
-    assert!(matches!(
-        kind(&world.add_polygon(&flat, red)),
-        Some(WorldErrorKind::NoSurface(_))
-    ));
+    assert!(matches!(kind(&world.add_polygon(&flat, red)), Some(WorldErrorKind::NoSurface(_))));
     assert!(matches!(
         kind(&world.look_from(DVec3::ONE, DVec3::ONE)),
         Some(WorldErrorKind::View(_))
     ));
-    let view = View {
-        angle: 180.0,
-        ..world.view().clone()
-    };
-    assert!(matches!(
-        kind(&world.set_view(view)),
-        Some(WorldErrorKind::View(_))
-    ));
+    let view = View { angle: 180.0, ..world.view().clone() };
+    assert!(matches!(kind(&world.set_view(view)), Some(WorldErrorKind::View(_))));
     assert!(matches!(
         kind(&world.add_sphere(DVec3::ZERO, 0.0, red)),
         Some(WorldErrorKind::OutOfRange { .. })
@@ -237,18 +182,12 @@ fn an_error_names_the_line_that_called() {
     let mut world = World::new();
     let line = line!() + 1;
     let error = world.fix(ObjectId::default()).unwrap_err();
-    assert_eq!(
-        (error.place().file(), error.place().line()),
-        (file!(), line)
-    );
+    assert_eq!((error.place().file(), error.place().line()), (file!(), line));
     // Also where one method of the world calls another.
     let none = MaterialId::default();
     let line = line!() + 1;
     let error = world.add_sphere(DVec3::ZERO, 1.0, none).unwrap_err();
-    assert_eq!(
-        (error.place().file(), error.place().line()),
-        (file!(), line)
-    );
+    assert_eq!((error.place().file(), error.place().line()), (file!(), line));
     assert!(format!("{error:?}").contains(file!()), "{error:?}");
     assert!(!error.to_string().contains(file!()), "{error}");
 }
@@ -257,47 +196,24 @@ fn an_error_names_the_line_that_called() {
 fn a_box_and_a_plane_are_where_they_were_put() {
     let mut world = World::new();
     let red = red(&mut world);
-    let sides = world
-        .add_box([2.0, 3.0, 1.0], [-2.0, 1.0, -1.0], red)
-        .unwrap();
-    let ground = world
-        .add_plane(DVec3::ZERO, DVec3::Y * 3.0, 20.0, red)
-        .unwrap();
-    let tilted = world
-        .add_plane([0.0, 0.0, -50.0], [1.0, 1.0, 1.0], 2.0, red)
-        .unwrap();
+    let sides = world.add_box([2.0, 3.0, 1.0], [-2.0, 1.0, -1.0], red).unwrap();
+    let ground = world.add_plane(DVec3::ZERO, DVec3::Y * 3.0, 20.0, red).unwrap();
+    let tilted = world.add_plane([0.0, 0.0, -50.0], [1.0, 1.0, 1.0], 2.0, red).unwrap();
     assert_eq!(world.object_count(), 8);
     let met = |from: DVec3, towards: DVec3| {
         let pick = world.cast_ray(from, towards).unwrap();
         (pick.target.object().unwrap(), pick.point)
     };
-    for (number, outwards) in [
-        -DVec3::X,
-        DVec3::X,
-        -DVec3::Y,
-        DVec3::Y,
-        -DVec3::Z,
-        DVec3::Z,
-    ]
-    .into_iter()
-    .enumerate()
+    for (number, outwards) in
+        [-DVec3::X, DVec3::X, -DVec3::Y, DVec3::Y, -DVec3::Z, DVec3::Z].into_iter().enumerate()
     {
         let middle = DVec3::new(0.0, 2.0, 0.0);
-        let (side, point) = met(
-            middle + outwards * 1.9 * DVec3::new(2.0, 0.7, 2.0),
-            -outwards,
-        );
+        let (side, point) = met(middle + outwards * 1.9 * DVec3::new(2.0, 0.7, 2.0), -outwards);
         assert_eq!(side, sides[number]);
         assert_eq!(point, middle + outwards * DVec3::new(2.0, 1.0, 1.0));
     }
-    assert_eq!(
-        met(DVec3::new(9.5, 5.0, -9.5), -DVec3::Y),
-        (ground, DVec3::new(9.5, 0.0, -9.5))
-    );
-    assert_eq!(
-        met(DVec3::new(0.0, 0.0, -40.0), DVec3::new(0.0, 0.0, -1.0)).0,
-        tilted
-    );
+    assert_eq!(met(DVec3::new(9.5, 5.0, -9.5), -DVec3::Y), (ground, DVec3::new(9.5, 0.0, -9.5)));
+    assert_eq!(met(DVec3::new(0.0, 0.0, -40.0), DVec3::new(0.0, 0.0, -1.0)).0, tilted);
     assert!(matches!(
         kind(&world.add_box(DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), red)),
         Some(WorldErrorKind::NoSurface(_))
@@ -314,10 +230,7 @@ fn too_much_is_refused_until_it_is_gone() {
     let program = Program::tracer();
     let mut world = World::new();
     // With Whitted's model, spheres would be streamed.
-    world.set_render_options(RenderOptions {
-        model: Model::Depth,
-        ..RenderOptions::default()
-    });
+    world.set_render_options(RenderOptions { model: Model::Depth, ..RenderOptions::default() });
     let red = red(&mut world);
     let objects: Vec<_> = (0..=MAX_SPHERES)
         .map(|x| {
@@ -371,10 +284,7 @@ fn a_shader_that_there_is_not_is_named() {
     world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
     world.scene(&program).unwrap();
     let plaid = Material {
-        shader: Shader::Own {
-            name: "plaid".into(),
-            parameters: [0.0; 4],
-        },
+        shader: Shader::Own { name: "plaid".into(), parameters: [0.0; 4] },
         ..Material::matte(1.0, 0.0, 0.0)
     };
     world.set_material(red, plaid).unwrap();
@@ -382,9 +292,7 @@ fn a_shader_that_there_is_not_is_named() {
         let error = world.scene(&program).unwrap_err();
         assert!(error.to_string().contains("plaid"), "{error}");
     }
-    world
-        .set_material(red, Material::matte(1.0, 0.0, 0.0))
-        .unwrap();
+    world.set_material(red, Material::matte(1.0, 0.0, 0.0)).unwrap();
     world.scene(&program).unwrap();
 }
 
@@ -410,10 +318,7 @@ fn what_a_file_has_is_called_by_its_line() {
     let world = |text: &str| World::from_nff(&parse(text), RenderOptions::default());
     let refused = |text: &str| world(text).err().expect("an error").to_string();
     let text = refused("\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n\n\ns 0 0 0 1e30\n");
-    assert!(
-        text.starts_with("dir/s.nff:13: radius 1e30 is out"),
-        "{text}"
-    );
+    assert!(text.starts_with("dir/s.nff:13: radius 1e30 is out"), "{text}");
     let text = refused("l 0 0 1e30\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n");
     assert!(text.starts_with("dir/s.nff:8: "), "{text}");
 

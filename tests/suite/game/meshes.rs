@@ -48,9 +48,7 @@ fn world() -> (World, MaterialId) {
     let mut world = World::new();
     world.set_background([0.3, 0.4, 0.6]).unwrap();
     world.look_from([1.0, 2.5, 7.0], DVec3::ZERO).unwrap();
-    world
-        .add_light(Light::at(DVec3::new(4.0, 6.0, 3.0)))
-        .unwrap();
+    world.add_light(Light::at(DVec3::new(4.0, 6.0, 3.0))).unwrap();
     let grey = world.add_material(Material::matte(0.7, 0.7, 0.7)).unwrap();
     let floor = [[-9, -1, 9], [9, -1, 9], [9, -1, -9], [-9, -1, -9]];
     let floor = floor.map(|corner| DVec3::from_array(corner.map(f64::from)));
@@ -68,10 +66,7 @@ struct Screen {
 impl Screen {
     fn new() -> Self {
         let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
-        let settings = Settings {
-            spus: 2,
-            ..Settings::default()
-        };
+        let settings = Settings { spus: 2, ..Settings::default() };
         let engine = Engine::start(settings, framebuffer).unwrap();
         Self { engine, shown }
     }
@@ -91,11 +86,7 @@ struct Compared {
 
 impl Compared {
     fn new() -> Self {
-        Self {
-            changed: Screen::new(),
-            fresh: Screen::new(),
-            program: Program::tracer(),
-        }
+        Self { changed: Screen::new(), fresh: Screen::new(), program: Program::tracer() }
     }
 
     fn picture(&mut self, world: &mut World) -> image::RgbImage {
@@ -125,9 +116,7 @@ fn textures_of_meshes() {
     let mut mesh = pear(8, 12);
     let places = mesh.positions.iter().map(|[x, y, _]| [2.0 * x, 3.0 * y]);
     mesh.texture_coordinates = places.collect();
-    let first = world
-        .add_mesh(Arc::new(mesh.clone()), &[red], at(-1.0, 0.0, 0.0))
-        .unwrap();
+    let first = world.add_mesh(Arc::new(mesh.clone()), &[red], at(-1.0, 0.0, 0.0)).unwrap();
     world.add_mesh(plain, &[red], at(1.5, 0.2, -0.5)).unwrap();
     let mut compared = Compared::new();
     let mut last = compared.picture(&mut world);
@@ -156,10 +145,7 @@ fn textures_of_meshes() {
     mesh.texture_coordinates.pop();
     let refused = world.add_mesh(Arc::new(mesh.clone()), &[red], DAffine3::IDENTITY);
     let message = refused.unwrap_err().to_string();
-    assert!(
-        message.contains("as many texture coordinates, or none"),
-        "{message}"
-    );
+    assert!(message.contains("as many texture coordinates, or none"), "{message}");
     mesh.texture_coordinates.push([0.0, f32::NAN]);
     let refused = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY);
     let message = refused.unwrap_err().to_string();
@@ -170,9 +156,7 @@ fn textures_of_meshes() {
 fn play(mesh: Mesh) {
     let (mut world, red) = world();
     let mesh = Arc::new(mesh);
-    let left = world
-        .add_mesh(mesh.clone(), &[red], at(-1.0, 0.0, 0.0))
-        .unwrap();
+    let left = world.add_mesh(mesh.clone(), &[red], at(-1.0, 0.0, 0.0)).unwrap();
     let right = at(1.0, 0.2, -0.5);
     let other = world.add_mesh(mesh, &[red], right).unwrap();
     let mut compared = Compared::new();
@@ -181,9 +165,7 @@ fn play(mesh: Mesh) {
         let angle = 0.3 * f64::from(frame);
         let turned = at(-1.0, 0.1 * angle, 0.0) * DAffine3::from_rotation_y(angle);
         let grown = DAffine3::from_scale(DVec3::new(1.0, 1.0 + 0.3 * angle, 0.8));
-        world
-            .place_mesh(left, turned * DAffine3::from_rotation_x(angle) * grown)
-            .unwrap();
+        world.place_mesh(left, turned * DAffine3::from_rotation_x(angle) * grown).unwrap();
         match frame {
             2 => {
                 let mirror = DAffine3::from_scale(DVec3::new(-1.0, 1.0, 1.0));
@@ -219,9 +201,7 @@ fn more_materials_than_local_store_has_room_for() {
         .collect();
     let place = at(0.0, 0.3, 0.0);
     let id = world.add_mesh(Arc::new(mesh), &materials, place).unwrap();
-    let ball = world
-        .add_sphere(DVec3::new(-1.5, -0.5, 1.0), 0.4, materials[5])
-        .unwrap();
+    let ball = world.add_sphere(DVec3::new(-1.5, -0.5, 1.0), 0.4, materials[5]).unwrap();
     let mut compared = Compared::new();
     let mut last = compared.picture(&mut world);
     let scene = world.scene(&Program::tracer()).unwrap();
@@ -229,9 +209,7 @@ fn more_materials_than_local_store_has_room_for() {
     assert!(mesh.table.is_some());
     for step in 0..5 {
         match step {
-            0 => world
-                .set_material(materials[5], Material::mirror())
-                .unwrap(),
+            0 => world.set_material(materials[5], Material::mirror()).unwrap(),
             1 => {
                 for (number, material) in (0..).zip(&materials) {
                     let colour = DVec3::new(0.9, shade(number), 0.1);
@@ -270,9 +248,7 @@ fn colours_of_meshes() {
     let colours = colours.map(|position| position.map(|axis| (0.5 + 0.4 * axis).clamp(0.0, 1.0)));
     mesh.colours = colours.collect();
     assert!(sum(&mesh) != before);
-    let id = world
-        .add_mesh(Arc::new(mesh), &[white], at(-1.0, 0.0, 0.0))
-        .unwrap();
+    let id = world.add_mesh(Arc::new(mesh), &[white], at(-1.0, 0.0, 0.0)).unwrap();
     let other = world.add_mesh(plain, &[red], at(1.5, 0.2, -0.5)).unwrap();
     let mut compared = Compared::new();
     let mut last = compared.picture(&mut world);
@@ -280,9 +256,7 @@ fn colours_of_meshes() {
         match step {
             0 => world.place_mesh(id, at(-0.8, 0.3, 0.2)).unwrap(),
             1 => world.remove_mesh(other).unwrap(),
-            _ => world
-                .set_material(white, Material::matte(0.3, 0.9, 0.4))
-                .unwrap(),
+            _ => world.set_material(white, Material::matte(0.3, 0.9, 0.4)).unwrap(),
         }
         let picture = compared.picture(&mut world);
         assert!(picture != last, "{step}");
@@ -306,10 +280,7 @@ fn meshes_move_in_local_store() {
 fn a_tree_that_has_become_bad_is_replaced() {
     for refit_pictures in [0, 2, u32::MAX] {
         let (mut world, red) = world();
-        world.set_render_options(RenderOptions {
-            refit_pictures,
-            ..RenderOptions::default()
-        });
+        world.set_render_options(RenderOptions { refit_pictures, ..RenderOptions::default() });
         let mesh = Arc::new(pear(30, 30));
         let other = world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY);
         let other = other.unwrap();
@@ -331,10 +302,7 @@ fn a_tree_that_has_become_bad_is_replaced() {
             match wear(&mut world) {
                 wear if wear > 1.001 => {
                     wasted += wear - 1.0;
-                    assert!(
-                        wasted < f64::from(refit_pictures),
-                        "frame {frame}: {wasted}"
-                    );
+                    assert!(wasted < f64::from(refit_pictures), "frame {frame}: {wasted}");
                 }
                 _ if refit_pictures == 0 => replaced += 1,
                 _ => {
@@ -367,14 +335,10 @@ fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {
     };
     let mut compared = Compared::new();
     let (mut expected, red) = world();
-    expected
-        .add_mesh(Arc::new(there), &[red], DAffine3::IDENTITY)
-        .unwrap();
+    expected.add_mesh(Arc::new(there), &[red], DAffine3::IDENTITY).unwrap();
     let expected = compared.picture(&mut expected);
     let (mut moved, red) = world();
-    let id = moved
-        .add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)
-        .unwrap();
+    let id = moved.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY).unwrap();
     assert!(compared.picture(&mut moved) != expected);
     moved.place_mesh(id, place).unwrap();
     assert!(compared.picture(&mut moved) == expected);
@@ -384,9 +348,7 @@ fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {
 fn the_checksum_has_the_places_of_meshes() {
     let (mut world, red) = world();
     let before = world.checksum();
-    let mesh = world
-        .add_mesh(Arc::new(pear(4, 4)), &[red], at(1.0, 0.0, 0.0))
-        .unwrap();
+    let mesh = world.add_mesh(Arc::new(pear(4, 4)), &[red], at(1.0, 0.0, 0.0)).unwrap();
     let first = world.checksum();
     world.place_mesh(mesh, at(2.0, 0.0, 0.0)).unwrap();
     let second = world.checksum();
@@ -409,17 +371,11 @@ fn more_spheres_than_local_store_has_room_for() {
     for frame in 0..5 {
         match frame {
             0 => world.move_to(spheres[0], [0.0, 1.0, 3.0]).unwrap(),
-            1 => spheres[..400]
-                .iter()
-                .for_each(|&id| world.show(id, false).unwrap()),
+            1 => spheres[..400].iter().for_each(|&id| world.show(id, false).unwrap()),
             2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
-            3 => spheres[..400]
-                .iter()
-                .for_each(|&id| world.show(id, true).unwrap()),
+            3 => spheres[..400].iter().for_each(|&id| world.show(id, true).unwrap()),
             // So many are left that all fit.
-            _ => spheres[..900]
-                .iter()
-                .for_each(|&id| world.remove(id).unwrap()),
+            _ => spheres[..900].iter().for_each(|&id| world.remove(id).unwrap()),
         }
         let picture = compared.picture(&mut world);
         assert!(picture != last, "frame {frame}");
@@ -428,12 +384,7 @@ fn more_spheres_than_local_store_has_room_for() {
 }
 
 fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> nff::Shape {
-    nff::Shape::Cone {
-        base,
-        base_radius: 0.08,
-        apex,
-        apex_radius,
-    }
+    nff::Shape::Cone { base, base_radius: 0.08, apex, apex_radius }
 }
 
 #[test]
@@ -452,17 +403,11 @@ fn more_cones_than_local_store_has_room_for() {
     for frame in 0..5 {
         match frame {
             0 => world.move_to(cones[0], [0.0, 1.0, 3.0]).unwrap(),
-            1 => cones[..200]
-                .iter()
-                .for_each(|&id| world.show(id, false).unwrap()),
+            1 => cones[..200].iter().for_each(|&id| world.show(id, false).unwrap()),
             2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
-            3 => cones[..200]
-                .iter()
-                .for_each(|&id| world.show(id, true).unwrap()),
+            3 => cones[..200].iter().for_each(|&id| world.show(id, true).unwrap()),
             // So many are left that all fit.
-            _ => cones[..700]
-                .iter()
-                .for_each(|&id| world.remove(id).unwrap()),
+            _ => cones[..700].iter().for_each(|&id| world.remove(id).unwrap()),
         }
         let picture = compared.picture(&mut world);
         assert!(picture != last, "frame {frame}");
@@ -509,9 +454,7 @@ fn more_polygons_than_local_store_has_room_for() {
     for count in [513, 2000] {
         let (mut world, red) = world();
         let ball = world.add_sphere([0.0, 1.0, 2.0], 0.4, red).unwrap();
-        let mesh = world
-            .add_mesh(Arc::new(pear(4, 6)), &[red], at(-1.0, 0.5, 1.0))
-            .unwrap();
+        let mesh = world.add_mesh(Arc::new(pear(4, 6)), &[red], at(-1.0, 0.5, 1.0)).unwrap();
         let mut random = ChaCha8Rng::seed_from_u64(11);
         let mut triangle = |world: &mut World| {
             let mut point = |around: f64| {
@@ -536,21 +479,14 @@ fn more_polygons_than_local_store_has_room_for() {
                 4 => polygons.push(triangle(&mut world)),
                 5 => world.show(ball, false).unwrap(),
                 // So few are left that they are in local store.
-                6 => polygons[20..]
-                    .iter()
-                    .for_each(|&id| world.show(id, false).unwrap()),
+                6 => polygons[20..].iter().for_each(|&id| world.show(id, false).unwrap()),
                 7 => world.show(ball, true).unwrap(),
-                8 => polygons[20..]
-                    .iter()
-                    .for_each(|&id| world.show(id, true).unwrap()),
+                8 => polygons[20..].iter().for_each(|&id| world.show(id, true).unwrap()),
                 _ => world.remove(polygons[3]).unwrap(),
             }
             let picture = compared.picture(&mut world);
             // One triangle more or less may be hidden by others.
-            assert!(
-                picture != last || [4, 9].contains(&frame),
-                "{count}, frame {frame}"
-            );
+            assert!(picture != last || [4, 9].contains(&frame), "{count}, frame {frame}");
             last = picture;
         }
     }
@@ -570,26 +506,11 @@ fn wrong_meshes_are_refused() {
         refused.expect_err("a spoilt mesh").to_string()
     };
     for (spoil, expected) in [
-        (
-            &(|mesh: &mut Mesh| mesh.triangles.clear()) as &dyn Fn(&mut Mesh),
-            "no triangles",
-        ),
-        (
-            &|mesh| mesh.triangles[4][1] = 12,
-            "triangle 4 has vertex 12 of 12",
-        ),
-        (
-            &|mesh| mesh.materials[2] = 1,
-            "triangle 2 has material 1 of 1",
-        ),
-        (
-            &|mesh| mesh.materials.truncate(17),
-            "18 triangles need as many materials, not 17",
-        ),
-        (
-            &|mesh| mesh.normals.truncate(11),
-            "12 vertices need as many normals, or none, not 11",
-        ),
+        (&(|mesh: &mut Mesh| mesh.triangles.clear()) as &dyn Fn(&mut Mesh), "no triangles"),
+        (&|mesh| mesh.triangles[4][1] = 12, "triangle 4 has vertex 12 of 12"),
+        (&|mesh| mesh.materials[2] = 1, "triangle 2 has material 1 of 1"),
+        (&|mesh| mesh.materials.truncate(17), "18 triangles need as many materials, not 17"),
+        (&|mesh| mesh.normals.truncate(11), "12 vertices need as many normals, or none, not 11"),
         (
             &|mesh| mesh.colours = vec![[1.0; 3]; 11],
             "12 vertices need as many colours, or none, not 11",
@@ -601,18 +522,9 @@ fn wrong_meshes_are_refused() {
             },
             "vertex 7 has 1.5 in its colour: channels must be from 0 to 1",
         ),
-        (
-            &|mesh| mesh.colours = vec![[0.0, 0.0, f32::NAN]; 12],
-            "vertex 0 has NaN in its colour",
-        ),
-        (
-            &|mesh| mesh.positions[1][2] = f32::NAN,
-            "vertex NaN is out of range",
-        ),
-        (
-            &|mesh| mesh.positions[1][2] = 1e19,
-            "vertex 9.999999980506448e18 is out of range",
-        ),
+        (&|mesh| mesh.colours = vec![[0.0, 0.0, f32::NAN]; 12], "vertex 0 has NaN in its colour"),
+        (&|mesh| mesh.positions[1][2] = f32::NAN, "vertex NaN is out of range"),
+        (&|mesh| mesh.positions[1][2] = 1e19, "vertex 9.999999980506448e18 is out of range"),
     ] {
         let message = message(&mut world, spoilt(spoil));
         assert!(message.contains(expected), "{message}");
@@ -620,9 +532,7 @@ fn wrong_meshes_are_refused() {
 
     let good = Arc::new(good);
     let flat = DAffine3::from_scale(DVec3::new(1.0, 0.0, 1.0));
-    let mesh = world
-        .add_mesh(good.clone(), &[red], DAffine3::IDENTITY)
-        .unwrap();
+    let mesh = world.add_mesh(good.clone(), &[red], DAffine3::IDENTITY).unwrap();
     for place in [flat, at(f64::NAN, 0.0, 0.0), at(1e19, 0.0, 0.0)] {
         assert!(world.add_mesh(good.clone(), &[red], place).is_err());
         assert!(world.place_mesh(mesh, place).is_err());
@@ -631,10 +541,7 @@ fn wrong_meshes_are_refused() {
     let unknown = world.add_mesh(good, &[MaterialId::default()], DAffine3::IDENTITY);
     assert!(matches!(kind(&unknown), Some(WorldErrorKind::NoMaterial)));
     let in_use = world.remove_material(red);
-    assert!(matches!(
-        kind(&in_use),
-        Some(WorldErrorKind::MaterialInUse { users: 1 })
-    ));
+    assert!(matches!(kind(&in_use), Some(WorldErrorKind::MaterialInUse { users: 1 })));
 
     world.remove_mesh(mesh).unwrap();
     world.remove_material(red).unwrap();

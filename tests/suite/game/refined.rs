@@ -46,23 +46,15 @@ fn framebuffer() -> Box<Memory> {
 }
 
 fn start(spus: u32) -> Session<Pushed> {
-    let settings = Settings {
-        spus,
-        ..Settings::default()
-    };
+    let settings = Settings { spus, ..Settings::default() };
     Session::start(Pushed(ObjectId::default()), settings, framebuffer()).expect("a session")
 }
 
 /// Makes a frame of a tenth of a second, in which the space bar goes down or up if `down` is set.
 fn step(session: &mut Session<Pushed>, down: Option<bool>) {
-    let press = down.map(|down| InputEvent::Key {
-        key: Key::Space,
-        down,
-    });
+    let press = down.map(|down| InputEvent::Key { key: Key::Space, down });
     let tenth = Duration::from_millis(100);
-    let flow = session
-        .step(tenth, &mut press.into_iter().collect(), &mut |_| ())
-        .expect("a frame");
+    let flow = session.step(tenth, &mut press.into_iter().collect(), &mut |_| ()).expect("a frame");
     assert!(flow.is_continue());
 }
 
@@ -99,11 +91,7 @@ fn a_refined_picture_is_the_one_that_is_traced_in_one_go() {
             session.engine().limit_tiles(Some(most));
             let mut left = TILES;
             while left > 0 {
-                assert_eq!(
-                    session.report().frames_traced,
-                    0,
-                    "an incomplete picture counts"
-                );
+                assert_eq!(session.report().frames_traced, 0, "an incomplete picture counts");
                 step(&mut session, None);
                 let now = left.saturating_sub(u64::from(most));
                 assert_eq!(tiles(session.engine()), (left - now, now));
@@ -114,10 +102,7 @@ fn a_refined_picture_is_the_one_that_is_traced_in_one_go() {
             step(&mut session, None);
             assert_eq!(tiles(session.engine()), (0, 0), "a complete picture stays");
             assert_eq!(session.report().frames_traced, 1);
-            assert!(
-                refined == in_one_go(&mut session),
-                "{spus} SPUs, {most} tiles"
-            );
+            assert!(refined == in_one_go(&mut session), "{spus} SPUs, {most} tiles");
         }
     }
 }
@@ -178,10 +163,7 @@ fn a_picture_that_was_put_off_is_begun_anew_on_the_same_framebuffer() {
 /// Without retained tiles every frame is complete, so there is nothing to continue.
 #[test]
 fn frames_that_retain_nothing_are_not_divided() {
-    let settings = Settings {
-        retain: false,
-        ..Settings::default()
-    };
+    let settings = Settings { retain: false, ..Settings::default() };
     let game = Pushed(ObjectId::default());
     let mut session = Session::start(game, settings, framebuffer()).expect("a session");
     session.engine().limit_tiles(Some(1));
@@ -195,8 +177,5 @@ fn frames_that_retain_nothing_are_not_divided() {
 fn a_framebuffer_shows_the_picture_that_it_began_with() {
     let framebuffer = framebuffer();
     assert_eq!(framebuffer.picture(), Some(backdrop()));
-    assert_eq!(
-        (framebuffer.geometry().width, framebuffer.geometry().height),
-        SIZE
-    );
+    assert_eq!((framebuffer.geometry().width, framebuffer.geometry().height), SIZE);
 }

@@ -37,9 +37,7 @@ fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
     };
     assert_eq!(trace(world), 80);
     let place = world.position(ball).unwrap();
-    world
-        .move_to(ball, place + DVec3::new(0.1, 0.0, 0.1))
-        .unwrap();
+    world.move_to(ball, place + DVec3::new(0.1, 0.0, 0.1)).unwrap();
     [trace(world), trace(world)]
 }
 
@@ -79,10 +77,7 @@ fn a_mirror_is_traced_again() {
     let corners = corners.map(|(x, z)| DVec3::new(3.0 + x, 0.1, 1.0 + z));
     world.add_polygon(&corners, silver).unwrap();
     let [with, still] = traced(&mut world, ball);
-    assert!(
-        (without + 1..=without + 6).contains(&with),
-        "{with}, {without} without"
-    );
+    assert!((without + 1..=without + 6).contains(&with), "{with}, {without} without");
     assert_eq!(still, 0);
 }
 
@@ -91,12 +86,7 @@ fn a_mirror_is_traced_again() {
 #[test]
 fn depth_shading_needs_a_range_of_its_own() {
     let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[]).unwrap();
-    world
-        .set_fade(Some(DepthShading {
-            near: 5.0,
-            far: 40.0,
-        }))
-        .unwrap();
+    world.set_fade(Some(DepthShading { near: 5.0, far: 40.0 })).unwrap();
     let [moved, still] = traced(&mut world, ball);
     assert!((1..=6).contains(&moved), "{moved}");
     assert_eq!(still, 0);

@@ -64,19 +64,14 @@ impl Game for Driven {
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         let input = frame.input;
         let push = f64::from(input.key_axis(Key::Left, Key::Right));
-        let lift = input
-            .pad()
-            .map_or(0.0, |pad| f64::from(pad.axis(Axis::LeftY)));
+        let lift = input.pad().map_or(0.0, |pad| f64::from(pad.axis(Axis::LeftY)));
         let chance = self.random.random_range(-0.1..0.1);
         self.place += DVec3::new(push, lift, chance) * frame.delta;
         if frame.number >= self.odd_from {
             self.place.x += 1e-9;
         }
-        self.over_at = self.over_at.min(if input.key_pressed(Key::Escape) {
-            frame.number
-        } else {
-            u64::MAX
-        });
+        self.over_at =
+            self.over_at.min(if input.key_pressed(Key::Escape) { frame.number } else { u64::MAX });
         world.move_to(self.ball, self.place * (1.0 + 0.01 * frame.time))
     }
 
@@ -93,25 +88,15 @@ impl InputSource for Player {
         let random = &mut self.0;
         let pad = PadId(0);
         match random.random_range(0..5) {
-            0 => events.push(InputEvent::Key {
-                key: Key::Right,
-                down: random.random(),
-            }),
+            0 => events.push(InputEvent::Key { key: Key::Right, down: random.random() }),
             1 => events.push(InputEvent::PadAxis {
                 pad,
                 axis: Axis::LeftY,
                 value: random.random_range(-1.0..1.0),
             }),
-            2 => events.push(InputEvent::PadConnected {
-                pad,
-                name: "\"pad\"\n".into(),
-            }),
+            2 => events.push(InputEvent::PadConnected { pad, name: "\"pad\"\n".into() }),
             // NaN is ignored and not recorded.
-            3 => events.push(InputEvent::PadAxis {
-                pad,
-                axis: Axis::LeftY,
-                value: f32::NAN,
-            }),
+            3 => events.push(InputEvent::PadAxis { pad, axis: Axis::LeftY, value: f32::NAN }),
             _ => {}
         }
         Ok(ControlFlow::Continue(()))
@@ -143,10 +128,7 @@ impl Write for Shared {
 
 fn start(game: Driven, size: (u32, u32)) -> (Session<Driven>, Snapshot) {
     let (framebuffer, shown) = Recorder::pair(size.0, size.1);
-    let settings = Settings {
-        spus: 2,
-        ..Settings::default()
-    };
+    let settings = Settings { spus: 2, ..Settings::default() };
     (Session::start(game, settings, framebuffer).unwrap(), shown)
 }
 
@@ -213,10 +195,7 @@ fn a_recording_is_played_back_antialiased_by_any_number_of_spus() {
     let (_, bytes) = recorded();
     let looked_at = |look, spus| {
         let (framebuffer, shown) = Recorder::pair(64, 36);
-        let settings = Settings {
-            spus,
-            ..Settings::default()
-        };
+        let settings = Settings { spus, ..Settings::default() };
         let session = Session::start(Driven::new(), settings, framebuffer).unwrap();
         let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
         session.look(look);
@@ -245,19 +224,11 @@ fn a_recording_is_played_back_in_another_size() {
 #[test]
 fn a_game_that_plays_otherwise_is_found_out() {
     let (_, bytes) = recorded();
-    let odd = Driven {
-        odd_from: 20,
-        ..Driven::new()
-    };
+    let odd = Driven { odd_from: 20, ..Driven::new() };
     let (mut session, _) = replay(odd, &bytes);
-    let error = session
-        .run(None, &mut { NO_TIME }, &mut NoInput)
-        .unwrap_err();
+    let error = session.run(None, &mut { NO_TIME }, &mut NoInput).unwrap_err();
     // The world is compared every 16 frames.
-    assert!(
-        matches!(error, SessionError::Diverged { frame: 32 }),
-        "{error}"
-    );
+    assert!(matches!(error, SessionError::Diverged { frame: 32 }), "{error}");
 }
 
 #[test]
@@ -281,14 +252,8 @@ fn what_is_no_recording_is_refused() {
         let error = open(text.as_bytes()).err().unwrap();
         assert!(matches!(error, RecordingError::Format), "{text:?}: {error}");
     }
-    assert!(matches!(
-        open(header("2").as_bytes()),
-        Err(RecordingError::Version(2))
-    ));
-    assert!(matches!(
-        open(header("\"1\"").as_bytes()),
-        Err(RecordingError::Line { line: 1, .. })
-    ));
+    assert!(matches!(open(header("2").as_bytes()), Err(RecordingError::Version(2))));
+    assert!(matches!(open(header("\"1\"").as_bytes()), Err(RecordingError::Line { line: 1, .. })));
     assert!(matches!(
         open(header("1").trim_end().as_bytes()),
         Err(RecordingError::CutOff { line: 1 })
@@ -298,10 +263,7 @@ fn what_is_no_recording_is_refused() {
         ("{\"step\":1}", "line 2: it does not end within"),
         ("{\"step\":-1}\n", "line 2"),
         ("{\"step\":1,\"what\":2}\n", "what"),
-        (
-            "{\"step\":1,\"events\":[{\"key\":{\"key\":\"no-such\",\"down\":true}}]}\n",
-            "no-such",
-        ),
+        ("{\"step\":1,\"events\":[{\"key\":{\"key\":\"no-such\",\"down\":true}}]}\n", "no-such"),
         ("{\"step\":1,\"world\":\"xyz\"}\n", "line 2"),
         (&endless, "does not end"),
     ] {
@@ -319,10 +281,7 @@ fn a_game_that_is_over_ends_the_session() {
         fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
             self.0 += 1;
             if self.0 == 3 {
-                events.push(InputEvent::Key {
-                    key: Key::Escape,
-                    down: true,
-                });
+                events.push(InputEvent::Key { key: Key::Escape, down: true });
             }
             Ok(ControlFlow::Continue(()))
         }

@@ -20,10 +20,7 @@ struct Swarm {
 impl Swarm {
     fn new(model: Model) -> Self {
         Self {
-            render_options: RenderOptions {
-                model,
-                ..RenderOptions::default()
-            },
+            render_options: RenderOptions { model, ..RenderOptions::default() },
             objects: Vec::new(),
             materials: Vec::new(),
             light: LightId::default(),
@@ -45,31 +42,16 @@ impl Game for Swarm {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
         world.set_render_options(self.render_options);
         self.light = world.add_light(Light::at(DVec3::new(0.0, 20.0, 5.0)))?;
-        for shader in [
-            Shader::Phong,
-            Shader::Lambert,
-            Shader::Checker {
-                other: DVec3::ONE,
-                size: 0.5,
-            },
-        ] {
-            let material = Material {
-                shader,
-                ..Material::shiny(0.5, 0.5, 0.5)
-            };
+        for shader in
+            [Shader::Phong, Shader::Lambert, Shader::Checker { other: DVec3::ONE, size: 0.5 }]
+        {
+            let material = Material { shader, ..Material::shiny(0.5, 0.5, 0.5) };
             self.materials.push(world.add_material(material)?);
         }
         for number in 0..60 {
-            let place = DVec3::new(
-                f64::from(number % 10) - 5.0,
-                f64::from(number / 10) - 3.0,
-                0.0,
-            );
+            let place = DVec3::new(f64::from(number % 10) - 5.0, f64::from(number / 10) - 3.0, 0.0);
             let shape = match number % 4 {
-                0 | 1 => Shape::Sphere {
-                    centre: place,
-                    radius: 0.3,
-                },
+                0 | 1 => Shape::Sphere { centre: place, radius: 0.3 },
                 2 => Shape::Cone {
                     base: place,
                     base_radius: 0.3,
@@ -95,14 +77,8 @@ impl Game for Swarm {
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         for (number, (object, place)) in self.objects.iter().enumerate() {
             world.move_to(*object, *place + way(frame.time, number))?;
-            world.make_of(
-                *object,
-                self.materials[(number + frame.number as usize) % 3],
-            )?;
-            world.show(
-                *object,
-                !(frame.number as usize + number).is_multiple_of(11),
-            )?;
+            world.make_of(*object, self.materials[(number + frame.number as usize) % 3])?;
+            world.show(*object, !(frame.number as usize + number).is_multiple_of(11))?;
         }
         for (number, material) in self.materials.iter().enumerate() {
             world.recolour(*material, way(frame.time, number) * 0.5)?;
@@ -159,8 +135,5 @@ fn the_frame_loop_sleeps() {
     assert!(report.loop_seconds > 0.0);
     assert!(report.loop_seconds < 0.5 * report.host_seconds, "{report}");
     let text = report.to_string();
-    assert!(
-        text.lines().any(|line| line.starts_with("frame loop: ")),
-        "{text}"
-    );
+    assert!(text.lines().any(|line| line.starts_with("frame loop: ")), "{text}");
 }

@@ -19,11 +19,7 @@ const LEAST: u8 = 16;
 const TILE: (u32, u32) = (64, 16);
 
 fn antialiased(samples: Samples, contrast: u8) -> RenderOptions {
-    RenderOptions {
-        samples,
-        contrast,
-        ..WHITTED
-    }
+    RenderOptions { samples, contrast, ..WHITTED }
 }
 
 /// Whether a channel of two pixels differs by at least `least`.
@@ -49,12 +45,10 @@ fn differing_in(picture: &RgbImage, least: u8, size: (u32, u32)) -> Vec<(u32, u3
     };
     places
         .filter(|&at| {
-            beside(at)
-                .filter(|&other| tile(other) == tile(at))
-                .any(|other| {
-                    let [here, there] = [at, other].map(|(x, y)| *picture.get_pixel(x, y));
-                    differ(here, there, least)
-                })
+            beside(at).filter(|&other| tile(other) == tile(at)).any(|other| {
+                let [here, there] = [at, other].map(|(x, y)| *picture.get_pixel(x, y));
+                differ(here, there, least)
+            })
         })
         .collect()
 }
@@ -85,9 +79,7 @@ fn off(picture: &RgbImage, pixels: &[(u32, u32)], light: &Light, side: u32) -> u
 /// Compares pictures of a scene with several samples a pixel with one that has one sample, and
 /// with the reference.
 fn samples_are_those_of_the_reference(scene: &nff::Scene, one: RenderOptions, light: &Light) {
-    let all: Vec<_> = (0..SIZE.1)
-        .flat_map(|y| (0..SIZE.0).map(move |x| (x, y)))
-        .collect();
+    let all: Vec<_> = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))).collect();
     let plain = Frame::of(scene, one, SIZE, Settings::default());
     let chosen = differing(&plain.picture, LEAST);
     assert!(chosen.len() > all.len() / 100 && chosen.len() < all.len() / 2);
@@ -95,11 +87,7 @@ fn samples_are_those_of_the_reference(scene: &nff::Scene, one: RenderOptions, li
         let count = samples as usize;
         let side = count.isqrt() as u32;
         let of_contrast = |contrast| {
-            let options = RenderOptions {
-                samples,
-                contrast,
-                ..one
-            };
+            let options = RenderOptions { samples, contrast, ..one };
             Frame::of(scene, options, SIZE, Settings::default())
         };
         let smooth = of_contrast(LEAST);
@@ -163,9 +151,7 @@ fn a_picture_of_full_size_is_that_of_the_reference() {
         Frame::of(&scene, options, (width, height), Settings::default()).picture
     });
     let chosen = differing(&plain, CONTRAST);
-    let all: Vec<_> = (0..height)
-        .flat_map(|y| (0..width).map(move |x| (x, y)))
-        .collect();
+    let all: Vec<_> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
     let light: &Light = &|x, y| probe.light(x, y);
     let off_at_centres = off(&plain, &all, light, 1) - off(&plain, &chosen, light, 1);
     let off = off(&smooth, &chosen, light, 2) + off_at_centres;
@@ -215,20 +201,11 @@ fn sixteen_samples_are_off_only_where_rays_pass_an_edge() {
     };
     let (plain, smooth) = (frame(Samples::One), frame(Samples::Sixteen));
     let chosen = differing(&plain, LEAST);
-    let wrong: Vec<_> = chosen
-        .iter()
-        .filter(|&&at| off(&smooth, &[at], light, 4) > 0)
-        .collect();
+    let wrong: Vec<_> = chosen.iter().filter(|&&at| off(&smooth, &[at], light, 4) > 0).collect();
     // What one ray of a pixel decides otherwise, of all pixels.
-    let all: Vec<_> = (0..height)
-        .flat_map(|y| (0..width).map(move |x| (x, y)))
-        .collect();
+    let all: Vec<_> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
     let one = off(&plain, &all, light, 1);
-    println!(
-        "{} of {} pixels off, {one} with one sample",
-        wrong.len(),
-        all.len()
-    );
+    println!("{} of {} pixels off, {one} with one sample", wrong.len(), all.len());
     let is_unexplained =
         |&&&(x, y): &&&(u32, u32)| !is_explained(*smooth.get_pixel(x, y), light, (x, y), 4);
     let unexplained = wrong.iter().filter(is_unexplained).count();
@@ -240,10 +217,7 @@ fn sixteen_samples_are_off_only_where_rays_pass_an_edge() {
 fn depth_shading() {
     let scene = nff_scene("paper16.nff");
     let probe = DepthProbe::new(&scene, SIZE.0, SIZE.1).unwrap();
-    let one = RenderOptions {
-        model: Model::Depth,
-        ..WHITTED
-    };
+    let one = RenderOptions { model: Model::Depth, ..WHITTED };
     samples_are_those_of_the_reference(&scene, one, &|x, y| probe.colour(x, y));
 }
 
@@ -251,12 +225,7 @@ fn depth_shading() {
 fn nothing_depends_on_who_traces_what() {
     let scene = nff_scene("whitted16.nff");
     let frame = |spus, split, skip| {
-        let settings = Settings {
-            spus,
-            split,
-            skip,
-            ..Settings::default()
-        };
+        let settings = Settings { spus, split, skip, ..Settings::default() };
         Frame::of(&scene, antialiased(Samples::Sixteen, LEAST), SIZE, settings)
     };
     let one = frame(1, Split::Units, Skip::Misses);
@@ -274,15 +243,8 @@ fn nothing_depends_on_who_traces_what() {
 fn depth_shading_depends_on_nothing_either() {
     let scene = nff_scene("paper16.nff");
     let frame = |spus, skip| {
-        let settings = Settings {
-            spus,
-            skip,
-            ..Settings::default()
-        };
-        let options = RenderOptions {
-            model: Model::Depth,
-            ..antialiased(Samples::Four, LEAST)
-        };
+        let settings = Settings { spus, skip, ..Settings::default() };
+        let options = RenderOptions { model: Model::Depth, ..antialiased(Samples::Four, LEAST) };
         Frame::of(&scene, options, SIZE, settings)
     };
     let one = frame(1, Skip::Misses);
@@ -313,12 +275,7 @@ fn a_frame_after_another_is_as_if_it_were_the_first() {
         let prepared = Scene::new(&scene, antialiased(samples, least), &program).unwrap();
         engine.render(&prepared, &mut |_| ()).unwrap();
         let picture = shown.lock().unwrap().take().unwrap();
-        let first = Frame::of(
-            &scene,
-            antialiased(samples, least),
-            SIZE,
-            Settings::default(),
-        );
+        let first = Frame::of(&scene, antialiased(samples, least), SIZE, Settings::default());
         assert!(picture == first.picture, "{samples:?} {least}");
     }
 }

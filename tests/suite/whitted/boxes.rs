@@ -13,16 +13,10 @@ const SIZE: (u32, u32) = (320, 180);
 /// All shapes with nodes, among them triangles that are in spheres if that is faster.
 const SCENES: [&str; 3] = ["mirrors.nff", "glass.nff", "still-life.nff"];
 
-const BOXES: RenderOptions = RenderOptions {
-    volumes: NodeVolumes::Boxes,
-    ..WHITTED
-};
+const BOXES: RenderOptions = RenderOptions { volumes: NodeVolumes::Boxes, ..WHITTED };
 
 fn traced(name: &str, render_options: RenderOptions, skip: Skip) -> Frame {
-    let settings = Settings {
-        skip,
-        ..Settings::default()
-    };
+    let settings = Settings { skip, ..Settings::default() };
     Frame::of(&nff_scene(name), render_options, SIZE, settings)
 }
 
@@ -55,27 +49,17 @@ fn pictures_with_boxes_are_as_the_reference_has_them() {
 /// as with spheres.
 #[test]
 fn boxes_save_tests_where_they_are_chosen() {
-    let spheres = RenderOptions {
-        volumes: NodeVolumes::Spheres,
-        ..WHITTED
-    };
+    let spheres = RenderOptions { volumes: NodeVolumes::Spheres, ..WHITTED };
     let tests = |frame: &Frame| {
         let generations = frame.generations();
         let sum = |tests: [u64; 2], it: &Generation| [tests[0] + it.nodes, tests[1] + it.tests];
         generations.iter().fold([0; 2], sum)
     };
-    for (name, has_boxes) in [
-        ("mirrors.nff", true),
-        ("glass.nff", true),
-        ("shapes.nff", false),
-    ] {
+    for (name, has_boxes) in [("mirrors.nff", true), ("glass.nff", true), ("shapes.nff", false)] {
         let [best, plain] = [WHITTED, spheres].map(|options| traced(name, options, Skip::Misses));
         let ([nodes, objects], [plain_nodes, plain_objects]) = (tests(&best), tests(&plain));
         if has_boxes {
-            assert!(
-                4 * objects < 3 * plain_objects,
-                "{name}: {objects} of {plain_objects}"
-            );
+            assert!(4 * objects < 3 * plain_objects, "{name}: {objects} of {plain_objects}");
             assert!(nodes < plain_nodes, "{name}: {nodes} of {plain_nodes}");
         } else {
             assert_eq!((nodes, objects), (plain_nodes, plain_objects), "{name}");

@@ -14,11 +14,8 @@ const SIZE: (u32, u32) = (40, 40);
 #[test]
 fn nested_glass_sends_fewer_rays_for_the_same_picture() {
     let scene = nff::load(Path::new("scenes/nested-glass.nff")).unwrap();
-    let [least, all] = [false, true].map(|spd_rays| RenderOptions {
-        ray_depth: 11,
-        spd_rays,
-        ..WHITTED
-    });
+    let [least, all] =
+        [false, true].map(|spd_rays| RenderOptions { ray_depth: 11, spd_rays, ..WHITTED });
     let [found, every] = [least, all]
         .map(|render_options| Frame::of(&scene, render_options, SIZE, Settings::default()));
     let (sent, sendable) = (found.rays(), every.rays());
@@ -50,10 +47,7 @@ fn a_depth_that_no_ray_reaches_changes_nothing() {
         (material.specular, material.transmittance) = (0.0, 0.0);
     }
     let frames = [1, 16].map(|ray_depth| {
-        let render_options = RenderOptions {
-            ray_depth,
-            ..WHITTED
-        };
+        let render_options = RenderOptions { ray_depth, ..WHITTED };
         Frame::of(&scene, render_options, (160, 90), Settings::default())
     });
     assert!(frames[0].picture == frames[1].picture);

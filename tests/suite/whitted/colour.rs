@@ -15,29 +15,17 @@ const SIZE: (u32, u32) = (165, 90);
 
 /// sRGB's value of linear light.
 fn encoded(light: f64) -> f64 {
-    if light <= 0.003_130_8 {
-        12.92 * light
-    } else {
-        1.055 * libm::pow(light, 1.0 / 2.4) - 0.055
-    }
+    if light <= 0.003_130_8 { 12.92 * light } else { 1.055 * libm::pow(light, 1.0 / 2.4) - 0.055 }
 }
 
 /// Light that is limited.
 fn rolled_off(light: f64) -> f64 {
-    if light <= 0.75 {
-        light
-    } else {
-        1.0 - 0.0625 / (light - 0.5)
-    }
+    if light <= 0.75 { light } else { 1.0 - 0.0625 / (light - 0.5) }
 }
 
 /// The byte that a pixel's channel should be.
 fn byte(options: RenderOptions, light: f64) -> u8 {
-    let light = if options.roll_off {
-        rolled_off(light)
-    } else {
-        light
-    };
+    let light = if options.roll_off { rolled_off(light) } else { light };
     let value = match options.colour {
         Colour::Linear => light,
         Colour::Srgb => encoded(light),
@@ -56,14 +44,7 @@ fn check<'a>(scene: &nff::Scene, model: Model, reference: &dyn Fn(RenderOptions)
         (Colour::Srgb, true, Samples::One),
         (Colour::Srgb, true, Samples::Four),
     ] {
-        let options = RenderOptions {
-            model,
-            samples,
-            contrast: 0,
-            colour,
-            roll_off,
-            ..WHITTED
-        };
+        let options = RenderOptions { model, samples, contrast: 0, colour, roll_off, ..WHITTED };
         let light = reference(options);
         let side = (samples as u32).isqrt();
         let frame = Frame::of(scene, options, SIZE, Settings::default());
@@ -80,10 +61,7 @@ fn check<'a>(scene: &nff::Scene, model: Model, reference: &dyn Fn(RenderOptions)
             found.iter().zip(expected).any(|(a, b)| a.abs_diff(b) > 1)
         };
         let off = places.filter(is_off).count();
-        println!(
-            "{}: {colour:?}, {roll_off}, {samples:?}: {off} pixels off",
-            scene.name
-        );
+        println!("{}: {colour:?}, {roll_off}, {samples:?}: {off} pixels off", scene.name);
         assert!(500 * off <= (SIZE.0 * SIZE.1) as usize);
     }
 }

@@ -12,10 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (160, 120);
-const SRGB: RenderOptions = RenderOptions {
-    colour: Colour::Srgb,
-    ..WHITTED
-};
+const SRGB: RenderOptions = RenderOptions { colour: Colour::Srgb, ..WHITTED };
 
 /// A ball on a mirror, without a mesh.
 fn scene() -> nff::Scene {
@@ -29,15 +26,11 @@ fn scene() -> nff::Scene {
 /// A bumpy sheet of 2 `side`^2 smooth triangles, whose vertices have colours at random.
 fn sheet(side: u32) -> Mesh {
     let mut random = ChaCha8Rng::seed_from_u64(11);
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { two_sided: true, ..Mesh::default() };
     for (row, column) in (0..=side).flat_map(|row| (0..=side).map(move |column| (row, column))) {
         let place = [row, column].map(|it| it as f32 / side as f32);
         let bump = 0.4 * libm::sinf(9.0 * place[0]) * libm::cosf(7.0 * place[1]);
-        mesh.positions
-            .push([6.0 * place[1] - 3.0, bump - 0.8, 6.0 * place[0] - 3.5]);
+        mesh.positions.push([6.0 * place[1] - 3.0, bump - 0.8, 6.0 * place[0] - 3.5]);
         mesh.normals.push([bump, 1.0, -bump]);
         mesh.colours.push(random.random());
     }

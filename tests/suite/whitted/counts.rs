@@ -40,29 +40,14 @@ fn corner_rays_are_counted_as_by_the_reference(
     wrong: f64,
 ) -> (Frame, Counts) {
     let name = &scene.name;
-    let render_options = RenderOptions {
-        corners: true,
-        ..render_options
-    };
-    let frame = Frame::of(
-        scene,
-        render_options,
-        (side + 1, side + 1),
-        Settings::default(),
-    );
+    let render_options = RenderOptions { corners: true, ..render_options };
+    let frame = Frame::of(scene, render_options, (side + 1, side + 1), Settings::default());
     let (reference, counts) = trace(scene, side, side, &options(render_options)).unwrap();
 
     let found = frame.rays();
     println!("{name}, {render_options:?}: {found:?}, {counts:?}");
     assert_eq!(found.eye, counts.eye);
-    let Counts {
-        eye_hit,
-        reflected,
-        refracted,
-        shadow,
-        hit,
-        ..
-    } = counts;
+    let Counts { eye_hit, reflected, refracted, shadow, hit, .. } = counts;
     for (what, found, expected) in [
         ("eye_hit", found.eye_hit, eye_hit),
         ("reflected", found.reflected, reflected),
@@ -111,9 +96,7 @@ fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
         })
         .collect();
     let polygon = |corners: &mut dyn Iterator<Item = ([f64; 2], f64)>| {
-        let lines: Vec<String> = corners
-            .map(|([x, y], z)| format!("{x} {y} {z}\n"))
-            .collect();
+        let lines: Vec<String> = corners.map(|([x, y], z)| format!("{x} {y} {z}\n")).collect();
         format!("p {}\n{}", lines.len(), lines.concat())
     };
     let (top, bottom) = (height, height - THICKNESS);
@@ -157,10 +140,7 @@ fn assert_the_same_but_for_steps(seen: &Frame, all: &Frame) {
 fn gears_by_both_rules() {
     let scene = gears();
     let [(seen, by_weight), (all, by_spd)] = [false, true].map(|spd_rays| {
-        let render_options = RenderOptions {
-            spd_rays,
-            ..WHITTED
-        };
+        let render_options = RenderOptions { spd_rays, ..WHITTED };
         corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE, WRONG)
     });
     assert_the_same_but_for_steps(&seen, &all);
@@ -173,12 +153,7 @@ fn gears_by_both_rules() {
 fn gears_by_both_rules_with_fresnel() {
     let scene = gears();
     let [seen, all] = [false, true].map(|spd_rays| {
-        let render_options = RenderOptions {
-            spd_rays,
-            fresnel: true,
-            ray_depth: 3,
-            ..WHITTED
-        };
+        let render_options = RenderOptions { spd_rays, fresnel: true, ray_depth: 3, ..WHITTED };
         corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE, WRONG)
     });
     assert_the_same_but_for_steps(&seen.0, &all.0);
@@ -205,10 +180,7 @@ const SPD: [(&str, u32, f64); 9] = [
 fn the_scenes_of_spd_by_its_rules() {
     for (name, side, wrong) in SPD {
         let scene = nff::load(Path::new(name)).unwrap();
-        let by_spd = RenderOptions {
-            spd_rays: true,
-            ..WHITTED
-        };
+        let by_spd = RenderOptions { spd_rays: true, ..WHITTED };
         corner_rays_are_counted_as_by_the_reference(&scene, by_spd, side, wrong);
     }
 }

@@ -47,10 +47,7 @@ impl Frame {
         let scene = Scene::new(scene, render_options, &Program::tracer()).unwrap();
         let statistics = engine.render(&scene, &mut |_| ()).unwrap().clone();
         let picture = shown.lock().unwrap().take();
-        Self {
-            picture: picture.expect("the frame was presented"),
-            statistics,
-        }
+        Self { picture: picture.expect("the frame was presented"), statistics }
     }
 
     /// The rays of all SPUs.

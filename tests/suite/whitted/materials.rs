@@ -40,13 +40,7 @@ fn triangles(count: u32) -> nff::Scene {
         let (x, y) = (f64::from(number % 100), f64::from(number / 100));
         let (x, y, z) = (x * 0.06 - 3.0, y * 0.09 - 2.2, f64::from(number % 7) * 0.05);
         writeln!(text, "f {red} {green} {blue} 0.8 0.2 {number} 0 0").unwrap();
-        writeln!(
-            text,
-            "p 3\n{x} {y} {z}\n{} {y} 0\n{x} {} {z}",
-            x + 0.08,
-            y + 0.11
-        )
-        .unwrap();
+        writeln!(text, "p 3\n{x} {y} {z}\n{} {y} 0\n{x} {} {z}", x + 0.08, y + 0.11).unwrap();
     }
     parsed(&text)
 }
@@ -137,30 +131,22 @@ fn repeated_fills_in_local_store() {
 #[test]
 fn where_materials_are_makes_no_difference() {
     let few = triangles(600);
-    let mut few = nff::Scene {
-        materials: few.materials[..6].to_vec(),
-        ..few
-    };
+    let mut few = nff::Scene { materials: few.materials[..6].to_vec(), ..few };
     for object in &mut few.objects {
         object.material %= 6;
     }
     // 300 more materials, of which each has a triangle behind the eye.
     let mut many = few.clone();
     for number in 0..300_u32 {
-        let material = nff::Material {
-            shine: f64::from(number),
-            specular: 0.2,
-            ..many.materials[0].clone()
-        };
+        let material =
+            nff::Material { shine: f64::from(number), specular: 0.2, ..many.materials[0].clone() };
         many.materials.push(material);
         let y = f64::from(number);
         let vertices = [[0.0, y, 90.0], [1.0, y, 90.0], [0.0, y, 91.0]];
         many.objects.push(nff::Object {
             line: 0,
             material: 6 + number,
-            shape: nff::Shape::Polygon {
-                vertices: vertices.map(Into::into).to_vec(),
-            },
+            shape: nff::Shape::Polygon { vertices: vertices.map(Into::into).to_vec() },
         });
     }
     let [few, many] =

@@ -20,10 +20,7 @@ const SIZE: (u32, u32) = (80, 60);
 /// except for the lowest ring.
 fn bowl(rows: u32, normals: bool) -> Mesh {
     let columns = 2 * rows;
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { two_sided: true, ..Mesh::default() };
     for row in 0..=rows {
         for column in 0..columns {
             let down = std::f64::consts::FRAC_PI_2 * f64::from(row) / f64::from(rows);
@@ -64,10 +61,7 @@ fn scene(mesh: Mesh) -> nff::Scene {
 #[test]
 fn a_closed_mesh_has_no_cracks() {
     let lower = bowl(24, false);
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..lower.clone()
-    };
+    let mut mesh = Mesh { two_sided: true, ..lower.clone() };
     let first = mesh.positions.len() as u32;
     let above = |[x, y, z]: &[f32; 3]| [*x, -y, *z];
     mesh.positions.extend(lower.positions.iter().map(above));
@@ -133,35 +127,21 @@ fn far_from_the_origin_pictures_are_the_same() {
     let by = DVec3::new(458_752.0, 5_428_000.25, 100.5);
     let mut small = scene(bowl(8, true));
     small.view.at.y = -0.5;
-    small
-        .objects
-        .retain(|it| matches!(it.shape, nff::Shape::Polygon { .. }));
-    let large = nff::Scene {
-        mesh: Some(Arc::new(bowl(24, true))),
-        ..small.clone()
-    };
+    small.objects.retain(|it| matches!(it.shape, nff::Shape::Polygon { .. }));
+    let large = nff::Scene { mesh: Some(Arc::new(bowl(24, true))), ..small.clone() };
     // More spheres and polygons than local store has room for, at numbers of few digits.
     let grid = |count: i32, shape: &dyn Fn(DVec3) -> nff::Shape| {
         let mut many = small.clone();
         many.mesh = None;
         for index in 0..count {
             let place = DVec3::new((index % 32 - 16).into(), 0.0, (index / 32 - 16).into());
-            many.objects.push(nff::Object {
-                line: 0,
-                material: 1,
-                shape: shape(place / 8.0),
-            });
+            many.objects.push(nff::Object { line: 0, material: 1, shape: shape(place / 8.0) });
         }
         many
     };
-    let spheres = grid(1024, &|centre| nff::Shape::Sphere {
-        centre,
-        radius: 0.0625,
-    });
+    let spheres = grid(1024, &|centre| nff::Shape::Sphere { centre, radius: 0.0625 });
     let polygons = grid(1024, &|place| nff::Shape::Polygon {
-        vertices: [DVec3::X, DVec3::Y, DVec3::Z]
-            .map(|it| place + it / 16.0)
-            .to_vec(),
+        vertices: [DVec3::X, DVec3::Y, DVec3::Z].map(|it| place + it / 16.0).to_vec(),
     });
     for (name, near) in [
         ("in local store", small),
@@ -254,16 +234,10 @@ fn cones_that_local_store_has_no_room_for() {
 /// With SPD's rules for rays, and without leaving out what can't be hit.
 #[test]
 fn cones_in_main_memory_by_other_options() {
-    let spd = RenderOptions {
-        spd_rays: true,
-        ..WHITTED
-    };
+    let spd = RenderOptions { spd_rays: true, ..WHITTED };
     let compared = crowd_compared((1500, 300), spd, Settings::default());
     assert!(compared.wrong_fraction < 0.02, "{compared:?}");
-    let settings = Settings {
-        skip: Skip::Nothing,
-        ..Settings::default()
-    };
+    let settings = Settings { skip: Skip::Nothing, ..Settings::default() };
     let compared = crowd_compared((1500, 300), WHITTED, settings);
     assert!(compared.wrong_fraction < 0.02, "{compared:?}");
 }
@@ -274,27 +248,16 @@ fn a_mesh_is_drawn_as_the_reference_draws_it() {
         let scene = scene(bowl(rows, normals));
         let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
         // Up to 512 triangles may be in local store.
-        let blocks: u64 = found
-            .statistics
-            .spus
-            .iter()
-            .map(|spu| spu.blocks.used)
-            .sum();
+        let blocks: u64 = found.statistics.spus.iter().map(|spu| spu.blocks.used).sum();
         assert_eq!(blocks > 0, rows > 8);
         let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
         let compared = oracle::compare(&picture(&found.picture), &reference).unwrap();
         assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");
         assert!(compared.wrong_fraction < 0.01, "{compared:?}");
 
-        let without = nff::Scene {
-            mesh: None,
-            ..scene.clone()
-        };
+        let without = nff::Scene { mesh: None, ..scene.clone() };
         let (bare, _) = trace(&without, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
         let compared = oracle::compare(&picture(&found.picture), &bare).unwrap();
-        assert!(
-            compared.wrong_fraction > 0.1,
-            "the mesh is not in the picture"
-        );
+        assert!(compared.wrong_fraction > 0.1, "the mesh is not in the picture");
     }
 }

@@ -96,10 +96,7 @@ fn depth_shading_shows_no_sphere_on_whose_surface_the_eye_is() {
         for skip in [cellray::work::Skip::Misses, cellray::work::Skip::Nothing] {
             let mut scene = scene(from, "0.1 0 -1", OPAQUE, sphere);
             scene.lights.clear();
-            let settings = Settings {
-                skip,
-                ..Settings::default()
-            };
+            let settings = Settings { skip, ..Settings::default() };
             let picture = crate::recorder::render(&scene, SIZE.0, SIZE.1, settings);
             let reference = oracle::trace(&scene, SIZE.0, SIZE.1).unwrap();
             let picture = crate::whitted::frame::picture(&picture);

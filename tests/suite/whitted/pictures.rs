@@ -45,33 +45,23 @@ fn a_sky() {
 
 #[test]
 fn scenes_with_fresnel() {
-    let render_options = RenderOptions {
-        fresnel: true,
-        ..WHITTED
-    };
+    let render_options = RenderOptions { fresnel: true, ..WHITTED };
     scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
 #[test]
 fn scenes_without_bounces() {
-    let render_options = RenderOptions {
-        ray_depth: 1,
-        ..WHITTED
-    };
+    let render_options = RenderOptions { ray_depth: 1, ..WHITTED };
     scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
 /// With glass behind glass, a pixel would take 2^15 rays. Such scenes use a depth of 7.
 #[test]
 fn scenes_of_a_great_depth() {
-    for (ray_depth, names, size) in [
-        (16, ["whitted16.nff", "mirrors.nff"], SIZE),
-        (7, ["glass.nff", "shapes.nff"], DEEP_SIZE),
-    ] {
-        let render_options = RenderOptions {
-            ray_depth,
-            ..WHITTED
-        };
+    for (ray_depth, names, size) in
+        [(16, ["whitted16.nff", "mirrors.nff"], SIZE), (7, ["glass.nff", "shapes.nff"], DEEP_SIZE)]
+    {
+        let render_options = RenderOptions { ray_depth, ..WHITTED };
         scenes_are_as_the_reference_has_them(&names, render_options, size);
     }
 }

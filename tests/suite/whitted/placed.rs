@@ -29,12 +29,7 @@ pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {
                 to(centre);
                 *radius *= scale;
             }
-            Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
+            Shape::Cone { base, base_radius, apex, apex_radius } => {
                 to(base);
                 to(apex);
                 *base_radius *= scale;

@@ -5,24 +5,15 @@ use crate::whitted::frame::{WHITTED, compared};
 /// The greatest share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
-const PENTAGRAM: [[f64; 2]; 5] = [
-    [0.0, 1.0],
-    [-0.5878, -0.809],
-    [0.9511, 0.309],
-    [-0.9511, 0.309],
-    [0.5878, -0.809],
-];
+const PENTAGRAM: [[f64; 2]; 5] =
+    [[0.0, 1.0], [-0.5878, -0.809], [0.9511, 0.309], [-0.9511, 0.309], [0.5878, -0.809]];
 
 /// The polygon or patch with these corners. All of its normals lean outwards.
 fn shape(keyword: &str, corners: &[[f64; 3]]) -> String {
     let mut text = format!("{keyword} {}\n", corners.len());
     for [x, y, z] in corners {
         text += &format!("{x} {y} {z}");
-        text += &if keyword == "pp" {
-            format!(" {x} {y} 2\n")
-        } else {
-            "\n".to_owned()
-        };
+        text += &if keyword == "pp" { format!(" {x} {y} 2\n") } else { "\n".to_owned() };
     }
     text
 }
@@ -72,12 +63,7 @@ fn polygons_whose_edges_cross_are_filled_by_the_even_odd_rule() {
 
 #[test]
 fn polygons_that_are_in_no_plane_are_put_into_one() {
-    let quad = [
-        [-1.0, -1.0, 0.4],
-        [1.0, -1.0, -0.2],
-        [1.1, 1.0, 0.3],
-        [-1.0, 0.9, -0.3],
-    ];
+    let quad = [[-1.0, -1.0, 0.4], [1.0, -1.0, -0.2], [1.1, 1.0, 0.3], [-1.0, 0.9, -0.3]];
     let hexagon = [
         [1.0, 0.0, 0.2],
         [0.5, 0.9, -0.1],
@@ -86,18 +72,13 @@ fn polygons_that_are_in_no_plane_are_put_into_one() {
         [-0.5, -0.9, 0.3],
         [0.5, -0.9, -0.2],
     ];
-    let pentagram: Vec<[f64; 3]> = PENTAGRAM
-        .iter()
-        .zip([0.2, -0.1, 0.0, 0.3, -0.3])
-        .map(|(&[x, y], z)| [x, y, z])
-        .collect();
+    let pentagram: Vec<[f64; 3]> =
+        PENTAGRAM.iter().zip([0.2, -0.1, 0.0, 0.3, -0.3]).map(|(&[x, y], z)| [x, y, z]).collect();
     for material in MATERIALS {
         for keyword in ["p", "pp"] {
-            for (what, corners) in [
-                ("quadrangle", &quad[..]),
-                ("hexagon", &hexagon),
-                ("pentagram", &pentagram),
-            ] {
+            for (what, corners) in
+                [("quadrangle", &quad[..]), ("hexagon", &hexagon), ("pentagram", &pentagram)]
+            {
                 let what = format!("{keyword}, a bent {what}");
                 is_as_the_reference_has_it(&what, material, &shape(keyword, corners));
             }

@@ -26,27 +26,16 @@ pub struct Drawn {
 /// scale from 1e-4 to 1e6, and sometimes far from the origin.
 pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
     let scale = libm::pow(10f64, random.random_range(-4.0..6.0));
-    let middle = if random.random_bool(0.2) {
-        vector(random, 1000.0)
-    } else {
-        DVec3::ZERO
-    };
-    let materials: Vec<Material> = (0..random.random_range(1..5))
-        .map(|_| material(random))
-        .collect();
+    let middle = if random.random_bool(0.2) { vector(random, 1000.0) } else { DVec3::ZERO };
+    let materials: Vec<Material> =
+        (0..random.random_range(1..5)).map(|_| material(random)).collect();
     let mut scene = Scene {
         name: "random".into(),
         view: view(random),
         background: vector(random, 1.0).abs(),
         sky: None,
-        ambient: if random.random_bool(0.3) {
-            vector(random, 0.3).abs()
-        } else {
-            DVec3::ZERO
-        },
-        lights: (0..random.random_range(0..4))
-            .map(|_| light(random))
-            .collect(),
+        ambient: if random.random_bool(0.3) { vector(random, 0.3).abs() } else { DVec3::ZERO },
+        lights: (0..random.random_range(0..4)).map(|_| light(random)).collect(),
         objects: (0..random.random_range(1..9))
             .map(|_| Object {
                 line: 0,
@@ -58,10 +47,11 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         mesh: None,
     };
     // Without a random number, so that the scenes are the same ones as without skies.
-    scene.sky = scene.objects.len().is_multiple_of(3).then(|| Sky {
-        zenith: scene.background.zxy(),
-        up: scene.view.up,
-    });
+    scene.sky = scene
+        .objects
+        .len()
+        .is_multiple_of(3)
+        .then(|| Sky { zenith: scene.background.zxy(), up: scene.view.up });
     let is_vast = |object: &Object| matches!(object.shape, Shape::Sphere { radius, .. } if radius.abs() >= VAST);
     let vast = scene.objects.iter().any(is_vast);
     place(&mut scene, middle, scale);
@@ -88,37 +78,21 @@ fn view(random: &mut ChaCha8Rng) -> View {
 fn light(random: &mut ChaCha8Rng) -> Light {
     let colour = random.random_bool(0.5).then(|| vector(random, 0.9).abs());
     let kind = if random.random_bool(0.3) {
-        LightKind::Directional {
-            to_light: vector(random, 1.0),
-        }
+        LightKind::Directional { to_light: vector(random, 1.0) }
     } else {
-        LightKind::Point {
-            position: vector(random, 8.0),
-        }
+        LightKind::Point { position: vector(random, 8.0) }
     };
-    Light {
-        line: 0,
-        kind,
-        colour,
-    }
+    Light { line: 0, kind, colour }
 }
 
 fn material(random: &mut ChaCha8Rng) -> Material {
     let mut share = |chance: f64, most: f64| {
-        if random.random_bool(chance) {
-            random.random_range(0.0..most)
-        } else {
-            0.0
-        }
+        if random.random_bool(chance) { random.random_range(0.0..most) } else { 0.0 }
     };
     let (diffuse, specular, transmittance) = (share(0.9, 1.0), share(0.6, 0.9), share(0.4, 0.95));
     let shine = libm::pow(10f64, share(0.9, 2.5));
     let colour = vector(random, 1.0).abs();
-    let emission = if transmittance > 0.5 {
-        0.3 * colour
-    } else {
-        DVec3::ZERO
-    };
+    let emission = if transmittance > 0.5 { 0.3 * colour } else { DVec3::ZERO };
     Material {
         line: 0,
         colour,
@@ -143,10 +117,7 @@ fn shader(random: &mut ChaCha8Rng) -> Shader {
         },
         3 => {
             let near = random.random_range(0.0..4.0);
-            Shader::Depth {
-                far: near + random.random_range(0.5..8.0),
-                near,
-            }
+            Shader::Depth { far: near + random.random_range(0.5..8.0), near }
         }
         _ => Shader::Phong,
     }
@@ -181,9 +152,7 @@ fn shape(random: &mut ChaCha8Rng) -> Shape {
                 apex_radius: hollow * apex_radius,
             }
         }
-        12..17 => Shape::Polygon {
-            vertices: polygon(random),
-        },
+        12..17 => Shape::Polygon { vertices: polygon(random) },
         _ => {
             let vertices = polygon(random);
             let up = nff::unit(nff::area_vector(&vertices)).unwrap_or(DVec3::Z);

@@ -86,10 +86,7 @@ fn a_texture_is_drawn_as_the_reference_draws_it() {
         let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
         let off = oracle::compare(&picture(&found.picture), &reference).unwrap();
         println!("{width}x{height} {wrap:?}: {off:?}");
-        assert!(
-            off.wrong_fraction < 0.001,
-            "{width}x{height} {wrap:?}: {off:?}"
-        );
+        assert!(off.wrong_fraction < 0.001, "{width}x{height} {wrap:?}: {off:?}");
 
         let spus = &found.statistics.spus;
         let used: u64 = spus.iter().map(|spu| spu.texture_tiles.used).sum();
@@ -114,20 +111,15 @@ fn a_texture_is_drawn_as_the_reference_draws_it() {
 fn triangles_of_several_blocks() {
     let mut random = ChaCha8Rng::seed_from_u64(9);
     let mut scene = scene(texture(64, 32, [Wrap::Repeat; 2]));
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { two_sided: true, ..Mesh::default() };
     let side = 30;
     for (row, column) in (0..=side).flat_map(|row| (0..=side).map(move |column| (row, column))) {
         let place = [row, column].map(|it| it as f32 / side as f32);
         let bump = 0.4 * libm::sinf(9.0 * place[0]) * libm::cosf(7.0 * place[1]);
-        mesh.positions
-            .push([6.0 * place[1] - 3.0, bump - 0.8, 6.0 * place[0] - 3.5]);
+        mesh.positions.push([6.0 * place[1] - 3.0, bump - 0.8, 6.0 * place[0] - 3.5]);
         mesh.normals.push([bump, 1.0, -bump]);
         let shift = random.random_range(-0.01..0.01);
-        mesh.texture_coordinates
-            .push(place.map(|it| 3.0 * it + shift));
+        mesh.texture_coordinates.push(place.map(|it| 3.0 * it + shift));
     }
     for (row, column) in (0..side).flat_map(|row| (0..side).map(move |column| (row, column))) {
         let at = |row: u32, column: u32| row * (side + 1) + column;

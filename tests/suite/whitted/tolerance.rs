@@ -90,10 +90,7 @@ struct Outcome {
 /// Traces the scenes of these seeds.
 fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
     let (framebuffer, shown) = Recorder::pair(SIDE, SIDE);
-    let settings = Settings {
-        spus: 1,
-        ..Settings::default()
-    };
+    let settings = Settings { spus: 1, ..Settings::default() };
     let mut engine = Engine::start(settings, framebuffer).unwrap();
     let mut outcome = Outcome::default();
     for seed in seeds {
@@ -122,9 +119,7 @@ fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
 #[test]
 fn random_scenes_are_as_the_reference_has_them() {
     let scenes = match env::var("CELLRAY_SCENES") {
-        Ok(number) => number
-            .parse()
-            .expect("CELLRAY_SCENES must be a number of scenes"),
+        Ok(number) => number.parse().expect("CELLRAY_SCENES must be a number of scenes"),
         Err(_) => SCENES,
     };
     let threads = thread::available_parallelism().map_or(1, usize::from);
@@ -143,10 +138,7 @@ fn random_scenes_are_as_the_reference_has_them() {
     wrong.sort_by_key(|scene| scene.seed);
     let pixels: usize = wrong.iter().map(|scene| scene.pixels.len()).sum();
     println!("{rays:?}");
-    println!(
-        "{pixels} wrong pixels in {} of {scenes} scenes",
-        wrong.len()
-    );
+    println!("{pixels} wrong pixels in {} of {scenes} scenes", wrong.len());
     for Wrong { seed, vast, pixels } in &wrong {
         println!("scene {seed}, vast {vast}: {pixels:?}");
     }

@@ -26,11 +26,7 @@ struct Directory {
 impl Directory {
     fn open(path: PathBuf) -> Result<Self, Errno> {
         let entries = entries(&path)?;
-        Ok(Self {
-            path,
-            entries,
-            next: 0,
-        })
+        Ok(Self { path, entries, next: 0 })
     }
 }
 

@@ -35,14 +35,7 @@ fn map(library: &Library, block: Block<'_>) -> Result<u64, Errno> {
     let (length, protection, flags) = (block.word(1), block.word(2), block.word(3));
     let (descriptor, offset) = (block.int(4), block.int(5));
     if library.heap().is_process() {
-        return system::map(
-            block.doubleword(0),
-            length,
-            protection,
-            flags,
-            descriptor,
-            offset,
-        );
+        return system::map(block.doubleword(0), length, protection, flags, descriptor, offset);
     }
     let page = page_size();
     let kinds = flags & (MAP_SHARED | MAP_PRIVATE);
@@ -54,10 +47,7 @@ fn map(library: &Library, block: Block<'_>) -> Result<u64, Errno> {
     if writes_through || flags & MAP_FIXED != 0 {
         return Err(Errno(libc::ENOTSUP));
     }
-    let ea = library
-        .heap()
-        .allocate(length.into(), page as u64)
-        .ok_or(Errno(libc::ENOMEM))?;
+    let ea = library.heap().allocate(length.into(), page as u64).ok_or(Errno(libc::ENOMEM))?;
     if !anonymous && let Err(errno) = copy_file(library, ea, length, descriptor, offset) {
         library.heap().release(ea);
         return Err(errno);
@@ -158,14 +148,7 @@ mod system {
         let (protection, flags) = (protection as i32, (flags & FLAGS) as i32);
         // SAFETY: the guest is part of the process and vouches for a fixed address.
         mapped(unsafe {
-            libc::mmap(
-                pointer(ea),
-                length as usize,
-                protection,
-                flags,
-                descriptor,
-                offset.into(),
-            )
+            libc::mmap(pointer(ea), length as usize, protection, flags, descriptor, offset.into())
         })
     }
 

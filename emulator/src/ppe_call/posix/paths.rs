@@ -80,11 +80,7 @@ pub(super) fn ftok(block: Block<'_>) -> Result<i32, Errno> {
     // SAFETY: the path ends in 0.
     let key = unsafe { libc::ftok(path.as_ptr(), block.int(1)) };
     // Keys may be negative, and only -1 is an error.
-    if key == -1 {
-        Err(Errno::last())
-    } else {
-        Ok(key)
-    }
+    if key == -1 { Err(Errno::last()) } else { Ok(key) }
 }
 
 pub(super) fn unlink(block: Block<'_>) -> Result<i32, Errno> {
@@ -236,11 +232,7 @@ fn set_times(block: Block<'_>, times: [(i32, i32); 2]) -> Result<i32, Errno> {
         tv_usec: microseconds.into(),
     });
     let now = block.word(1) == 0;
-    let times = if now {
-        std::ptr::null()
-    } else {
-        times.as_ptr()
-    };
+    let times = if now { std::ptr::null() } else { times.as_ptr() };
     // SAFETY: the path ends in 0, and there are either no times or two.
     check(unsafe { libc::utimes(path.as_ptr(), times) })
 }

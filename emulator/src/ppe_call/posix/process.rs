@@ -42,14 +42,8 @@ pub(super) fn time(block: Block<'_>) -> i32 {
 
 pub(super) fn nanosleep(block: Block<'_>) -> Result<i32, Errno> {
     let (seconds, nanoseconds) = time_at(block, block.word(0));
-    let asked = libc::timespec {
-        tv_sec: seconds.into(),
-        tv_nsec: nanoseconds.into(),
-    };
-    let mut left = libc::timespec {
-        tv_sec: 0,
-        tv_nsec: 0,
-    };
+    let asked = libc::timespec { tv_sec: seconds.into(), tv_nsec: nanoseconds.into() };
+    let mut left = libc::timespec { tv_sec: 0, tv_nsec: 0 };
     // SAFETY: both times are valid.
     let slept = check(unsafe { libc::nanosleep(&raw const asked, &raw mut left) });
     if block.word(1) != 0 {

@@ -69,10 +69,7 @@ pub(super) struct Memo {
 
 impl Memo {
     pub fn new(rules: Rules) -> Self {
-        Self {
-            rules,
-            ..Self::default()
-        }
+        Self { rules, ..Self::default() }
     }
 
     /// Whether there is no room for another state and another transition.
@@ -95,10 +92,7 @@ impl Memo {
         let number = StateId(self.states.len() as u32);
         let state = Arc::new(state);
         self.numbers.insert(Arc::clone(&state), number);
-        self.states.push(KnownState {
-            state,
-            ways: Vec::new(),
-        });
+        self.states.push(KnownState { state, ways: Vec::new() });
         number
     }
 

@@ -11,11 +11,8 @@ use spu_isa::timing::{AccountDelta, Cause, Issue, Pipeline, Rules, Stalls, hints
 
 /// What is assumed to have issued before a transition is computed. It is so much that everything
 /// in a state has happened in some cycle.
-const BEFORE: AccountDelta = AccountDelta {
-    instructions: 1 << 60,
-    joined: 0,
-    stalls: Stalls::NONE,
-};
+const BEFORE: AccountDelta =
+    AccountDelta { instructions: 1 << 60, joined: 0, stalls: Stalls::NONE };
 
 /// Cycles in which nothing issues.
 #[derive(Clone, Copy, Debug)]
@@ -103,12 +100,7 @@ impl Transition {
         if count == 0 {
             return;
         }
-        let Details {
-            block,
-            previous,
-            joined,
-            charges,
-        } = &*self.details;
+        let Details { block, previous, joined, charges } = &*self.details;
         for (at, (pc, instruction)) in block.instructions().enumerate() {
             let tally = recording.tally(pc, instruction);
             tally.issued += count;
@@ -171,11 +163,7 @@ impl Charging {
             return;
         }
         let stalls = pipeline.account().stalls();
-        let charge = |(cause, cycles)| Charge {
-            to: self.issued,
-            cause,
-            cycles,
-        };
+        let charge = |(cause, cycles)| Charge { to: self.issued, cause, cycles };
         let passed = stalls.since(&self.stalls).by_cost();
         self.charges.extend(passed.into_iter().map(charge));
         self.stalls = stalls.clone();

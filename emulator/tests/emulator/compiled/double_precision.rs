@@ -8,17 +8,8 @@ use spu_emulator::interp::Quad;
 use spu_emulator::local_store::LocalStore;
 use spu_isa::Op;
 
-const OPERATIONS: [Op; 9] = [
-    Op::Dfa,
-    Op::Dfs,
-    Op::Dfm,
-    Op::Dfma,
-    Op::Dfms,
-    Op::Dfnms,
-    Op::Dfnma,
-    Op::Fesd,
-    Op::Frds,
-];
+const OPERATIONS: [Op; 9] =
+    [Op::Dfa, Op::Dfs, Op::Dfm, Op::Dfma, Op::Dfms, Op::Dfnms, Op::Dfnma, Op::Fesd, Op::Frds];
 
 /// Doubles at the edges: zeros, denormals, numbers whose products or sums leave the range of
 /// doubles or of singles, infinities and NaNs.
@@ -104,9 +95,7 @@ fn edges_of_doubles() {
     let mut rng = ChaCha8Rng::seed_from_u64(12);
     let states = states(&mut rng, 40, edge);
     for op in OPERATIONS {
-        let failures = compare_all(&mut rng, 40, &states, |rng| {
-            Some(vec![instruction(rng, op)?])
-        });
+        let failures = compare_all(&mut rng, 40, &states, |rng| Some(vec![instruction(rng, op)?]));
         assert!(failures.iter().all(|&count| count > 0), "{op:?}");
     }
 }

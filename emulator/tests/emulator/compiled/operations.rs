@@ -11,11 +11,7 @@ use spu_isa::{Class, Instruction, Machine, Op};
 
 /// The fixed modes. The tests add a fourth, random mode: some instructions in doubles, the others
 /// in singles.
-const MODES: [FloatMode; 3] = [
-    FloatMode::SINGLES,
-    FloatMode::DOUBLES,
-    FloatMode::EXACT_DOUBLES,
-];
+const MODES: [FloatMode; 3] = [FloatMode::SINGLES, FloatMode::DOUBLES, FloatMode::EXACT_DOUBLES];
 
 fn mixed(rng: &mut ChaCha8Rng, length: usize) -> FloatMode {
     let mut in_doubles = Steps::NONE;
@@ -24,10 +20,7 @@ fn mixed(rng: &mut ChaCha8Rng, length: usize) -> FloatMode {
             in_doubles.add(step);
         }
     }
-    FloatMode {
-        in_doubles,
-        exact_sums: rng.random(),
-    }
+    FloatMode { in_doubles, exact_sums: rng.random() }
 }
 
 /// Words at the edges of floats, integers, counts and controls.
@@ -71,16 +64,8 @@ const EDGES: [u32; 36] = [
 ];
 
 /// Operands whose sums are the largest number, or just above or below it.
-const LARGE: [u32; 8] = [
-    0x7fff_ffff,
-    0xffff_ffff,
-    0x7fff_fffe,
-    0,
-    0x0080_0000,
-    0x8080_0000,
-    0x3f80_0000,
-    0x7380_0000,
-];
+const LARGE: [u32; 8] =
+    [0x7fff_ffff, 0xffff_ffff, 0x7fff_fffe, 0, 0x0080_0000, 0x8080_0000, 0x3f80_0000, 0x7380_0000];
 
 pub(super) fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
     match kind {
@@ -100,28 +85,14 @@ fn quad(rng: &mut ChaCha8Rng) -> Quad {
 
 fn state(rng: &mut ChaCha8Rng, ordinary: bool) -> State {
     let registers = std::array::from_fn(|_| {
-        if ordinary {
-            Quad(std::array::from_fn(|_| word(rng, 2)))
-        } else {
-            quad(rng)
-        }
+        if ordinary { Quad(std::array::from_fn(|_| word(rng, 2))) } else { quad(rng) }
     });
-    let fpscr = std::array::from_fn(|_| {
-        if rng.random() {
-            0
-        } else {
-            rng.random::<u32>() & 0xf07
-        }
-    });
+    let fpscr = std::array::from_fn(|_| if rng.random() { 0 } else { rng.random::<u32>() & 0xf07 });
     let local_store = LocalStore::new();
     for address in (0..SIZE).step_by(16) {
         local_store.store_quadword(address, [address, rng.random(), rng.random(), !address]);
     }
-    State {
-        registers,
-        fpscr,
-        local_store,
-    }
+    State { registers, fpscr, local_store }
 }
 
 /// A random instruction with this operation, one of few registers and any immediate.
@@ -141,10 +112,7 @@ pub(super) fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
 }
 
 fn operations() -> impl Iterator<Item = Op> {
-    Op::rows()
-        .iter()
-        .filter(|row| row.machine == Machine::Every)
-        .map(|row| row.op)
+    Op::rows().iter().filter(|row| row.machine == Machine::Every).map(|row| row.op)
 }
 
 /// Compares compiled code with the interpreter on every sequence of instructions that `make`
@@ -182,9 +150,7 @@ fn each_alone() {
     for op in operations() {
         let some = (0..64).any(|_| instruction(&mut rng, op).is_some());
         compiled += u32::from(some);
-        compare_all(&mut rng, 10, &states, |rng| {
-            Some(vec![instruction(rng, op)?])
-        });
+        compare_all(&mut rng, 10, &states, |rng| Some(vec![instruction(rng, op)?]));
     }
     assert!(compiled > 160, "only {compiled} instructions are compiled");
 }
@@ -193,17 +159,12 @@ fn each_alone() {
 fn each_after_another() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let states: Vec<_> = (0..8).map(|_| state(&mut rng, false)).collect();
-    let operations: Vec<_> = operations()
-        .filter(|op| op.row().class != Class::Br)
-        .collect();
+    let operations: Vec<_> = operations().filter(|op| op.row().class != Class::Br).collect();
     for &op in &operations {
         compare_all(&mut rng, 8, &states, |rng| {
             let before = operations[rng.random_range(0..operations.len())];
             let after = operations[rng.random_range(0..operations.len())];
-            [before, op, op, after]
-                .map(|op| instruction(rng, op))
-                .into_iter()
-                .collect()
+            [before, op, op, after].map(|op| instruction(rng, op)).into_iter().collect()
         });
     }
 }
@@ -212,9 +173,7 @@ fn each_after_another() {
 fn long_straight_code() {
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let states: Vec<_> = (0..6).map(|_| state(&mut rng, false)).collect();
-    let operations: Vec<_> = operations()
-        .filter(|op| op.row().class != Class::Br)
-        .collect();
+    let operations: Vec<_> = operations().filter(|op| op.row().class != Class::Br).collect();
     compare_all(&mut rng, 150, &states, |rng| {
         let length = rng.random_range(10..60);
         let mut code = Vec::new();
@@ -231,16 +190,7 @@ fn long_straight_code() {
 fn ordinary_arithmetic_does_not_fail() {
     let mut rng = ChaCha8Rng::seed_from_u64(4);
     let states: Vec<_> = (0..20).map(|_| state(&mut rng, true)).collect();
-    let arithmetic = [
-        Op::Fa,
-        Op::Fs,
-        Op::Fm,
-        Op::Fma,
-        Op::Fms,
-        Op::Fnms,
-        Op::Fcgt,
-        Op::Csflt,
-    ];
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma, Op::Fms, Op::Fnms, Op::Fcgt, Op::Csflt];
     let failures = compare_all(&mut rng, 60, &states, |rng| {
         let op = arithmetic[rng.random_range(0..arithmetic.len())];
         Some(vec![instruction(rng, op)?])
@@ -254,24 +204,12 @@ fn ordinary_arithmetic_does_not_fail() {
 fn specials_do_not_fail_in_doubles() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let states: Vec<_> = (0..20).map(|_| state(&mut rng, false)).collect();
-    let arithmetic = [
-        Op::Fa,
-        Op::Fs,
-        Op::Fm,
-        Op::Fma,
-        Op::Fms,
-        Op::Fnms,
-        Op::Frest,
-        Op::Fi,
-    ];
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma, Op::Fms, Op::Fnms, Op::Frest, Op::Fi];
     let [singles, doubles, exact, _] = compare_all(&mut rng, 60, &states, |rng| {
         let op = arithmetic[rng.random_range(0..arithmetic.len())];
         Some(vec![instruction(rng, op)?])
     });
-    assert!(
-        singles > 100,
-        "the operands are not special: {singles} failures"
-    );
+    assert!(singles > 100, "the operands are not special: {singles} failures");
     assert!(doubles < singles / 10, "{doubles} of {singles}");
     assert_eq!(exact, 0);
 }

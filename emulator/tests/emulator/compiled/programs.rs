@@ -23,15 +23,7 @@ const ROUNDS: u32 = 1000;
 fn word(op: Op, [rt, ra, rb]: [u8; 3], immediate: i32) -> u32 {
     let rc = 0;
     let branch_distance = 0;
-    let i = Instruction {
-        op,
-        rt,
-        ra,
-        rb,
-        rc,
-        branch_distance,
-        immediate,
-    };
+    let i = Instruction { op, rt, ra, rb, rc, branch_distance, immediate };
     i.encode()
 }
 
@@ -104,10 +96,7 @@ fn a_halt_in_a_compiled_loop_is_where_it_was() {
     let mut code = counted_loop(&body, ROUNDS);
     code.push(word(Op::Stop, [0; 3], 0));
     let (stopped, spu, compiled) = compare_engines(&code, |_, _| ());
-    assert_eq!(
-        (stopped.reason, stopped.pc, stopped.npc),
-        (Stop::Halt, 12, 16)
-    );
+    assert_eq!((stopped.reason, stopped.pc, stopped.npc), (Stop::Halt, 12, 16));
     assert_eq!(spu.register(4), Quad::splat(499));
     assert!(compiled > 1000, "{compiled}");
 }
@@ -118,9 +107,8 @@ fn an_invalid_word_behind_a_compiled_loop_is_where_it_was() {
     let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 1)], ROUNDS);
     code.push(word(Op::Lnop, [0; 3], 0));
     code.push(word(Op::Nop, [0; 3], 0));
-    let invalid = (0..=u32::MAX >> 21)
-        .map(|op| op << 21)
-        .find(|&word| Instruction::decode(word).is_none());
+    let invalid =
+        (0..=u32::MAX >> 21).map(|op| op << 21).find(|&word| Instruction::decode(word).is_none());
     code.push(invalid.unwrap_or(INVALID));
     let (stopped, _, _) = compare_engines(&code, |_, _| ());
     assert_eq!(stopped.pc, 4 * (code.len() as u32 - 1));
@@ -195,11 +183,7 @@ impl Channels for CodeWriter<'_> {
         Err(Stop::InvalidChannel(channel, ChannelAccess::Read))
     }
     fn write(&mut self, _: u8, value: u32) -> Result<(), Stop> {
-        load(
-            self.0,
-            0x1000,
-            &[word(Op::Ai, [3, 3, 0], value as i32 & 0x1ff)],
-        );
+        load(self.0, 0x1000, &[word(Op::Ai, [3, 3, 0], value as i32 & 0x1ff)]);
         Ok(())
     }
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
@@ -247,11 +231,7 @@ fn code_that_a_channel_brings_runs_at_once() {
         results.push((stopped, spu.registers, spu.executed()));
     }
     assert_eq!(results[0], results[1]);
-    assert!(
-        runner.compiled() > u64::from(ROUNDS),
-        "{}",
-        runner.compiled()
-    );
+    assert!(runner.compiled() > u64::from(ROUNDS), "{}", runner.compiled());
 }
 
 /// A compiled loop notices when another thread stores into its code.
@@ -262,11 +242,7 @@ fn code_that_others_write_ends_a_loop() {
     load(
         spe.local_store(),
         0,
-        &[
-            word(Op::Ai, [3, 3, 0], 1),
-            word(Op::Ai, [4, 4, 0], 1),
-            word(Op::Br, [0; 3], -8),
-        ],
+        &[word(Op::Ai, [3, 3, 0], 1), word(Op::Ai, [4, 4, 0], 1), word(Op::Br, [0; 3], -8)],
     );
     let running = Arc::clone(&spe);
     let thread = thread::spawn(move || running.run(0));
@@ -280,11 +256,7 @@ fn code_that_others_write_ends_a_loop() {
 fn a_stop_request_ends_an_endless_loop() {
     let machine = Machine::with_engine(Arc::new(RegisteredMemory::new()), Engine::Compiler);
     let spe = Spe::new(&machine, Config::default());
-    load(
-        spe.local_store(),
-        0,
-        &[word(Op::Ai, [3, 3, 0], 1), word(Op::Br, [0; 3], -4)],
-    );
+    load(spe.local_store(), 0, &[word(Op::Ai, [3, 3, 0], 1), word(Op::Br, [0; 3], -4)]);
     let ended = Arc::new(AtomicBool::new(false));
     let (running, end) = (Arc::clone(&spe), Arc::clone(&ended));
     let thread = thread::spawn(move || {
@@ -336,10 +308,7 @@ fn what_is_compiled_in_the_background_runs_compiled_afterwards() {
     run();
     let start = Instant::now();
     while translations.units() == 0 {
-        assert!(
-            start.elapsed() < Duration::from_secs(600),
-            "nothing was compiled"
-        );
+        assert!(start.elapsed() < Duration::from_secs(600), "nothing was compiled");
         thread::sleep(Duration::from_millis(1));
     }
     let compiled = run();
@@ -362,11 +331,7 @@ fn a_loop_of_specials_stays_compiled() {
         spu.set_register(17, Quad([0x7fff_ffff, 0x4000_0000, 0, 0x8000_0000]));
         spu.set_register(18, Quad([0x4000_0000, 0x0080_0000, 0, 0]));
     });
-    assert!(
-        compiled > spu.executed() * 9 / 10,
-        "{compiled} of {}",
-        spu.executed()
-    );
+    assert!(compiled > spu.executed() * 9 / 10, "{compiled} of {}", spu.executed());
 }
 
 #[test]

@@ -64,12 +64,7 @@ pub fn trace(code: &[Instruction], state: &State) -> Trace {
         let stopped = spu.step(&local_store, &mut NoChannels);
         // After a halt whose condition holds, a trace continues at the next instruction.
         let next = if stopped.is_some() { pc + 4 } else { spu.pc() };
-        Step {
-            pc,
-            word: instruction.encode(),
-            instruction,
-            next,
-        }
+        Step { pc, word: instruction.encode(), instruction, next }
     });
     Trace::new(steps.collect()).expect("the code is straight and can be compiled")
 }
@@ -84,15 +79,9 @@ pub struct Compiled {
 impl Compiled {
     pub fn new(compiler: &mut Compiler, trace: &Trace, mode: FloatMode) -> Self {
         let mut cpu = compiler.new_cpu();
-        let unit = compiler
-            .compile(trace.clone(), mode)
-            .expect("there is room");
+        let unit = compiler.compile(trace.clone(), mode).expect("there is room");
         cpu.install(&unit);
-        Self {
-            cpu,
-            mode,
-            length: trace.steps().len() as u32,
-        }
+        Self { cpu, mode, length: trace.steps().len() as u32 }
     }
 
     /// Runs the unit once, and compares the state after it with the interpreter's after as many
@@ -137,11 +126,7 @@ impl Compiled {
             spu.fpscr.words(),
             operands()
         );
-        assert!(
-            bytes(&local_store) == bytes(&expected),
-            "{}: local store",
-            context()
-        );
+        assert!(bytes(&local_store) == bytes(&expected), "{}: local store", context());
         exit
     }
 }

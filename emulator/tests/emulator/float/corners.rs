@@ -7,12 +7,8 @@ use spu_emulator::float::fpscr::{Flags, Rounding};
 use spu_emulator::float::{convert, double, estimate, single};
 
 const SIGN: u32 = 0x8000_0000;
-const MODES: [Rounding; 4] = [
-    Rounding::NearestEven,
-    Rounding::TowardZero,
-    Rounding::Up,
-    Rounding::Down,
-];
+const MODES: [Rounding; 4] =
+    [Rounding::NearestEven, Rounding::TowardZero, Rounding::Up, Rounding::Down];
 
 #[test]
 fn fesd_of_a_denormal_is_a_zero_of_its_sign() {

@@ -11,21 +11,13 @@ const INFINITY: u64 = 0x7ff0_0000_0000_0000;
 const NAN: u64 = 0x7ff8_0000_0000_0000;
 const SIGNALLING: u64 = 0x7ff0_0000_0000_0001;
 const RANDOM_OPERANDS: u64 = 2_000_000;
-const MODES: [Rounding; 4] = [
-    Rounding::NearestEven,
-    Rounding::TowardZero,
-    Rounding::Up,
-    Rounding::Down,
-];
+const MODES: [Rounding; 4] =
+    [Rounding::NearestEven, Rounding::TowardZero, Rounding::Up, Rounding::Down];
 
 /// A finite operand. Denormals count as zero.
 fn exact(x: u64) -> Exact {
     let exponent = x >> 52 & 0x7ff;
-    let magnitude = if exponent == 0 {
-        0
-    } else {
-        x & ((1 << 52) - 1) | 1 << 52
-    };
+    let magnitude = if exponent == 0 { 0 } else { x & ((1 << 52) - 1) | 1 << 52 };
     Exact::new(x >> 63 != 0, magnitude, exponent as i64 - 1075)
 }
 
@@ -94,11 +86,7 @@ fn operand_flags(operands: &[u64]) -> Flags {
 /// a * b + t by the rules. `a + b` is `a * 1 + b`, and `product_alone` omits t.
 fn model(a: u64, b: u64, t: u64, product_alone: bool, rounding: Rounding) -> (u64, Flags) {
     let invalid = (NAN, Flags::DOUBLE_INVALID);
-    let operands = if product_alone {
-        vec![a, b]
-    } else {
-        vec![a, b, t]
-    };
+    let operands = if product_alone { vec![a, b] } else { vec![a, b, t] };
     let zero_by_infinity = is_zero(a) && is_infinite(b) || is_infinite(a) && is_zero(b);
     if zero_by_infinity {
         return invalid;
@@ -110,11 +98,7 @@ fn model(a: u64, b: u64, t: u64, product_alone: bool, rounding: Rounding) -> (u6
     if is_infinite(a) || is_infinite(b) {
         let product = product_sign | INFINITY;
         let cancels = !product_alone && is_infinite(t) && t != product;
-        return if cancels {
-            invalid
-        } else {
-            (product, Flags::NONE)
-        };
+        return if cancels { invalid } else { (product, Flags::NONE) };
     }
     let product = exact(a).times(&exact(b));
     if product_alone {
@@ -155,21 +139,13 @@ fn check(a: u64, b: u64, t: u64, mode: Rounding) {
         with(model(a, ONE, b ^ SIGN, false, mode), &[a, b]),
         "dfs {inputs}"
     );
-    assert_eq!(
-        double::dfm(a, b, mode),
-        with(model(a, b, 0, true, mode), &[a, b]),
-        "dfm {inputs}"
-    );
+    assert_eq!(double::dfm(a, b, mode), with(model(a, b, 0, true, mode), &[a, b]), "dfm {inputs}");
     let plus = with(model(a, b, t, false, mode), &all);
     assert_eq!(double::dfma(a, b, t, mode), plus, "dfma {inputs}");
     assert_eq!(double::dfnma(a, b, t, mode), negate(plus), "dfnma {inputs}");
     let minus = with(model(a, b, t ^ SIGN, false, mode), &all);
     assert_eq!(double::dfms(a, b, t, mode), minus, "dfms {inputs}");
-    assert_eq!(
-        double::dfnms(a, b, t, mode),
-        negate(minus),
-        "dfnms {inputs}"
-    );
+    assert_eq!(double::dfnms(a, b, t, mode), negate(minus), "dfnms {inputs}");
 }
 
 fn edges() -> Vec<u64> {
@@ -267,19 +243,9 @@ fn nearest_even_is_the_hosts() {
 #[test]
 fn conversions_between_the_precisions() {
     let mut random = Random::new("fesd frds");
-    let singles = [
-        0u32,
-        0x8000_0000,
-        0x0080_0000,
-        0x3f80_0000,
-        0x7f7f_ffff,
-        0x7f80_0000,
-        0xff80_0000,
-    ];
-    for x in singles
-        .into_iter()
-        .chain((0..100_000).map(|_| random.next() as u32))
-    {
+    let singles =
+        [0u32, 0x8000_0000, 0x0080_0000, 0x3f80_0000, 0x7f7f_ffff, 0x7f80_0000, 0xff80_0000];
+    for x in singles.into_iter().chain((0..100_000).map(|_| random.next() as u32)) {
         let value = f32::from_bits(x);
         let (expected, flags) = if value.is_nan() {
             let signalling = Flags::DOUBLE_INVALID.when(x >> 22 & 1 == 0);
@@ -348,22 +314,11 @@ fn the_status_register_keeps_its_bits_only() {
     let all = Fpscr::from_words([u32::MAX; 4]);
     assert_eq!(all.words(), [0x0f07, 0x3f07, 0x3f07, 0x0f07]);
     let modes = Fpscr::from_words([0x0600, 0, 0, 0]);
-    assert_eq!(
-        (modes.rounding(0), modes.rounding(1)),
-        (Rounding::TowardZero, Rounding::Up)
-    );
+    assert_eq!((modes.rounding(0), modes.rounding(1)), (Rounding::TowardZero, Rounding::Up));
     let modes = Fpscr::from_words([0x0300, 0, 0, 0]);
-    assert_eq!(
-        (modes.rounding(0), modes.rounding(1)),
-        (Rounding::NearestEven, Rounding::Down)
-    );
+    assert_eq!((modes.rounding(0), modes.rounding(1)), (Rounding::NearestEven, Rounding::Down));
     let mut raised = Fpscr::default();
-    raised.raise_single([
-        Flags::OVERFLOW,
-        Flags::NONE,
-        Flags::UNDERFLOW,
-        Flags::DIFFERENT,
-    ]);
+    raised.raise_single([Flags::OVERFLOW, Flags::NONE, Flags::UNDERFLOW, Flags::DIFFERENT]);
     raised.raise_double([Flags::DOUBLE_NAN, Flags::DOUBLE_INEXACT]);
     raised.raise_divide_by_zero([true, false, false, true]);
     assert_eq!(raised.words(), [4, 0x200, 0x802, 0x901]);

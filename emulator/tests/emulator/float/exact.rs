@@ -29,19 +29,13 @@ impl Exact {
     }
 
     pub fn times(&self, other: &Self) -> Self {
-        Self {
-            integer: &self.integer * &other.integer,
-            exponent: self.exponent + other.exponent,
-        }
+        Self { integer: &self.integer * &other.integer, exponent: self.exponent + other.exponent }
     }
 
     pub fn plus(&self, other: &Self) -> Self {
         let exponent = self.exponent.min(other.exponent);
         let at = |x: &Self| &x.integer << (x.exponent - exponent);
-        Self {
-            integer: at(self) + at(other),
-            exponent,
-        }
+        Self { integer: at(self) + at(other), exponent }
     }
 
     /// The exponent of the highest bit.

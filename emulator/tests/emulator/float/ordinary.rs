@@ -90,9 +90,7 @@ fn answers(case: &Case, operands: Operands) -> bool {
 
 /// Words at the limits of what is ordinary, and some between.
 fn borders() -> Vec<u32> {
-    let exponents = [
-        0, 1, 2, 24, 103, 126, 127, 128, 150, 151, 180, 253, 254, 255,
-    ];
+    let exponents = [0, 1, 2, 24, 103, 126, 127, 128, 150, 151, 180, 253, 254, 255];
     let fractions = [0, 1, 0x40_0000, 0x7f_fffe, 0x7f_ffff];
     let positive = exponents
         .into_iter()
@@ -139,21 +137,13 @@ fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
         2 => {
             let (a, b) = (near(a, 127), near(b, 127));
             let product = single::fm(a, b);
-            [
-                a,
-                b,
-                (product ^ c & SIGN).wrapping_add(c & 3).wrapping_sub(1),
-            ]
+            [a, b, (product ^ c & SIGN).wrapping_add(c & 3).wrapping_sub(1)]
         }
         // Terms so far apart that the sum in 53 bits is rounded to a single, or almost to one.
         3 => [near(a, 127), short(b), near(c, 127 + 20 + (a & 63))],
         4 => [short(a), near(b, 127), short(c) - ((20 + (a & 63)) << 23)],
         // Results at both ends of the range.
-        5 => [
-            near(a, 254 - (c & 127)),
-            near(b, 127 + (c & 127)),
-            near(c, 254),
-        ],
+        5 => [near(a, 254 - (c & 127)), near(b, 127 + (c & 127)), near(c, 254)],
         6 => [near(a, c & 127), near(b, 127 - (c & 127)), near(c, 1)],
         // Cancellation to zero or nearly zero, anywhere in the range.
         7 => {
@@ -251,11 +241,7 @@ fn conversions() {
                 let full = x.map(|x| full(x, scale));
                 if let Some(words) = answer {
                     let expected = (full.map(|lane| lane.0), full.map(|lane| lane.1));
-                    assert_eq!(
-                        (words, [Flags::NONE; 4]),
-                        expected,
-                        "{name} {x:08x?} {scale}"
-                    );
+                    assert_eq!((words, [Flags::NONE; 4]), expected, "{name} {x:08x?} {scale}");
                 }
                 assert_eq!(answer.is_some(), (-90..=126).contains(&scale));
             };
@@ -294,12 +280,7 @@ fn instructions_mix_ordinary_and_special_lanes() {
                 lane(&mut random, kind)
             });
             let operands = from_fn(|operand| lanes.map(|lane| lane[operand]));
-            assert_eq!(
-                run(case.op, 0, operands),
-                expected((case.full)(operands)),
-                "{}",
-                case.name
-            );
+            assert_eq!(run(case.op, 0, operands), expected((case.full)(operands)), "{}", case.name);
         }
     }
     for round in 0..400 {
@@ -309,13 +290,7 @@ fn instructions_mix_ordinary_and_special_lanes() {
         let full = (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1));
         assert_eq!(run(Op::Csflt, scale, [a; 3]), expected(full));
         let zero = 1 << (round % 4);
-        let a = from_fn(|n| {
-            if zero >> n & 1 == 1 {
-                a[n] & 0x7f_ffff
-            } else {
-                a[n]
-            }
-        });
+        let a = from_fn(|n| if zero >> n & 1 == 1 { a[n] & 0x7f_ffff } else { a[n] });
         let mut fpscr = Fpscr::default();
         fpscr.raise_divide_by_zero(a.map(estimate::divides_by_zero));
         let estimated = (a.map(estimate::frest), fpscr.words());

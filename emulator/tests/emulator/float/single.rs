@@ -12,19 +12,12 @@ const RANDOM_OPERANDS: u64 = 2_000_000;
 
 fn exact(x: u32) -> Exact {
     let exponent = x >> 23 & 255;
-    let magnitude = if exponent == 0 {
-        0
-    } else {
-        x & 0x7f_ffff | 0x80_0000
-    };
+    let magnitude = if exponent == 0 { 0 } else { x & 0x7f_ffff | 0x80_0000 };
     Exact::new(x >> 31 != 0, magnitude.into(), i64::from(exponent) - 150)
 }
 
 fn negated(x: &Exact) -> Exact {
-    Exact {
-        integer: -&x.integer,
-        exponent: x.exponent,
-    }
+    Exact { integer: -&x.integer, exponent: x.exponent }
 }
 
 /// Whether IEEE arithmetic interprets the pattern differently: exponent 255 or denormal.
@@ -41,16 +34,9 @@ fn truncated(value: &Exact, operands: &[u32]) -> (u32, Flags) {
     }
     let sign = if value.is_negative() { SIGN } else { 0 };
     let largest = Exact::new(false, 0xff_ffff, 105);
-    let magnitude = if value.is_negative() {
-        negated(value)
-    } else {
-        value.clone()
-    };
+    let magnitude = if value.is_negative() { negated(value) } else { value.clone() };
     if magnitude.plus(&negated(&largest)).integer > 0.into() {
-        return (
-            sign | 0x7fff_ffff,
-            flags | Flags::OVERFLOW | Flags::DIFFERENT,
-        );
+        return (sign | 0x7fff_ffff, flags | Flags::OVERFLOW | Flags::DIFFERENT);
     }
     if value.top() < -126 {
         return (0, flags | Flags::UNDERFLOW | Flags::DIFFERENT);
@@ -179,18 +165,10 @@ fn all_pairs_of_exponents() {
         for b in 0..256u32 {
             let fraction = random.next() as u32;
             for case in &CASES {
-                for fractions in [
-                    (0, 0),
-                    (0x7f_ffff, 1),
-                    (fraction & 0x7f_ffff, fraction >> 9),
-                ] {
+                for fractions in [(0, 0), (0x7f_ffff, 1), (fraction & 0x7f_ffff, fraction >> 9)] {
                     let (a, b) = (a << 23 | fractions.0, b << 23 | fractions.1);
                     // As a sum, it is the product with one, plus the third operand.
-                    let operands = if case.operands == 3 {
-                        [a, 0x3f80_0000, b]
-                    } else {
-                        [a, b, 0]
-                    };
+                    let operands = if case.operands == 3 { [a, 0x3f80_0000, b] } else { [a, b, 0] };
                     check(case, operands);
                     check(case, operands.map(|x| x ^ fraction & SIGN));
                     check(case, [operands[0] ^ SIGN, operands[1], operands[2]]);
@@ -284,11 +262,7 @@ fn compares_order_as_values_do() {
     let key = |x: u32| single::to_f64(x);
     for &a in &edges {
         for &b in &edges {
-            assert_eq!(
-                single::fceq(a, b),
-                mask(key(a) == key(b)),
-                "{a:08x} {b:08x}"
-            );
+            assert_eq!(single::fceq(a, b), mask(key(a) == key(b)), "{a:08x} {b:08x}");
             assert_eq!(single::fcgt(a, b), mask(key(a) > key(b)), "{a:08x} {b:08x}");
             assert_eq!(single::fcmeq(a, b), mask(key(a).abs() == key(b).abs()));
             assert_eq!(single::fcmgt(a, b), mask(key(a).abs() > key(b).abs()));
@@ -299,10 +273,7 @@ fn compares_order_as_values_do() {
 #[test]
 fn widening_is_exact_and_narrowing_truncates() {
     let mut random = Random::new("widening");
-    for x in edges()
-        .into_iter()
-        .chain((0..RANDOM_OPERANDS).map(|_| random.next() as u32))
-    {
+    for x in edges().into_iter().chain((0..RANDOM_OPERANDS).map(|_| random.next() as u32)) {
         let wide = single::to_f64(x);
         let value = exact(x);
         let expected = value.in_units(value.exponent).0 as f64 * 2f64.powi(value.exponent as i32);
@@ -326,11 +297,7 @@ fn conversions_match_the_model() {
     let mut random = Random::new("conversions");
     for round in 0..400_000u64 {
         let scale = (round % 128) as i32;
-        let x = if round % 3 == 0 {
-            edges()[round as usize % 56]
-        } else {
-            random.next() as u32
-        };
+        let x = if round % 3 == 0 { edges()[round as usize % 56] } else { random.next() as u32 };
         // Exponents at which integers neither vanish nor saturate.
         let near = (x & 0x807f_ffff)
             | ((127 + 33 - scale).max(1) as u32
@@ -351,10 +318,7 @@ fn conversions_match_the_model() {
         );
 
         let value = exact(x);
-        let scaled = Exact {
-            exponent: value.exponent + i64::from(scale),
-            ..value
-        };
+        let scaled = Exact { exponent: value.exponent + i64::from(scale), ..value };
         let whole = if !scaled.is_zero() && scaled.top() > 40 {
             u64::MAX >> 1
         } else {
@@ -408,11 +372,7 @@ fn estimates_at_the_ends() {
     assert_eq!(refined(0x7e80_0000), 0, "2^126");
     assert_eq!(refined(0x3f80_0000), 0x3f7f_ffff, "1 ulp below");
     assert_eq!(estimate::frest(0x7e80_0000) >> 23, 0);
-    assert_ne!(
-        estimate::frest(0x7e80_0000),
-        0,
-        "the word itself is not flushed"
-    );
+    assert_ne!(estimate::frest(0x7e80_0000), 0, "the word itself is not flushed");
 }
 
 #[test]
@@ -422,11 +382,7 @@ fn interpolation_is_exact_and_truncated() {
         let bits = random.next();
         let (a, estimate_word) = (bits as u32, (bits >> 32) as u32);
         // 1.base - 0.000step * Y, with base and step in units of 2^-13 and Y in units of 2^-19.
-        let one = Exact::new(
-            false,
-            1 << 13 | u64::from(estimate_word >> 10 & 0x1fff),
-            -13,
-        );
+        let one = Exact::new(false, 1 << 13 | u64::from(estimate_word >> 10 & 0x1fff), -13);
         let step = Exact::new(true, u64::from(estimate_word & 0x3ff), -13);
         let part = Exact::new(false, u64::from(a & 0x7_ffff), -19);
         let exponent = estimate_word >> 23 & 255;

@@ -50,11 +50,7 @@ fn flags(status: Status, operands: &[u64]) -> Flags {
 
 /// Converts the soft float's result to the SPU's: there is only one NaN, with its own flags.
 fn expected(result: StatusAnd<Double>, operands: &[u64]) -> (u64, Flags) {
-    let value = if result.value.is_nan() {
-        DEFAULT_NAN
-    } else {
-        result.value.to_bits() as u64
-    };
+    let value = if result.value.is_nan() { DEFAULT_NAN } else { result.value.to_bits() as u64 };
     (value, flags(result.status, operands))
 }
 
@@ -73,11 +69,7 @@ fn same(
     let free = Flags::DOUBLE_OVERFLOW.when(magnitude == largest)
         | Flags::DOUBLE_UNDERFLOW.when(magnitude == smallest);
     let agree = found.1 == expected.1 || found.1 == expected.1 | free;
-    assert!(
-        found.0 == expected.0 && agree,
-        "{}: {found:x?}, not {expected:x?}",
-        what()
-    );
+    assert!(found.0 == expected.0 && agree, "{}: {found:x?}, not {expected:x?}", what());
 }
 
 /// The smallest normal and the largest finite numbers.
@@ -135,21 +127,9 @@ fn sums_products_and_fused_forms() {
                     format!("{name} {a:#018x} {b:#018x} {t:#018x} {mode:?}")
                 });
             };
-            check(
-                "dfa",
-                double::dfa(a, b, mode),
-                expected(x.add_r(y, round), &[a, b]),
-            );
-            check(
-                "dfs",
-                double::dfs(a, b, mode),
-                expected(x.sub_r(y, round), &[a, b]),
-            );
-            check(
-                "dfm",
-                double::dfm(a, b, mode),
-                expected(x.mul_r(y, round), &[a, b]),
-            );
+            check("dfa", double::dfa(a, b, mode), expected(x.add_r(y, round), &[a, b]));
+            check("dfs", double::dfs(a, b, mode), expected(x.sub_r(y, round), &[a, b]));
+            check("dfm", double::dfm(a, b, mode), expected(x.mul_r(y, round), &[a, b]));
             // The soft float accepts a NaN addend to inf * 0 without an exception. On the SPU the
             // product's rule applies.
             if !(is_nan(t) && (x * y).value.is_nan()) {
@@ -158,14 +138,7 @@ fn sums_products_and_fused_forms() {
                 check("dfma", double::dfma(a, b, t, mode), plus);
                 check("dfms", double::dfms(a, b, t, mode), minus);
                 let negated = |(value, flags)| {
-                    (
-                        if value == DEFAULT_NAN {
-                            value
-                        } else {
-                            value ^ SIGN
-                        },
-                        flags,
-                    )
+                    (if value == DEFAULT_NAN { value } else { value ^ SIGN }, flags)
                 };
                 check("dfnms", double::dfnms(a, b, t, mode), negated(minus));
                 check("dfnma", double::dfnma(a, b, t, mode), negated(plus));
@@ -182,11 +155,7 @@ fn conversions() {
         for (mode, round) in MODES {
             let mut loses_info = false;
             let narrow: StatusAnd<Single> = operand(bits).convert_r(round, &mut loses_info);
-            let value = if narrow.value.is_nan() {
-                0x7fc0_0000
-            } else {
-                narrow.value.to_bits()
-            };
+            let value = if narrow.value.is_nan() { 0x7fc0_0000 } else { narrow.value.to_bits() };
             let expected = (value as u64, flags(narrow.status, &[bits]));
             let (found, raised) = double::frds(bits, mode);
             same((u64::from(found), raised), expected, SINGLE_ENDS, || {

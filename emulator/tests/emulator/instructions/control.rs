@@ -21,18 +21,11 @@ fn program(at: u32, code: &[Instruction]) -> (Spu, LocalStore, Script) {
 }
 
 fn on(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction {
-        rt,
-        ra,
-        ..instruction(op, immediate)
-    }
+    Instruction { rt, ra, ..instruction(op, immediate) }
 }
 
 fn dma_error() -> Stop {
-    Stop::Dma(DmaError::InvalidCommand {
-        what: "test",
-        command: 0xff,
-    })
+    Stop::Dma(DmaError::InvalidCommand { what: "test", command: 0xff })
 }
 
 #[test]
@@ -67,10 +60,7 @@ fn a_channel_stop_says_what_is_run_next() {
     };
     let invalid = Stop::InvalidChannel(21, ChannelAccess::Read);
     let stopped = |reason, pc, npc| Stopped { reason, pc, npc };
-    assert_eq!(
-        run(Op::Rdch, None, None),
-        (stopped(invalid, 0x100, 0x100), 0)
-    );
+    assert_eq!(run(Op::Rdch, None, None), (stopped(invalid, 0x100, 0x100), 0));
     assert_eq!(
         run(Op::Rdch, Some(Stop::Requested), None),
         (stopped(Stop::Requested, 0x100, 0x100), 0)
@@ -79,10 +69,7 @@ fn a_channel_stop_says_what_is_run_next() {
         run(Op::Wrch, None, Some(Stop::Requested)),
         (stopped(Stop::Requested, 0x100, 0x100), 0)
     );
-    assert_eq!(
-        run(Op::Wrch, None, Some(dma_error())),
-        (stopped(dma_error(), 0x104, 0x104), 1)
-    );
+    assert_eq!(run(Op::Wrch, None, Some(dma_error())), (stopped(dma_error(), 0x104, 0x104), 1));
 }
 
 #[test]
@@ -102,25 +89,15 @@ fn an_interrupt_is_taken_returned_from_and_not_nested() {
     assert!(!spu.interrupts_enabled());
     assert_eq!(spu.step(&local_store, &mut channels), None);
     assert!(spu.interrupts_enabled());
-    assert_eq!(
-        (spu.pc(), channels.interrupts_told.clone()),
-        (0x208, vec![true])
-    );
+    assert_eq!((spu.pc(), channels.interrupts_told.clone()), (0x208, vec![true]));
 
-    assert_eq!(
-        spu.step(&local_store, &mut channels),
-        None,
-        "the handler's first instruction"
-    );
+    assert_eq!(spu.step(&local_store, &mut channels), None, "the handler's first instruction");
     assert_eq!((spu.pc(), channels.srr0), (4, 0x208));
     assert!(!spu.interrupts_enabled());
     assert_eq!(spu.register(7), Quad::splat(1));
     channels.event = false;
     let stopped = spu.run(&local_store, &mut channels);
-    assert_eq!(
-        (stopped.reason, stopped.pc, stopped.npc),
-        (Stop::Signal(2), 0x20c, 0x210)
-    );
+    assert_eq!((stopped.reason, stopped.pc, stopped.npc), (Stop::Signal(2), 0x20c, 0x210));
     assert_eq!(spu.register(6), Quad::splat(1));
     assert_eq!(channels.interrupts_told, [true, false, true]);
 }
@@ -168,11 +145,7 @@ fn code_that_writes_over_itself_runs_the_new_code() {
     ];
     spu.set_pc(0x1010);
     assert_eq!(spu.step(&local_store, &mut channels), None);
-    assert_eq!(
-        spu.register(6),
-        Quad::splat(1),
-        "the old code, now in the cache"
-    );
+    assert_eq!(spu.register(6), Quad::splat(1), "the old code, now in the cache");
     spu.set_pc(0x1000);
     spu.set_register(8, Quad(new));
     spu.set_register(9, Quad::ZERO);
@@ -199,11 +172,7 @@ fn unassigned_opcodes_stop_and_are_not_counted() {
         let stopped = spu.run(&local_store, &mut Script::default());
         assert_eq!(
             stopped,
-            Stopped {
-                reason: Stop::InvalidInstruction(word),
-                pc: 0x20,
-                npc: 0x20
-            }
+            Stopped { reason: Stop::InvalidInstruction(word), pc: 0x20, npc: 0x20 }
         );
         assert_eq!(spu.executed(), 0);
     }
@@ -211,26 +180,14 @@ fn unassigned_opcodes_stop_and_are_not_counted() {
 
 #[test]
 fn the_cell_has_no_double_extension() {
-    let extension = Op::rows()
-        .iter()
-        .filter(|row| row.machine == Machine::DoubleExtension);
+    let extension = Op::rows().iter().filter(|row| row.machine == Machine::DoubleExtension);
     for row in extension {
         let code = instruction(row.op, 0);
         let (mut spu, local_store, mut channels) = program(0, &[code]);
         let stopped = spu.step(&local_store, &mut channels).unwrap();
-        assert_eq!(
-            stopped.reason,
-            Stop::InvalidInstruction(code.encode()),
-            "{}",
-            row.mnemonic
-        );
+        assert_eq!(stopped.reason, Stop::InvalidInstruction(code.encode()), "{}", row.mnemonic);
         let mut spu = Spu::with_double_extension();
-        assert_eq!(
-            spu.step(&local_store, &mut channels),
-            None,
-            "{}",
-            row.mnemonic
-        );
+        assert_eq!(spu.step(&local_store, &mut channels), None, "{}", row.mnemonic);
     }
 }
 
@@ -240,11 +197,7 @@ fn loops_end_by_request_and_by_limit() {
     assert_eq!(spu.run_limited(&local_store, &mut channels, 1000), None);
     assert_eq!(spu.executed(), 1000);
     channels.stop_requested = true;
-    let requested = |pc| Stopped {
-        reason: Stop::Requested,
-        pc,
-        npc: pc,
-    };
+    let requested = |pc| Stopped { reason: Stop::Requested, pc, npc: pc };
     assert_eq!(spu.run(&local_store, &mut channels), requested(0x80));
     assert_eq!(spu.executed(), 1001);
 
@@ -264,38 +217,23 @@ fn an_observer_sees_each_instruction_before_it_runs() {
     struct Trace(Vec<(u32, Op, u32)>);
     impl Observer for Trace {
         fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
-            self.0
-                .push((spu.pc(), instruction.op, spu.register(3).preferred()));
+            self.0.push((spu.pc(), instruction.op, spu.register(3).preferred()));
         }
     }
-    let code = [
-        on(Op::Il, 3, 0, 7),
-        on(Op::Br, 0, 0, 8),
-        on(Op::Il, 3, 0, 8),
-        instruction(Op::Stop, 3),
-    ];
+    let code =
+        [on(Op::Il, 3, 0, 7), on(Op::Br, 0, 0, 8), on(Op::Il, 3, 0, 8), instruction(Op::Stop, 3)];
     let (mut spu, local_store, mut channels) = program(0x300, &code);
     let mut trace = Trace::default();
-    let stopped = spu
-        .run_observed(&local_store, &mut channels, 100, &mut trace)
-        .unwrap();
+    let stopped = spu.run_observed(&local_store, &mut channels, 100, &mut trace).unwrap();
     assert_eq!(stopped.reason, Stop::Signal(3));
-    assert_eq!(
-        trace.0,
-        [(0x300, Op::Il, 0), (0x304, Op::Br, 7), (0x30c, Op::Stop, 7)]
-    );
+    assert_eq!(trace.0, [(0x300, Op::Il, 0), (0x304, Op::Br, 7), (0x30c, Op::Stop, 7)]);
 }
 
 /// Provenance: model, from the flags' definitions.
 #[test]
 fn flags_reach_the_status_register_and_stay() {
     let flags_after = |i: Instruction, a: Quad, b: Quad| {
-        let code = [
-            i,
-            on(Op::Fa, 10, 11, 0),
-            on(Op::Fscrrd, 12, 0, 0),
-            instruction(Op::Stop, 0),
-        ];
+        let code = [i, on(Op::Fa, 10, 11, 0), on(Op::Fscrrd, 12, 0, 0), instruction(Op::Stop, 0)];
         let (mut spu, local_store, mut channels) = program(0, &code);
         spu.set_register(4, a);
         spu.set_register(5, b);
@@ -311,21 +249,12 @@ fn flags_reach_the_status_register_and_stay() {
     assert_eq!(flags_after(fm, mixed, halves), [0x5, 0x3, 0x0, 0x1]);
     let zeros = Quad([0, one, 0x8000_0001, one]);
     for op in [Op::Frest, Op::Frsqest] {
-        assert_eq!(
-            flags_after(instruction(op, 0), zeros, Quad::ZERO),
-            [0, 0, 0, 0xa00]
-        );
+        assert_eq!(flags_after(instruction(op, 0), zeros, Quad::ZERO), [0, 0, 0, 0xa00]);
     }
     let invalid = Quad::from_doublewords([0x7ff0_0000_0000_0000, 0x3ff0_0000_0000_0000]);
     let zero_and_tiny = Quad::from_doublewords([0, 0x3c00_0000_0000_0000]);
-    assert_eq!(
-        flags_after(instruction(Op::Dfm, 0), invalid, zero_and_tiny),
-        [0, 0x400, 0, 0]
-    );
-    assert_eq!(
-        flags_after(instruction(Op::Dfa, 0), invalid, zero_and_tiny),
-        [0, 0, 0x800, 0]
-    );
+    assert_eq!(flags_after(instruction(Op::Dfm, 0), invalid, zero_and_tiny), [0, 0x400, 0, 0]);
+    assert_eq!(flags_after(instruction(Op::Dfa, 0), invalid, zero_and_tiny), [0, 0, 0x800, 0]);
     let write = instruction(Op::Fscrwr, 0);
     assert_eq!(
         flags_after(write, Quad::splat(u32::MAX), Quad::ZERO),
@@ -342,9 +271,5 @@ fn each_double_slice_rounds_in_its_own_mode() {
     spu.set_register(8, Quad::from_doublewords([one; 2]));
     spu.set_register(5, Quad::from_doublewords([0x3c00_0000_0000_0000; 2]));
     assert_eq!(spu.run_limited(&local_store, &mut channels, 2), None);
-    assert_eq!(
-        spu.register(3).doublewords(),
-        [one + 1, one],
-        "up, toward zero"
-    );
+    assert_eq!(spu.register(3).doublewords(), [one + 1, one], "up, toward zero");
 }

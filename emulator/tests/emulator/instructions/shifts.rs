@@ -26,46 +26,26 @@ const ROWS: [Row; 17] = [
     (Op::Roth, Some(Op::Rothi), 16, Kind::Rotate, |n| n & 15),
     (Op::Rotm, Some(Op::Rotmi), 32, Kind::Right, |n| -n & 63),
     (Op::Rothm, Some(Op::Rothmi), 16, Kind::Right, |n| -n & 31),
-    (Op::Rotma, Some(Op::Rotmai), 32, Kind::RightSigned, |n| {
-        -n & 63
-    }),
-    (Op::Rotmah, Some(Op::Rotmahi), 16, Kind::RightSigned, |n| {
-        -n & 31
-    }),
+    (Op::Rotma, Some(Op::Rotmai), 32, Kind::RightSigned, |n| -n & 63),
+    (Op::Rotmah, Some(Op::Rotmahi), 16, Kind::RightSigned, |n| -n & 31),
     (Op::Shlqbi, Some(Op::Shlqbii), 128, Kind::Left, |n| n & 7),
-    (Op::Shlqby, Some(Op::Shlqbyi), 128, Kind::Left, |n| {
-        (n & 31) * 8
-    }),
+    (Op::Shlqby, Some(Op::Shlqbyi), 128, Kind::Left, |n| (n & 31) * 8),
     (Op::Shlqbybi, None, 128, Kind::Left, |n| (n >> 3 & 31) * 8),
     (Op::Rotqbi, Some(Op::Rotqbii), 128, Kind::Rotate, |n| n & 7),
-    (Op::Rotqby, Some(Op::Rotqbyi), 128, Kind::Rotate, |n| {
-        (n & 15) * 8
-    }),
+    (Op::Rotqby, Some(Op::Rotqbyi), 128, Kind::Rotate, |n| (n & 15) * 8),
     (Op::Rotqbybi, None, 128, Kind::Rotate, |n| (n >> 3 & 15) * 8),
-    (Op::Rotqmbi, Some(Op::Rotqmbii), 128, Kind::Right, |n| {
-        -n & 7
-    }),
-    (Op::Rotqmby, Some(Op::Rotqmbyi), 128, Kind::Right, |n| {
-        (-n & 31) * 8
-    }),
-    (Op::Rotqmbybi, None, 128, Kind::Right, |n| {
-        (-(n >> 3) & 31) * 8
-    }),
+    (Op::Rotqmbi, Some(Op::Rotqmbii), 128, Kind::Right, |n| -n & 7),
+    (Op::Rotqmby, Some(Op::Rotqmbyi), 128, Kind::Right, |n| (-n & 31) * 8),
+    (Op::Rotqmbybi, None, 128, Kind::Right, |n| (-(n >> 3) & 31) * 8),
 ];
 
 fn bits(quad: Quad) -> Vec<bool> {
-    (0..128)
-        .map(|bit| quad.0[bit / 32] >> (31 - bit % 32) & 1 == 1)
-        .collect()
+    (0..128).map(|bit| quad.0[bit / 32] >> (31 - bit % 32) & 1 == 1).collect()
 }
 
 fn moved(lane: &[bool], kind: Kind, distance: i64) -> Vec<bool> {
     let width = lane.len() as i64;
-    let at = |position: i64| {
-        (0..width)
-            .contains(&position)
-            .then(|| lane[position as usize])
-    };
+    let at = |position: i64| (0..width).contains(&position).then(|| lane[position as usize]);
     (0..width)
         .map(|bit| match kind {
             Kind::Left => at(bit + distance).unwrap_or(false),
@@ -133,15 +113,7 @@ fn every_count_in_both_forms() {
             }
             for immediate in -64..64 {
                 if let Some(op) = immediate_form {
-                    check(
-                        op,
-                        width,
-                        kind,
-                        distance,
-                        value,
-                        Quad::splat(0x55),
-                        immediate,
-                    );
+                    check(op, width, kind, distance, value, Quad::splat(0x55), immediate);
                 }
             }
         }

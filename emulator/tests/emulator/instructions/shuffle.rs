@@ -43,10 +43,6 @@ fn shuffles_are_what_their_bytes_say() {
         let stopped = spu.step(&local_store, &mut Script::default());
         assert_eq!(stopped, None);
         let expected = model(a, b, control);
-        assert_eq!(
-            spu.register(3),
-            expected,
-            "{a:08x?} {b:08x?} {control:08x?}"
-        );
+        assert_eq!(spu.register(3), expected, "{a:08x?} {b:08x?} {control:08x?}");
     }
 }

@@ -53,9 +53,7 @@ fn quad(text: &str) -> Quad {
 }
 
 fn vectors() -> impl Iterator<Item = Vector<'static>> {
-    let lines = VECTORS
-        .lines()
-        .filter(|line| !line.is_empty() && !line.starts_with('#'));
+    let lines = VECTORS.lines().filter(|line| !line.is_empty() && !line.starts_with('#'));
     lines.map(|line| {
         let (left, result) = match line.split_once(" = ") {
             Some((left, result)) => (left, Some(quad(result))),
@@ -64,15 +62,8 @@ fn vectors() -> impl Iterator<Item = Vector<'static>> {
         let mut words = left.split_whitespace();
         let mnemonic = words.next().unwrap();
         let op = Op::of_mnemonic(mnemonic).unwrap_or_else(|| panic!("{line}: no such instruction"));
-        let keys = words
-            .map(|word| word.split_once('=').unwrap_or((word, "")))
-            .collect();
-        Vector {
-            line,
-            op,
-            keys,
-            result,
-        }
+        let keys = words.map(|word| word.split_once('=').unwrap_or((word, ""))).collect();
+        Vector { line, op, keys, result }
     })
 }
 
@@ -109,10 +100,8 @@ fn check(vector: &Vector, i: Instruction, coverage: &mut Coverage) {
     let before = spu.registers;
 
     let mut expected = before;
-    let mut expected_memory: Vec<[u32; 4]> = (0..0x40000)
-        .step_by(16)
-        .map(|address| local_store.load_quadword(address))
-        .collect();
+    let mut expected_memory: Vec<[u32; 4]> =
+        (0..0x40000).step_by(16).map(|address| local_store.load_quadword(address)).collect();
     if let Some(result) = vector.result {
         expected[usize::from(i.rt)] = result;
     }
@@ -136,39 +125,23 @@ fn check(vector: &Vector, i: Instruction, coverage: &mut Coverage) {
         srr0: vector.number("srr0").unwrap_or(0),
         ..Script::default()
     };
-    let written: Vec<(u8, u32)> = vector
-        .number("writes")
-        .map(|value| (i.ra, value))
-        .into_iter()
-        .collect();
+    let written: Vec<(u8, u32)> =
+        vector.number("writes").map(|value| (i.ra, value)).into_iter().collect();
     let stopped = spu.run_observed(&local_store, &mut channels, 1, coverage);
 
     for (number, (got, wanted)) in spu.registers.iter().zip(&expected).enumerate() {
-        assert!(
-            got == wanted,
-            "{line}: ${number} is {:08x?}, expected {:08x?}",
-            got.0,
-            wanted.0
-        );
+        assert!(got == wanted, "{line}: ${number} is {:08x?}, expected {:08x?}", got.0, wanted.0);
     }
     assert_eq!(spu.pc(), to, "{line}: went to {:05x}", spu.pc());
     assert_eq!(spu.executed(), 1, "{line}");
     assert_eq!(channels.written, written, "{line}");
-    assert_eq!(
-        stopped.as_ref().map(|stopped| &stopped.reason),
-        stop.as_ref(),
-        "{line}"
-    );
+    assert_eq!(stopped.as_ref().map(|stopped| &stopped.reason), stop.as_ref(), "{line}");
     if let Some(stopped) = stopped {
         assert_eq!((stopped.pc, stopped.npc), (pc, next), "{line}");
     }
     for (quadword, wanted) in expected_memory.iter().enumerate() {
         let got = local_store.load_quadword(quadword as u32 * 16);
-        assert!(
-            got == *wanted,
-            "{line}: local store at {:05x}",
-            quadword * 16
-        );
+        assert!(got == *wanted, "{line}: local store at {:05x}", quadword * 16);
     }
 }
 
@@ -180,11 +153,7 @@ fn has(op: Op, operand: Operand) -> bool {
 fn vectors_hold() {
     let mut coverage = Coverage::default();
     for vector in vectors() {
-        check(
-            &vector,
-            instruction(vector.op, vector.immediate()),
-            &mut coverage,
-        );
+        check(&vector, instruction(vector.op, vector.immediate()), &mut coverage);
     }
 }
 
@@ -199,11 +168,7 @@ fn vectors_hold_when_the_target_is_a_source() {
             continue;
         }
         let i = instruction(vector.op, vector.immediate());
-        for (operand, number) in [
-            (Operand::Ra, i.ra),
-            (Operand::Rb, i.rb),
-            (Operand::Rc, i.rc),
-        ] {
+        for (operand, number) in [(Operand::Ra, i.ra), (Operand::Rb, i.rb), (Operand::Rc, i.rc)] {
             if has(vector.op, operand) {
                 check(&vector, Instruction { rt: number, ..i }, &mut coverage);
                 checked += 1;
@@ -217,11 +182,7 @@ fn vectors_hold_when_the_target_is_a_source() {
 fn every_row_of_the_table_is_run() {
     let mut coverage = Coverage::default();
     for vector in vectors() {
-        check(
-            &vector,
-            instruction(vector.op, vector.immediate()),
-            &mut coverage,
-        );
+        check(&vector, instruction(vector.op, vector.immediate()), &mut coverage);
     }
     let missing: Vec<&str> = Op::rows()
         .iter()

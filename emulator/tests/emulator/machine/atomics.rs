@@ -209,10 +209,7 @@ impl MainMemory for TwiceInSteps {
     }
 
     fn place(&self, ea: u64) -> Option<Place> {
-        Some(Place {
-            file: (0, 1),
-            offset: Self::at_base(ea) - BASE,
-        })
+        Some(Place { file: (0, 1), offset: Self::at_base(ea) - BASE })
     }
 
     fn compare_exchange_line(
@@ -283,20 +280,15 @@ fn lines_are_seen_whole() {
         command PUTL, 0x10000, $74, 8, 0
         wait_tags 1";
     let machine = TwiceInSteps::machine();
-    let running: Vec<_> = [
-        (get, put),
-        (get, put_line),
-        (get_line, put),
-        (get_line, put_if),
-        (get, list),
-    ]
-    .into_iter()
-    .zip(1..)
-    .map(|((get, put), number)| {
-        let (spe, entry) = on(&machine, &gets_and_puts(number, get, put));
-        (start(&spe, entry), spe)
-    })
-    .collect();
+    let running: Vec<_> =
+        [(get, put), (get, put_line), (get_line, put), (get_line, put_if), (get, list)]
+            .into_iter()
+            .zip(1..)
+            .map(|((get, put), number)| {
+                let (spe, entry) = on(&machine, &gets_and_puts(number, get, put));
+                (start(&spe, entry), spe)
+            })
+            .collect();
     for (one, spe) in running {
         one.wait();
         assert_eq!(register(&spe, 7), 0);

@@ -50,9 +50,7 @@ fn idle_counts() {
     let (spe, entry) = Machine::new().loaded(Policy::AtOnce, &source);
     assert_eq!(run_to_stop(&spe, entry), 1);
     for channel in 0..128_u8 {
-        let count = spe
-            .local_store()
-            .load_word(0x8000 + u32::from(channel) * 16);
+        let count = spe.local_store().load_word(0x8000 + u32::from(channel) * 16);
         let known = CHANNELS.iter().find(|(number, ..)| *number == channel);
         assert_eq!(count, known.map_or(0, |known| known.2), "channel {channel}");
     }
@@ -62,10 +60,7 @@ fn idle_counts() {
 fn channels_have_one_direction_and_others_do_not_exist() {
     for channel in 0..128_u8 {
         let known = CHANNELS.iter().find(|(number, ..)| *number == channel);
-        let cases = [
-            (true, ChannelAccess::Read, 0x00d),
-            (false, ChannelAccess::Write, 0x10d),
-        ];
+        let cases = [(true, ChannelAccess::Read, 0x00d), (false, ChannelAccess::Write, 0x10d)];
         for (reads, access, opcode) in cases {
             if known.is_some_and(|known| known.1 == reads) {
                 continue;

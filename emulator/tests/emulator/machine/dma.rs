@@ -222,10 +222,7 @@ fn spes_reach_each_others_local_store_and_signals() {
     let machine = Machine::new();
     let (receiver, entry) =
         machine.loaded(Policy::AtOnce, "rdch $10,$ch4\n lqa $11,0x8000\n stop 1\n");
-    machine
-        .memory
-        .register_local_store(STORE, receiver.local_store().clone())
-        .unwrap();
+    machine.memory.register_local_store(STORE, receiver.local_store().clone()).unwrap();
     receiver.map_signal(SignalRegister::Two, SIGNAL);
     let source = "
         ila     $4,0x8000
@@ -251,13 +248,7 @@ fn spes_reach_each_others_local_store_and_signals() {
 }
 
 fn proxy(opcode: u32, ea: u64, size: u32, tag: u32) -> ProxyCommand {
-    ProxyCommand {
-        opcode,
-        lsa: 0x20000,
-        ea,
-        size,
-        tag,
-    }
+    ProxyCommand { opcode, lsa: 0x20000, ea, size, tag }
 }
 
 #[test]
@@ -265,15 +256,11 @@ fn proxy_commands_move_data_and_report_their_tags() {
     for policy in POLICIES {
         let machine = Machine::new();
         machine.write(0, &pattern(64));
-        let spe = machine.spe(Config {
-            policy,
-            ..Config::default()
-        });
+        let spe = machine.spe(Config { policy, ..Config::default() });
         spe.proxy_command(proxy(0x40, BASE, 64, 3)).unwrap();
         assert_eq!(spe.proxy_tags(8, TagWait::All), 8);
         for n in 1..=20 {
-            spe.proxy_command(proxy(0x22, BASE + n * 64, 64, 4))
-                .unwrap();
+            spe.proxy_command(proxy(0x22, BASE + n * 64, 64, 4)).unwrap();
         }
         assert_eq!(spe.proxy_tags(1 << 4 | 1 << 3, TagWait::All), 0x18);
         for n in 1..=20 {
@@ -285,10 +272,7 @@ fn proxy_commands_move_data_and_report_their_tags() {
 #[test]
 fn proxy_transfers_at_last_wait_to_be_asked_twice() {
     let machine = Machine::new();
-    let spe = machine.spe(Config {
-        policy: Policy::AtLast,
-        ..Config::default()
-    });
+    let spe = machine.spe(Config { policy: Policy::AtLast, ..Config::default() });
     spe.local_store().write(0x20000, &[1; 16]);
     spe.proxy_command(proxy(0x20, BASE, 16, 1)).unwrap();
     assert_eq!(machine.word(0), 0);

@@ -89,20 +89,11 @@ fn what_is_no_spu_program_says_why() {
     }
     assert_eq!(with(17, 1), ElfError::Type(1));
     assert_eq!(with(19, 21), ElfError::Machine(21));
-    assert!(matches!(
-        Image::parse(&good[..40]).unwrap_err(),
-        ElfError::Malformed(_)
-    ));
+    assert!(matches!(Image::parse(&good[..40]).unwrap_err(), ElfError::Malformed(_)));
     // A segment at the end of local store, and one that is larger than local store.
     let header = program_header(&good);
-    assert!(matches!(
-        with(header + 9, 4),
-        ElfError::OutsideLocalStore { .. }
-    ));
-    assert!(matches!(
-        with(header + 20, 1),
-        ElfError::OutsideLocalStore { .. }
-    ));
+    assert!(matches!(with(header + 9, 4), ElfError::OutsideLocalStore { .. }));
+    assert!(matches!(with(header + 20, 1), ElfError::OutsideLocalStore { .. }));
     // A segment that starts outside the file.
     assert!(matches!(with(header + 4, 0x7f), ElfError::Malformed(_)));
 }
@@ -122,10 +113,7 @@ fn an_overlay_is_left_to_the_program() {
 #[test]
 fn other_ear_symbols_are_refused() {
     let refused = assemble(".global _EAR_other\n_EAR_other: stop 0\n");
-    assert!(matches!(
-        Image::parse(&refused).unwrap_err(),
-        ElfError::UnsupportedToe(_)
-    ));
+    assert!(matches!(Image::parse(&refused).unwrap_err(), ElfError::UnsupportedToe(_)));
     let plain = assemble(".global _EAR_\n_EAR_: stop 0\n");
     Image::parse(&plain).unwrap();
 }

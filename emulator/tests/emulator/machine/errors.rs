@@ -21,16 +21,10 @@ fn error_of(policy: Policy, opcode: u32, lsa: u32, offset: u32, size: u32, tag: 
 "
     );
     let machine = Machine::new();
-    machine
-        .memory
-        .register(BASE + 0x5_0000, vec![0; 256], Access::ReadOnly)
-        .unwrap();
+    machine.memory.register(BASE + 0x5_0000, vec![0; 256], Access::ReadOnly).unwrap();
     let (spe, entry) = machine.loaded(policy, &source);
     match run(&spe, entry) {
-        Stopped {
-            reason: Stop::Dma(error),
-            ..
-        } => error,
+        Stopped { reason: Stop::Dma(error), .. } => error,
         other => panic!("{opcode:#x} {lsa:#x} {offset:#x} {size} {tag}: {other}"),
     }
 }
@@ -86,10 +80,7 @@ fn an_unknown_tag_condition_is_invalid() {
     let (spe, entry) = Machine::new().loaded(Policy::AtOnce, "set_channel 23, 3\n stop 1\n");
     let stopped = run(&spe, entry);
     assert!(
-        matches!(
-            stopped.reason,
-            Stop::Dma(DmaError::InvalidCommand { command: 3, .. })
-        ),
+        matches!(stopped.reason, Stop::Dma(DmaError::InvalidCommand { command: 3, .. })),
         "{stopped}"
     );
 }
@@ -122,10 +113,7 @@ fn storage_faults_name_the_address() {
 "
             );
             let machine = Machine::new();
-            machine
-                .memory
-                .register(BASE + 0x5_0000, vec![0; 256], Access::ReadOnly)
-                .unwrap();
+            machine.memory.register(BASE + 0x5_0000, vec![0; 256], Access::ReadOnly).unwrap();
             let (spe, entry) = machine.loaded(policy, &source);
             let stopped = run(&spe, entry);
             let Stop::Dma(DmaError::Storage { ea, command, .. }) = stopped.reason else {
@@ -146,10 +134,7 @@ fn an_error_of_the_last_transfers_is_not_lost() {
 ";
     let (spe, entry) = Machine::new().loaded(Policy::AtLast, source);
     let stopped = run(&spe, entry);
-    assert!(
-        matches!(stopped.reason, Stop::Dma(DmaError::Storage { .. })),
-        "{stopped}"
-    );
+    assert!(matches!(stopped.reason, Stop::Dma(DmaError::Storage { .. })), "{stopped}");
 }
 
 #[test]

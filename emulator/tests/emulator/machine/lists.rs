@@ -33,10 +33,7 @@ fn a_list_gathers_rows() {
         }
         // The second element is small, so its address determines its position in the quadword.
         let (spe, entry) = machine.loaded(policy, source);
-        list(
-            &spe,
-            &[(64, 0x3000), (4, 0x1008), (0, 0x2001), (16, 0x2010)],
-        );
+        list(&spe, &[(64, 0x3000), (4, 0x1008), (0, 0x2001), (16, 0x2010)]);
         assert_eq!(run_to_stop(&spe, entry), 1);
         let mut there = [0; 112];
         spe.local_store().read(0x10000, &mut there);
@@ -153,10 +150,7 @@ fn a_list_stalls_until_it_is_acknowledged() {
         machine.write(16, &[2; 16]);
         machine.write(32, &[3; 16]);
         let (spe, entry) = machine.loaded(policy, source);
-        list(
-            &spe,
-            &[(STALL | 16, 0), (16, 16), (STALL | 16, 0), (16, 32)],
-        );
+        list(&spe, &[(STALL | 16, 0), (16, 16), (STALL | 16, 0), (16, 32)]);
         assert_eq!(run_to_stop(&spe, entry), 1);
         let read = [10, 11, 12, 13, 16].map(|n| register(&spe, n));
         assert_eq!(read, [1 << 7, 0, 0, 0, 0x0303_0303]);
@@ -227,10 +221,7 @@ fn a_bad_element_is_an_error_after_the_good_ones() {
         list(&spe, &[(16, 0), (bad, offset + 64)]);
         let Stopped { reason, .. } = run(&spe, entry);
         assert!(
-            matches!(
-                reason,
-                Stop::Dma(spu_emulator::mfc::DmaError::Alignment { .. })
-            ),
+            matches!(reason, Stop::Dma(spu_emulator::mfc::DmaError::Alignment { .. })),
             "{reason:?}"
         );
         assert_eq!(machine.read(0, 16), [5; 16]);

@@ -126,10 +126,8 @@ fn every_blocking_channel_is_left_by_a_stop_request() {
 #[test]
 fn signals_replace_or_accumulate() {
     let machine = Machine::new();
-    let spe = machine.spe(Config {
-        signal_modes: [SignalMode::Or, SignalMode::Overwrite],
-        ..Config::default()
-    });
+    let spe = machine
+        .spe(Config { signal_modes: [SignalMode::Or, SignalMode::Overwrite], ..Config::default() });
     let source = "
         rdch    $10,$ch3
         rdch    $11,$ch4

@@ -31,9 +31,7 @@ impl Machine {
     /// A machine with 256 KB of main memory at [`BASE`], all 0.
     pub fn new() -> Self {
         let memory = Arc::new(RegisteredMemory::new());
-        memory
-            .register(BASE, vec![0; MEMORY], Access::ReadWrite)
-            .unwrap();
+        memory.register(BASE, vec![0; MEMORY], Access::ReadWrite).unwrap();
         let machine = machine::Machine::new(memory.clone());
         Self { memory, machine }
     }
@@ -44,10 +42,7 @@ impl Machine {
 
     /// An SPE with a program, and the program's entry.
     pub fn loaded(&self, policy: Policy, source: &str) -> (Arc<Spe>, u32) {
-        let spe = self.spe(Config {
-            policy,
-            ..Config::default()
-        });
+        let spe = self.spe(Config { policy, ..Config::default() });
         let entry = load(&spe, &assemble(source));
         (spe, entry)
     }
@@ -93,10 +88,7 @@ pub fn start(spe: &Arc<Spe>, entry: u32) -> Running {
         // A test that has failed no longer receives.
         let _ = sender.send(stopped);
     });
-    Running {
-        spe: Arc::clone(spe),
-        ended,
-    }
+    Running { spe: Arc::clone(spe), ended }
 }
 
 impl Running {
@@ -151,10 +143,7 @@ pub fn run(spe: &Arc<Spe>, entry: u32) -> Stopped {
 /// Runs to a `stop` instruction, and returns its code.
 pub fn run_to_stop(spe: &Arc<Spe>, entry: u32) -> u16 {
     match run(spe, entry) {
-        Stopped {
-            reason: Stop::Signal(code),
-            ..
-        } => code,
+        Stopped { reason: Stop::Signal(code), .. } => code,
         other => panic!("{other}"),
     }
 }

@@ -18,10 +18,7 @@ const PPE_RUN_CYCLES: u64 = PpeFigures::CONSOLE.run_cycles;
 fn check(spe: &SpeReport) {
     let account = &spe.account;
     assert_eq!(spe.stopped + account.cycles(), spe.clock);
-    assert_eq!(
-        account.single() + account.dual() + account.stalled(),
-        account.cycles()
-    );
+    assert_eq!(account.single() + account.dual() + account.stalled(), account.cycles());
     assert_eq!(spe.busy() + spe.waits.total(), account.cycles());
     // The pipeline counts sleep in a channel as waiting for the channel or for the MFC.
     let slept = account.waited(Cause::Channel) + account.waited(Cause::Dma);
@@ -87,15 +84,9 @@ fn one_line_takes_as_long_as_the_constants_say() {
     let waited = figures.waits.tag;
     // The program spends the cycles that it does not wait in instructions between command and
     // wait. The line waits for a slot of its port and one of memory.
-    assert!(
-        waited < transfer + 35 && waited > transfer - 100,
-        "{waited}"
-    );
+    assert!(waited < transfer + 35 && waited > transfer - 100, "{waited}");
     assert_eq!(figures.stopped, PPE_CALL_CYCLES + PPE_RUN_CYCLES);
-    assert_eq!(
-        (figures.commands.queued, figures.commands.bytes_in),
-        (1, 128)
-    );
+    assert_eq!((figures.commands.queued, figures.commands.bytes_in), (1, 128));
 }
 
 #[test]
@@ -164,10 +155,7 @@ fn atomic_commands_and_stalled_lists_take_their_time() {
     let figures = &machine.report().spes[0];
     check(figures);
     let waits = figures.waits;
-    assert!(
-        waits.atomic < ATOMIC_LATENCY && waits.atomic > ATOMIC_LATENCY - 30,
-        "{waits:?}"
-    );
+    assert!(waits.atomic < ATOMIC_LATENCY && waits.atomic > ATOMIC_LATENCY - 30, "{waits:?}");
     assert!(waits.list > 128 * LINE_CYCLES, "{waits:?}");
     assert_eq!((figures.commands.atomic, figures.commands.queued), (1, 1));
     assert_eq!(figures.commands.bytes_in, 16384);

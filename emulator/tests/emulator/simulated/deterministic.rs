@@ -251,10 +251,7 @@ fn watch(image: &[u8], disturbance: &Disturbance, method: Method) -> (u32, Vec<S
     let (watcher, entry) = machine.loaded(image);
     let (sender, _) = machine.loaded(image);
     let store = Arc::clone(watcher.local_store());
-    machine
-        .memory
-        .register_local_store(STORE_EA, store)
-        .unwrap();
+    machine.memory.register_local_store(STORE_EA, store).unwrap();
     watcher.map_local_store(STORE_EA);
     machine.simulation().serialise();
     let first = start(&watcher, entry, 0, disturbance.delay());

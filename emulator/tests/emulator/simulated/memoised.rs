@@ -33,15 +33,7 @@ const MOST: u64 = 1500;
 const HOT: u8 = 3;
 
 fn word(op: Op, rt: u8, [ra, rb, rc]: [u8; 3], immediate: i32) -> u32 {
-    let instruction = Instruction {
-        op,
-        rt,
-        ra,
-        rb,
-        rc,
-        branch_distance: 0,
-        immediate,
-    };
+    let instruction = Instruction { op, rt, ra, rb, rc, branch_distance: 0, immediate };
     instruction.encode()
 }
 
@@ -219,12 +211,7 @@ fn program(pieces: &[Piece]) -> (Vec<u32>, Vec<u32>) {
         assert_eq!(4 * code.len() as u32, start, "{piece:?}");
         piece.write(&mut code, &starts, &patches);
     }
-    code.push(word(
-        Op::Br,
-        0,
-        [0; 3],
-        starts[0] as i32 - 4 * code.len() as i32,
-    ));
+    code.push(word(Op::Br, 0, [0; 3], starts[0] as i32 - 4 * code.len() as i32));
     (code, starts)
 }
 
@@ -263,13 +250,8 @@ fn run(
     }
     let memory = Arc::new(RegisteredMemory::new());
     let access = Access::ReadWrite;
-    memory
-        .register(MEMORY_EA, bytes(&quadwords), access)
-        .unwrap();
-    let timing = Timing {
-        rules,
-        ..Timing::default()
-    };
+    memory.register(MEMORY_EA, bytes(&quadwords), access).unwrap();
+    let timing = Timing { rules, ..Timing::default() };
     let options = SimulationOptions {
         profile: true,
         races: true,
@@ -342,10 +324,7 @@ fn rules() -> impl Strategy<Value = Rules> {
 /// A quadword of code: pieces of one word that do not depend on their address.
 fn quad() -> impl Strategy<Value = [Piece; 4]> {
     let short = piece().prop_filter("a word", |piece| {
-        matches!(
-            piece,
-            Piece::Plain(..) | Piece::Data(..) | Piece::Read(..) | Piece::Indirect(..)
-        )
+        matches!(piece, Piece::Plain(..) | Piece::Data(..) | Piece::Read(..) | Piece::Indirect(..))
     });
     prop::array::uniform4(short)
 }
@@ -406,12 +385,8 @@ fn code_that_is_ever_new_is_timed_too() {
     ];
     let seen = WAYS.map(|(method, engine)| {
         let memory = Arc::new(RegisteredMemory::new());
-        let options = SimulationOptions {
-            profile: true,
-            method,
-            engine,
-            ..SimulationOptions::default()
-        };
+        let options =
+            SimulationOptions { profile: true, method, engine, ..SimulationOptions::default() };
         let machine = Machine::simulated_with(memory, Timing::default(), options);
         let spe = Spe::new(&machine, Config::default());
         for (address, word) in (0..).step_by(4).zip(code) {

@@ -32,17 +32,11 @@ fn mails_come_one_call_after_the_other() {
     let machine = Machine::new();
     let image = assemble(ECHO);
     let spes: Vec<_> = (0..6).map(|_| machine.loaded(&image)).collect();
-    let running: Vec<_> = spes
-        .iter()
-        .map(|(spe, entry)| start(spe, *entry, 0, Duration::ZERO))
-        .collect();
+    let running: Vec<_> =
+        spes.iter().map(|(spe, entry)| start(spe, *entry, 0, Duration::ZERO)).collect();
     let settle = Some(Duration::from_micros(100));
     let key = simulation(&machine).new_key();
-    assert!(
-        simulation(&machine)
-            .wait(key, settle, || None::<()>)
-            .is_none()
-    );
+    assert!(simulation(&machine).wait(key, settle, || None::<()>).is_none());
     for (spe, _) in &spes {
         spe.write_inbound(1, None);
     }
@@ -103,11 +97,7 @@ fn a_limit_is_simulated_time() {
     let running = start(&spe, entry, 0, Duration::ZERO);
     let key = simulation(&machine).new_key();
     let limit = Duration::from_millis(1);
-    assert!(
-        simulation(&machine)
-            .wait(key, Some(limit), || None::<()>)
-            .is_none()
-    );
+    assert!(simulation(&machine).wait(key, Some(limit), || None::<()>).is_none());
     let now = || Some(Instant::now());
     let room = (0..9).take_while(|word| spe.write_inbound(*word, now()));
     assert_eq!(room.count(), 4);
@@ -125,11 +115,7 @@ fn a_sleeper_that_is_left_alone_lets_the_hosts_time_pass_too() {
     let key = simulation(&machine).new_key();
     let limit = Duration::from_millis(50);
     let start = Instant::now();
-    assert!(
-        simulation(&machine)
-            .wait(key, Some(limit), || None::<()>)
-            .is_none()
-    );
+    assert!(simulation(&machine).wait(key, Some(limit), || None::<()>).is_none());
     assert!(start.elapsed() >= limit);
 }
 

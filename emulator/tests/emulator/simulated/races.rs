@@ -36,12 +36,8 @@ fn races(source: &str) -> Vec<Race> {
     let (none, unwatched) = run_with(&image, SimulationOptions::default());
     assert_eq!(none, []);
     let mut all = WAYS.map(|(method, engine)| {
-        let options = SimulationOptions {
-            races: true,
-            method,
-            engine,
-            ..SimulationOptions::default()
-        };
+        let options =
+            SimulationOptions { races: true, method, engine, ..SimulationOptions::default() };
         let (races, report) = run_with(&image, options);
         assert_eq!(report, unwatched, "{method:?} {engine:?}");
         races
@@ -221,10 +217,7 @@ fn an_atomic_command_is_complete_with_its_status() {
     assert!(found[0].command.is_atomic);
     let text = found[0].to_string();
     assert!(text.ends_with("First read MFC_RdAtomicStat."), "{text}");
-    assert_eq!(
-        uses(&source("rdch $9,$ch27\ncommand GETLLAR, 0x1080, $3, 0, 0")),
-        []
-    );
+    assert_eq!(uses(&source("rdch $9,$ch27\ncommand GETLLAR, 0x1080, $3, 0, 0")), []);
 }
 
 /// The loop is compiled long before the iteration that comes to the data in flight.

@@ -37,20 +37,13 @@ impl Machine {
 
     /// A machine that counts its cycles with this method.
     pub fn counting(method: Method) -> Self {
-        let options = SimulationOptions {
-            profile: false,
-            method,
-            ..SimulationOptions::default()
-        };
+        let options = SimulationOptions { profile: false, method, ..SimulationOptions::default() };
         Self::simulated_with(Timing::default(), options)
     }
 
     /// A machine that records timelines.
     pub fn recording() -> Self {
-        let options = SimulationOptions {
-            timeline: true,
-            ..SimulationOptions::default()
-        };
+        let options = SimulationOptions { timeline: true, ..SimulationOptions::default() };
         Self::simulated_with(Timing::default(), options)
     }
 
@@ -61,9 +54,7 @@ impl Machine {
 
     fn simulated_with(timing: Timing, options: SimulationOptions) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
-        memory
-            .register(BASE, vec![0; MEMORY], Access::ReadWrite)
-            .unwrap();
+        memory.register(BASE, vec![0; MEMORY], Access::ReadWrite).unwrap();
         let machine = machine::Machine::simulated_with(memory.clone(), timing, options);
         Self { memory, machine }
     }
@@ -137,10 +128,7 @@ pub fn start(spe: &Arc<Spe>, entry: u32, number: u32, delay: Duration) -> Runnin
         // A test that has failed no longer receives.
         let _ = sender.send(stopped);
     });
-    Running {
-        spe: Arc::clone(spe),
-        ended,
-    }
+    Running { spe: Arc::clone(spe), ended }
 }
 
 impl Running {

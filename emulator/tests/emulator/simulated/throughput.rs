@@ -37,10 +37,7 @@ fn computing_is_six_times_as_fast_on_six_spes() {
     let clock = |spes| {
         let spes = Machine::new().run_all(spes, COMPUTE);
         // The times count from the first instruction.
-        spes.iter()
-            .map(|spe| spe.clock - spe.stopped)
-            .max()
-            .unwrap()
+        spes.iter().map(|spe| spe.clock - spe.stopped).max().unwrap()
     };
     let (one, six) = (clock(1), clock(6));
     let speedup = one as f64 / six as f64;
@@ -70,11 +67,7 @@ const STREAMED: u64 = 66 * 16384;
 /// The bytes per cycle of all SPEs together.
 fn rate(spes: u32, direction: &str) -> f64 {
     let spes = Machine::new().run_all(spes, &STREAM.replace("\\direction", direction));
-    let cycles = spes
-        .iter()
-        .map(|spe| spe.clock - spe.stopped)
-        .max()
-        .unwrap();
+    let cycles = spes.iter().map(|spe| spe.clock - spe.stopped).max().unwrap();
     for spe in &spes {
         let commands = &spe.commands;
         assert_eq!(commands.bytes_in + commands.bytes_out, STREAMED);
@@ -85,9 +78,7 @@ fn rate(spes: u32, direction: &str) -> f64 {
 
 #[test]
 fn memory_gives_its_bandwidth_and_no_more() {
-    let MemoryFigures {
-        get_line, put_line, ..
-    } = MemoryFigures::CONSOLE;
+    let MemoryFigures { get_line, put_line, .. } = MemoryFigures::CONSOLE;
     for (direction, line) in [("GET", get_line), ("PUT", put_line)] {
         let most = bytes_a_cycle(line);
         let (one, two, six) = (rate(1, direction), rate(2, direction), rate(6, direction));

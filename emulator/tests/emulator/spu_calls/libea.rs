@@ -33,21 +33,14 @@ fn memory_comes_and_goes() {
     let shrunk = call(&mut guest, REALLOC, &[half, 16]).doubleword();
     assert_ne!(shrunk, 0);
     assert_eq!(call(&mut guest, REALLOC, &[shrunk, 0]).doubleword(), 0);
-    assert_eq!(
-        call(&mut guest, REALLOC, &[0, HEAP as u64]).doubleword(),
-        HEAP_EA
-    );
+    assert_eq!(call(&mut guest, REALLOC, &[0, HEAP as u64]).doubleword(), HEAP_EA);
 }
 
 #[test]
 fn aligned_memory_answers_by_error_number() {
     let mut guest = GuestProgram::new("");
     let mut memalign = |alignment, size| {
-        let cells = [
-            Value::Word(0x8000),
-            Value::Long(alignment),
-            Value::Long(size),
-        ];
+        let cells = [Value::Word(0x8000), Value::Long(alignment), Value::Long(size)];
         let answer = guest.serve(LIBEA, POSIX_MEMALIGN, &cells).unwrap();
         let [high, low] = guest.words(0x8000);
         (answer.value, u64::from(high) << 32 | u64::from(low))

@@ -10,11 +10,7 @@ const O_CREAT: u32 = 64;
 const O_EXCL: u32 = 128;
 const O_TRUNC: u32 = 512;
 const BUFFER: u32 = 0x8000;
-const ENOENT: Answer = Answer {
-    value: -1,
-    low: 0,
-    errno: libc::ENOENT,
-};
+const ENOENT: Answer = Answer { value: -1, low: 0, errno: libc::ENOENT };
 
 struct Files {
     guest: GuestProgram,
@@ -23,10 +19,7 @@ struct Files {
 
 impl Files {
     fn new() -> Self {
-        Self {
-            guest: GuestProgram::new("typed"),
-            folder: tempfile::tempdir().unwrap(),
-        }
+        Self { guest: GuestProgram::new("typed"), folder: tempfile::tempdir().unwrap() }
     }
 
     fn file(&self, name: &str) -> PathBuf {
@@ -82,9 +75,7 @@ fn descriptors() {
     assert_eq!(files.call("lockf", &[copy, 2, 0]), Answer::ok(0));
     assert_eq!(files.call("dup2", &[copy, copy]), Answer::ok(copy as i32));
     assert_eq!(files.call("close", &[copy]), Answer::ok(0));
-    for name in [
-        "read", "write", "pread", "pwrite", "lseek", "dup", "fsync", "fstat", "fchdir",
-    ] {
+    for name in ["read", "write", "pread", "pwrite", "lseek", "dup", "fsync", "fstat", "fchdir"] {
         let answer = files.call(name, &[u32::MAX, BUFFER, 1, 0]);
         assert_eq!(answer, Answer::failed(-1, libc::EBADF), "{name}");
     }
@@ -173,30 +164,18 @@ fn names() {
     assert_eq!(files.call("unlink", &[g]), Answer::ok(0));
     assert_eq!(files.call("symlink", &[f, g]), Answer::ok(0));
     let length = files.file("f").as_os_str().len();
-    assert_eq!(
-        files.call("readlink", &[g, BUFFER, 4096]),
-        Answer::ok(length as i32)
-    );
-    assert_eq!(
-        files.guest.read_text(BUFFER),
-        files.file("f").to_str().unwrap()
-    );
+    assert_eq!(files.call("readlink", &[g, BUFFER, 4096]), Answer::ok(length as i32));
+    assert_eq!(files.guest.read_text(BUFFER), files.file("f").to_str().unwrap());
     assert_eq!(files.call("mkdir", &[d, 0o700]), Answer::ok(0));
     assert_eq!(files.call("rmdir", &[d]), Answer::ok(0));
     assert_eq!(files.call("rmdir", &[d]), ENOENT);
     files.guest.store.write(BUFFER, &[0, 0, 0, 77, 0, 0, 0, 88]);
     assert_eq!(files.call("utime", &[f, BUFFER]), Answer::ok(0));
     assert_eq!(fs::metadata(files.file("f")).unwrap().mtime(), 88);
-    files
-        .guest
-        .store
-        .write(BUFFER, &[0, 0, 0, 7, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0, 2]);
+    files.guest.store.write(BUFFER, &[0, 0, 0, 7, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0, 2]);
     assert_eq!(files.call("utimes", &[f, BUFFER]), Answer::ok(0));
     let known = fs::metadata(files.file("f")).unwrap();
-    assert_eq!(
-        (known.atime(), known.mtime(), known.mtime_nsec()),
-        (7, 9, 2000)
-    );
+    assert_eq!((known.atime(), known.mtime(), known.mtime_nsec()), (7, 9, 2000));
     assert_ne!(files.call("ftok", &[f, 65]).value, -1);
 }
 
@@ -209,10 +188,7 @@ fn temporary_names() {
     assert!(PathBuf::from(files.guest.read_text(template)).is_file());
     files.call("close", &[fd.value as u32]);
     let template = files.path("gXXXXXX");
-    assert_eq!(
-        files.call("mktemp", &[template]),
-        Answer::ok(template as i32)
-    );
+    assert_eq!(files.call("mktemp", &[template]), Answer::ok(template as i32));
     let name = files.guest.read_text(template);
     assert!(!name.ends_with("XXXXXX") && !PathBuf::from(name).exists());
     let bad = files.path("h");
@@ -222,20 +198,11 @@ fn temporary_names() {
 #[test]
 fn the_working_directory() {
     let mut files = Files::new();
-    assert_eq!(
-        files.call("getcwd", &[BUFFER, 4096]),
-        Answer::ok(BUFFER as i32)
-    );
+    assert_eq!(files.call("getcwd", &[BUFFER, 4096]), Answer::ok(BUFFER as i32));
     let here = std::env::current_dir().unwrap();
     assert_eq!(files.guest.read_text(BUFFER), here.to_str().unwrap());
-    assert_eq!(
-        files.call("getcwd", &[BUFFER, 0]),
-        Answer::failed(0, libc::EINVAL)
-    );
-    assert_eq!(
-        files.call("getcwd", &[BUFFER, 3]),
-        Answer::failed(0, libc::ERANGE)
-    );
+    assert_eq!(files.call("getcwd", &[BUFFER, 0]), Answer::failed(0, libc::EINVAL));
+    assert_eq!(files.call("getcwd", &[BUFFER, 3]), Answer::failed(0, libc::ERANGE));
     let here = files.guest.text(here.as_os_str().as_bytes());
     assert_eq!(files.call("chdir", &[here]), Answer::ok(0));
     let none = files.path("none");
@@ -297,17 +264,10 @@ fn files_in_effective_address_space() {
     assert!(private.doubleword() >= HEAP_EA && private.doubleword() % 4096 == 0);
     let anonymous = map(&mut files, [100, 3, 0x22, u32::MAX, 0]);
     assert_eq!(anonymous.errno, 0);
-    assert_eq!(
-        map(&mut files, [100, 3, 1, fd, 0]).errno,
-        libc::ENOTSUP,
-        "writes through"
-    );
+    assert_eq!(map(&mut files, [100, 3, 1, fd, 0]).errno, libc::ENOTSUP, "writes through");
     assert_eq!(map(&mut files, [0, 3, 2, fd, 0]).errno, libc::EINVAL);
     assert_eq!(map(&mut files, [100, 1, 2, u32::MAX, 0]).errno, libc::EBADF);
-    assert_eq!(
-        map(&mut files, [1 << 30, 1, 0x22, 0, 0]).errno,
-        libc::ENOMEM
-    );
+    assert_eq!(map(&mut files, [1 << 30, 1, 0x22, 0, 0]).errno, libc::ENOMEM);
     let at = |files: &mut Files, name: &str, words: [u32; 3]| {
         let mut cells = vec![Value::Long(private.doubleword())];
         cells.extend(words.map(Value::Word));
@@ -316,27 +276,18 @@ fn files_in_effective_address_space() {
     assert_eq!(at(&mut files, "msync", [100, 0, 0]), Answer::ok(0));
     assert_eq!(at(&mut files, "mremap", [100, 8192, 0]).errno, libc::ENOMEM);
     assert_eq!(at(&mut files, "mremap", [100, 8192, 1]).errno, 0);
-    assert_eq!(
-        at(&mut files, "munmap", [100, 0, 0]).errno,
-        libc::EINVAL,
-        "it has moved"
-    );
+    assert_eq!(at(&mut files, "munmap", [100, 0, 0]).errno, libc::EINVAL, "it has moved");
 }
 
 #[test]
 fn time_and_process() {
     let mut files = Files::new();
-    let now = std::time::SystemTime::now()
-        .duration_since(std::time::UNIX_EPOCH)
-        .unwrap();
+    let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
     let now = now.as_secs() as u32;
     let told = files.call("time", &[BUFFER]).value as u32;
     assert!(told.wrapping_sub(now) < 60);
     assert_eq!(files.guest.words(BUFFER), [told]);
-    assert_eq!(
-        files.call("gettimeofday", &[BUFFER, BUFFER + 16]),
-        Answer::ok(0)
-    );
+    assert_eq!(files.call("gettimeofday", &[BUFFER, BUFFER + 16]), Answer::ok(0));
     let [seconds, microseconds] = files.guest.words(BUFFER);
     assert!(seconds.wrapping_sub(now) < 60 && microseconds < 1_000_000);
     files.guest.store.write(BUFFER, &[0, 0, 0, 0, 0, 0, 0, 9]);
@@ -345,10 +296,7 @@ fn time_and_process() {
     assert!(files.call("getpagesize", &[]).value >= 4096);
     let own = std::process::id();
     assert_eq!(files.call("kill", &[own, 0]), Answer::ok(0));
-    assert_eq!(
-        files.call("kill", &[u32::MAX, 9]),
-        Answer::failed(-1, libc::EPERM)
-    );
+    assert_eq!(files.call("kill", &[u32::MAX, 9]), Answer::failed(-1, libc::EPERM));
     assert_eq!(files.call("waitpid", &[own, 0, 0]).errno, libc::ECHILD);
     assert_eq!(files.call("sched_yield", &[]), Answer::ok(0));
     let before = files.call("umask", &[0o22]).value;
@@ -358,19 +306,7 @@ fn time_and_process() {
 #[test]
 fn what_is_not_served_says_so() {
     let mut files = Files::new();
-    for name in [
-        "adjtimex",
-        "shmat",
-        "shmctl",
-        "shmdt",
-        "shmget",
-        "shm_open",
-        "shm_unlink",
-    ] {
-        assert_eq!(
-            files.call(name, &[]),
-            Answer::failed(-1, libc::ENOSYS),
-            "{name}"
-        );
+    for name in ["adjtimex", "shmat", "shmctl", "shmdt", "shmget", "shm_open", "shm_unlink"] {
+        assert_eq!(files.call(name, &[]), Answer::failed(-1, libc::ENOSYS), "{name}");
     }
 }

@@ -46,14 +46,7 @@ fn field() -> impl Strategy<Value = String> {
 }
 
 fn integer() -> impl Strategy<Value = u64> {
-    prop_oneof![
-        any::<u64>(),
-        0..20_u64,
-        Just(0),
-        Just(1 << 63),
-        Just(u64::MAX),
-        Just(1 << 31)
-    ]
+    prop_oneof![any::<u64>(), 0..20_u64, Just(0), Just(1 << 63), Just(u64::MAX), Just(1 << 31)]
 }
 
 fn double() -> impl Strategy<Value = f64> {
@@ -133,27 +126,16 @@ fn characters_and_strings() {
         word(0),
     ];
     guest.variadic(VPRINTF, &[format], &arguments);
-    assert_eq!(
-        guest.output(),
-        "moon|    moon|moon    |mo|A|    B|%|0x12340|(nil)|%k"
-    );
+    assert_eq!(guest.output(), "moon|    moon|moon    |mo|A|    B|%|0x12340|(nil)|%k");
 }
 
 #[test]
 fn widths_and_precisions_from_arguments() {
-    let words = |words: &[u32]| {
-        words
-            .iter()
-            .map(|&word| Value::Word(word))
-            .collect::<Vec<_>>()
-    };
+    let words = |words: &[u32]| words.iter().map(|&word| Value::Word(word)).collect::<Vec<_>>();
     assert_eq!(print("<%*d>", &words(&[5, 42])), "<   42>");
     assert_eq!(print("<%*d>", &words(&[-5_i32 as u32, 42])), "<42   >");
     assert_eq!(print("<%.*d>", &words(&[4, 42])), "<0042>");
-    assert_eq!(
-        print("<%0*.*d>", &words(&[6, -1_i32 as u32, 42])),
-        "<000042>"
-    );
+    assert_eq!(print("<%0*.*d>", &words(&[6, -1_i32 as u32, 42])), "<000042>");
 }
 
 #[test]
@@ -187,10 +169,7 @@ fn strings_are_cut_to_their_room() {
     assert_eq!(guest.read_text(0x8000), "number ");
     assert_eq!(guest.words::<1>(0x8008), [0xeeee_eeee]);
     let answer = guest.variadic(VSNPRINTF, &[0x8010, 0, format], &[Value::Word(123)]);
-    assert_eq!(
-        (answer, guest.words::<1>(0x8010)),
-        (Answer::ok(10), [0xeeee_eeee])
-    );
+    assert_eq!((answer, guest.words::<1>(0x8010)), (Answer::ok(10), [0xeeee_eeee]));
     let answer = guest.variadic(VSPRINTF, &[0x8000, format], &[Value::Word(123)]);
     assert_eq!(answer, Answer::ok(10));
     assert_eq!(guest.read_text(0x8000), "number 123");
@@ -209,11 +188,7 @@ fn streams_other_than_standard_output() {
 #[test]
 fn an_endless_field_is_an_error() {
     let mut guest = GuestProgram::new("");
-    for format in [
-        "%2147483647d",
-        "%.99999999999999999999d",
-        "%16000000d%16000000d",
-    ] {
+    for format in ["%2147483647d", "%.99999999999999999999d", "%16000000d%16000000d"] {
         let format = guest.text(format);
         let answer = guest.variadic(VPRINTF, &[format], &[Value::Word(1), Value::Word(2)]);
         assert_eq!(answer, Answer::failed(-1, libc::EOVERFLOW));

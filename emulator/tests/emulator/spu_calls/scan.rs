@@ -84,9 +84,7 @@ fn wide_characters_take_four_bytes_each() {
     let text = |guest: &GuestProgram, n: u32, length: usize| -> String {
         let words: [u32; 8] = guest.words(RESULTS + 128 * n);
         let characters = words[..length].iter();
-        characters
-            .map(|&word| char::from_u32(word).unwrap())
-            .collect()
+        characters.map(|&word| char::from_u32(word).unwrap()).collect()
     };
     assert_eq!(text(&guest, 0, 1), "ä");
     assert_eq!(text(&guest, 1, 2), "bc");
@@ -142,10 +140,7 @@ fn a_scan_leaves_the_rest_of_the_stream() {
     assert_eq!(guest.variadic(VSCANF, &[format], &results), Answer::ok(2));
     assert_eq!([word(&guest, 0), word(&guest, 1)], [12, 34]);
     assert_eq!(guest.call(C99, GETCHAR, &[]), Answer::ok(i32::from(b'x')));
-    assert_eq!(
-        guest.variadic(VFSCANF, &[1, format], &results),
-        Answer::ok(-1)
-    );
+    assert_eq!(guest.variadic(VFSCANF, &[1, format], &results), Answer::ok(-1));
     let closed = guest.variadic(VFSCANF, &[7, format], &results);
     assert_eq!(closed, Answer::failed(-1, libc::EBADF));
 }

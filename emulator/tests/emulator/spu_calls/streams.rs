@@ -50,10 +50,7 @@ struct Files {
 
 impl Files {
     fn new(input: &str) -> Self {
-        Self {
-            guest: GuestProgram::new(input),
-            folder: tempfile::tempdir().unwrap(),
-        }
+        Self { guest: GuestProgram::new(input), folder: tempfile::tempdir().unwrap() }
     }
 
     fn path(&mut self, name: &str) -> u32 {
@@ -83,12 +80,8 @@ impl Files {
 #[test]
 fn a_stream_reopens_its_own_file_in_another_mode() {
     let mut files = Files::new("");
-    let (path, write, read, append) = (
-        files.path("again"),
-        files.guest.text("w"),
-        files.guest.text("r"),
-        files.guest.text("a"),
-    );
+    let (path, write, read, append) =
+        (files.path("again"), files.guest.text("w"), files.guest.text("r"), files.guest.text("a"));
     let handle = files.guest.call(C99, FOPEN, &[path, write]).value as u32;
     let number = files.guest.call(C99, FILENO, &[handle]).value;
     let text = files.guest.text("kept");
@@ -96,21 +89,12 @@ fn a_stream_reopens_its_own_file_in_another_mode() {
     let again = files.guest.call(C99, FREOPEN, &[0, read, handle]);
     assert_eq!(again, Answer::ok(handle as i32));
     assert_eq!(files.guest.call(C99, FILENO, &[handle]), Answer::ok(number));
-    assert_eq!(
-        files.guest.call(C99, FGETS, &[BUFFER, 100, handle]),
-        Answer::ok(BUFFER as i32)
-    );
+    assert_eq!(files.guest.call(C99, FGETS, &[BUFFER, 100, handle]), Answer::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "kept");
-    assert_eq!(
-        files.guest.call(C99, FREOPEN, &[0, append, handle]).value,
-        handle as i32
-    );
+    assert_eq!(files.guest.call(C99, FREOPEN, &[0, append, handle]).value, handle as i32);
     assert_eq!(files.guest.call(C99, FGETC, &[handle]).errno, libc::EBADF);
     assert_eq!(files.guest.call(C99, FCLOSE, &[handle]), Answer::ok(0));
-    assert_eq!(
-        files.guest.call(C99, FREOPEN, &[0, read, handle]),
-        Answer::failed(0, libc::EBADF)
-    );
+    assert_eq!(files.guest.call(C99, FREOPEN, &[0, read, handle]), Answer::failed(0, libc::EBADF));
 }
 
 #[test]
@@ -129,21 +113,11 @@ fn a_file_is_written_and_read_back() {
     assert_eq!(files.call(FCLOSE, &[4]), Answer::failed(-1, libc::EBADF));
 
     assert_eq!(files.open("f", "r"), Answer::ok(4));
-    assert_eq!(
-        files.call(FGETS, &[BUFFER, 6, 4]),
-        Answer::ok(BUFFER as i32)
-    );
+    assert_eq!(files.call(FGETS, &[BUFFER, 6, 4]), Answer::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "line ");
-    assert_eq!(
-        files.call(FGETS, &[BUFFER, 100, 4]),
-        Answer::ok(BUFFER as i32)
-    );
+    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Answer::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "one\n");
-    assert_eq!(
-        files.call(FREAD, &[BUFFER, 4, 100, 4]),
-        Answer::ok(4),
-        "whole items"
-    );
+    assert_eq!(files.call(FREAD, &[BUFFER, 4, 100, 4]), Answer::ok(4), "whole items");
     assert_eq!(files.guest.read_text(BUFFER), "line two\nline one!");
     assert_eq!(files.call(FEOF, &[4]), Answer::ok(1));
     assert_eq!(files.call(FGETC, &[4]), Answer::ok(-1));
@@ -168,10 +142,7 @@ fn positions_count_what_is_buffered() {
     // Reading went ahead of this position, but the written bytes must follow where reading
     // stopped.
     files.call(FPUTC, &[u32::from(b'A'), 4]);
-    assert_eq!(
-        files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]),
-        Answer::ok(0)
-    );
+    assert_eq!(files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]), Answer::ok(0));
     assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'9')));
     assert_eq!(files.call(FSETPOS, &[4, BUFFER]), Answer::ok(0));
     assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'A')));
@@ -233,19 +204,12 @@ fn standard_streams() {
     assert_eq!(files.guest.read_text(BUFFER), "first line");
     assert_eq!(files.call(GETCHAR, &[]), Answer::ok(i32::from(b'l')));
     assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(BUFFER as i32));
-    assert_eq!(
-        files.guest.read_text(BUFFER),
-        "ast",
-        "a line without an end"
-    );
+    assert_eq!(files.guest.read_text(BUFFER), "ast", "a line without an end");
     assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(0));
     files.call(PERROR, &[text, libc::ENOENT as u32]);
     files.call(PERROR, &[0, libc::EACCES as u32]);
     let error = files.guest.console(|console| console.error.clone());
-    assert_eq!(
-        error,
-        b"text: No such file or directory\nPermission denied\n"
-    );
+    assert_eq!(error, b"text: No such file or directory\nPermission denied\n");
     assert_eq!(files.call(FILENO, &[STDOUT]), Answer::ok(1));
     assert_eq!(files.call(UNGETC, &[u32::MAX, STDIN]), Answer::ok(-1));
 }
@@ -306,17 +270,10 @@ fn calls_that_nobody_serves_are_named() {
     let error = guest.serve(7, 1, &[]).unwrap_err();
     assert_eq!(error, CallError::UnknownClass(7));
     assert!(error.to_string().contains("0x2107"), "{error}");
-    for (class, number, last) in [
-        (Class::C99, 0, 41),
-        (Class::Posix, 1, 68),
-        (Class::Libea, 5, 5),
-    ] {
+    for (class, number, last) in [(Class::C99, 0, 41), (Class::Posix, 1, 68), (Class::Libea, 5, 5)]
+    {
         for opcode in [0, last as u8 + 1, 255] {
-            let expected = CallError::UnknownOpcode {
-                class,
-                opcode,
-                last,
-            };
+            let expected = CallError::UnknownOpcode { class, opcode, last };
             assert_eq!(guest.serve(number, opcode, &[]), Err(expected));
         }
     }
@@ -327,8 +284,6 @@ fn calls_that_nobody_serves_are_named() {
         ["clearerr", "fopen", "gets", "vsscanf"]
     );
     let posix = [1, 16, 23, 27, 31, 43, 57, 68].map(|n| name(Class::Posix, n));
-    let expected = [
-        "adjtimex", "read", "stat", "write", "time", "getcwd", "readdir", "writev",
-    ];
+    let expected = ["adjtimex", "read", "stat", "write", "time", "getcwd", "readdir", "writev"];
     assert_eq!(posix, expected);
 }

@@ -76,19 +76,11 @@ pub struct Answer {
 
 impl Answer {
     pub fn ok(value: i32) -> Self {
-        Self {
-            value,
-            low: 0,
-            errno: 0,
-        }
+        Self { value, low: 0, errno: 0 }
     }
 
     pub fn failed(value: i32, errno: i32) -> Self {
-        Self {
-            value,
-            low: 0,
-            errno,
-        }
+        Self { value, low: 0, errno }
     }
 
     pub fn doubleword(self) -> u64 {
@@ -159,11 +151,7 @@ impl GuestProgram {
         // The lowest bit means that interrupts are enabled.
         self.library.serve(class, &self.store, OPCODE_WORD | 1)?;
         let [value, low, _, errno] = self.words(BLOCK);
-        Ok(Answer {
-            value: value as i32,
-            low,
-            errno: errno as i32,
-        })
+        Ok(Answer { value: value as i32, low, errno: errno as i32 })
     }
 
     fn put(&self, address: u32, value: &Value) {

@@ -34,12 +34,7 @@ pub struct Aim {
 
 impl Default for Aim {
     fn default() -> Self {
-        Self {
-            turn: 0.0,
-            power: 0.5,
-            height: 0.0,
-            before: None,
-        }
+        Self { turn: 0.0, power: 0.5, height: 0.0, before: None }
     }
 }
 
@@ -142,11 +137,7 @@ impl Aim {
     pub fn free_way(&self, balls: &Balls) -> f64 {
         let (from, direction) = (balls.0[0].body.centre, self.direction());
         let cushion = |place: f64, way: f64, half: f64| {
-            if way == 0.0 {
-                f64::INFINITY
-            } else {
-                ((half - RADIUS).copysign(way) - place) / way
-            }
+            if way == 0.0 { f64::INFINITY } else { ((half - RADIUS).copysign(way) - place) / way }
         };
         let cushions =
             cushion(from.x, direction.x, HALF.0).min(cushion(from.z, direction.z, HALF.1));
@@ -169,14 +160,8 @@ mod tests {
     use super::Aim;
     use cellray::game::{DVec3, Input, InputEvent, Key, MouseButton};
 
-    const PRESS: InputEvent = InputEvent::MouseButton {
-        button: MouseButton::Left,
-        down: true,
-    };
-    const RELEASE: InputEvent = InputEvent::MouseButton {
-        button: MouseButton::Left,
-        down: false,
-    };
+    const PRESS: InputEvent = InputEvent::MouseButton { button: MouseButton::Left, down: true };
+    const RELEASE: InputEvent = InputEvent::MouseButton { button: MouseButton::Left, down: false };
 
     fn motion(across: f32, back: f32) -> InputEvent {
         InputEvent::MouseMotion { by: [across, back] }

@@ -69,10 +69,7 @@ impl Ball {
     fn new(number: usize, centre: DVec3) -> Self {
         Self {
             number,
-            body: Body {
-                mass: 1.0,
-                ..Body::new(centre, RADIUS)
-            },
+            body: Body { mass: 1.0, ..Body::new(centre, RADIUS) },
             roll: DVec3::ZERO,
             // Each ball starts with another orientation, which is the same in every game, so that
             // the paint on most of them is visible.
@@ -147,10 +144,7 @@ impl Ball {
             touched = true;
             let normal = away / distance;
             self.body.centre -= self.body.velocity * since;
-            if self
-                .body
-                .rebound(normal, RADIUS - distance, CUSHION_RESTITUTION)
-            {
+            if self.body.rebound(normal, RADIUS - distance, CUSHION_RESTITUTION) {
                 let across = normal * self.body.velocity.dot(normal);
                 let along = self.body.velocity - across;
                 self.body.velocity = across + along * CUSHION_GRIP;
@@ -226,11 +220,7 @@ impl Balls {
                     (f64::from(column) - f64::from(row) / 2.0) * apart,
                 );
             balls[number] = Ball::new(number, centre);
-            (row, column) = if column == row {
-                (row + 1, 0)
-            } else {
-                (row, column + 1)
-            };
+            (row, column) = if column == row { (row + 1, 0) } else { (row, column + 1) };
         }
         Self(balls)
     }
@@ -382,10 +372,7 @@ mod tests {
                     let across = normal * before.dot(normal);
                     let after = (before - across) * CUSHION_GRIP - across * CUSHION_RESTITUTION;
                     let off = (ball.body.velocity - after).length();
-                    assert!(
-                        off < 1e-5 * speed,
-                        "{degrees} degrees, {speed} m/s, {part}: {off}"
-                    );
+                    assert!(off < 1e-5 * speed, "{degrees} degrees, {speed} m/s, {part}: {off}");
                 }
             }
         }

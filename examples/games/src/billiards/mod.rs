@@ -231,8 +231,7 @@ impl Billiards {
     fn show(&mut self, world: &mut World, seconds: f64) -> Result<(), WorldError> {
         self.scene.show_balls(world, &self.balls)?;
         let aims = self.phase == Phase::Aim;
-        self.scene
-            .show_cue(world, &self.balls, &self.aim, self.drawn(), aims)?;
+        self.scene.show_cue(world, &self.balls, &self.aim, self.drawn(), aims)?;
         let sign = match self.phase {
             Phase::Over => Sign::Won(self.since),
             _ if self.rules.was_foul() && self.since < FOUL => Sign::Foul,
@@ -258,10 +257,7 @@ impl Billiards {
             }
             Phase::Run | Phase::Over => {
                 let side = if self.eye.x < 0.0 { -1.0 } else { 1.0 };
-                (
-                    DVec3::new(side * 0.7, 1.12, 1.46),
-                    DVec3::new(0.0, -0.08, 0.06),
-                )
+                (DVec3::new(side * 0.7, 1.12, 1.46), DVec3::new(0.0, -0.08, 0.06))
             }
         }
     }
@@ -289,10 +285,7 @@ impl Game for Billiards {
             ray_depth: 3,
             ..RenderOptions::default()
         });
-        world.set_view(View {
-            angle: 45.0,
-            ..world.view().clone()
-        })?;
+        world.set_view(View { angle: 45.0, ..world.view().clone() })?;
         self.scene = Scene::add(world, &self.balls)?;
         (self.eye, self.at) = self.view();
         self.show(world, 0.0)

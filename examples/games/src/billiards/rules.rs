@@ -90,10 +90,7 @@ impl Rules {
     /// A new game in which this player breaks.
     #[must_use]
     pub fn new(turn: usize) -> Self {
-        Self {
-            turn,
-            ..Self::default()
-        }
+        Self { turn, ..Self::default() }
     }
 
     /// The player whose turn it is.
@@ -149,9 +146,7 @@ impl Rules {
     /// Judges a shot. `on_bed` says which balls are on the bed after it.
     pub fn judge(&mut self, shot: &Shot, on_bed: impl Fn(usize) -> bool) {
         let before = |number: usize| on_bed(number) || shot.has(number);
-        let legal = shot
-            .first_touched
-            .is_some_and(|number| self.may_touch(number, before));
+        let legal = shot.first_touched.is_some_and(|number| self.may_touch(number, before));
         self.foul = shot.has(0) || !legal;
         let broke = !self.broken;
         self.broken |= shot.first_touched.is_some();
@@ -161,12 +156,9 @@ impl Rules {
             self.winner = Some(if won { self.turn } else { 1 - self.turn });
             return;
         }
-        if let (None, false, false, Some(group)) = (
-            self.group,
-            self.foul,
-            broke,
-            shot.first_pocketed.and_then(Group::of),
-        ) {
+        if let (None, false, false, Some(group)) =
+            (self.group, self.foul, broke, shot.first_pocketed.and_then(Group::of))
+        {
             self.group = Some(if self.turn == 0 { group } else { group.other() });
         }
         let plays_on = match self.group() {
@@ -218,11 +210,7 @@ mod tests {
             assert_eq!((rules.turn(), rules.winner()), (1, None));
         }
         // The other player's ball is touched first, and one's own is pocketed.
-        let rules = play(&[
-            shot(Some(1), &[]),
-            shot(Some(9), &[12]),
-            shot(Some(2), &[13]),
-        ]);
+        let rules = play(&[shot(Some(1), &[]), shot(Some(9), &[12]), shot(Some(2), &[13])]);
         assert!(rules.was_foul());
         assert_eq!(rules.turn(), 0);
     }
@@ -245,11 +233,7 @@ mod tests {
         assert_eq!(with(shot(Some(9), &[EIGHT])), Some(1));
         // The eight may not fall in the same shot as the last ball of the group, whichever of the
         // two falls first.
-        let seven_left = [
-            shot(Some(1), &[]),
-            shot(Some(9), &[]),
-            shot(Some(1), &full[..6]),
-        ];
+        let seven_left = [shot(Some(1), &[]), shot(Some(9), &[]), shot(Some(1), &full[..6])];
         for last in [&[EIGHT, 7], &[7, EIGHT]] {
             let rules = play(&[&seven_left[..], &[shot(Some(7), last)]].concat());
             assert_eq!(rules.winner(), Some(1), "{last:?}");
@@ -273,11 +257,7 @@ mod tests {
     #[test]
     fn each_player_has_a_group_whoever_is_at_the_table() {
         // Player 0 has the solids and loses by the eight, so the turn does not change.
-        let rules = play(&[
-            shot(Some(1), &[3]),
-            shot(Some(1), &[2]),
-            shot(Some(1), &[EIGHT]),
-        ]);
+        let rules = play(&[shot(Some(1), &[3]), shot(Some(1), &[2]), shot(Some(1), &[EIGHT])]);
         assert_eq!((rules.turn(), rules.winner()), (0, Some(1)));
         assert_eq!(rules.group(), Some(Group::Full));
         assert_eq!(rules.group_of(0), Some(Group::Full));

@@ -24,13 +24,8 @@ const LAMP_HEIGHT: f64 = 1.35;
 const PROTRUSION: f64 = 0.006;
 
 /// The distances from the tip at which the parts of the cue meet, and its radius there.
-const CUE: [(f64, f64); 5] = [
-    (0.0, 0.0055),
-    (0.012, 0.006),
-    (0.04, 0.0062),
-    (0.8, 0.0105),
-    (1.42, 0.0145),
-];
+const CUE: [(f64, f64); 5] =
+    [(0.0, 0.0055), (0.012, 0.006), (0.04, 0.0062), (0.8, 0.0105), (1.42, 0.0145)];
 /// The slope of the cue: its butt is held above the rail.
 const CUE_RISE: f64 = 0.11;
 
@@ -101,9 +96,8 @@ impl Scene {
                 _ => (colours[number - EIGHT - 1], ivory),
             };
             let shapes = shapes(ball);
-            for (object, (shape, material)) in self.balls[number]
-                .iter_mut()
-                .zip(shapes.into_iter().zip([body, caps, caps]))
+            for (object, (shape, material)) in
+                self.balls[number].iter_mut().zip(shapes.into_iter().zip([body, caps, caps]))
             {
                 *object = world.add(shape, material)?;
             }
@@ -219,12 +213,7 @@ fn marker_place(rules: &Rules) -> DVec3 {
 /// A part of the cue between two of its places.
 fn part(ends: &[(f64, f64)], place: impl Fn((f64, f64)) -> DVec3) -> Shape {
     let (first, last) = (ends[0], ends[ends.len() - 1]);
-    Shape::Cone {
-        base: place(first),
-        base_radius: first.1,
-        apex: place(last),
-        apex_radius: last.1,
-    }
+    Shape::Cone { base: place(first), base_radius: first.1, apex: place(last), apex_radius: last.1 }
 }
 
 /// A ball and its two caps.
@@ -262,12 +251,7 @@ fn on_the_rail(ball: &Ball) -> Ball {
 /// A horizontal rectangle that faces up.
 fn level(low: (f64, f64), high: (f64, f64), y: f64) -> [DVec3; 4] {
     let p = |x, z| DVec3::new(x, y, z);
-    [
-        p(low.0, high.1),
-        p(high.0, high.1),
-        p(high.0, low.1),
-        p(low.0, low.1),
-    ]
+    [p(low.0, high.1), p(high.0, high.1), p(high.0, low.1), p(low.0, low.1)]
 }
 
 /// A vertical rectangle over a line. It is seen from the side from which the line goes to the
@@ -284,10 +268,7 @@ fn add_fixed(world: &mut World, corners: &[DVec3], of: MaterialId) -> Result<(),
 
 fn add_room(world: &mut World) -> Result<(), WorldError> {
     let floor = world.add_material(Material {
-        shader: Shader::Checker {
-            other: DVec3::new(0.17, 0.11, 0.08),
-            size: 0.45,
-        },
+        shader: Shader::Checker { other: DVec3::new(0.17, 0.11, 0.08), size: 0.45 },
         ..Material::matte(0.26, 0.18, 0.13)
     })?;
     add_fixed(world, &level((-4.5, -3.6), (4.5, 3.6), -0.78), floor)?;
@@ -304,14 +285,10 @@ fn add_room(world: &mut World) -> Result<(), WorldError> {
 }
 
 fn add_bed(world: &mut World) -> Result<(), WorldError> {
-    let cloth = world.add_material(Material {
-        shader: Shader::Lambert,
-        ..Material::matte(0.07, 0.44, 0.33)
-    })?;
-    let cushions = world.add_material(Material {
-        shader: Shader::Lambert,
-        ..Material::matte(0.06, 0.38, 0.28)
-    })?;
+    let cloth = world
+        .add_material(Material { shader: Shader::Lambert, ..Material::matte(0.07, 0.44, 0.33) })?;
+    let cushions = world
+        .add_material(Material { shader: Shader::Lambert, ..Material::matte(0.06, 0.38, 0.28) })?;
     let (x, z) = (HALF.0 + CUSHION, HALF.1 + CUSHION);
     add_fixed(world, &level((-x, -z), (x, z), 0.0), cloth)?;
     for cushion in CUSHIONS {
@@ -327,10 +304,8 @@ fn add_bed(world: &mut World) -> Result<(), WorldError> {
 }
 
 fn add_rails(world: &mut World) -> Result<(), WorldError> {
-    let wood = world.add_material(Material {
-        shader: Shader::Lambert,
-        ..Material::matte(0.42, 0.18, 0.08)
-    })?;
+    let wood = world
+        .add_material(Material { shader: Shader::Lambert, ..Material::matte(0.42, 0.18, 0.08) })?;
     let (x, z) = (HALF.0 + CUSHION, HALF.1 + CUSHION);
     let (far_x, far_z) = (x + RAIL, z + RAIL);
     for top in [
@@ -346,16 +321,8 @@ fn add_rails(world: &mut World) -> Result<(), WorldError> {
     let (outer, inner) = (round(far_x, far_z), round(x, z));
     for side in 0..4 {
         let next = (side + 1) % 4;
-        add_fixed(
-            world,
-            &upright([outer[side], outer[next]], -0.2, HEIGHT),
-            wood,
-        )?;
-        add_fixed(
-            world,
-            &upright([inner[next], inner[side]], 0.0, HEIGHT),
-            wood,
-        )?;
+        add_fixed(world, &upright([outer[side], outer[next]], -0.2, HEIGHT), wood)?;
+        add_fixed(world, &upright([inner[next], inner[side]], 0.0, HEIGHT), wood)?;
     }
     for (x, z) in [(-1.0, -1.0), (-1.0, 1.0), (1.0, -1.0), (1.0, 1.0)] {
         let foot = DVec3::new(x * HALF.0, -0.78, z * HALF.1);

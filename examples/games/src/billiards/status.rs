@@ -31,11 +31,7 @@ fn score(rules: &Rules, on_bed: &impl Fn(usize) -> bool) -> String {
     let score = |player: usize| {
         let own = rules.group_of(player)?;
         let pocketed = own.numbers().filter(|&number| !on_bed(number)).count();
-        Some(format!(
-            "{}: {pocketed} of 7 {}",
-            PLAYERS[player],
-            name(own)
-        ))
+        Some(format!("{}: {pocketed} of 7 {}", PLAYERS[player], name(own)))
     };
     match (score(0), score(1)) {
         (Some(first), Some(second)) => format!("{first}   {second}"),

@@ -47,17 +47,11 @@ pub const POCKETS: [Pocket; 6] = [
 ];
 
 const fn corner(x: f64, z: f64) -> Pocket {
-    Pocket {
-        centre: DVec3::new(x * (HALF.0 + 0.016), 0.0, z * (HALF.1 + 0.016)),
-        reach: 0.06,
-    }
+    Pocket { centre: DVec3::new(x * (HALF.0 + 0.016), 0.0, z * (HALF.1 + 0.016)), reach: 0.06 }
 }
 
 const fn side(z: f64) -> Pocket {
-    Pocket {
-        centre: DVec3::new(0.0, 0.0, z * (HALF.1 + 0.04)),
-        reach: 0.05,
-    }
+    Pocket { centre: DVec3::new(0.0, 0.0, z * (HALF.1 + 0.04)), reach: 0.05 }
 }
 
 /// A cushion: its nose, from left to right as seen from the middle of the bed, and the ends of its
@@ -80,14 +74,8 @@ impl Cushion {
 }
 
 /// The six cushions.
-pub const CUSHIONS: [Cushion; 6] = [
-    long(-1.0, -1.0),
-    long(1.0, -1.0),
-    long(-1.0, 1.0),
-    long(1.0, 1.0),
-    short(-1.0),
-    short(1.0),
-];
+pub const CUSHIONS: [Cushion; 6] =
+    [long(-1.0, -1.0), long(1.0, -1.0), long(-1.0, 1.0), long(1.0, 1.0), short(-1.0), short(1.0)];
 
 /// Half of the long side at z, on the side of the side pocket that the sign of x says.
 const fn long(x: f64, z: f64) -> Cushion {
@@ -96,20 +84,10 @@ const fn long(x: f64, z: f64) -> Cushion {
     let near = [x * SIDE.0, x * (SIDE.0 - SIDE.1)];
     // Seen from the middle of the bed, x grows to the right where z is negative, and to the left
     // where z is positive.
-    let [left, right] = if x * z > 0.0 {
-        [far, near]
-    } else {
-        [near, far]
-    };
+    let [left, right] = if x * z > 0.0 { [far, near] } else { [near, far] };
     Cushion {
-        nose: [
-            DVec3::new(left[0], 0.0, nose),
-            DVec3::new(right[0], 0.0, nose),
-        ],
-        back: [
-            DVec3::new(left[1], 0.0, back),
-            DVec3::new(right[1], 0.0, back),
-        ],
+        nose: [DVec3::new(left[0], 0.0, nose), DVec3::new(right[0], 0.0, nose)],
+        back: [DVec3::new(left[1], 0.0, back), DVec3::new(right[1], 0.0, back)],
     }
 }
 
@@ -118,14 +96,8 @@ const fn short(x: f64) -> Cushion {
     let (nose, back) = (x * HALF.0, x * (HALF.0 + CUSHION));
     let z = [HALF.1 - CORNER.0, HALF.1 - CORNER.0 + CORNER.1];
     Cushion {
-        nose: [
-            DVec3::new(nose, 0.0, -x * z[0]),
-            DVec3::new(nose, 0.0, x * z[0]),
-        ],
-        back: [
-            DVec3::new(back, 0.0, -x * z[1]),
-            DVec3::new(back, 0.0, x * z[1]),
-        ],
+        nose: [DVec3::new(nose, 0.0, -x * z[0]), DVec3::new(nose, 0.0, x * z[0])],
+        back: [DVec3::new(back, 0.0, -x * z[1]), DVec3::new(back, 0.0, x * z[1])],
     }
 }
 

@@ -39,10 +39,7 @@ impl Anyone {
 impl InputSource for Anyone {
     fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
         let pad = PadId(0);
-        let connected = || InputEvent::PadConnected {
-            pad,
-            name: "a pad".to_owned(),
-        };
+        let connected = || InputEvent::PadConnected { pad, name: "a pad".to_owned() };
         if !self.begun {
             self.begun = true;
             events.push(connected());
@@ -60,14 +57,9 @@ impl InputSource for Anyone {
                 4 => InputEvent::MouseLeft,
                 5 => InputEvent::MouseMoved { to: by },
                 kind => match kind % 7 {
-                    0 => InputEvent::Key {
-                        key: *Key::ALL.choose(rng).unwrap(),
-                        down,
-                    },
+                    0 => InputEvent::Key { key: *Key::ALL.choose(rng).unwrap(), down },
                     1 => InputEvent::MouseMotion { by },
-                    2 => InputEvent::Wheel {
-                        by: by.map(|part| part / 20.0),
-                    },
+                    2 => InputEvent::Wheel { by: by.map(|part| part / 20.0) },
                     3 => InputEvent::MouseButton {
                         button: *MouseButton::ALL.choose(rng).unwrap(),
                         down,
@@ -84,10 +76,7 @@ impl InputSource for Anyone {
                     },
                     _ => InputEvent::PadSensors {
                         pad,
-                        sensors: Sensors {
-                            acceleration: [x, y, z],
-                            turn,
-                        },
+                        sensors: Sensors { acceleration: [x, y, z], turn },
                     },
                 },
             });
@@ -112,10 +101,7 @@ impl Clock for AnyTime {
 }
 
 fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
-    let settings = Settings {
-        spus: 2,
-        ..Settings::default()
-    };
+    let settings = Settings { spus: 2, ..Settings::default() };
     let picture = Memory::new(Geometry::new(size.0, size.1).unwrap()).unwrap();
     Session::start((find(name).unwrap().new)(), settings, Box::new(picture))
         .unwrap()
@@ -140,10 +126,7 @@ fn a_table_at_rest_is_traced_once() {
 /// The world's checksum after some frames with this player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
     let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
-    let mut player = Anyone {
-        rng: Xoshiro256PlusPlus::seed_from_u64(player),
-        begun: false,
-    };
+    let mut player = Anyone { rng: Xoshiro256PlusPlus::seed_from_u64(player), begun: false };
     let mut session = session(name, seed, (32, 18));
     let report = session.run(Some(FRAMES), &mut clock, &mut player).unwrap();
     assert_eq!(u64::from(report.frames), FRAMES);
@@ -178,12 +161,7 @@ fn frames_take_no_memory() {
         run(&mut session, 10);
         for frame in 0..40 {
             let asked = allocations::during(|| run(&mut session, 1));
-            assert!(
-                asked.is_empty(),
-                "{}, frame {frame}: {}",
-                game.name,
-                asked[0]
-            );
+            assert!(asked.is_empty(), "{}, frame {frame}: {}", game.name, asked[0]);
         }
     }
 }

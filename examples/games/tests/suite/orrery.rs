@@ -25,17 +25,9 @@ struct Played {
 impl Played {
     fn new() -> Self {
         let (mut game, mut world) = (Orrery::default(), World::new());
-        let start = Start {
-            seed: 0,
-            size: SIZE,
-        };
+        let start = Start { seed: 0, size: SIZE };
         game.set_up(&mut world, &start).unwrap();
-        Self {
-            game,
-            world,
-            input: Input::default(),
-            frame: 0,
-        }
+        Self { game, world, input: Input::default(), frame: 0 }
     }
 
     fn frame(&mut self, step: f64, keys: &[(Key, bool)]) {
@@ -78,12 +70,10 @@ impl Played {
         let wide = high * f64::from(SIZE.0) / f64::from(SIZE.1);
         let to = centre - view.from;
         // The four planes that bound the view go through the eye.
-        [(right, wide), (-right, wide), (up, high), (-up, high)]
-            .into_iter()
-            .all(|(aside, half)| {
-                let inwards = (ahead * half - aside).normalize();
-                to.dot(inwards) > radius
-            })
+        [(right, wide), (-right, wide), (up, high), (-up, high)].into_iter().all(|(aside, half)| {
+            let inwards = (ahead * half - aside).normalize();
+            to.dot(inwards) > radius
+        })
     }
 }
 
@@ -102,11 +92,7 @@ fn all_is_in_the_picture_at_any_time() {
             let sphere = played.sphere(object);
             if sphere.0.length() < HERE {
                 farthest = farthest.max(sphere.0.length());
-                assert!(
-                    played.is_in_the_picture(sphere),
-                    "day {}: {sphere:?}",
-                    played.game.days()
-                );
+                assert!(played.is_in_the_picture(sphere), "day {}: {sphere:?}", played.game.days());
             }
         }
     }
@@ -119,14 +105,7 @@ fn the_eye_is_never_within_the_sun_or_a_planet() {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
     let mut played = Played::new();
     let objects: Vec<_> = played.world.objects().collect();
-    let follow = [
-        Key::Digit0,
-        Key::Digit1,
-        Key::Digit2,
-        Key::Digit4,
-        Key::Digit5,
-        Key::Right,
-    ];
+    let follow = [Key::Digit0, Key::Digit1, Key::Digit2, Key::Digit4, Key::Digit5, Key::Right];
     let held = [Key::PageUp, Key::PageDown, Key::A, Key::W, Key::S];
     let mut near = 0;
     for _ in 0..6000 {
@@ -141,9 +120,7 @@ fn the_eye_is_never_within_the_sun_or_a_planet() {
         let down = rng.random_ratio(if key == Key::PageUp { 9 } else { 1 }, 10);
         played.frame(0.04, &[(key, down)]);
         let eye = played.world.view().from;
-        let bodies = [DVec3::ZERO]
-            .into_iter()
-            .chain(played.game.places().to_vec());
+        let bodies = [DVec3::ZERO].into_iter().chain(played.game.places().to_vec());
         for centre in bodies {
             let radius = objects
                 .iter()
@@ -210,9 +187,7 @@ fn planets_have_their_names_unless_the_player_hides_them() {
         let labels = played.game.labels().into_iter();
         labels.map(|label| label.text).collect::<Vec<_>>()
     };
-    let planets = [
-        "Mercury", "Venus", "Earth", "Mars", "Jupiter", "Saturn", "Uranus", "Neptune",
-    ];
+    let planets = ["Mercury", "Venus", "Earth", "Mars", "Jupiter", "Saturn", "Uranus", "Neptune"];
     assert_eq!(names(&played), planets);
     // The name is just below its planet.
     for (label, place) in played.game.labels().iter().zip(played.game.places()) {
@@ -221,11 +196,7 @@ fn planets_have_their_names_unless_the_player_hides_them() {
         };
         let [below, planet] = [point, *place].map(|it| played.world.project(it, SIZE).unwrap());
         assert!((below[0] - planet[0]).abs() < 2.0, "{}", label.text);
-        assert!(
-            (3.0..30.0).contains(&(below[1] - planet[1])),
-            "{}",
-            label.text
-        );
+        assert!((3.0..30.0).contains(&(below[1] - planet[1])), "{}", label.text);
     }
     played.press(Key::N);
     assert!(names(&played).is_empty());
@@ -237,11 +208,7 @@ fn planets_have_their_names_unless_the_player_hides_them() {
         played.frame(0.04, &[]);
         let names = names(&played);
         assert_eq!(names[0], "Jupiter");
-        seen.extend(
-            names
-                .into_iter()
-                .filter(|name| !planets.contains(&name.as_str())),
-        );
+        seen.extend(names.into_iter().filter(|name| !planets.contains(&name.as_str())));
     }
     let moons = ["Callisto", "Europa", "Ganymede", "Io"];
     assert!(seen.iter().eq(moons), "{seen:?}");

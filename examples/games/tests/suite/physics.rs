@@ -52,11 +52,7 @@ fn energy_never_grows_and_all_comes_to_rest_on_the_table_or_in_a_pocket() {
                 steps += 1;
                 assert!(steps < LONGEST, "they still move");
             }
-            let on_bed: Vec<_> = balls
-                .0
-                .iter()
-                .filter(|ball| ball.place == Place::Bed)
-                .collect();
+            let on_bed: Vec<_> = balls.0.iter().filter(|ball| ball.place == Place::Bed).collect();
             for (number, a) in on_bed.iter().enumerate() {
                 for b in &on_bed[number + 1..] {
                     let apart = a.body.centre.distance(b.body.centre);
@@ -64,13 +60,7 @@ fn energy_never_grows_and_all_comes_to_rest_on_the_table_or_in_a_pocket() {
                 }
             }
             pocketed += usize::from(shot != Shot::default());
-            gone = gone.max(
-                balls
-                    .0
-                    .iter()
-                    .filter(|ball| ball.place == Place::Gone)
-                    .count(),
-            );
+            gone = gone.max(balls.0.iter().filter(|ball| ball.place == Place::Gone).count());
         }
     }
     // The shots were a real game: most shots touch a ball, and in some racks several balls are
@@ -182,10 +172,7 @@ fn the_screensaver_never_tires() {
         |game| {
             let energy = energy(game);
             let first = *first.get_or_insert(energy);
-            assert!(
-                (energy / first - 1.0).abs() < 1e-9,
-                "{first} became {energy}"
-            );
+            assert!((energy / first - 1.0).abs() < 1e-9, "{first} became {energy}");
             for body in game.bodies() {
                 let room = game.room() - DVec3::splat(body.radius - 1e-12);
                 assert!(body.centre.abs().cmple(room).all(), "{body:?}");

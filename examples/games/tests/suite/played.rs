@@ -21,16 +21,11 @@ const LONGEST: u64 = 20_000;
 const STEP: Duration = Duration::from_millis(250);
 
 fn kept(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/played")
-        .join(name)
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/played").join(name)
 }
 
 fn session() -> Session<Billiards> {
-    let settings = Settings {
-        spus: 1,
-        ..Settings::default()
-    };
+    let settings = Settings { spus: 1, ..Settings::default() };
     let picture = Memory::new(Geometry::new(16, 8).unwrap()).unwrap();
     Session::start(Billiards::default(), settings, Box::new(picture)).unwrap()
 }
@@ -72,13 +67,9 @@ fn a_recorded_game_ends_as_it_did() {
     if std::env::var_os("MAKE_REF").is_some() {
         make(&recording, &ended);
     }
-    let mut session = session()
-        .replaying(Recording::open(&recording).unwrap())
-        .unwrap();
+    let mut session = session().replaying(Recording::open(&recording).unwrap()).unwrap();
     let mut clock = FixedSteps(Duration::ZERO);
-    session
-        .run(Some(LONGEST), &mut clock, &mut NoInput)
-        .unwrap();
+    session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
     let game = session.game();
     assert_eq!(end(game), fs::read_to_string(&ended).unwrap());
     assert!(game.rules().winner().is_some(), "nobody has won");

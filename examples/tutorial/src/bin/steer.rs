@@ -59,10 +59,7 @@ fn add_floor(world: &mut World) -> Result<(), WorldError> {
         diffuse: 0.5,
         specular: 0.5,
         shine: 60.0,
-        shader: Shader::Checker {
-            other: DVec3::new(0.1, 0.12, 0.25),
-            size: 1.25,
-        },
+        shader: Shader::Checker { other: DVec3::new(0.1, 0.12, 0.25), size: 1.25 },
         ..Material::matte(0.8, 0.72, 0.6)
     })?;
     let corners = [(-EDGE, EDGE), (EDGE, EDGE), (EDGE, -EDGE), (-EDGE, -EDGE)];
@@ -105,10 +102,7 @@ impl Steer {
         }
         let to = from + self.velocity * step;
         let most = EDGE - BALL;
-        let kept = to.clamp(
-            DVec3::new(-most, BALL, -most),
-            DVec3::new(most, f64::MAX, most),
-        );
+        let kept = to.clamp(DVec3::new(-most, BALL, -most), DVec3::new(most, f64::MAX, most));
         // An obstacle takes the ball's speed in that direction.
         self.velocity *= DVec3::select(kept.cmpeq(to), DVec3::ONE, DVec3::ZERO);
         kept

@@ -36,10 +36,7 @@ impl Default for Stripes {
 fn striped(colour: [f64; 3], scale: f64, strength: f64) -> Material {
     let [red, green, blue] = colour;
     Material {
-        shader: Shader::Own {
-            name: "stripes".into(),
-            parameters: [scale, strength, 0.0, 0.0],
-        },
+        shader: Shader::Own { name: "stripes".into(), parameters: [scale, strength, 0.0, 0.0] },
         ..Material::matte(red, green, blue)
     }
 }

@@ -22,10 +22,7 @@ fn it_is_where_the_formula_has_it() {
         let (reference, _) = oracle::whitted::trace(&scene, SIZE.0, SIZE.1, &options).unwrap();
         let picture = Picture::read_png(&path(folder.path(), frame)).unwrap();
         let comparison = oracle::compare(&picture, &reference).unwrap();
-        assert_eq!(
-            comparison.wrong_off_silhouette, 0,
-            "{frame}: {comparison:?}"
-        );
+        assert_eq!(comparison.wrong_off_silhouette, 0, "{frame}: {comparison:?}");
         assert!(comparison.wrong_pixels <= 2, "{frame}: {comparison:?}");
         seen.push(picture);
     }

@@ -37,10 +37,7 @@ fn what_is_shown_is_in_the_programs() {
         let source = fs::read_to_string(root().join(&file));
         let source = source.unwrap_or_else(|error| panic!("{file}, before {text}: {error}"));
         let source = format!("\n{source}");
-        assert!(
-            source.contains(&format!("\n{text}\n")),
-            "{file} has no {text}"
-        );
+        assert!(source.contains(&format!("\n{text}\n")), "{file} has no {text}");
         shown.push(file);
     }
     for file in [
@@ -57,9 +54,7 @@ fn what_is_shown_is_in_the_programs() {
 
 /// The words of a command line, some of them in single quotes.
 fn words(line: &str) -> Vec<&str> {
-    line.split_whitespace()
-        .map(|word| word.trim_matches('\''))
-        .collect()
+    line.split_whitespace().map(|word| word.trim_matches('\'')).collect()
 }
 
 #[test]

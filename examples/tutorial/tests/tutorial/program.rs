@@ -47,7 +47,5 @@ pub fn frames(stderr: &str) -> u32 {
         let before = line.split_once(" frame(s)")?.0;
         before.rsplit(' ').next()?.parse().ok()
     });
-    counts
-        .next_back()
-        .unwrap_or_else(|| panic!("no frames: {stderr}"))
+    counts.next_back().unwrap_or_else(|| panic!("no frames: {stderr}"))
 }

@@ -55,18 +55,10 @@ fn recording(folder: &Path, frames: u32, keys: &[(u32, &str)]) {
             .filter(|(at, _)| *at == frame)
             .map(|(_, key)| {
                 let (sign, name) = key.split_at(1);
-                format!(
-                    "{{\"key\":{{\"key\":\"{name}\",\"down\":{}}}}}",
-                    sign == "+"
-                )
+                format!("{{\"key\":{{\"key\":\"{name}\",\"down\":{}}}}}", sign == "+")
             })
             .collect();
-        writeln!(
-            text,
-            "{{\"step\":{step},\"events\":[{}]}}",
-            events.join(",")
-        )
-        .unwrap();
+        writeln!(text, "{{\"step\":{step},\"events\":[{}]}}", events.join(",")).unwrap();
     }
     fs::write(folder.join("session"), text).unwrap();
 }
@@ -78,12 +70,7 @@ fn the_first_picture_is_like_the_reference() {
     let folder = tempfile::tempdir().unwrap();
     pictures(STEER, folder.path(), "0..2", &[]);
     let first = path(folder.path(), 0);
-    is_right(compare(
-        &first,
-        [0.0, 1.0, 0.0],
-        "0.9 0.9 0.9",
-        &[0, 1, 2, 3, 4],
-    ));
+    is_right(compare(&first, [0.0, 1.0, 0.0], "0.9 0.9 0.9", &[0, 1, 2, 3, 4]));
     assert!(fs::read(&first).unwrap() == fs::read(path(folder.path(), 1)).unwrap());
     // The comparison works: it detects a missing pearl.
     let other = compare(&first, [0.0, 1.0, 0.0], "0.9 0.9 0.9", &[0, 1, 2, 3]);
@@ -93,28 +80,14 @@ fn the_first_picture_is_like_the_reference() {
 #[test]
 fn keys_roll_the_ball_and_it_takes_a_pearls_colour() {
     let folder = tempfile::tempdir().unwrap();
-    recording(
-        folder.path(),
-        121,
-        &[(1, "+right"), (60, "-right"), (60, "+up")],
-    );
+    recording(folder.path(), 121, &[(1, "+right"), (60, "-right"), (60, "+up")]);
     for frames in ["59..60", "120..121"] {
         pictures(STEER, folder.path(), frames, &REPLAY);
     }
     let right = path(folder.path(), 59);
-    is_right(compare(
-        &right,
-        [4.0, 1.0, 0.0],
-        "0.9 0.9 0.9",
-        &[0, 1, 2, 3, 4],
-    ));
+    is_right(compare(&right, [4.0, 1.0, 0.0], "0.9 0.9 0.9", &[0, 1, 2, 3, 4]));
     let far = path(folder.path(), 120);
-    is_right(compare(
-        &far,
-        [4.0, 1.0, -4.0],
-        "0.2 0.6 0.95",
-        &[0, 1, 2, 4],
-    ));
+    is_right(compare(&far, [4.0, 1.0, -4.0], "0.2 0.6 0.95", &[0, 1, 2, 4]));
 }
 
 #[test]
@@ -125,33 +98,17 @@ fn space_makes_it_jump() {
         pictures(STEER, folder.path(), frames, &REPLAY);
     }
     // The speed is 8 at first, and 0.8 less in every further frame.
-    let height: f64 = 1.0
-        + (0..6)
-            .map(|frame| 0.04 * (8.0 - 0.8 * f64::from(frame)))
-            .sum::<f64>();
+    let height: f64 = 1.0 + (0..6).map(|frame| 0.04 * (8.0 - 0.8 * f64::from(frame))).sum::<f64>();
     let all = [0, 1, 2, 3, 4];
-    is_right(compare(
-        &path(folder.path(), 6),
-        [0.0, height, 0.0],
-        "0.9 0.9 0.9",
-        &all,
-    ));
-    is_right(compare(
-        &path(folder.path(), 39),
-        [0.0, 1.0, 0.0],
-        "0.9 0.9 0.9",
-        &all,
-    ));
+    is_right(compare(&path(folder.path(), 6), [0.0, height, 0.0], "0.9 0.9 0.9", &all));
+    is_right(compare(&path(folder.path(), 39), [0.0, 1.0, 0.0], "0.9 0.9 0.9", &all));
 }
 
 #[test]
 fn what_stands_still_is_traced_once() {
     let folder = tempfile::tempdir().unwrap();
-    let stderr = good(
-        STEER,
-        folder.path(),
-        &["--display", "none", "--frames", "30", "--size", "160x90"],
-    );
+    let stderr =
+        good(STEER, folder.path(), &["--display", "none", "--frames", "30", "--size", "160x90"]);
     assert_eq!(frames(&stderr), 30);
     assert!(stderr.contains("30 frame(s), 1 traced"), "{stderr}");
 }

@@ -14,11 +14,7 @@ fn striped(colour: [f64; 3], scale: f64, strength: f64, y: f64) -> DVec3 {
     let within = (scale * y).fract();
     let part = strength * (within * within - within.powi(4));
     let [red, green, blue] = colour;
-    DVec3::new(
-        red * (1.0 - part),
-        green * (1.0 - 2.0 * part),
-        blue * (1.0 - 4.0 * part),
-    )
+    DVec3::new(red * (1.0 - part), green * (1.0 - 2.0 * part), blue * (1.0 - 4.0 * part))
 }
 
 /// The directions through the pixels, with length 1.
@@ -52,17 +48,10 @@ fn own(colour: [f64; 3], parameters: [f64; 4]) -> Material {
 #[test]
 fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
     let program = Program::from_image(include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf")))?;
-    let settings = Settings {
-        program,
-        check_shaders: true,
-        ..Settings::default()
-    };
+    let settings = Settings { program, check_shaders: true, ..Settings::default() };
     let mut world = World::new();
     let model = Model::Whitted;
-    world.set_render_options(RenderOptions {
-        model,
-        ..RenderOptions::default()
-    });
+    world.set_render_options(RenderOptions { model, ..RenderOptions::default() });
     // Only ambient light, so that the picture shows the colour itself.
     world.set_ambient(DVec3::ONE)?;
     let stripes = world.add_material(own([0.9, 0.8, 0.7], [1.6, 0.9, 0.0, 0.0]))?;
@@ -86,19 +75,13 @@ fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
         let view = world.view();
         let mut seen = [0, 0];
         for (x, y, direction) in directions(view, size) {
-            let nearest = (ball.0 - view.from)
-                .reject_from_normalized(direction)
-                .length();
+            let nearest = (ball.0 - view.from).reject_from_normalized(direction).length();
             let point = view.from - direction * (view.from.z / direction.z);
             if nearest < 0.99 * ball.1 {
                 is(&picture, (x, y), DVec3::new(0.1, 0.6, 0.2));
                 seen[0] += 1;
             } else if nearest > 1.01 * ball.1 {
-                is(
-                    &picture,
-                    (x, y),
-                    striped([0.9, 0.8, 0.7], scale, strength, point.y),
-                );
+                is(&picture, (x, y), striped([0.9, 0.8, 0.7], scale, strength, point.y));
                 seen[1] += 1;
             }
         }
@@ -146,11 +129,7 @@ fn seen(from: DVec3, direction: DVec3, moon: DVec3) -> Result<DVec3, ()> {
         return Err(());
     }
     let shadow = enters(point, sun, spheres[1 - number])?;
-    let lit = if facing > 0.0 && shadow.is_none() {
-        facing
-    } else {
-        0.0
-    };
+    let lit = if facing > 0.0 && shadow.is_none() { facing } else { 0.0 };
     let colour = match number {
         0 => striped([1.0, 0.9, 0.78], 1.6, 0.9, point.y),
         _ => striped([0.6, 0.7, 0.8], 9.0, 0.7, point.y),
@@ -204,10 +183,6 @@ fn keys_change_the_stripes() {
 #[test]
 fn it_runs_without_a_display() {
     let folder = tempfile::tempdir().unwrap();
-    let stderr = good(
-        STRIPES,
-        folder.path(),
-        &["--display", "none", "--frames", "3"],
-    );
+    let stderr = good(STRIPES, folder.path(), &["--display", "none", "--frames", "3"]);
     assert_eq!(frames(&stderr), 3);
 }

@@ -50,10 +50,7 @@ impl Pipeline {
             memory_done: self.memory_done.saturating_sub(floor),
             channel_free: self.channel_free.saturating_sub(floor),
             hint: self.hint.map(|hint| hint.relative(floor, self.issued)),
-            inline_buffer: self
-                .rules
-                .inline_prefetch
-                .then(|| self.inline_buffer.relative(floor)),
+            inline_buffer: self.rules.inline_prefetch.then(|| self.inline_buffer.relative(floor)),
         }
     }
 

@@ -79,10 +79,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         output::folder(&arguments.out)?;
     }
     let results = run::run(&order, |next| talk::say!("cellray-bench: {next}"))?;
-    let document = Document {
-        origin: order.host_time.then(Origin::here),
-        results,
-    };
+    let document = Document { origin: order.host_time.then(Origin::here), results };
     if let Some(file) = &arguments.json {
         output::json(&document, file)?;
         return Ok(ExitCode::SUCCESS);

@@ -24,11 +24,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let name = arguments.table.display();
     let text = fs::read_to_string(&arguments.table).map_err(|error| format!("{name}: {error}"))?;
     let rows = mesh_cache::rows(&text).map_err(|error| format!("{name}: {error}"))?;
-    plots::write(
-        &plots::mesh_cache(&rows),
-        &arguments.out,
-        "cache-",
-        &[Format::Svg],
-    )?;
+    plots::write(&plots::mesh_cache(&rows), &arguments.out, "cache-", &[Format::Svg])?;
     Ok(ExitCode::SUCCESS)
 }

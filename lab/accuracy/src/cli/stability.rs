@@ -60,9 +60,5 @@ pub fn run(arguments: &Arguments) -> Outcome {
         keep(&report, folder)?;
     }
     talk::print(report.to_string())?;
-    Ok(if report.held() {
-        ExitCode::SUCCESS
-    } else {
-        ExitCode::FAILURE
-    })
+    Ok(if report.held() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -45,17 +45,10 @@ fn text(rows: &[Row], plots: &[Plot], origin: &Origin) -> String {
                 ("frames/s", |row| figure(row.frames_per_second)),
                 ("RMSE, 1/255", |row| format!("{:.2}", row.rmse)),
                 ("largest, 1/255", |row| format!("{:.0}", row.max_error)),
-                ("pixels off by over 8/255, %", |row| {
-                    format!("{:.3}", row.visible_percent)
-                }),
+                ("pixels off by over 8/255, %", |row| format!("{:.3}", row.visible_percent)),
             ],
         );
-        _ = write!(
-            text,
-            "\n## {}\n\n{table}{}",
-            plot.name,
-            titled(plot, PREFIX)
-        );
+        _ = write!(text, "\n## {}\n\n{table}{}", plot.name, titled(plot, PREFIX));
     }
     text
 }

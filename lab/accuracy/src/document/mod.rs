@@ -160,16 +160,10 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
             ("formulation", |(kernel, _)| kernel.formulation.clone()),
             ("cycles", |(kernel, _)| figure(kernel.cycles_a_ray)),
             ("host, ns", |(kernel, _)| option(kernel.host_ns_a_ray)),
-            ("distance: largest, ulps", |(_, rows)| {
-                option(worst_distance(rows))
-            }),
-            ("99.9 %", |of| {
-                largest(of, |of| Some(of.distance_ulps?.p999))
-            }),
+            ("distance: largest, ulps", |(_, rows)| option(worst_distance(rows))),
+            ("99.9 %", |of| largest(of, |of| Some(of.distance_ulps?.p999))),
             ("mean", |of| largest(of, |of| Some(of.distance_ulps?.mean))),
-            ("point: largest", |of| {
-                largest(of, |of| Some(of.point_ulps?.max))
-            }),
+            ("point: largest", |of| largest(of, |of| Some(of.point_ulps?.max))),
             ("wrong at 4096, %", |(_, rows)| option(wrong_far_off(rows))),
         ],
     );
@@ -186,14 +180,9 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
 
 /// A table with families as rows and formulations as columns.
 fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
-    let names = kernels
-        .iter()
-        .map(|(kernel, _)| kernel.formulation.as_str());
+    let names = kernels.iter().map(|(kernel, _)| kernel.formulation.as_str());
     let mut table = Table::new(std::iter::once("family").chain(names));
-    for family in FAMILIES
-        .iter()
-        .filter(|family| family.forms.contains(&form))
-    {
+    for family in FAMILIES.iter().filter(|family| family.forms.contains(&form)) {
         let cell = |(_, rows): &Kernel<'_>| {
             let Some(row) = rows.iter().find(|row| row.family == family.name) else {
                 return String::new();
@@ -212,9 +201,8 @@ fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
 }
 
 fn families(results: &Results) -> String {
-    let all = Form::ALL
-        .into_iter()
-        .flat_map(|form| FAMILIES.iter().map(move |family| (form, family)));
+    let all =
+        Form::ALL.into_iter().flat_map(|form| FAMILIES.iter().map(move |family| (form, family)));
     let rows = all.filter_map(|(form, family)| {
         let of = |row: &&SphereRow| row.form == form && row.family == family.name;
         Some((family, results.spheres.iter().find(of)?))
@@ -231,12 +219,7 @@ fn families(results: &Results) -> String {
             ("condition: mean", |(_, row)| mean(row.figures.condition)),
             ("largest", |(_, row)| most(row.figures.condition)),
             ("well-conditioned", |(_, row)| {
-                if row.figures.well_conditioned {
-                    "yes"
-                } else {
-                    "no"
-                }
-                .to_owned()
+                if row.figures.well_conditioned { "yes" } else { "no" }.to_owned()
             }),
         ],
     );
@@ -257,9 +240,7 @@ fn flat(results: &Results) -> String {
             ("rays", |row| row.figures.rays.to_string()),
             ("wrong hits", |row| row.figures.wrong_hits.to_string()),
             ("wrong misses", |row| row.figures.wrong_misses.to_string()),
-            ("distance: largest, ulps", |row| {
-                most(row.figures.distance_ulps)
-            }),
+            ("distance: largest, ulps", |row| most(row.figures.distance_ulps)),
             ("99.9 %", |row| p999(row.figures.distance_ulps)),
             ("mean", |row| mean(row.figures.distance_ulps)),
             ("point: largest", |row| most(row.figures.point_ulps)),
@@ -319,13 +300,9 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
                 ("frames/s", |row| figure(row.frames_per_second)),
                 ("RMSE, 1/255", |row| figure(row.rmse)),
                 ("largest, 1/255", |row| row.max_error.to_string()),
-                ("off silhouettes", |row| {
-                    row.max_error_off_silhouette.to_string()
-                }),
+                ("off silhouettes", |row| row.max_error_off_silhouette.to_string()),
                 ("wrong pixels", |row| row.wrong_pixels.to_string()),
-                ("off silhouettes", |row| {
-                    row.wrong_off_silhouette.to_string()
-                }),
+                ("off silhouettes", |row| row.wrong_off_silhouette.to_string()),
             ],
         );
         _ = write!(

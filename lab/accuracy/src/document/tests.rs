@@ -15,12 +15,7 @@ fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
         results: run(&Order::short(77), |_| ()).unwrap(),
     };
     let text = text(&document);
-    for part in [
-        "some machine",
-        "0123456789ab",
-        "Seed: 77",
-        "`cellray-bench accuracy`",
-    ] {
+    for part in ["some machine", "0123456789ab", "Seed: 77", "`cellray-bench accuracy`"] {
         assert!(text.contains(part), "{part}");
     }
     assert!(text.contains(
@@ -29,10 +24,7 @@ fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
     assert!(text.contains("Not beaten: perpendicular."));
     let row = &document.results.spheres[0];
     let cell = figure(row.figures.distance_ulps.unwrap().max);
-    let line = text
-        .lines()
-        .find(|line| line.starts_with("| ratio 2 "))
-        .unwrap();
+    let line = text.lines().find(|line| line.starts_with("| ratio 2 ")).unwrap();
     assert!(line.contains(&cell), "{line}");
     // No pictures were traced, so the document has no section about them.
     assert!(!text.contains("Whole pictures"));

@@ -64,9 +64,7 @@ fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
 
 /// Rays from a point to the disc within 2 radii of a sphere.
 fn over([from, axis, centre]: [Vector; 3], radius: f64, random: &mut Generator) -> Shot {
-    shot(centre, radius, random, |random| {
-        ray_to(on_disc(centre, axis, 2.0 * radius, random), from)
-    })
+    shot(centre, radius, random, |random| ray_to(on_disc(centre, axis, 2.0 * radius, random), from))
 }
 
 pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {

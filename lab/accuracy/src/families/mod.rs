@@ -195,9 +195,7 @@ impl Family {
     /// This many spheres with [`PACKETS`] packets each.
     pub fn shots(&self, form: Form, seed: u64, spheres: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name, form.name()], 0);
-        (0..spheres)
-            .map(|_| (self.make)(&mut random, form, self.parameter))
-            .collect()
+        (0..spheres).map(|_| (self.make)(&mut random, form, self.parameter)).collect()
     }
 }
 

@@ -17,9 +17,7 @@ fn rays(family: &Family, form: Form) -> Vec<(Line, Shot, f64)> {
     let each = |shot: &Shot| {
         let sphere = Sphere::of_radius(shot.centre, shot.radius);
         let near = |line: &Line| (1.0 + 2.0 * sphere.passing(line).beyond).sqrt();
-        shot.lines()
-            .map(|line| (line, shot.clone(), near(&line)))
-            .collect::<Vec<_>>()
+        shot.lines().map(|line| (line, shot.clone(), near(&line))).collect::<Vec<_>>()
     };
     shots.iter().flat_map(each).collect()
 }
@@ -57,11 +55,7 @@ fn directions_have_length_1_but_where_they_have_any() {
             if family.any_length {
                 assert!(lengths.iter().any(|length| *length < 0.1));
                 assert!(lengths.iter().any(|length| *length > 10.0));
-                assert!(
-                    lengths
-                        .iter()
-                        .all(|length| (0.062..16.001).contains(length))
-                );
+                assert!(lengths.iter().all(|length| (0.062..16.001).contains(length)));
             } else {
                 assert!(lengths.iter().all(|length| off(length) < 2_f64.powi(-23)));
             }
@@ -77,16 +71,8 @@ fn ratios_are_distances_over_radii_and_half_the_rays_miss() {
             let rays = rays(family, form);
             for (line, shot, near) in &rays {
                 let found = distance(line, shot) / shot.radius();
-                assert!(
-                    (found / ratio - 1.0).abs() < 1e-5,
-                    "{}: {found}",
-                    family.name
-                );
-                assert!(
-                    *near < 2.0 + ratio * 2_f64.powi(-21),
-                    "{}: {near}",
-                    family.name
-                );
+                assert!((found / ratio - 1.0).abs() < 1e-5, "{}: {found}", family.name);
+                assert!(*near < 2.0 + ratio * 2_f64.powi(-21), "{}: {near}", family.name);
             }
             let hits = rays.iter().filter(|(.., near)| *near < 1.0).count();
             assert!((rays.len() / 8..rays.len() / 2).contains(&hits), "{hits}");
@@ -96,10 +82,8 @@ fn ratios_are_distances_over_radii_and_half_the_rays_miss() {
 
 #[test]
 fn grazing_rays_pass_near_the_edge_on_both_sides() {
-    let near: Vec<f64> = rays(family("grazing"), Form::Eye)
-        .into_iter()
-        .map(|(.., near)| near)
-        .collect();
+    let near: Vec<f64> =
+        rays(family("grazing"), Form::Eye).into_iter().map(|(.., near)| near).collect();
     assert!(near.iter().all(|near| (0.99899..1.00101).contains(near)));
     assert!(near.iter().any(|near| *near < 0.9995));
     assert!(near.iter().any(|near| *near > 1.0005));

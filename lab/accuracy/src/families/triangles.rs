@@ -145,11 +145,7 @@ mod tests {
                 assert_eq!(exact.len(), if family.shared_edge { 2 } else { 1 });
                 let [a, b, c] = exact[0].vertices();
                 let longest = dot(less(b, a), less(b, a)).sqrt();
-                let foot = along(
-                    a,
-                    dot(less(c, a), less(b, a)) / (longest * longest),
-                    less(b, a),
-                );
+                let foot = along(a, dot(less(c, a), less(b, a)) / (longest * longest), less(b, a));
                 let height = dot(less(c, foot), less(c, foot)).sqrt() / longest;
                 assert!((height / family.height - 1.0).abs() < 1e-2, "{height}");
                 for line in shot.lines() {
@@ -165,11 +161,7 @@ mod tests {
                 // No ray leaves the two triangles through the common edge.
                 assert_eq!(within, rays);
             } else {
-                assert!(
-                    (rays / 8..rays).contains(&within),
-                    "{}: {within}",
-                    family.name
-                );
+                assert!((rays / 8..rays).contains(&within), "{}: {within}", family.name);
             }
         }
     }

@@ -4,10 +4,7 @@ use super::*;
 use crate::run::{self, Order};
 
 fn document() -> Document {
-    Document {
-        origin: None,
-        results: run::run(&Order::short(11), |_| ()).unwrap(),
-    }
+    Document { origin: None, results: run::run(&Order::short(11), |_| ()).unwrap() }
 }
 
 #[test]
@@ -28,10 +25,7 @@ fn json_and_csv_parse_back_to_the_results() {
     assert_eq!(rows.len(), document.results.spheres.len());
     for (cells, row) in rows.iter().zip(&document.results.spheres) {
         assert_eq!(cells[column("family")], row.family);
-        assert_eq!(
-            cells[column("wrong_hits")],
-            row.figures.wrong_hits.to_string()
-        );
+        assert_eq!(cells[column("wrong_hits")], row.figures.wrong_hits.to_string());
         let summary = row.figures.distance_ulps.unwrap();
         for (name, value) in [
             ("distance_ulps_max", summary.max),

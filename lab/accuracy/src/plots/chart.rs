@@ -12,12 +12,7 @@ use crate::pareto;
 /// Width and height in pixels.
 pub(super) const SIZE: (u32, u32) = (960, 600);
 /// The margins around the frame.
-const MARGIN: Area = Area {
-    left: 70.0,
-    top: 84.0,
-    right: 24.0,
-    bottom: 62.0,
-};
+const MARGIN: Area = Area { left: 70.0, top: 84.0, right: 24.0, bottom: 62.0 };
 /// The room for names at the ends of lines.
 const ENDS: f64 = 130.0;
 const FONT: &str = "sans-serif";
@@ -98,10 +93,9 @@ impl Group {
 
 /// Registers the font with which the plotting crate draws and measures text.
 pub(super) fn use_font() -> Result<(), String> {
-    for (style, bytes) in [
-        (FontStyle::Normal, dejavu::sans::regular()),
-        (FontStyle::Bold, dejavu::sans::bold()),
-    ] {
+    for (style, bytes) in
+        [(FontStyle::Normal, dejavu::sans::regular()), (FontStyle::Bold, dejavu::sans::bold())]
+    {
         register_font(FONT, style, bytes).map_err(|_| "the font is not read".to_owned())?;
     }
     Ok(())
@@ -152,23 +146,12 @@ impl Chart {
 
 impl<DB: DrawingBackend> Sheet<'_, DB> {
     fn at(&self, x: f64, y: f64) -> (f64, f64) {
-        let Area {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.frame;
-        (
-            left + self.x.place(x) * (right - left),
-            bottom - self.y.place(y) * (bottom - top),
-        )
+        let Area { left, top, right, bottom } = self.frame;
+        (left + self.x.place(x) * (right - left), bottom - self.y.place(y) * (bottom - top))
     }
 
     fn places(&self, points: &[&Point]) -> Vec<(f64, f64)> {
-        points
-            .iter()
-            .map(|point| self.at(point.x, point.y))
-            .collect()
+        points.iter().map(|point| self.at(point.x, point.y)).collect()
     }
 
     fn pixel(&self, (x, y): (f64, f64)) -> (i32, i32) {
@@ -184,9 +167,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         colour: &RGBColor,
         pos: Pos,
     ) -> Drawn<DB> {
-        let style = TextStyle::from((FONT, size * self.zoom).into_font())
-            .color(colour)
-            .pos(pos);
+        let style = TextStyle::from((FONT, size * self.zoom).into_font()).color(colour).pos(pos);
         self.area.draw_text(text, &style, self.pixel(at))
     }
 
@@ -198,17 +179,11 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
     }
 
     fn circle(&self, at: (f64, f64), radius: u32, style: ShapeStyle) -> Drawn<DB> {
-        self.area
-            .draw(&Circle::new(self.pixel(at), radius * self.zoom, style))
+        self.area.draw(&Circle::new(self.pixel(at), radius * self.zoom, style))
     }
 
     fn axes(&self, chart: &Chart) -> Drawn<DB> {
-        let Area {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.frame;
+        let Area { left, top, right, bottom } = self.frame;
         for tick in self.x.ticks() {
             let x = left + self.x.place(tick) * (right - left);
             self.line(vec![(x, top), (x, bottom)], PALE)?;
@@ -234,9 +209,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
     /// The path from each point that no other beats to the next.
     fn front_path(&self, x: &Axis, points: &[Point]) -> Vec<(f64, f64)> {
         let front = not_beaten(x, points).into_iter();
-        front
-            .map(|at| self.at(points[at].x, points[at].y))
-            .collect()
+        front.map(|at| self.at(points[at].x, points[at].y)).collect()
     }
 
     /// Draws all points, with a ring around those that no other beats, and the line that joins
@@ -281,10 +254,8 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let lines: Vec<_> = fronts().map(|points| self.front_path(x, points)).collect();
         let areas = beside(&places, &sizes, &lines, &self.frame);
         for ((point, place), area) in rivals.iter().zip(places).zip(areas) {
-            let middle = (
-                f64::midpoint(area.left, area.right),
-                f64::midpoint(area.top, area.bottom),
-            );
+            let middle =
+                (f64::midpoint(area.left, area.right), f64::midpoint(area.top, area.bottom));
             let nearest = area.nearest(place);
             let far = (nearest.0 - place.0).abs().max((nearest.1 - place.1).abs());
             if far > 12.0 {
@@ -308,13 +279,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
             let path = vec![place, (self.frame.right + 4.0, place.1), (from, height)];
             self.line(path, colour(point).mix(0.5))?;
             let beside = Pos::new(HPos::Left, VPos::Center);
-            self.text(
-                &point.name,
-                (from + 4.0, height),
-                TEXT,
-                &colour(point),
-                beside,
-            )?;
+            self.text(&point.name, (from + 4.0, height), TEXT, &colour(point), beside)?;
         }
         Ok(())
     }
@@ -323,10 +288,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
 /// The indices of the points that no other beats, the cheapest first.
 pub(super) fn not_beaten(x: &Axis, points: &[Point]) -> Vec<usize> {
     let sign = if x.rising { -1.0 } else { 1.0 };
-    let points: Vec<(f64, f64)> = points
-        .iter()
-        .map(|point| (sign * point.x, point.y))
-        .collect();
+    let points: Vec<(f64, f64)> = points.iter().map(|point| (sign * point.x, point.y)).collect();
     pareto::front(&points)
 }
 

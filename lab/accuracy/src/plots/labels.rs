@@ -22,10 +22,7 @@ impl Area {
 
     /// The point in the area that is nearest to another point.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        (
-            x.clamp(self.left, self.right),
-            y.clamp(self.top, self.bottom),
-        )
+        (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
 
     fn meets(&self, other: &Self) -> bool {
@@ -82,18 +79,13 @@ pub(super) fn beside(
     lines: &[Vec<(f64, f64)>],
     frame: &Area,
 ) -> Vec<Area> {
-    let points_taken = points
-        .iter()
-        .map(|point| Area::around(*point, POINT, POINT));
+    let points_taken = points.iter().map(|point| Area::around(*point, POINT, POINT));
     let lines_taken = lines.iter().flat_map(|line| along(line));
     let mut taken: Vec<Area> = points_taken.chain(lines_taken).collect();
     let mut areas: Vec<Area> = Vec::new();
     for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
         let away = |(across, down): (f64, f64), far: f64| {
-            let middle = (
-                x + across * (width / 2.0 + far),
-                y + down * (height / 2.0 + far),
-            );
+            let middle = (x + across * (width / 2.0 + far), y + down * (height / 2.0 + far));
             Area::around(middle, width, height)
         };
         let all = (0..40).flat_map(|step| {
@@ -101,10 +93,7 @@ pub(super) fn beside(
             WAYS.map(|way| away(way, far))
         });
         let free = |area: &Area| area.within(frame) && !taken.iter().any(|other| other.meets(area));
-        let area = all
-            .clone()
-            .find(free)
-            .unwrap_or_else(|| away(WAYS[0], POINT));
+        let area = all.clone().find(free).unwrap_or_else(|| away(WAYS[0], POINT));
         taken.push(area);
         taken.extend(along(&[(x, y), area.nearest((x, y))]));
         areas.push(area);
@@ -135,12 +124,7 @@ pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64
 mod tests {
     use super::*;
 
-    const FRAME: Area = Area {
-        left: 0.0,
-        top: 0.0,
-        right: 400.0,
-        bottom: 300.0,
-    };
+    const FRAME: Area = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
     #[test]
     fn names_of_points_in_a_heap_lie_on_nothing() {

@@ -83,10 +83,7 @@ pub fn antialiasing(rows: &[Row]) -> Vec<Plot> {
             title: format!("Frames a second against the error of antialiased pictures: {scene}"),
             note: "Samples a pixel and least contrast; ringed and joined: not beaten in both"
                 .to_owned(),
-            x: Axis {
-                rising: true,
-                ..axis("frames a second (simulated)", Kind::Log)
-            },
+            x: Axis { rising: true, ..axis("frames a second (simulated)", Kind::Log) },
             y: axis("root of the mean square error, 1/255", Kind::Log),
             groups: vec![Group::Rivals(rows.map(point).collect())],
         };
@@ -120,15 +117,10 @@ pub fn mesh_cache(rows: &[mesh_cache::Row]) -> Vec<Plot> {
         Plot::of(name.to_owned(), chart)
     };
     vec![
-        plot(
-            "frames",
-            "frames a second",
-            "frames a second (simulated)",
-            |row| row.frames_per_second,
-        ),
-        plot("bytes", "bytes a ray", "bytes of blocks a ray", |row| {
-            row.bytes_a_ray
+        plot("frames", "frames a second", "frames a second (simulated)", |row| {
+            row.frames_per_second
         }),
+        plot("bytes", "bytes a ray", "bytes of blocks a ray", |row| row.bytes_a_ray),
     ]
 }
 
@@ -139,12 +131,7 @@ impl Plot {
             let front = not_beaten(&chart.x, points).into_iter();
             front.map(|at| points[at].name.clone())
         });
-        Self {
-            name,
-            title: chart.title.clone(),
-            front: fronts.collect(),
-            chart,
-        }
+        Self { name, title: chart.title.clone(), front: fronts.collect(), chart }
     }
 }
 
@@ -184,9 +171,7 @@ pub fn write(
                 }
                 Format::Png => {
                     let picture = bitmap(&plot.chart).map_err(failed)?;
-                    picture
-                        .save(&path)
-                        .map_err(OutputError::of(path.display()))?;
+                    picture.save(&path).map_err(OutputError::of(path.display()))?;
                 }
             }
         }
@@ -218,11 +203,7 @@ fn colour(formulation: &str) -> usize {
 }
 
 fn axis(label: impl Into<String>, kind: Kind) -> Axis {
-    Axis {
-        label: label.into(),
-        kind,
-        rising: false,
-    }
+    Axis { label: label.into(), kind, rising: false }
 }
 
 fn whose(form: Form) -> &'static str {
@@ -234,9 +215,8 @@ fn whose(form: Form) -> &'static str {
 
 /// The largest error of the distance over the well-conditioned families, in ulps.
 pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
-    let sound = rows
-        .iter()
-        .filter_map(|row| row.figures.sound(|of| Some(of.distance_ulps?.max))?);
+    let sound =
+        rows.iter().filter_map(|row| row.figures.sound(|of| Some(of.distance_ulps?.max))?);
     sound.reduce(f64::max)
 }
 
@@ -304,10 +284,7 @@ fn ratio(results: &Results, form: Form) -> Chart {
         Group::Course(points.collect())
     };
     Chart {
-        title: format!(
-            "Error of the distance against distance/radius: {}",
-            whose(form)
-        ),
+        title: format!("Error of the distance against distance/radius: {}", whose(form)),
         note: "Largest error of the rays within 0.9 radii that the kernel lets hit".to_owned(),
         x: axis("distance / radius", Kind::Log),
         y: axis("largest error of the distance, ulps", Kind::Log),
@@ -347,16 +324,12 @@ fn picture(results: &Results, scene: &str) -> Chart {
         y: row.rmse,
         colour: colour(&row.formulation),
     };
-    let size = rows
-        .first()
-        .map_or_else(String::new, |row| format!("{}x{}, ", row.width, row.height));
+    let size =
+        rows.first().map_or_else(String::new, |row| format!("{}x{}, ", row.width, row.height));
     Chart {
         title: format!("Frames a second against the picture's error: {scene}"),
         note: format!("{size}six SPUs; ringed and joined: not beaten in both"),
-        x: Axis {
-            rising: true,
-            ..axis("frames a second (simulated)", Kind::Linear)
-        },
+        x: Axis { rising: true, ..axis("frames a second (simulated)", Kind::Linear) },
         y: axis("root of the mean square error, 1/255", Kind::Log),
         groups: vec![Group::Rivals(rows.iter().map(point).collect())],
     }

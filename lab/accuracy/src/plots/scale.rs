@@ -29,11 +29,8 @@ impl Scale {
         let (low, high) = if low <= high { (low, high) } else { (1.0, 1.0) };
         let (low, high) = match kind {
             Kind::Linear => {
-                let margin = if high > low {
-                    0.08 * (high - low)
-                } else {
-                    0.5 * high.abs().max(1.0)
-                };
+                let margin =
+                    if high > low { 0.08 * (high - low) } else { 0.5 * high.abs().max(1.0) };
                 (low - margin, high + margin)
             }
             Kind::Log => {
@@ -41,12 +38,7 @@ impl Scale {
                 (low / margin, high * margin)
             }
         };
-        Self {
-            kind,
-            low,
-            high,
-            zero,
-        }
+        Self { kind, low, high, zero }
     }
 
     /// The position of a value, from 0 to 1.
@@ -78,10 +70,7 @@ impl Scale {
         let rough = (self.high - self.low) / 6.0;
         let decade = libm::pow(10_f64, libm::log10(rough).floor());
         let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * decade);
-        let step = steps
-            .into_iter()
-            .find(|step| *step >= rough)
-            .unwrap_or(rough);
+        let step = steps.into_iter().find(|step| *step >= rough).unwrap_or(rough);
         let first = (self.low / step).ceil() as i64;
         let last = (self.high / step).floor() as i64;
         (first..=last).map(|number| number as f64 * step).collect()
@@ -133,17 +122,8 @@ mod tests {
             let scale = scale(kind, &values);
             let places = values.map(|value| scale.place(value));
             assert!(places.is_sorted() && places[0] > 0.0 && places[3] < 1.0);
-            assert!(
-                scale
-                    .ticks()
-                    .iter()
-                    .all(|tick| (0.0..=1.0).contains(&scale.place(*tick)))
-            );
-            assert!(
-                (3..12).contains(&scale.ticks().len()),
-                "{:?}",
-                scale.ticks()
-            );
+            assert!(scale.ticks().iter().all(|tick| (0.0..=1.0).contains(&scale.place(*tick))));
+            assert!((3..12).contains(&scale.ticks().len()), "{:?}", scale.ticks());
         }
     }
 

@@ -51,11 +51,7 @@ pub struct NoCaseError {
 /// Checks the number of words in a case.
 pub fn need(needed: usize, words: &[u32]) -> Replayed {
     let found = words.len();
-    if found == needed {
-        Ok(())
-    } else {
-        Err(NoCaseError { found, needed })
-    }
+    if found == needed { Ok(()) } else { Err(NoCaseError { found, needed }) }
 }
 
 /// The vectors of a case, or of a part of one with as many words.
@@ -194,13 +190,7 @@ mod tests {
 
     #[test]
     fn parts_add_up_to_the_whole() {
-        let cases = [
-            (1.0, false),
-            (0.0, true),
-            (9.0, false),
-            (0.0, true),
-            (9.0, false),
-        ];
+        let cases = [(1.0, false), (0.0, true), (9.0, false), (0.0, true), (9.0, false)];
         for split in 0..=cases.len() {
             let (first, second) = cases.split_at(split);
             let mut sum = of(first);

@@ -122,10 +122,8 @@ pub fn run(
         let chosen = of_section.filter(|family| only.is_none_or(|only| family.name == only));
         families.extend(chosen.map(|family| (section, family)));
     }
-    let sized: Vec<(&Family, u32)> = families
-        .iter()
-        .map(|(_, family)| (family, size.rounds(family.rounds)))
-        .collect();
+    let sized: Vec<(&Family, u32)> =
+        families.iter().map(|(_, family)| (family, size.rounds(family.rounds))).collect();
     let tallies = workers::tally(&sized, seed)?;
     let mut bench = Bench::new();
     let mut rows = Vec::new();

@@ -124,11 +124,7 @@ impl Product {
                 shader: nff::Shader::Phong,
                 texture: None,
             }],
-            objects: vec![nff::Object {
-                line: 0,
-                material: 0,
-                shape,
-            }],
+            objects: vec![nff::Object { line: 0, material: 0, shape }],
             mesh: None,
         };
         let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;
@@ -144,11 +140,7 @@ impl Product {
         let object = record(tree.roots.get(), size);
         let (head, _) = Object::ref_from_prefix(&object).ok()?;
         let material = record(head.material.get(), size_of::<Material>());
-        Some(Self {
-            kind,
-            object,
-            material,
-        })
+        Some(Self { kind, object, material })
     }
 
     /// All of it as words.
@@ -162,11 +154,7 @@ impl Product {
     pub fn from_words(kind: Kind, words: &[u32]) -> Self {
         let (object, material) = words.split_at(kind.words());
         let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_be_bytes()).collect();
-        Self {
-            kind,
-            object: bytes(object),
-            material: bytes(material),
-        }
+        Self { kind, object: bytes(object), material: bytes(material) }
     }
 
     /// The number of words in an object of this kind.
@@ -230,10 +218,7 @@ pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<
             let out = dot(c, c) - k * k;
             let crossings = [-q / a, -out / q].into_iter();
             let on_body = |t: &f64| *t > 0.0 && (0.0..=height).contains(&(h + t * rise));
-            crossings
-                .filter(|_| disc > 0.0)
-                .filter(on_body)
-                .reduce(f64::min)
+            crossings.filter(|_| disc > 0.0).filter(on_body).reduce(f64::min)
         }
     }
 }

@@ -43,11 +43,7 @@ pub fn rounded(vector: Vector) -> Vector {
 /// The direction from one place to another, or `otherwise` if they are too close for one.
 pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
     let way = less(to, from);
-    if dot(way, way) > 0.0 {
-        unit(way)
-    } else {
-        otherwise
-    }
+    if dot(way, way) > 0.0 { unit(way) } else { otherwise }
 }
 
 /// This number with a random sign.

@@ -156,9 +156,7 @@ impl Regressions {
 pub fn keep(report: &Report, folder: &Path) -> Result<(), RegressionsError> {
     let mut files: BTreeMap<&str, File> = BTreeMap::new();
     for row in report.rows.iter().filter(|row| !row.tally.input.is_empty()) {
-        let file = files
-            .entry(row.family)
-            .or_insert(File { inputs: Vec::new() });
+        let file = files.entry(row.family).or_insert(File { inputs: Vec::new() });
         file.inputs.push(Input {
             subject: row.subject.clone(),
             worst: row.tally.worst,

@@ -150,12 +150,8 @@ const COLUMNS: [Column; 9] = [
     ("wrong", false, |row| row.tally.wrong.to_string()),
     ("worst", false, |row| short(row.tally.worst)),
     ("bound", false, |row| short(row.bound.value)),
-    ("in, by", true, |row| {
-        format!("{}; {}", row.unit, row.bound.source)
-    }),
-    ("", true, |row| {
-        (if row.held() { "ok" } else { "FAILED" }).to_owned()
-    }),
+    ("in, by", true, |row| format!("{}; {}", row.unit, row.bound.source)),
+    ("", true, |row| (if row.held() { "ok" } else { "FAILED" }).to_owned()),
 ];
 
 /// Writes the rows with columns as wide as needed.
@@ -174,9 +170,7 @@ fn table(f: &mut fmt::Formatter<'_>, rows: &[&Row]) -> fmt::Result {
             });
         }
     }
-    lines
-        .iter()
-        .try_for_each(|line| writeln!(f, "{}", line.trim_end()))
+    lines.iter().try_for_each(|line| writeln!(f, "{}", line.trim_end()))
 }
 
 /// A number with few digits.
@@ -198,27 +192,14 @@ mod tests {
             family: "a family",
             subject: "a kernel".to_owned(),
             unit: "ulp of t",
-            bound: Bound {
-                value: 2.0,
-                source: "a test".to_owned(),
-            },
+            bound: Bound { value: 2.0, source: "a test".to_owned() },
             replayed: 1,
-            tally: Tally {
-                cases: 9,
-                counted: 8,
-                wrong,
-                worst,
-                input: vec![0x3f80_0000, 1],
-            },
+            tally: Tally { cases: 9, counted: 8, wrong, worst, input: vec![0x3f80_0000, 1] },
         }
     }
 
     fn report(rows: Vec<Row>) -> Report {
-        Report {
-            seed: 7,
-            size: Size::Quick,
-            rows,
-        }
+        Report { seed: 7, size: Size::Quick, rows }
     }
 
     #[test]

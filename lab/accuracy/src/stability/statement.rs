@@ -46,10 +46,7 @@ impl Bound {
 
     /// No case may be wrong at all.
     pub fn none(source: &str) -> Self {
-        Self {
-            value: 0.0,
-            source: source.to_owned(),
-        }
+        Self { value: 0.0, source: source.to_owned() }
     }
 }
 
@@ -96,10 +93,7 @@ mod tests {
     #[test]
     fn what_is_missing_is_named() {
         let error = Bound::of("isect_nothing").expect_err("no such kernel");
-        assert_eq!(
-            error.to_string(),
-            "there is no kernel isect_nothing with a header"
-        );
+        assert_eq!(error.to_string(), "there is no kernel isect_nothing with a header");
         let error = stated("refract_r16", "furlongs").expect_err("no such number");
         assert!(error.to_string().contains("furlongs"), "{error}");
     }

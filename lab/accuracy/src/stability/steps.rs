@@ -44,12 +44,7 @@ pub struct Leaving {
 }
 
 /// An absent ray.
-pub const NO_RAY: Ray = Ray {
-    origin: [0; 3],
-    direction: [0; 3],
-    t: NOT_THERE,
-    object: 0,
-};
+pub const NO_RAY: Ray = Ray { origin: [0; 3], direction: [0; 3], t: NOT_THERE, object: 0 };
 
 /// Tests packets against one object each, all of one kind. If a ray hits, its object is [`HIT`].
 pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<[Ray; 16]> {
@@ -67,10 +62,8 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<
         bench.call("shear_packets_r16", &arguments);
         shears
     });
-    let objects: Vec<u32> = products
-        .iter()
-        .map(|product| bench.place(&product.object).address)
-        .collect();
+    let objects: Vec<u32> =
+        products.iter().map(|product| bench.place(&product.object).address).collect();
     let candidates: Vec<Candidate> = (0..packets.len())
         .map(|number| Candidate {
             object: objects[number].into(),
@@ -86,10 +79,8 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<
         .iter()
         .zip(objects)
         .map(|(packet, object)| {
-            call::rays(packet).map(|ray| Ray {
-                object: u32::from(ray.object == object) * HIT,
-                ..ray
-            })
+            call::rays(packet)
+                .map(|ray| Ray { object: u32::from(ray.object == object) * HIT, ..ray })
         })
         .collect()
 }
@@ -104,15 +95,9 @@ pub fn leave(
 ) -> Vec<Leaving> {
     bench.reset();
     let nothing = put(bench, &[Material::new_zeroed()]);
-    let background = Object {
-        material: nothing.address.into(),
-        ..Object::new_zeroed()
-    };
+    let background = Object { material: nothing.address.into(), ..Object::new_zeroed() };
     let background = put(bench, &[background]);
-    let light = Light {
-        position: light.map(single),
-        ..Light::new_zeroed()
-    };
+    let light = Light { position: light.map(single), ..Light::new_zeroed() };
     let light = put(bench, &[light]);
     let rays: Vec<RayPacket> = packets
         .iter()
@@ -200,10 +185,7 @@ pub fn leave(
 /// The object's record with the address of its material.
 fn with_material(product: &Product, material: u32) -> Vec<u8> {
     let mut bytes = product.object.clone();
-    let field = Object::RECORD
-        .fields
-        .iter()
-        .find(|field| field.name == "material");
+    let field = Object::RECORD.fields.iter().find(|field| field.name == "material");
     let start = field.map_or(bytes.len(), |field| field.offset);
     bytes[start..start + 4].copy_from_slice(&material.to_be_bytes());
     bytes

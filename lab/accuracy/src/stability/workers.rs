@@ -30,10 +30,7 @@ pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, Suite
         .enumerate()
         .flat_map(|(family, (_, rounds))| {
             let starts = (0..*rounds).step_by(PART as usize);
-            starts.map(move |start| Part {
-                family,
-                rounds: start..(start + PART).min(*rounds),
-            })
+            starts.map(move |start| Part { family, rounds: start..(start + PART).min(*rounds) })
         })
         .collect();
     let found = parallel::map(&parts, Bench::new, |bench, part| {

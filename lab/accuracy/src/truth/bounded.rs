@@ -26,10 +26,7 @@ impl From<f64> for Bounded {
 
 impl Bounded {
     fn new(value: f64, error: f64) -> Self {
-        Self {
-            value,
-            error: error * UP,
-        }
+        Self { value, error: error * UP }
     }
 
     /// Its sign, or `None` if the error leaves it open.
@@ -45,21 +42,14 @@ impl Bounded {
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
         let least = (self.value - self.error).max(0.0).sqrt();
-        let error = if root + least > 0.0 {
-            self.error / (root + least)
-        } else {
-            self.error.sqrt()
-        };
+        let error =
+            if root + least > 0.0 { self.error / (root + least) } else { self.error.sqrt() };
         Self::new(root, error + root * UNIT)
     }
 
     /// The more precise of two results for the same number.
     pub fn better(self, other: Self) -> Self {
-        if other.error < self.error {
-            other
-        } else {
-            self
-        }
+        if other.error < self.error { other } else { self }
     }
 }
 
@@ -79,10 +69,7 @@ impl Sub for Bounded {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
-        self + Self {
-            value: -other.value,
-            ..other
-        }
+        self + Self { value: -other.value, ..other }
     }
 }
 

@@ -25,9 +25,7 @@ impl From<f64> for Exact {
 
 impl Exact {
     pub fn sign(&self) -> Ordering {
-        self.0
-            .partial_cmp(&FBig::<HalfEven>::ZERO)
-            .unwrap_or(Ordering::Equal)
+        self.0.partial_cmp(&FBig::<HalfEven>::ZERO).unwrap_or(Ordering::Equal)
     }
 
     /// The square root, to [`DIGITS`], of a number that is not below 0.

@@ -33,10 +33,7 @@ pub struct Line {
 impl Line {
     /// The ray that a kernel receives.
     pub fn new(origin: [Single; 3], direction: [Single; 3]) -> Self {
-        Self {
-            origin: origin.map(to_f64),
-            direction: direction.map(to_f64),
-        }
+        Self { origin: origin.map(to_f64), direction: direction.map(to_f64) }
     }
 
     /// The point at a distance, in double precision.
@@ -75,10 +72,7 @@ mod tests {
 
     #[test]
     fn a_distance_counts_along_a_direction_of_length_1() {
-        let line = Line {
-            origin: [1.0, 2.0, 3.0],
-            direction: [0.0, 0.0, -16.0],
-        };
+        let line = Line { origin: [1.0, 2.0, 3.0], direction: [0.0, 0.0, -16.0] };
         assert_eq!(line.point(5.0), [1.0, 2.0, -2.0]);
     }
 }

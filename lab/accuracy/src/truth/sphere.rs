@@ -58,10 +58,7 @@ impl Passing {
 impl Crossing {
     /// The first distance that is above 0, and the outward normal there.
     pub fn first(&self) -> Option<(f64, Vector)> {
-        let ends = [
-            (self.entry, self.entry_normal),
-            (self.exit, self.exit_normal),
-        ];
+        let ends = [(self.entry, self.entry_normal), (self.exit, self.exit_normal)];
         ends.into_iter().find(|(distance, _)| *distance > 0.0)
     }
 }
@@ -79,10 +76,7 @@ impl Sphere {
 
     /// A sphere that a kernel receives with the square of its radius.
     pub fn of_radius_squared(centre: [Single; 3], radius_squared: Single) -> Self {
-        Self {
-            centre: centre.map(to_f64),
-            radius_squared: to_f64(radius_squared),
-        }
+        Self { centre: centre.map(to_f64), radius_squared: to_f64(radius_squared) }
     }
 
     /// A sphere that a kernel receives as its direction and distance from 0 and the square of
@@ -116,10 +110,7 @@ impl Sphere {
     /// The distance from the line is computed by a vector product, which keeps its precision far
     /// away.
     fn in_double(&self, line: &Line) -> Option<Passing> {
-        let to = less(
-            &self.centre.map(Bounded::from),
-            &line.origin.map(Bounded::from),
-        );
+        let to = less(&self.centre.map(Bounded::from), &line.origin.map(Bounded::from));
         let d = line.direction.map(Bounded::from);
         let square = Bounded::from(self.radius_squared);
         let dd = dot(&d, &d);
@@ -276,10 +267,7 @@ mod tests {
     fn a_ray_that_goes_nowhere_and_a_sphere_of_no_size_do_not_meet() {
         let ahead = line([0.0, 0.0, 4.0], [0.0, 0.0, -1.0]);
         assert_eq!(sphere([0.0; 3], 0.0).crossing(&ahead), None);
-        assert_eq!(
-            sphere([0.0; 3], 1.0).crossing(&line([0.0; 3], [0.0; 3])),
-            None
-        );
+        assert_eq!(sphere([0.0; 3], 1.0).crossing(&line([0.0; 3], [0.0; 3])), None);
     }
 
     #[test]

@@ -62,9 +62,7 @@ impl<T: Number> Volumes<T> {
 impl Triangle {
     /// A triangle that a kernel receives.
     pub fn new(vertices: [[Single; 3]; 3]) -> Self {
-        Self {
-            vertices: vertices.map(|vertex| vertex.map(to_f64)),
-        }
+        Self { vertices: vertices.map(|vertex| vertex.map(to_f64)) }
     }
 
     /// Its vertices.
@@ -89,9 +87,7 @@ impl Triangle {
         if plane == Ordering::Equal {
             return Some(None);
         }
-        let [a, b, c] = volumes
-            .edges
-            .map(|edge| edge.sign().map(|sign| against(sign, plane)));
+        let [a, b, c] = volumes.edges.map(|edge| edge.sign().map(|sign| against(sign, plane)));
         let sides = [a?, b?, c?];
         let d = line.direction.map(Bounded::from);
         let distance = volumes.origin / volumes.plane * dot(&d, &d).sqrt();
@@ -123,13 +119,8 @@ impl Triangle {
         let distance = volumes.origin / volumes.plane.clone() * dot(&d, &d).sqrt();
         Some(Meeting {
             distance: distance.to_f64(),
-            sides: volumes
-                .edges
-                .each_ref()
-                .map(|edge| against(edge.sign(), plane)),
-            weights: volumes
-                .edges
-                .map(|edge| (edge / volumes.plane.clone()).to_f64()),
+            sides: volumes.edges.each_ref().map(|edge| against(edge.sign(), plane)),
+            weights: volumes.edges.map(|edge| (edge / volumes.plane.clone()).to_f64()),
             front: plane == Ordering::Less,
         })
     }

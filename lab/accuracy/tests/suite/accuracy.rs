@@ -40,26 +40,13 @@ fn what_is_wrong_is_named() {
 
 #[test]
 fn json_without_the_host_is_the_same_each_time_and_goes_to_standard_output() {
-    let arguments = [
-        "--quick",
-        "--no-host-time",
-        "--only",
-        "perpendicular,paper",
-        "--json",
-        "-",
-    ];
+    let arguments = ["--quick", "--no-host-time", "--only", "perpendicular,paper", "--json", "-"];
     let [first, second] = [(); 2].map(|()| bench(&arguments));
     assert!(first.status.success());
     assert_eq!(first.stdout, second.stdout);
     let document: Document = serde_json::from_slice(&first.stdout).unwrap();
     assert!(document.origin.is_none());
-    assert!(
-        document
-            .results
-            .kernels
-            .iter()
-            .all(|kernel| kernel.host_ns_a_ray.is_none())
-    );
+    assert!(document.results.kernels.iter().all(|kernel| kernel.host_ns_a_ray.is_none()));
     assert_eq!(document.results.kernels.len(), 4);
 }
 
@@ -68,45 +55,24 @@ fn a_folder_gets_all_files_and_the_document_its_plots() {
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name).to_str().unwrap().to_owned();
     let (out, document) = (at("out"), at("accuracy.md"));
-    let arguments = [
-        "--quick", "--seed", "5", "--out", &out, "--write", &document,
-    ];
+    let arguments = ["--quick", "--seed", "5", "--out", &out, "--write", &document];
     let output = bench(&arguments);
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
-    for name in [
-        "results.json",
-        "kernels.csv",
-        "spheres.csv",
-        "triangles.csv",
-    ] {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    for name in ["results.json", "kernels.csv", "spheres.csv", "triangles.csv"] {
         let file = Path::new(&out).join(name);
         assert!(fs::metadata(&file).unwrap().len() > 100, "{name}");
     }
     let text = fs::read_to_string(&document).unwrap();
     assert!(text.contains("Seed: 5."));
-    let pictures = text
-        .lines()
-        .filter_map(|line| line.strip_prefix("![")?.split_once("]("));
-    let names: Vec<&str> = pictures
-        .map(|(_, name)| name.trim_end_matches(')'))
-        .collect();
+    let pictures = text.lines().filter_map(|line| line.strip_prefix("![")?.split_once("]("));
+    let names: Vec<&str> = pictures.map(|(_, name)| name.trim_end_matches(')')).collect();
     assert!(names.len() >= 6, "{names:?}");
     for name in names {
         let svg = fs::read_to_string(at(name)).unwrap();
-        assert!(
-            svg.contains("perpendicular") && svg.contains("</svg>"),
-            "{name}"
-        );
+        assert!(svg.contains("perpendicular") && svg.contains("</svg>"), "{name}");
         let png = name.replace("accuracy-", "").replace(".svg", ".png");
         let png = oracle::Picture::read_png(&Path::new(&out).join(png));
         let png = png.unwrap();
-        assert!(
-            png.pixels().iter().any(|pixel| *pixel != [255; 3]),
-            "{name}"
-        );
+        assert!(png.pixels().iter().any(|pixel| *pixel != [255; 3]), "{name}");
     }
 }

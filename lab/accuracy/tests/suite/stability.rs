@@ -17,10 +17,7 @@ fn all_bounds_hold_and_kept_inputs_are_tried() {
     assert!(report.held(), "{report}");
     for row in &report.rows {
         let (family, subject) = (row.family, &row.subject);
-        assert!(
-            row.replayed > 0,
-            "there are no saved inputs of {family}, {subject}"
-        );
+        assert!(row.replayed > 0, "there are no saved inputs of {family}, {subject}");
         let tried = row.tally.cases - row.replayed;
         assert!(tried >= 100, "{tried} cases of {family}, {subject}");
     }
@@ -29,12 +26,7 @@ fn all_bounds_hold_and_kept_inputs_are_tried() {
 #[test]
 fn figures_depend_on_the_seed_alone() {
     let figures = |seed| {
-        let report = run(
-            Size::Quick,
-            seed,
-            Some("mirror-chain"),
-            &Regressions::default(),
-        );
+        let report = run(Size::Quick, seed, Some("mirror-chain"), &Regressions::default());
         report.expect("the family runs").json()
     };
     assert_eq!(figures(1), figures(1));
@@ -80,10 +72,7 @@ fn the_command_prints_a_table_and_writes_json() {
     let output = bench(&["--quick", "--only", "triangle-needles", "--json", path]);
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{text}");
-    assert!(
-        text.contains("triangle-needles") && text.contains(" ok"),
-        "{text}"
-    );
+    assert!(text.contains("triangle-needles") && text.contains(" ok"), "{text}");
     let json = std::fs::read(&file).expect("the report");
     let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
     assert_eq!(json["held"], true);
@@ -97,10 +86,7 @@ fn what_can_not_be_is_said_by_its_value() {
         (&["--only", "spherical-cows"][..], "spherical-cows"),
         (&["--seed", "seven"], "seven"),
         (&["--quick", "--full"], "--full"),
-        (
-            &["--quick", "--only", "mesh-thin", "--json", nowhere],
-            nowhere,
-        ),
+        (&["--quick", "--only", "mesh-thin", "--json", nowhere], nowhere),
     ] {
         let output = bench(arguments);
         let error = String::from_utf8_lossy(&output.stderr);

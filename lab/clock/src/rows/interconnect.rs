@@ -4,12 +4,7 @@ use super::{ALL, Row, Stream, cycles, read};
 use crate::order::{Benchmark, GET, Measured, Order};
 use crate::spes::{ClockError, Mapped, Ppe, run};
 
-const STREAM: Stream = Stream {
-    opcode: GET,
-    size: 16384,
-    depth: 4,
-    passes: 60,
-};
+const STREAM: Stream = Stream { opcode: GET, size: 16384, depth: 4, passes: 60 };
 
 pub fn rows() -> Vec<Row> {
     let mut rows = vec![
@@ -75,27 +70,16 @@ pub fn rows() -> Vec<Row> {
 
 /// GB/s of SPUs that read the local store of which the function has the number, if any.
 fn flows(spes: usize, from: impl Fn(usize) -> Option<usize>) -> Result<f64, ClockError> {
-    STREAM.rate(spes, Mapped::Stores, |place, number| {
-        from(number).map(|other| place.store(other))
-    })
+    STREAM.rate(spes, Mapped::Stores, |place, number| from(number).map(|other| place.store(other)))
 }
 
 /// Cycles from a command of SPU 0 until 128 bytes of another local store have arrived.
 fn latency(other: usize) -> Result<f64, ClockError> {
-    let stream = Stream {
-        size: 128,
-        depth: 1,
-        passes: 1000,
-        ..STREAM
-    };
+    let stream = Stream { size: 128, depth: 1, passes: 1000, ..STREAM };
     let of = |benchmark| {
         let measured = run(ALL, Mapped::Stores, Ppe::Waits, |place, number| {
             if number == 0 {
-                Order {
-                    benchmark,
-                    mask: 0,
-                    ..stream.order(place.store(other))
-                }
+                Order { benchmark, mask: 0, ..stream.order(place.store(other)) }
             } else {
                 Order::new(Benchmark::HintedLoop, 1)
             }

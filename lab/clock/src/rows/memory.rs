@@ -132,13 +132,8 @@ fn unpublished() -> Vec<Row> {
             "cycles",
             None,
             move || {
-                let of = |depth| {
-                    super::alone(Order {
-                        size,
-                        depth,
-                        ..Order::new(Benchmark::List, 300)
-                    })
-                };
+                let of =
+                    |depth| super::alone(Order { size, depth, ..Order::new(Benchmark::List, 300) });
                 Ok((of(256)? - of(128)?) / 128.0)
             },
         ));
@@ -147,19 +142,12 @@ fn unpublished() -> Vec<Row> {
 }
 
 fn stream(opcode: u32, size: u32, depth: u32, passes: u32) -> Stream {
-    Stream {
-        opcode,
-        size,
-        depth,
-        passes,
-    }
+    Stream { opcode, size, depth, passes }
 }
 
 /// GB/s of SPEs that use each their own main memory.
 fn in_memory(stream: Stream, spes: usize) -> Result<f64, ClockError> {
-    stream.rate(spes, Mapped::Nothing, |place, number| {
-        Some(place.memory(number))
-    })
+    stream.rate(spes, Mapped::Nothing, |place, number| Some(place.memory(number)))
 }
 
 /// Cycles of a line at a rate in GB/s.

@@ -69,13 +69,7 @@ impl Row {
         console: Option<Console>,
         measure: impl Fn() -> Result<f64, ClockError> + 'static,
     ) -> Self {
-        Self {
-            name: name.into(),
-            what: what.into(),
-            unit,
-            console,
-            measure: Box::new(measure),
-        }
+        Self { name: name.into(), what: what.into(), unit, console, measure: Box::new(measure) }
     }
 
     /// Measures it on this machine.
@@ -84,31 +78,18 @@ impl Row {
     ///
     /// Fails if libspe2 does, or if an SPU doesn't end as it should.
     pub fn measure(&self) -> Result<Value, ClockError> {
-        Ok(Value {
-            row: self.name.clone(),
-            value: (self.measure)()?,
-        })
+        Ok(Value { row: self.name.clone(), value: (self.measure)()? })
     }
 }
 
 /// The figure of a source whose program was run in the emulator too.
 const fn ran(value: f64, source: &'static str, band: f64) -> Option<Console> {
-    Some(Console {
-        value,
-        source,
-        certainty: Certainty::Ran,
-        band,
-    })
+    Some(Console { value, source, certainty: Certainty::Ran, band })
 }
 
 /// A figure that was only read.
 const fn read(value: f64, source: &'static str, band: f64) -> Option<Console> {
-    Some(Console {
-        value,
-        source,
-        certainty: Certainty::Read,
-        band,
-    })
+    Some(Console { value, source, certainty: Certainty::Read, band })
 }
 
 /// All rows: first those that have a console's figure.
@@ -132,10 +113,7 @@ pub fn named(names: &[String]) -> Result<Vec<Row>, ClockError> {
     for name in names {
         if !rows.iter().any(|row| row.name == *name) {
             let known: Vec<&str> = rows.iter().map(|row| row.name.as_str()).collect();
-            return Err(ClockError::Row {
-                name: name.clone(),
-                known: known.join(", "),
-            });
+            return Err(ClockError::Row { name: name.clone(), known: known.join(", ") });
         }
     }
     let wanted = |row: &Row| names.is_empty() || names.contains(&row.name);

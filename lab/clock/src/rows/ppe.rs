@@ -12,12 +12,7 @@ pub fn rows() -> Vec<Row> {
         Row::new(name, what, "us", None, move || round_trip(benchmark, ppe))
     };
     vec![
-        row(
-            "mail",
-            "by the inbound mailbox",
-            Benchmark::Mail,
-            Ppe::Mails,
-        ),
+        row("mail", "by the inbound mailbox", Benchmark::Mail, Ppe::Mails),
         row("signal", "as a signal", Benchmark::Signals, Ppe::Signals),
     ]
 }
@@ -25,8 +20,6 @@ pub fn rows() -> Vec<Row> {
 /// Microseconds of a word to the PPE, which polls, and of its answer.
 fn round_trip(benchmark: Benchmark, ppe: Ppe) -> Result<f64, ClockError> {
     let passes = 300;
-    let measured = run(1, Mapped::Nothing, ppe, |_, _| {
-        Order::new(benchmark, passes)
-    })?;
+    let measured = run(1, Mapped::Nothing, ppe, |_, _| Order::new(benchmark, passes))?;
     Ok(cycles(&measured) / f64::from(passes) / GIGAHERTZ / 1000.0)
 }

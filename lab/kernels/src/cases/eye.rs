@@ -48,92 +48,56 @@ pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "cull_spheres_p64",
         rays: 16,
-        cases: &[Case {
-            name: "none seen",
-            objects: SPHERES,
-            place: cull_spheres,
-        }],
+        cases: &[Case { name: "none seen", objects: SPHERES, place: cull_spheres }],
         error: None,
     },
     Kernel {
         name: "list_places_p64",
         rays: 1,
-        cases: &[Case {
-            name: "all named",
-            objects: NAMED,
-            place: list_places,
-        }],
+        cases: &[Case { name: "all named", objects: NAMED, place: list_places }],
         error: None,
     },
     Kernel {
         name: "ray_setup_r16",
         rays: 16,
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: ray_setup,
-        }],
+        cases: &[Case { name: "packets", objects: PACKETS, place: ray_setup }],
         error: Some(error::ray_setup),
     },
     Kernel {
         name: "filter_spheres_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all miss",
-            objects: SPHERES,
-            place: filter_spheres,
-        }],
+        cases: &[Case { name: "all miss", objects: SPHERES, place: filter_spheres }],
         error: None,
     },
     Kernel {
         name: "list_pairs_p64",
         rays: 1,
-        cases: &[Case {
-            name: "all named",
-            objects: NAMED,
-            place: list_pairs,
-        }],
+        cases: &[Case { name: "all named", objects: NAMED, place: list_pairs }],
         error: None,
     },
     Kernel {
         name: "hidden_pairs_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all hidden",
-            objects: PACKETS,
-            place: hidden_pairs,
-        }],
+        cases: &[Case { name: "all hidden", objects: PACKETS, place: hidden_pairs }],
         error: None,
     },
     formulation::row::<Perpendicular>(),
     Kernel {
         name: "mask_pairs_p64",
         rays: 1,
-        cases: &[Case {
-            name: "pairs",
-            objects: PACKETS,
-            place: mask_pairs,
-        }],
+        cases: &[Case { name: "pairs", objects: PACKETS, place: mask_pairs }],
         error: None,
     },
     Kernel {
         name: "shade_depth_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all hit",
-            objects: PACKETS,
-            place: shade_depth,
-        }],
+        cases: &[Case { name: "all hit", objects: PACKETS, place: shade_depth }],
         error: Some(error::shade_depth),
     },
     Kernel {
         name: "pack_r16",
         rays: 16,
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: pack,
-        }],
+        cases: &[Case { name: "packets", objects: PACKETS, place: pack }],
         error: Some(error::pack),
     },
 ];
@@ -157,11 +121,7 @@ fn ahead() -> BareSphere {
 /// The record of a sphere with the limits of its tests, without margins for rounding.
 fn limited(bare: &BareSphere) -> Sphere {
     let mut sphere = eye_records::sphere(bare);
-    let square: f64 = bare
-        .centre
-        .map(|component| to_f64(component).powi(2))
-        .iter()
-        .sum();
+    let square: f64 = bare.centre.map(|component| to_f64(component).powi(2)).iter().sum();
     let radius_squared = to_f64(bare.radius_squared);
     let limit = single(from_f64((square - radius_squared).sqrt()));
     (sphere.ray_limit, sphere.packet_limit) = (limit, limit);
@@ -180,10 +140,7 @@ fn packets(bench: &mut Bench, hits: &Hits, count: u32) -> Vec<bench::Place> {
 
 fn frustum_spheres(bench: &mut Bench, bare: &BareSphere, count: u32) -> Vec<u32> {
     // The sides of a pyramid around -z that is half as wide as it is long.
-    let (along, across) = (
-        libm::sin(libm::atan(0.5_f64)),
-        libm::cos(libm::atan(0.5_f64)),
-    );
+    let (along, across) = (libm::sin(libm::atan(0.5_f64)), libm::cos(libm::atan(0.5_f64)));
     let frustum = Frustum {
         normal_x: [across, -across, 0.0, 0.0].map(|x| single(from_f64(x))),
         normal_y: [0.0, 0.0, across, -across].map(|y| single(from_f64(y))),
@@ -256,18 +213,13 @@ fn filter_spheres(bench: &mut Bench, count: u32) -> Vec<u32> {
 }
 
 fn hidden_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let hit = Hit {
-        t: from_f64(1.0),
-        object: 0,
-    };
+    let hit = Hit { t: from_f64(1.0), object: 0 };
     let packets = packets(bench, &[hit; 16], count);
     let mut sphere = limited(&ahead());
     sphere.near = single(from_f64(4.0));
     let sphere = put(bench, &[sphere]);
-    let pairs: Vec<Pair> = packets
-        .iter()
-        .map(|packet| eye_records::pair(sphere.address, packet.address))
-        .collect();
+    let pairs: Vec<Pair> =
+        packets.iter().map(|packet| eye_records::pair(sphere.address, packet.address)).collect();
     let pairs = put(bench, &pairs);
     vec![pairs.address, count]
 }
@@ -297,26 +249,14 @@ fn mask_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
 
 fn shade_depth(bench: &mut Bench, count: u32) -> Vec<u32> {
     let spheres = put_spheres(bench, &ahead(), 2);
-    let hit = Hit {
-        t: from_f64(4.0),
-        object: address::<Sphere>(spheres, 1),
-    };
+    let hit = Hit { t: from_f64(4.0), object: address::<Sphere>(spheres, 1) };
     let packets = packets(bench, &[hit; 16], count);
     let places = put_places(bench, &packets, |_| [0; 3]);
-    let depth = twins::shade_depth::Depth {
-        far: from_f64(10.0),
-        scale: from_f64(0.1),
-    };
+    let depth = twins::shade_depth::Depth { far: from_f64(10.0), scale: from_f64(0.1) };
     let depth = put(bench, &[eye_records::depth(depth)]);
     let colours = bench.place(&vec![0; size_of::<Colours>() * count as usize]);
     let background = spheres.address;
-    vec![
-        places.address,
-        count,
-        depth.address,
-        colours.address,
-        background,
-    ]
+    vec![places.address, count, depth.address, colours.address, background]
 }
 
 fn pack(bench: &mut Bench, count: u32) -> Vec<u32> {
@@ -325,8 +265,6 @@ fn pack(bench: &mut Bench, count: u32) -> Vec<u32> {
     let shuffle = put(bench, &[eye_records::pixel_shuffle([16, 8, 0])]);
     let pixels = bench.place(&vec![0; 64 * count as usize]);
     let packets = vec![pixels; count as usize];
-    let places = put_places(bench, &packets, |number| {
-        [pixels.address + 64 * number as u32, 0, 0]
-    });
+    let places = put_places(bench, &packets, |number| [pixels.address + 64 * number as u32, 0, 0]);
     vec![places.address, count, colours.address, shuffle.address, 16]
 }

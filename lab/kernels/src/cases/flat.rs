@@ -199,12 +199,7 @@ pub fn put_rectangle(
     rectangle: &Rectangle,
     mut anything: impl FnMut() -> u32,
 ) -> Place {
-    let Rectangle {
-        point,
-        normal,
-        dual_u,
-        dual_v,
-    } = *rectangle;
+    let Rectangle { point, normal, dual_u, dual_v } = *rectangle;
     let record = [point, normal, dual_u, dual_v].map(|vector| quad(vector, anything()));
     bench.place(record.as_bytes())
 }

@@ -51,42 +51,23 @@ impl Formulation for Newton2 {}
 impl Formulation for Stable {}
 
 impl Formulation for Factored {
-    const DOMAIN: Domain = Domain {
-        touches: false,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { touches: false, ..PERPENDICULAR };
 }
 
 impl Formulation for Paper {
-    const DOMAIN: Domain = Domain {
-        eye: 1.5..3.0,
-        farthest: 3.0,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { eye: 1.5..3.0, farthest: 3.0, ..PERPENDICULAR };
 }
 
 impl Formulation for Estimate {
-    const DOMAIN: Domain = Domain {
-        surface: 0.1,
-        rough: 0.05,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { surface: 0.1, rough: 0.05, ..PERPENDICULAR };
 }
 
 impl Formulation for Interpolated {
-    const DOMAIN: Domain = Domain {
-        surface: 1e-3,
-        rough: 4e-4,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { surface: 1e-3, rough: 4e-4, ..PERPENDICULAR };
 }
 
 impl Formulation for Refined {
-    const DOMAIN: Domain = Domain {
-        eye: 2.0..1e6,
-        outline: 0.19,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { eye: 2.0..1e6, outline: 0.19, ..PERPENDICULAR };
 }
 
 impl Formulation for Constants {
@@ -94,18 +75,11 @@ impl Formulation for Constants {
 }
 
 impl Formulation for InDouble {
-    const DOMAIN: Domain = Domain {
-        eye: 1.5..1e6,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { eye: 1.5..1e6, ..PERPENDICULAR };
 }
 
 impl Formulation for Unnormalised {
-    const DOMAIN: Domain = Domain {
-        lengths: 1e-6..1e6,
-        touches: false,
-        ..PERPENDICULAR
-    };
+    const DOMAIN: Domain = Domain { lengths: 1e-6..1e6, touches: false, ..PERPENDICULAR };
 }
 
 /// A formulation that has a kernel for rays from anywhere.

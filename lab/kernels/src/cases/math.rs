@@ -84,44 +84,19 @@ const fn function(
     twin: fn(Single) -> Single,
     domain: [Single; 2],
 ) -> Function {
-    Function {
-        kernel,
-        quantity,
-        twin,
-        domain,
-    }
+    Function { kernel, quantity, twin, domain }
 }
 
 /// All kernels of `math`. For each quantity, the cheapest is first.
 pub const FUNCTIONS: [Function; 12] = {
     use Quantity::{Reciprocal, ReciprocalRoot, Root};
     [
-        function(
-            "recip_estimate",
-            Reciprocal,
-            math::recip_estimate,
-            RECIPROCAL,
-        ),
-        function(
-            "recip_interpolated",
-            Reciprocal,
-            math::recip_interpolated,
-            RECIPROCAL,
-        ),
+        function("recip_estimate", Reciprocal, math::recip_estimate, RECIPROCAL),
+        function("recip_interpolated", Reciprocal, math::recip_interpolated, RECIPROCAL),
         function("recip_newton1", Reciprocal, math::reciprocal, RECIPROCAL),
         function("recip_newton2", Reciprocal, math::recip_newton2, RECIPROCAL),
-        function(
-            "rsqrt_estimate",
-            ReciprocalRoot,
-            math::rsqrt_estimate,
-            NORMAL,
-        ),
-        function(
-            "rsqrt_interpolated",
-            ReciprocalRoot,
-            math::rsqrt_interpolated,
-            NORMAL,
-        ),
+        function("rsqrt_estimate", ReciprocalRoot, math::rsqrt_estimate, NORMAL),
+        function("rsqrt_interpolated", ReciprocalRoot, math::rsqrt_interpolated, NORMAL),
         function("rsqrt_newton1", ReciprocalRoot, math::rsqrt, NORMAL),
         function("rsqrt_newton2", ReciprocalRoot, math::rsqrt_newton2, NORMAL),
         function("sqrt_estimate", Root, math::sqrt_estimate, NORMAL),
@@ -169,10 +144,7 @@ pub const KERNELS: &[Kernel] = &[
 /// results.
 fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -> [Place; 2] {
     let padded = operands.len().next_multiple_of(PASS);
-    let mut words: Vec<[U32; 4]> = operands
-        .iter()
-        .map(|quadword| quadword.map(U32::new))
-        .collect();
+    let mut words: Vec<[U32; 4]> = operands.iter().map(|quadword| quadword.map(U32::new)).collect();
     words.resize(padded, [U32::new(anything); 4]);
     let operands = put(bench, &words);
     let results = bench.place(&vec![0x55; size_of::<[U32; 4]>() * padded]);
@@ -193,10 +165,7 @@ pub fn call(
     let to = if in_place { from } else { to };
     bench.call(kernel, &[from.address, to.address, operands.len() as u32]);
     let results: Vec<[U32; 4]> = bench.read_all(to);
-    results
-        .into_iter()
-        .map(|quadword| quadword.map(U32::get))
-        .collect()
+    results.into_iter().map(|quadword| quadword.map(U32::get)).collect()
 }
 
 /// A random operand of the domain. All exponents and fractions are equally likely.

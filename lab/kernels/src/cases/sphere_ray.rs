@@ -118,32 +118,20 @@ pub fn case_rays() -> [Ray; 16] {
     std::array::from_fn(|lane| {
         let (x, y) = ((lane % 4) as f64, (lane / 4) as f64);
         let step = |at: f64| (at - 1.5) * 0.01;
-        ray(
-            [step(x), step(y), 0.0],
-            unit([step(y), step(x), -1.0]),
-            FARTHEST,
-        )
+        ray([step(x), step(y), 0.0], unit([step(y), step(x), -1.0]), FARTHEST)
     })
 }
 
 /// A ray that has hit nothing.
 #[must_use]
 pub fn ray(origin: Vector, direction: Vector, t: Single) -> Ray {
-    Ray {
-        origin: origin.map(from_f64),
-        direction: direction.map(from_f64),
-        t,
-        object: 0,
-    }
+    Ray { origin: origin.map(from_f64), direction: direction.map(from_f64), t, object: 0 }
 }
 
 /// A sphere.
 #[must_use]
 pub fn bare_sphere(centre: Vector, radius: f64) -> BareSphere {
-    BareSphere {
-        centre: centre.map(from_f64),
-        radius_squared: from_f64(radius * radius),
-    }
+    BareSphere { centre: centre.map(from_f64), radius_squared: from_f64(radius * radius) }
 }
 
 fn beside() -> BareSphere {
@@ -268,10 +256,7 @@ pub fn together(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ra
     bench.reset();
     let record = bench.place(records::Rays::new(rays).as_bytes());
     let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
-    bench.call(
-        "isect_sphere_r16",
-        &[record.address, sphere.address, OBJECT],
-    );
+    bench.call("isect_sphere_r16", &[record.address, sphere.address, OBJECT]);
     bench.read::<records::Rays>(record).rays()
 }
 
@@ -285,10 +270,7 @@ pub fn among_sixteen(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -
     spheres[PLACE] = records::BareSphere::new(sphere);
     let spheres = bench.place(spheres.as_bytes());
     let first = OBJECT - PLACE as u32;
-    bench.call(
-        "isect_spheres16_r16",
-        &[record.address, spheres.address, first],
-    );
+    bench.call("isect_spheres16_r16", &[record.address, spheres.address, first]);
     bench.read::<records::Rays>(record).rays()
 }
 

@@ -42,19 +42,12 @@ impl EyeSphere {
     #[must_use]
     pub fn record(&self) -> Sphere {
         match *self {
-            Self::Centre {
-                centre,
-                radius_squared,
-            } => eye_records::sphere(&BareSphere {
-                centre,
-                radius_squared,
-            }),
+            Self::Centre { centre, radius_squared } => {
+                eye_records::sphere(&BareSphere { centre, radius_squared })
+            }
             Self::Axis { axis, k, distance } => Sphere {
                 distance: single(distance),
-                ..eye_records::sphere(&BareSphere {
-                    centre: axis,
-                    radius_squared: k,
-                })
+                ..eye_records::sphere(&BareSphere { centre: axis, radius_squared: k })
             },
         }
     }
@@ -78,24 +71,11 @@ pub fn general(
     sphere: &SphereObject,
 ) -> Vec<Distances> {
     bench.reset();
-    let unhit = |ray: Ray| Ray {
-        t: FARTHEST,
-        object: 0,
-        ..ray
-    };
-    let packets: Vec<RayPacket> = packets
-        .iter()
-        .map(|rays| packet(&rays.map(unhit), 0))
-        .collect();
+    let unhit = |ray: Ray| Ray { t: FARTHEST, object: 0, ..ray };
+    let packets: Vec<RayPacket> = packets.iter().map(|rays| packet(&rays.map(unhit), 0)).collect();
     let list: Vec<[usize; 2]> = (0..packets.len()).map(|number| [0, number]).collect();
     // All formulations use the same record.
-    let placed = call::place(
-        bench,
-        &packets,
-        &[By::<Perpendicular>::from(*sphere)],
-        &list,
-        0,
-    );
+    let placed = call::place(bench, &packets, &[By::<Perpendicular>::from(*sphere)], &list, 0);
     bench.call(kernel, &[placed.candidates, list.len() as u32]);
     let after: Vec<RayPacket> = bench.read_all(placed.packets);
     after

@@ -33,10 +33,7 @@ fn every_header_can_be_read() {
     let set = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
     for source in &set.sources {
         let header = source.header().unwrap_or_else(|| {
-            panic!(
-                "{}: no line `# {}   what it does`, or no `#   C`",
-                source.file, source.name
-            )
+            panic!("{}: no line `# {}   what it does`, or no `#   C`", source.file, source.name)
         });
         let called = format!("{}(", source.name);
         assert!(
@@ -123,16 +120,10 @@ fn the_records_of_rays_are_the_assemblers() {
         ("RAY_object", offset_of!(Ray, object)),
         ("RAY_SIZE", size_of::<Ray>()),
         ("BARE_SPHERE_centre", offset_of!(BareSphere, centre)),
-        (
-            "BARE_SPHERE_radius_squared",
-            offset_of!(BareSphere, radius_squared),
-        ),
+        ("BARE_SPHERE_radius_squared", offset_of!(BareSphere, radius_squared)),
         ("BARE_SPHERE_SIZE", size_of::<BareSphere>()),
     ]);
-    assert_eq!(
-        offsets(include_str!("../../../spu/include/rays.inc")),
-        expected
-    );
+    assert_eq!(offsets(include_str!("../../../spu/include/rays.inc")), expected);
 }
 
 #[test]
@@ -153,8 +144,5 @@ fn the_records_of_flat_shapes_are_the_assemblers() {
         ("RECTANGLE_dual_v", 3 * QUADWORD),
         ("RECTANGLE_SIZE", 4 * QUADWORD),
     ]);
-    assert_eq!(
-        offsets(include_str!("../../../../spu/include/flat.inc")),
-        expected
-    );
+    assert_eq!(offsets(include_str!("../../../../spu/include/flat.inc")), expected);
 }

@@ -62,16 +62,8 @@ fn finds_a_document_stale() {
     assert!(written.status.success());
     let table = fs::read_to_string(&file).expect("the file");
     assert!(table.contains("| any_sphere_r16 "), "{table}");
-    assert!(
-        kernels(&["measure", "any_sphere_r16", "--check", path])
-            .status
-            .success()
-    );
-    assert!(
-        !kernels(&["measure", "any_sphere_r16", "--check", path, "--json"])
-            .status
-            .success()
-    );
+    assert!(kernels(&["measure", "any_sphere_r16", "--check", path]).status.success());
+    assert!(!kernels(&["measure", "any_sphere_r16", "--check", path, "--json"]).status.success());
 }
 
 #[test]
@@ -79,11 +71,7 @@ fn refuses_to_schedule_what_there_is_not() {
     let output = kernels(&["schedule", "--check", "isect_cube_r16"]);
     assert!(!output.status.success());
     assert!(text(&output.stderr).contains("no kernel isect_cube_r16"));
-    assert!(
-        kernels(&["schedule", "--check", "pack_r16"])
-            .status
-            .success()
-    );
+    assert!(kernels(&["schedule", "--check", "pack_r16"]).status.success());
 }
 
 #[test]
@@ -95,8 +83,5 @@ fn builds_a_program_of_other_formulations() {
     assert!(output.status.success(), "{}", text(&output.stderr));
     let program = cellray::spe::Program::from_file(&file).expect("a program");
     let formulations = program.formulations().expect("formulations");
-    assert_eq!(
-        formulations.names(),
-        ["stable", "stable", "stable", "watertight"]
-    );
+    assert_eq!(formulations.names(), ["stable", "stable", "stable", "watertight"]);
 }

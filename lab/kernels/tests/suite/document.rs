@@ -11,10 +11,7 @@ fn what_is_outside_the_markers_stays() {
     fs::write(&file, format!("before\n{BEGIN}\nold\n{END}\nbehind\n")).expect("a file");
     write(&file, "| new |\n").expect("written");
     let text = fs::read_to_string(&file).expect("the file");
-    assert_eq!(
-        text,
-        format!("before\n{BEGIN}\n\n| new |\n\n{END}\nbehind\n")
-    );
+    assert_eq!(text, format!("before\n{BEGIN}\n\n| new |\n\n{END}\nbehind\n"));
     check(&file, "| new |\n").expect("up to date");
     write(&file, "| new |\n").expect("written again");
     assert_eq!(text, fs::read_to_string(&file).expect("the file"));
@@ -27,13 +24,7 @@ fn a_stale_table_is_shown_by_its_line() {
     fs::write(&file, format!("{BEGIN}\n{END}\n")).expect("a file");
     write(&file, "one\ntwo\n").expect("written");
     let error = check(&file, "one\ntoo\n").expect_err("it is stale");
-    let DocumentError::Stale {
-        line,
-        found,
-        expected,
-        ..
-    } = error
-    else {
+    let DocumentError::Stale { line, found, expected, .. } = error else {
         panic!("{error}");
     };
     assert_eq!((line, found.as_str(), expected.as_str()), (4, "two", "too"));

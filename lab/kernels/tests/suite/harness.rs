@@ -20,11 +20,7 @@ const SOURCES: [Source; 8] = [
 ];
 
 const fn source(name: &'static str, text: &'static str) -> Source {
-    Source {
-        name,
-        file: name,
-        text,
-    }
+    Source { name, file: name, text }
 }
 
 /// The plain kernels, with files of `versions` replacing those of the same names.
@@ -60,13 +56,7 @@ fn a_good_kernel_is_called() {
     let mut bench = bench();
     let place = bench.place(&41_u32.to_be_bytes().repeat(4));
     let returned = bench.call("good", &[place.address]);
-    assert_eq!(
-        returned,
-        Returned {
-            value: 42,
-            instructions: 5
-        }
-    );
+    assert_eq!(returned, Returned { value: 42, instructions: 5 });
     assert_eq!(bench.read::<[u8; 16]>(place)[..4], 42_u32.to_be_bytes());
 }
 

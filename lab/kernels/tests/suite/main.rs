@@ -1,10 +1,7 @@
 //! All tests of the kernels. They are one program, because linking many takes longer than running
 //! them.
 
-#![allow(
-    clippy::print_stdout,
-    reason = "the harness shows it with a failed test"
-)]
+#![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
 mod bounce;
 mod catalogue;

@@ -64,19 +64,12 @@ fn loops_reach_nine_tenths_of_their_bounds() {
         for found in &kernel.loops {
             let at = format!("{}: {}", kernel.kernel, found.name);
             let Some(cycles) = found.form.cycles() else {
-                assert!(
-                    HAVE_BRANCHES.contains(&kernel.kernel),
-                    "{at}: {:?}",
-                    found.form
-                );
+                assert!(HAVE_BRANCHES.contains(&kernel.kernel), "{at}: {:?}", found.form);
                 continue;
             };
             loops += 1;
             assert!(cycles.reached() >= 0.9, "{at}: {cycles:?}");
-            assert!(
-                cycles.bound >= cycles.even.max(cycles.odd),
-                "{at}: {cycles:?}"
-            );
+            assert!(cycles.bound >= cycles.even.max(cycles.odd), "{at}: {cycles:?}");
         }
     }
     assert!(loops >= 13, "only {loops} loops");
@@ -120,9 +113,6 @@ fn primary_ray_kernels_keep_their_bounds() {
         assert!(frustum <= 16.0, "{frustum} cycles a sphere, {case}");
         let plain = timed("frustum_spheres", case).plain.stream.expect("a list");
         let instructions = (plain.time.even + plain.time.odd) as f64 / f64::from(plain.objects);
-        assert!(
-            instructions <= 21.0,
-            "{instructions} instructions a sphere, {case}"
-        );
+        assert!(instructions <= 21.0, "{instructions} instructions a sphere, {case}");
     }
 }

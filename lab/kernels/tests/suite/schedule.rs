@@ -15,9 +15,7 @@ use spu_scheduler::code::Code;
 fn scheduled_versions_are_up_to_date() {
     let workshop = Workshop::here().unwrap_or_else(|error| panic!("{error}"));
     let sources = workshop.sources().expect("kernels");
-    workshop
-        .check(&sources)
-        .unwrap_or_else(|error| panic!("{error}"));
+    workshop.check(&sources).unwrap_or_else(|error| panic!("{error}"));
 }
 
 #[test]
@@ -44,11 +42,7 @@ fn notes_agree_with_the_model() {
         let outcome = workshop.notes(kernel);
         let outcome = outcome.unwrap_or_else(|error| panic!("{error}"));
         assert!(outcome.notes > 0, "{}: no notes", kernel.name);
-        let wrong: Vec<String> = outcome
-            .differences
-            .iter()
-            .map(ToString::to_string)
-            .collect();
+        let wrong: Vec<String> = outcome.differences.iter().map(ToString::to_string).collect();
         assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     }
 }
@@ -86,10 +80,7 @@ fn used(source: &str) -> BTreeSet<u8> {
     let list = text.trim_start_matches("#   Uses").trim_start();
     let list = list.split("   Saves").next().expect("a list");
     let number = |text: &str| text.trim().trim_start_matches('$').parse::<u8>();
-    let words = list
-        .split([',', '#'])
-        .map(str::trim)
-        .filter(|word| !word.is_empty());
+    let words = list.split([',', '#']).map(str::trim).filter(|word| !word.is_empty());
     words
         .flat_map(|range| {
             let (first, last) = range.split_once('-').unwrap_or((range, range));
@@ -123,10 +114,7 @@ fn missing_and_changed_versions_are_stale() {
     let WorkshopError::Stale(files) = &error else {
         panic!("{error}");
     };
-    assert_eq!(
-        *files,
-        kernels[..2].iter().map(scheduled_file).collect::<Vec<_>>()
-    );
+    assert_eq!(*files, kernels[..2].iter().map(scheduled_file).collect::<Vec<_>>());
     let notes = workshop.notes(&kernels[1]).expect("notes");
     assert_eq!(notes.differences.len(), 1, "{:?}", notes.differences);
 
@@ -154,10 +142,7 @@ fn a_plain_source_with_a_fault_is_named() {
     assert!(refused.to_string().contains("pack_r16.s"), "{refused}");
     fs::write(&file, "        ai      $3,$3,5\n").expect("written");
     let refused = workshop.schedule(&kernel).expect_err("no function");
-    assert!(
-        matches!(refused, WorkshopError::Scheduler { .. }),
-        "{refused}"
-    );
+    assert!(matches!(refused, WorkshopError::Scheduler { .. }), "{refused}");
 }
 
 #[test]
@@ -172,17 +157,13 @@ fn a_changed_include_costs_those_that_include_it() {
         fs::copy(here.join(kernel.file), to).expect("copied");
     }
     let lists = fs::read_to_string(includes.join("lists.inc")).expect("an include");
-    fs::write(
-        includes.join("lists.inc"),
-        lists + "        .include \"further.inc\"\n",
-    )
-    .expect("written");
+    fs::write(includes.join("lists.inc"), lists + "        .include \"further.inc\"\n")
+        .expect("written");
 
     let made = folder.path().join("made");
     let kept = |name: &str| {
-        let folders = fs::read_dir(&made)
-            .expect("a folder")
-            .map(|entry| entry.expect("a folder").path());
+        let folders =
+            fs::read_dir(&made).expect("a folder").map(|entry| entry.expect("a folder").path());
         folders.filter(|folder| folder.join(name).is_file()).count()
     };
     for (text, times) in [("# one\n", 1), ("# another\n", 2), ("# one\n", 2)] {

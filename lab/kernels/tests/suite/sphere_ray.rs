@@ -41,16 +41,12 @@ fn check_sixteen(
     bench.reset();
     let record = bench.place(records::Rays::new(rays).as_bytes());
     let places = bench.place(spheres.each_ref().map(records::BareSphere::new).as_bytes());
-    bench.call(
-        "isect_spheres16_r16",
-        &[record.address, places.address, first],
-    );
+    bench.call("isect_spheres16_r16", &[record.address, places.address, first]);
     let found = bench.read::<records::Rays>(record).rays();
     for (ray, found) in rays.iter().zip(found) {
         let numbered = (first..).zip(spheres);
-        let expected = numbered.fold(*ray, |ray, (object, sphere)| {
-            twin::nearest(ray, sphere, object)
-        });
+        let expected =
+            numbered.fold(*ray, |ray, (object, sphere)| twin::nearest(ray, sphere, object));
         assert_eq!(found, expected, "{ray:x?}, {spheres:x?}");
     }
     found
@@ -65,17 +61,12 @@ fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u3
     let places = bench.place(places.as_bytes());
     let expected = |spheres: &[BareSphere]| {
         let blocked = |ray: &Ray| spheres.iter().any(|sphere| twin::any(ray, sphere));
-        rays.iter()
-            .fold(0, |bits, ray| bits << 1 | u32::from(blocked(ray)))
+        rays.iter().fold(0, |bits, ray| bits << 1 | u32::from(blocked(ray)))
     };
     for (number, sphere) in spheres.iter().enumerate() {
         let address = places.address + (number * size_of::<records::BareSphere>()) as u32;
         let found = bench.call("any_sphere_r16", &[record.address, address]);
-        assert_eq!(
-            found.value,
-            expected(std::slice::from_ref(sphere)),
-            "{rays:x?}, {sphere:x?}"
-        );
+        assert_eq!(found.value, expected(std::slice::from_ref(sphere)), "{rays:x?}, {sphere:x?}");
     }
     let arguments = [record.address, places.address, spheres.len() as u32];
     let found = bench.call("any_spheres_r16", &arguments);
@@ -93,10 +84,7 @@ fn any_bits(random: &mut ChaCha8Rng) -> Ray {
 }
 
 fn any_sphere(random: &mut ChaCha8Rng) -> BareSphere {
-    BareSphere {
-        centre: random.random(),
-        radius_squared: random.random(),
-    }
+    BareSphere { centre: random.random(), radius_squared: random.random() }
 }
 
 #[test]
@@ -153,10 +141,7 @@ fn the_nearest_of_sixteen_in_any_order() {
         let rays = std::array::from_fn(|_| {
             let origin = std::array::from_fn(|_| random.random_range(-4.0..4.0));
             let t = from_f64(random.random_range(0.0..20.0));
-            Ray {
-                object: 5,
-                ..ray(origin, any_direction(&mut random), t)
-            }
+            Ray { object: 5, ..ray(origin, any_direction(&mut random), t) }
         });
         let found = check_sixteen(&mut bench, &rays, &spheres, 100);
         numbers.extend(found.map(|ray| ray.object));
@@ -171,30 +156,14 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
     let cases: [(&str, BareSphere, Option<f64>); 12] = [
         ("ahead", at([0.0, 0.0, -5.0], 1.0), Some(4.0)),
         ("behind", at([0.0, 0.0, 5.0], 1.0), None),
-        (
-            "around, its centre ahead",
-            at([0.0, 0.0, -0.5], 1.0),
-            Some(1.5),
-        ),
-        (
-            "around, its centre behind",
-            at([0.0, 0.0, 0.5], 1.0),
-            Some(0.5),
-        ),
+        ("around, its centre ahead", at([0.0, 0.0, -0.5], 1.0), Some(1.5)),
+        ("around, its centre behind", at([0.0, 0.0, 0.5], 1.0), Some(0.5)),
         ("around, its centre here", at([0.0; 3], 1.0), Some(1.0)),
-        (
-            "around, its centre beside",
-            at([0.6, 0.0, 0.0], 1.0),
-            Some(0.8),
-        ),
+        ("around, its centre beside", at([0.6, 0.0, 0.0], 1.0), Some(0.8)),
         ("tangent", at([1.0, 0.0, -5.0], 1.0), Some(5.0)),
         ("beside", at([3.0, 0.0, -5.0], 1.0), None),
         ("beside and behind", at([3.0, 0.0, 5.0], 1.0), None),
-        (
-            "tiny and far",
-            at([0.0, 0.0, -4096.0], 1.0 / 16.0),
-            Some(4096.0 - 1.0 / 16.0),
-        ),
+        ("tiny and far", at([0.0, 0.0, -4096.0], 1.0 / 16.0), Some(4096.0 - 1.0 / 16.0)),
         ("huge", at([0.0, 0.0, -1e9], 0.999e9), Some(1e6)),
         (
             "at the limit of the domain",
@@ -214,10 +183,7 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
         }
         // A t before the hit and one after it, if there is a hit.
         for (part, sees) in [(0.999, false), (1.001, true)] {
-            let ray = Ray {
-                t: from_f64(expected.unwrap_or(1.0) * part),
-                ..straight
-            };
+            let ray = Ray { t: from_f64(expected.unwrap_or(1.0) * part), ..straight };
             let (bits, _) = check_any(&mut bench, &[ray; 16], &[sphere]);
             let blocked = expected.is_some() && sees;
             assert_eq!(bits, if blocked { 0xffff } else { 0 }, "{name}, {part}");
@@ -258,10 +224,7 @@ fn an_idle_ray_stays_as_it_is_and_holds_nobody_up() {
     spheres[0] = ahead;
     let (bits, instructions) = check_any(&mut bench, &rays, &spheres);
     assert_eq!(bits, 0b0110_1101_1011_0110);
-    assert!(
-        instructions * 8 < longest,
-        "{instructions} instructions, {longest} without a hit"
-    );
+    assert!(instructions * 8 < longest, "{instructions} instructions, {longest} without a hit");
     for ray in &mut rays {
         ray.t = 0;
     }
@@ -309,11 +272,7 @@ fn a_ray_that_leaves_a_surface_does_not_meet_it_again() {
             let any = any_direction(&mut random);
             let along: f64 = (0..3).map(|axis| any[axis] * normal[axis]).sum();
             // Half of them graze the surface.
-            let rise = if lane % 2 == 0 {
-                along.abs()
-            } else {
-                random.random_range(0.0..1e-3)
-            };
+            let rise = if lane % 2 == 0 { along.abs() } else { random.random_range(0.0..1e-3) };
             let direction = std::array::from_fn(|axis| any[axis] + (rise - along) * normal[axis]);
             ray(origin, unit(direction), FARTHEST)
         });

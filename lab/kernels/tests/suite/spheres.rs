@@ -35,11 +35,7 @@ fn every_formulation_has_kernels_that_hit() {
     for formulation in SPHERES {
         if let Some(kernel) = formulation.general {
             let ahead = sphere(CENTRE, 1.0, FRONT);
-            all_about(
-                4.0,
-                &general(&mut bench, kernel, &[rays; 3], &ahead),
-                kernel,
-            );
+            all_about(4.0, &general(&mut bench, kernel, &[rays; 3], &ahead), kernel);
             let missed = general(&mut bench, kernel, &[rays; 3], &beside);
             assert_eq!(missed, [[None; 16]; 3], "{kernel}");
         }
@@ -50,11 +46,7 @@ fn every_formulation_has_kernels_that_hit() {
                     EyeRecord::Axis => Axis::at(centre, 1.0).words(),
                 }
             };
-            all_about(
-                4.0,
-                &eye(&mut bench, kernel, &[directions; 3], &at(CENTRE)),
-                kernel,
-            );
+            all_about(4.0, &eye(&mut bench, kernel, &[directions; 3], &at(CENTRE)), kernel);
             let missed = eye(&mut bench, kernel, &[directions; 3], &at([9.0, 0.0, -5.0]));
             assert_eq!(missed, [[None; 16]; 3], "{kernel}");
         }
@@ -66,9 +58,7 @@ fn directions_of_any_length_scale_the_distance() {
     let mut bench = Bench::new();
     let ahead = sphere(CENTRE, 1.0, FRONT);
     let rays = case_rays().map(|mut ray| {
-        ray.direction = ray
-            .direction
-            .map(|component| from_f64(to_f64(component) * 8.0));
+        ray.direction = ray.direction.map(|component| from_f64(to_f64(component) * 8.0));
         ray
     });
     let kernel = "isect_sphere_pairs_unnormalised_r16";

@@ -23,10 +23,7 @@ fn picture(scene: &str, formulations: Formulations) -> RgbImage {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("p.png");
     let framebuffer = PictureFile::new(&file, Geometry::new(SIZE.0, SIZE.1).unwrap()).unwrap();
-    let settings = Settings {
-        program,
-        ..Settings::default()
-    };
+    let settings = Settings { program, ..Settings::default() };
     let mut engine = Engine::start(settings, Box::new(framebuffer)).unwrap();
     engine.render(&scene, &mut |_| ()).unwrap();
     image::open(file).unwrap().into_rgb8()
@@ -42,11 +39,7 @@ fn alike(scene: &str, formulations: Formulations, expected: &RgbImage, share: f6
     let different = found.pixels().zip(expected.pixels());
     let different = different.filter(|pair| far(*pair)).count() as f64;
     let pixels = f64::from(SIZE.0 * SIZE.1);
-    assert!(
-        different <= share * pixels,
-        "{scene} by {}: {different} pixels",
-        formulations.name()
-    );
+    assert!(different <= share * pixels, "{scene} by {}: {different} pixels", formulations.name());
 }
 
 #[test]
@@ -63,10 +56,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
     let scene = "still-life.nff";
     let expected = picture(scene, standard);
     for triangle in TRIANGLES {
-        let formulations = Formulations {
-            triangle,
-            ..standard
-        };
+        let formulations = Formulations { triangle, ..standard };
         alike(scene, formulations, &expected, 0.005);
     }
 }

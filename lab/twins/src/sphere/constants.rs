@@ -31,9 +31,6 @@ impl Eye for Constants {
         let disc = fma(chord, fms(chord, QUARTER, ONE), sphere.k);
         let [s, e] = root_by_newton(disc);
         let part = fma(s, e, fm(chord, HALF));
-        Crossing {
-            t: fnms(sphere.distance, part, sphere.distance),
-            outside: disc,
-        }
+        Crossing { t: fnms(sphere.distance, part, sphere.distance), outside: disc }
     }
 }

@@ -88,13 +88,7 @@ fn meet(f: [Double; 3], d: Vector, radius_squared: Double) -> Meeting {
     let q = dfa(b, root & !SIGN | b & SIGN);
     let y = fesd(reciprocal(fa(frds(q), TINY)));
     let t = dfm(cc, y);
-    Meeting {
-        b,
-        disc: near,
-        cc,
-        q,
-        other: dfma(dfnms(q, t, cc), y, t),
-    }
+    Meeting { b, disc: near, cc, q, other: dfma(dfnms(q, t, cc), y, t) }
 }
 
 impl General for InDouble {
@@ -105,10 +99,7 @@ impl General for InDouble {
         let radius = fesd(sphere.offset);
         let meeting = meet(f, ray.direction, dfm(radius, radius));
         let at_q = leaves(sphere.sides, upper(meeting.cc)) != (meeting.b & SIGN != 0);
-        Crossing {
-            t: frds(if at_q { meeting.q } else { meeting.other }),
-            outside: meeting.disc,
-        }
+        Crossing { t: frds(if at_q { meeting.q } else { meeting.other }), outside: meeting.disc }
     }
 }
 
@@ -119,9 +110,6 @@ impl Eye for InDouble {
     fn entry(direction: [Single; 3], sphere: &BareSphere) -> Crossing {
         let f = sphere.centre.map(fesd);
         let meeting = meet(f, direction, fesd(sphere.radius_squared));
-        Crossing {
-            t: frds(meeting.other),
-            outside: meeting.disc | upper(meeting.b),
-        }
+        Crossing { t: frds(meeting.other), outside: meeting.disc | upper(meeting.b) }
     }
 }

@@ -23,11 +23,6 @@ impl Rooted for Factored {
         let [s, e] = root_by_newton(along(l, l));
         let length = fm(s, e);
         let disc = fm(fs(radius, length), fa(radius, length));
-        Meeting {
-            b,
-            disc,
-            out: fms(b, b, disc),
-            root: root_by_newton(disc),
-        }
+        Meeting { b, disc, out: fms(b, b, disc), root: root_by_newton(disc) }
     }
 }

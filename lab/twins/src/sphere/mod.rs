@@ -104,10 +104,7 @@ struct Meeting {
 impl Meeting {
     fn crossing(&self, leaves: bool) -> Crossing {
         let [s, e] = self.root;
-        Crossing {
-            t: fnms(s ^ sign(leaves), e, self.b),
-            outside: self.disc,
-        }
+        Crossing { t: fnms(s ^ sign(leaves), e, self.b), outside: self.disc }
     }
 }
 
@@ -134,11 +131,7 @@ impl<F: Rooted> Eye for F {
 /// Whether the crossing that is seen is the exit, for a ray that starts inside if `out` is below
 /// 0.
 fn leaves(sides: Sides, out: Single) -> bool {
-    if sides.both {
-        below_zero(out)
-    } else {
-        sides.exit
-    }
+    if sides.both { below_zero(out) } else { sides.exit }
 }
 
 fn sign(negative: bool) -> u32 {

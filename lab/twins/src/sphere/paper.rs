@@ -16,11 +16,6 @@ impl Rooted for Paper {
         let b = along(f, d);
         let out = beyond_surface(f, size.squared());
         let disc = fms(b, b, out);
-        Meeting {
-            b,
-            disc,
-            out,
-            root: root_by_newton(disc),
-        }
+        Meeting { b, disc, out, root: root_by_newton(disc) }
     }
 }

@@ -29,12 +29,7 @@ pub(super) fn meet(
 ) -> Meeting {
     let b = along(f, d);
     let disc = within(size.squared(), across(f, b, d));
-    Meeting {
-        b,
-        disc,
-        out: fms(b, b, disc),
-        root: root(disc),
-    }
+    Meeting { b, disc, out: fms(b, b, disc), root: root(disc) }
 }
 
 impl Rooted for Perpendicular {

@@ -49,10 +49,7 @@ impl Meeting {
     fn crossing(&self, leaves: bool) -> Crossing {
         let [s, e] = self.root;
         let rest = fnms(s ^ sign(leaves), e, self.rest);
-        Crossing {
-            t: fma(self.b, REFINED_TWO, rest),
-            outside: self.disc,
-        }
+        Crossing { t: fma(self.b, REFINED_TWO, rest), outside: self.disc }
     }
 }
 

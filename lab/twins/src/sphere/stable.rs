@@ -24,12 +24,7 @@ fn meet(f: Vector, d: Vector, size: Size) -> Meeting {
     let b = along(f, d);
     let disc = within(radius_squared, across(f, b, d));
     let [s, e] = root_by_newton(disc);
-    Meeting {
-        b,
-        disc,
-        cc: beyond_surface(f, radius_squared),
-        root: [s & !SIGN | b & SIGN, e],
-    }
+    Meeting { b, disc, cc: beyond_surface(f, radius_squared), root: [s & !SIGN | b & SIGN, e] }
 }
 
 impl Meeting {
@@ -49,10 +44,7 @@ impl General for Stable {
         let meeting = meet(f, ray.direction, Size::Radius(sphere.offset));
         let at_q = leaves(sphere.sides, meeting.cc) != below_zero(meeting.b);
         let [q, other] = meeting.crossings();
-        Crossing {
-            t: if at_q { q } else { other },
-            outside: meeting.disc,
-        }
+        Crossing { t: if at_q { q } else { other }, outside: meeting.disc }
     }
 }
 

@@ -16,11 +16,6 @@ impl Rooted for Unnormalised {
         let over_a = reciprocal(along(d, d));
         let b = fm(along(f, d), over_a);
         let disc = fm(within(size.squared(), across(f, b, d)), over_a);
-        Meeting {
-            b,
-            disc,
-            out: fms(b, b, disc),
-            root: root_by_newton(disc),
-        }
+        Meeting { b, disc, out: fms(b, b, disc), root: root_by_newton(disc) }
     }
 }

@@ -15,18 +15,13 @@ fn a_mirror_shows_what_a_mirrored_scene_shows() {
     let plain = view(&format!(
         "b 0.2 0.4 0.6\nl 3 -5 -20 1 1 1\n{matt}s 0 2 -4 1.5\ns -1.5 0.5 -4.5 0.5\n"
     ));
-    let options = |depth| Options {
-        depth,
-        ..Options::default()
-    };
+    let options = |depth| Options { depth, ..Options::default() };
     let (mirrored, _) = trace(&mirrored, 60, 60, &options(3)).expect("a picture");
     let (plain, _) = trace(&plain, 60, 60, &options(2)).expect("a picture");
     let pairs = mirrored.picture.pixels().iter().zip(plain.picture.pixels());
     let mut seen = 0;
     for (index, (mirrored, expected)) in pairs.enumerate() {
-        let off = (0..3)
-            .map(|channel| mirrored[channel].abs_diff(expected[channel]))
-            .max();
+        let off = (0..3).map(|channel| mirrored[channel].abs_diff(expected[channel])).max();
         assert!(
             off <= Some(1) || plain.silhouette[index],
             "pixel {index}: {mirrored:?}, not {expected:?}"
@@ -72,10 +67,7 @@ fn all_is_reflected_beyond_the_critical_angle() {
     assert_eq!((through.refracted, through.reflected), (1, 0));
     assert_eq!((back.refracted, back.reflected), (0, 1));
     // From above nothing is ever reflected totally.
-    let flat = look(
-        &scene([-1.0, 0.0, 1e-6], [0.0; 3], surface),
-        &Options::default(),
-    );
+    let flat = look(&scene([-1.0, 0.0, 1e-6], [0.0; 3], surface), &Options::default());
     assert_eq!((flat.1.refracted, flat.1.reflected), (1, 0));
 }
 
@@ -103,10 +95,7 @@ fn glass_throws_an_opaque_shadow_and_bubbles_are_air() {
     let ground = "f 1 1 1 1 0 1 0 1\np 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n";
     let glass = "f 1 1 1 0 0 1 1 1.5\ns 0 0 3 1\n";
     let rest = format!("l 0 0 8 1 1 1\n{ground}{glass}");
-    assert_eq!(
-        colour(&scene([9.0, 0.0, 1.0], [0.1, 0.0, 0.0], &rest)),
-        [0; 3]
-    );
+    assert_eq!(colour(&scene([9.0, 0.0, 1.0], [0.1, 0.0, 0.0], &rest)), [0; 3]);
     // A bubble as large as its glass leaves nothing of it: rays go straight on. One ray sees four
     // surfaces and the sphere behind them.
     let hollow = "b 0 0 1\nf 1 1 1 0 0 1 1 1.5\ns 0 0 0 1\ns 0 0 0 -0.9999999999\n\
@@ -127,8 +116,5 @@ fn rooms_are_seen_into_from_outside_and_lit_from_inside() {
     assert_eq!(room("0 -4 0"), [0; 3]);
     // An opaque sphere is not there from inside.
     let inside = "b 0 1 0\nf 1 1 1 1 0 1 0 1\ns 0 0 0 2\n";
-    assert_eq!(
-        colour(&scene([0.0; 3], [0.0, 1.0, 0.0], inside)),
-        [0, 255, 0]
-    );
+    assert_eq!(colour(&scene([0.0; 3], [0.0, 1.0, 0.0], inside)), [0, 255, 0]);
 }

@@ -10,18 +10,12 @@ const SPD: Options = Options {
     fresnel: false,
     spd_rays: true,
     shadows: true,
-    pixels: Pixels {
-        corners: true,
-        ..Pixels::PLAIN
-    },
+    pixels: Pixels { corners: true, ..Pixels::PLAIN },
 };
 
 fn counts(scene: &nff::Scene, options: &Options) -> Counts {
     let counts = trace(scene, 512, 512, options).expect("a picture").1;
-    assert_eq!(
-        counts.eye + counts.reflected + counts.refracted,
-        counts.hit + counts.background
-    );
+    assert_eq!(counts.eye + counts.reflected + counts.refracted, counts.hit + counts.background);
     counts
 }
 
@@ -47,22 +41,11 @@ fn check(published: &Published) {
     for (kind, found, published) in [
         ("eye_hit", found.eye_hit, published.eye_hit),
         ("reflected", found.reflected, published.reflected),
-        (
-            "refracted",
-            found.refracted + found.totally_reflected,
-            published.refracted,
-        ),
-        (
-            "shadow",
-            found.shadow + found.shadow_behind,
-            published.shadow,
-        ),
+        ("refracted", found.refracted + found.totally_reflected, published.refracted),
+        ("shadow", found.shadow + found.shadow_behind, published.shadow),
     ] {
         let off = found.abs_diff(published);
-        assert!(
-            1000 * off <= published,
-            "{name}: {kind} {found}, published {published}"
-        );
+        assert!(1000 * off <= published, "{name}: {kind} {found}, published {published}");
     }
 }
 
@@ -154,10 +137,7 @@ fn the_published_counts_of_tree() {
 #[test]
 fn primary_rays_go_through_centres_or_corners() {
     let scene = nff::sphereflake::generate(1).expect("a scene");
-    let centres = Options {
-        pixels: Pixels::PLAIN,
-        ..SPD
-    };
+    let centres = Options { pixels: Pixels::PLAIN, ..SPD };
     assert_eq!(counts(&scene, &centres).eye, 512 * 512);
     assert_eq!(counts(&scene, &SPD).eye, 513 * 513);
     // An edge through the middle of the middle column: two of a pixel's corners are white.
@@ -174,10 +154,7 @@ fn a_greater_depth_adds_rays_and_a_picture_is_the_same_again() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
     let scene = nff::read(&folder.join("glass.nff")).expect("a scene");
     let at = |depth| {
-        let options = Options {
-            depth,
-            ..Options::default()
-        };
+        let options = Options { depth, ..Options::default() };
         trace(&scene, 160, 90, &options).expect("a picture")
     };
     let mut rays = 0;
@@ -199,10 +176,7 @@ fn without_shadows_lights_reach_everything() {
     // The eye is beyond the light, and the small sphere between the light and the large one.
     scene.view.from.x = 0.3;
     let look = |shadows| {
-        let options = Options {
-            shadows,
-            ..Options::default()
-        };
+        let options = Options { shadows, ..Options::default() };
         let (reference, counts) = trace(&scene, 1, 1, &options).expect("a picture");
         (reference.picture.pixels()[0], counts.shadow)
     };
@@ -219,25 +193,15 @@ fn by_spds_rule_glass_of_no_share_sends_rays_that_are_not_seen() {
         f 1 0 0 1 0 0 0 1\n#cellray shader flat\ns 0 0 1.3 0.4\n";
     let scene = nff::parse(text.as_bytes(), "glass", &nff::Limits::default()).expect("a scene");
     let [seen, all] = [false, true].map(|spd_rays| {
-        let options = Options {
-            spd_rays,
-            depth: 2,
-            ..Options::default()
-        };
+        let options = Options { spd_rays, depth: 2, ..Options::default() };
         trace(&scene, 60, 40, &options).expect("a picture")
     });
     // Silhouettes too.
     assert_eq!(seen.0, all.0);
     let ((_, seen), (_, all)) = (seen, all);
-    assert_eq!(
-        (seen.eye, seen.eye_hit, seen.refracted),
-        (all.eye, all.eye_hit, all.refracted)
-    );
+    assert_eq!((seen.eye, seen.eye_hit, seen.refracted), (all.eye, all.eye_hit, all.refracted));
     // Every primary ray that meets glass is refracted, and now reflected as well.
     assert_eq!((seen.reflected, all.reflected), (0, seen.refracted));
     assert!(seen.eye_hit > all.reflected && all.shadow > seen.shadow);
-    assert_eq!(
-        all.eye + all.reflected + all.refracted,
-        all.hit + all.background
-    );
+    assert_eq!(all.eye + all.reflected + all.refracted, all.hit + all.background);
 }

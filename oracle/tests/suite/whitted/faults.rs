@@ -50,14 +50,8 @@ fn odd_scenes_are_traced() {
     let flat = "f 1 1 1 1 0 1 0 1\np 3\n0 0 0\n1 0 0\n2 0 0\npp 3\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n";
     assert_eq!(shown(&format!("b 1 0 0\n{flat}")), [255, 0, 0]);
     assert_eq!(shown("f 1 1 1 1 0 1 0 1\ns 0 0 0 1\n"), [0; 3]);
-    assert_eq!(
-        shown("l 0 0 1 1 1 1\nf 1 1 1 1 0 1 0 1\ns 0 0 0 1\n"),
-        [0; 3]
-    );
-    assert_eq!(
-        shown("l 0 0 10 1 1 1\nf 1 1 1 1 0 1 0 1\ns 0 0 0 1\n"),
-        [255; 3]
-    );
+    assert_eq!(shown("l 0 0 1 1 1 1\nf 1 1 1 1 0 1 0 1\ns 0 0 0 1\n"), [0; 3]);
+    assert_eq!(shown("l 0 0 10 1 1 1\nf 1 1 1 1 0 1 0 1\ns 0 0 0 1\n"), [255; 3]);
     let huge = "l 0 0 20 1e150 1e150 1e150\nf 1e150 1 1 1e150 1e150 1e150 1e150 1e150\n\
         s 0 0 0 1e150\ns 1e150 0 0 1\nc\n0 0 0 1e150\n1e150 0 0 0\np 3\n1e150 0 0\n0 1e150 0\n0 0 -1e150\n\
         s 0 0 0 1e-150\nc\n0 0 0 1e-150\n0 0 1e-150 1\n";

@@ -27,10 +27,7 @@ fn lights_without_a_colour_share_by_the_databases_rule() {
         assert_eq!(found, expected, "{count} lights");
     }
     // A colour counts as it stands; the other light is still one of two.
-    let mixed = colour(&ground(
-        "l 0 0 5\nl 0 0 5 0 0.5 0.25\n",
-        "1 1 1 0.5 0 1 0 1",
-    ));
+    let mixed = colour(&ground("l 0 0 5\nl 0 0 5 0 0.5 0.25\n", "1 1 1 0.5 0 1 0 1"));
     let grey = 0.5 * 2f64.sqrt() / 4.0;
     assert_eq!(mixed, [byte(grey), byte(grey + 0.25), byte(grey + 0.125)]);
 }
@@ -47,13 +44,8 @@ fn a_sky_by_hand() {
 
 #[test]
 fn colours_in_srgb_by_hand() {
-    let srgb = Options {
-        pixels: Pixels {
-            colour: Colour::Srgb,
-            ..Pixels::PLAIN
-        },
-        ..Options::default()
-    };
+    let srgb =
+        Options { pixels: Pixels { colour: Colour::Srgb, ..Pixels::PLAIN }, ..Options::default() };
     // What sends its own colour looks as the file says, and half of white in a mirror is
     // half as bright.
     let own = scene(EYE, [0.0; 3], "b 0.2 0.5 1\n");
@@ -71,19 +63,9 @@ fn lambert_and_blinn_by_hand() {
     let light = format!("l {} 0 5 1 0.5 1\n", 5.0 * 3f64.sqrt());
     let found = colour(&ground(&light, "1 1 0 0.6 0.3 2 0 1"));
     let highlight = 0.3 * libm::pow(libm::cos(30f64.to_radians()), 8.0);
-    assert_eq!(
-        found,
-        [
-            byte(0.3 + highlight),
-            byte(0.5 * (0.3 + highlight)),
-            byte(highlight)
-        ]
-    );
+    assert_eq!(found, [byte(0.3 + highlight), byte(0.5 * (0.3 + highlight)), byte(highlight)]);
     // From below the ground a light is not asked for.
-    let (dark, counts) = look(
-        &ground("l 0 0 -5\n", "1 1 1 1 0 1 0 1"),
-        &Options::default(),
-    );
+    let (dark, counts) = look(&ground("l 0 0 -5\n", "1 1 1 1 0 1 0 1"), &Options::default());
     assert_eq!((dark, counts.shadow), ([0; 3], 0));
 }
 
@@ -93,11 +75,7 @@ fn highlights_are_as_wide_as_phongs() {
     // to 4 %.
     for shine in [5.0f64, 20.0, 100.0] {
         let phong = libm::acos(libm::pow(0.5f64, 1.0 / shine));
-        let light = format!(
-            "l {} 0 {} 1 1 1\n",
-            9.0 * libm::sin(phong),
-            9.0 * libm::cos(phong)
-        );
+        let light = format!("l {} 0 {} 1 1 1\n", 9.0 * libm::sin(phong), 9.0 * libm::cos(phong));
         let found = colour(&ground(&light, &format!("1 1 1 0 1 {shine} 0 1")));
         let share = f64::from(found[0]) / 255.0;
         assert!((share - 0.5).abs() < 0.02, "{shine}: {share}");
@@ -110,38 +88,23 @@ fn nothing_is_lost_or_won_in_white_surroundings() {
         let rest = format!("b 1 1 1\nf 1 1 1 {material}\ns 0 0 0 2\n");
         scene([1.1, 0.0, 10.0], [1.1, 0.0, 0.0], &rest)
     };
-    let deep = Options {
-        depth: 16,
-        ..Options::default()
-    };
-    let by_schlick = Options {
-        fresnel: true,
-        ..deep
-    };
+    let deep = Options { depth: 16, ..Options::default() };
+    let by_schlick = Options { fresnel: true, ..deep };
     assert_eq!(look(&ball("0 0.25 1 0.75 1.5"), &deep).0, [255; 3]);
     assert_eq!(look(&ball("0 0 1 1 1.5"), &by_schlick).0, [255; 3]);
     assert_eq!(look(&ball("0 0.2 1 0.8 2.4"), &by_schlick).0, [255; 3]);
     // The same without depth: of the primary ray's mirror alone a quarter comes.
-    let shallow = Options {
-        depth: 2,
-        ..Options::default()
-    };
+    let shallow = Options { depth: 2, ..Options::default() };
     let (seen, counts) = look(&ball("0 0.25 1 0.75 1.5"), &shallow);
     assert_eq!(seen, [byte(0.25); 3]);
     assert_eq!((counts.reflected, counts.refracted), (1, 1));
-    let alone = Options {
-        depth: 1,
-        ..Options::default()
-    };
+    let alone = Options { depth: 1, ..Options::default() };
     assert_eq!(look(&ball("0 0.25 1 0.75 1.5"), &alone).0, [0; 3]);
 }
 
 #[test]
 fn schlicks_share_at_a_surface_seen_straight_and_flat() {
-    let by_schlick = Options {
-        fresnel: true,
-        ..Options::default()
-    };
+    let by_schlick = Options { fresnel: true, ..Options::default() };
     // White sky on this side, below the surface a black ground that takes all.
     let rest = "b 1 1 1\nf 1 1 1 0 0 1 1 1.5\np 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n\
         f 0 0 0 0 0 1 0 1\np 4\n900 -900 -1\n900 900 -1\n-900 900 -1\n-900 -900 -1\n";

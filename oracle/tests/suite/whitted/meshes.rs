@@ -19,11 +19,7 @@ fn with_mesh(scene: &Scene) -> Scene {
         mesh.triangles.push([first, first + 1, first + 2]);
         mesh.materials.push(object.material);
     }
-    Scene {
-        objects: Vec::new(),
-        mesh: Some(Arc::new(mesh)),
-        ..scene.clone()
-    }
+    Scene { objects: Vec::new(), mesh: Some(Arc::new(mesh)), ..scene.clone() }
 }
 
 #[test]

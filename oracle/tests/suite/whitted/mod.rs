@@ -18,11 +18,7 @@ fn scene(from: [f64; 3], at: [f64; 3], rest: &str) -> Scene {
 /// A scene seen at an angle.
 fn wide(from: [f64; 3], at: [f64; 3], angle: f64, rest: &str) -> Scene {
     let triple = |[x, y, z]: [f64; 3]| format!("{x} {y} {z}");
-    let up = if from[0] == at[0] && from[1] == at[1] {
-        "0 1 0"
-    } else {
-        "0 0 1"
-    };
+    let up = if from[0] == at[0] && from[1] == at[1] { "0 1 0" } else { "0 0 1" };
     let text = format!(
         "v\nfrom {}\nat {}\nup {up}\nangle {angle}\nhither 0\nresolution 1 1\n{rest}",
         triple(from),

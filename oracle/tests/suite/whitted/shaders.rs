@@ -32,12 +32,7 @@ fn the_sun_is_in_the_same_direction_from_everywhere() {
         }
     }
     // Without a colour it is one of the lights that share the brightness.
-    let scene = ground(
-        "l 0 0 -1\n#cellray sun 0 0 1\n",
-        "1 1 1 1 0 1 0 1",
-        "phong",
-        [0.0; 2],
-    );
+    let scene = ground("l 0 0 -1\n#cellray sun 0 0 1\n", "1 1 1 1 0 1 0 1", "phong", [0.0; 2]);
     assert_eq!(colour(&scene), [byte(2f64.sqrt() / 4.0); 3]);
 }
 
@@ -45,22 +40,15 @@ fn the_sun_is_in_the_same_direction_from_everywhere() {
 fn the_sun_is_behind_everything() {
     let sun = "#cellray sun 1 0 1 1 1 1\n";
     let ball = |x: f64| format!("{sun}f 1 1 1 1 0 1 0 1\ns {x} 0 {x} 0.5\n");
-    let (light, counts) = look(
-        &ground(sun, "1 1 1 1 0 1 0 1", "lambert", [0.0; 2]),
-        &Options::default(),
-    );
+    let (light, counts) =
+        look(&ground(sun, "1 1 1 1 0 1 0 1", "lambert", [0.0; 2]), &Options::default());
     assert_eq!((light, counts.shadow), ([byte(0.5f64.sqrt()); 3], 1));
     for far in [3.0, 1e6] {
         let shadowed = ground(&ball(far), "1 1 1 1 0 1 0 1", "lambert", [0.0; 2]);
         assert_eq!(colour(&shadowed), [0; 3], "{far}");
     }
     // From below the ground it is not asked for.
-    let scene = ground(
-        "#cellray sun 1 0 -1\n",
-        "1 1 1 1 0 1 0 1",
-        "phong",
-        [0.0; 2],
-    );
+    let scene = ground("#cellray sun 1 0 -1\n", "1 1 1 1 0 1 0 1", "phong", [0.0; 2]);
     assert_eq!(look(&scene, &Options::default()).1.shadow, 0);
 }
 
@@ -88,10 +76,7 @@ fn flat_is_its_colour_whatever_the_lights() {
     let scene = ground(before, "0.5 0.25 0.75 1 1 1 1 1.5", "flat", [0.0; 2]);
     let (found, counts) = look(&scene, &Options::default());
     assert_eq!(found, [byte(0.5), byte(0.25), byte(0.75)]);
-    assert_eq!(
-        (counts.shadow, counts.reflected, counts.refracted),
-        (0, 0, 0)
-    );
+    assert_eq!((counts.shadow, counts.reflected, counts.refracted), (0, 0, 0));
 }
 
 #[test]

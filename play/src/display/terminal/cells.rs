@@ -92,13 +92,7 @@ pub struct Grid {
 
 impl Grid {
     pub fn new(colours: Colours) -> Self {
-        Self {
-            colours,
-            size: (0, 0),
-            shown: Vec::new(),
-            text: Vec::new(),
-            letters: Vec::new(),
-        }
+        Self { colours, size: (0, 0), shown: Vec::new(), text: Vec::new(), letters: Vec::new() }
     }
 
     /// Forgets the terminal's contents, so that everything is drawn again.
@@ -119,14 +113,11 @@ impl Grid {
         if self.size != (columns, rows) {
             self.size = (columns, rows);
             self.shown.clear();
-            self.shown
-                .resize(usize::from(columns) * usize::from(rows), None);
+            self.shown.resize(usize::from(columns) * usize::from(rows), None);
         }
         let colour = |x: u16, y: u32| {
             let place = fit.column(u32::from(x)).zip(fit.row(y));
-            let pixel = place
-                .map(|(x, y)| picture.get_pixel(x, y).0)
-                .unwrap_or_default();
+            let pixel = place.map(|(x, y)| picture.get_pixel(x, y).0).unwrap_or_default();
             self.colours.shown(pixel)
         };
         self.letters.clear();
@@ -134,11 +125,7 @@ impl Grid {
         for text in texts.iter().filter(|text| text.row < usize::from(rows)) {
             let across = text.column..usize::from(columns);
             for (x, letter) in across.zip(text.letters.chars()) {
-                let ink = if x < text.emphasised {
-                    EMPHASIS
-                } else {
-                    text.colour
-                };
+                let ink = if x < text.emphasised { EMPHASIS } else { text.colour };
                 self.letters[text.row * usize::from(columns) + x] = Some((letter, ink));
             }
         }
@@ -177,9 +164,7 @@ impl Grid {
                 }
                 ink = Some((cell.above, cell.below));
                 let mut bytes = [0; 4];
-                let text = cell
-                    .letter
-                    .map_or(HALF, |letter| letter.encode_utf8(&mut bytes));
+                let text = cell.letter.map_or(HALF, |letter| letter.encode_utf8(&mut bytes));
                 self.text.extend_from_slice(text.as_bytes());
                 // Terminals differ in the cursor's position after the last column.
                 cursor = (x + 1 < columns).then_some((x + 1, y));
@@ -268,10 +253,7 @@ mod tests {
         assert_eq!(text, line.repeat(3));
         let narrow = RgbImage::from_pixel(1, 1, image::Rgb(RED));
         assert_eq!(
-            lines(&narrow, 80, Colours::Cube)
-                .iter()
-                .filter(|&&byte| byte == b'\n')
-                .count(),
+            lines(&narrow, 80, Colours::Cube).iter().filter(|&&byte| byte == b'\n').count(),
             1
         );
     }
@@ -289,10 +271,7 @@ mod tests {
         assert_eq!(draw(&mut grid, &shown, None), "");
         shown.put_pixel(1, 3, image::Rgb(RED));
         let changed = draw(&mut grid, &shown, None);
-        assert_eq!(
-            changed,
-            "\x1b[2;2H\x1b[38;2;0;0;99m\x1b[48;2;200;0;0m\u{2580}"
-        );
+        assert_eq!(changed, "\x1b[2;2H\x1b[38;2;0;0;99m\x1b[48;2;200;0;0m\u{2580}");
     }
 
     #[test]
@@ -310,10 +289,7 @@ mod tests {
         let mut grid = Grid::new(Colours::Cube);
         let shown = picture(&[RED; 8]);
         let with_text = draw(&mut grid, &shown, Some("abc"));
-        assert!(
-            with_text.contains("ab") && !with_text.contains('c'),
-            "{with_text:?}"
-        );
+        assert!(with_text.contains("ab") && !with_text.contains('c'), "{with_text:?}");
         assert_eq!(with_text.matches(HALF).count(), 2);
         assert_eq!(draw(&mut grid, &shown, None).matches(HALF).count(), 2);
     }

@@ -22,12 +22,10 @@ impl Events {
     /// Starts the thread.
     pub fn read() -> io::Result<Self> {
         let (sender, events) = mpsc::channel();
-        thread::Builder::new()
-            .name("terminal".to_owned())
-            .spawn(move || {
-                // An error ends the thread and closes the channel, which the frame loop notices.
-                while is_there() && pass_on(&sender).is_ok() {}
-            })?;
+        thread::Builder::new().name("terminal".to_owned()).spawn(move || {
+            // An error ends the thread and closes the channel, which the frame loop notices.
+            while is_there() && pass_on(&sender).is_ok() {}
+        })?;
         Ok(Self(events))
     }
 
@@ -56,11 +54,7 @@ fn pass_on(events: &Sender<(Event, Instant)>) -> io::Result<()> {
 
 /// Waits for input or a signal; `false` if the terminal has hung up.
 fn is_there() -> bool {
-    let mut terminal = libc::pollfd {
-        fd: libc::STDIN_FILENO,
-        events: libc::POLLIN,
-        revents: 0,
-    };
+    let mut terminal = libc::pollfd { fd: libc::STDIN_FILENO, events: libc::POLLIN, revents: 0 };
     // SAFETY: one record, which outlives the call.
     unsafe { libc::poll(&raw mut terminal, 1, -1) };
     terminal.revents & (libc::POLLHUP | libc::POLLERR | libc::POLLNVAL) == 0

@@ -212,18 +212,12 @@ mod tests {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let at = |millis| start + Duration::from_millis(millis);
         let press = KeyEventKind::Press;
-        assert_eq!(
-            told(&mut keys, KeyCode::Char('a'), press, at(0)),
-            [(Key::A, true)]
-        );
+        assert_eq!(told(&mut keys, KeyCode::Char('a'), press, at(0)), [(Key::A, true)]);
         assert_eq!(told(&mut keys, KeyCode::Char('A'), press, at(100)), []);
         assert_eq!(release_silent(&mut keys, at(200)), []);
         assert_eq!(release_silent(&mut keys, at(250)), [(Key::A, false)]);
         assert_eq!(release_silent(&mut keys, at(900)), []);
-        assert_eq!(
-            told(&mut keys, KeyCode::Up, press, at(950)),
-            [(Key::Up, true)]
-        );
+        assert_eq!(told(&mut keys, KeyCode::Up, press, at(950)), [(Key::Up, true)]);
     }
 
     #[test]
@@ -244,19 +238,10 @@ mod tests {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
         told(&mut keys, KeyCode::Left, press, start);
-        assert_eq!(
-            told(&mut keys, KeyCode::Left, release, start),
-            [(Key::Left, false)]
-        );
+        assert_eq!(told(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
         told(&mut keys, KeyCode::Left, press, start);
-        assert_eq!(
-            release_silent(&mut keys, start + Duration::from_secs(9)),
-            []
-        );
-        assert_eq!(
-            told(&mut keys, KeyCode::Left, release, start),
-            [(Key::Left, false)]
-        );
+        assert_eq!(release_silent(&mut keys, start + Duration::from_secs(9)), []);
+        assert_eq!(told(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
     }
 
     #[test]
@@ -267,10 +252,7 @@ mod tests {
         told(&mut keys, KeyCode::Up, release, now);
         told(&mut keys, KeyCode::Left, press, now);
         keys.forget();
-        assert_eq!(
-            told(&mut keys, KeyCode::Left, press, now),
-            [(Key::Left, true)]
-        );
+        assert_eq!(told(&mut keys, KeyCode::Left, press, now), [(Key::Left, true)]);
     }
 
     #[test]

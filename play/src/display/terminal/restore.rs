@@ -74,11 +74,7 @@ impl TerminalGuard {
                 restore();
                 tell(what);
             }));
-            States {
-                found,
-                raw,
-                has_pictures,
-            }
+            States { found, raw, has_pictures }
         });
         // SAFETY: both functions only use atomics, a cell that is already set, and calls that
         // handlers may make.
@@ -180,22 +176,14 @@ mod tests {
         let none = std::ptr::null_mut();
         // SAFETY: the call writes two descriptors.
         let opened = unsafe {
-            libc::openpty(
-                &raw mut ours,
-                &raw mut theirs,
-                none,
-                none.cast(),
-                none.cast(),
-            )
+            libc::openpty(&raw mut ours, &raw mut theirs, none, none.cast(), none.cast())
         };
         assert_eq!(opened, 0);
         // SAFETY: both were just opened, and have no other owner.
         let (mut ours, theirs) = unsafe { (File::from_raw_fd(ours), OwnedFd::from_raw_fd(theirs)) };
         let stdio = || Stdio::from(theirs.try_clone().expect("a descriptor"));
         let mut command = Command::new(std::env::current_exe().expect("this program"));
-        command
-            .args(["--exact", NAME, "--nocapture"])
-            .env(PANICS, "1");
+        command.args(["--exact", NAME, "--nocapture"]).env(PANICS, "1");
         command.stdin(stdio()).stdout(stdio()).stderr(stdio());
         let mut child = command.spawn().expect("this program");
         // If the child ends early, reading ends too.

@@ -87,16 +87,10 @@ mod tests {
         };
         let fit = Fit::new((30, 20), (30, 20));
         let texts = texts(&overlay, (30, 10), fit);
-        let parts: Vec<_> = texts
-            .iter()
-            .map(|text| (text.column, text.row, text.letters.as_str()))
-            .collect();
+        let parts: Vec<_> =
+            texts.iter().map(|text| (text.column, text.row, text.letters.as_str())).collect();
         let last = format!("{:30}", "60 frames/s");
-        let expected = [
-            (16, 0, " Blue's turn "),
-            (16, 1, " 3 of 7      "),
-            (0, 9, last.as_str()),
-        ];
+        let expected = [(16, 0, " Blue's turn "), (16, 1, " 3 of 7      "), (0, 9, last.as_str())];
         assert_eq!(parts, expected);
         // Everything is cut off on a terminal that is too small.
         for size in [(1, 1), (3, 2), (80, 1)] {

@@ -36,20 +36,14 @@ impl Font {
             let scaled = font.as_scaled(height as f32);
             scaled.h_advance(scaled.glyph_id('0'))
         });
-        Self {
-            font,
-            cell: ((width.round() as usize).max(1), height),
-            glyphs: HashMap::new(),
-        }
+        Self { font, cell: ((width.round() as usize).max(1), height), glyphs: HashMap::new() }
     }
 
     /// A letter. One that the font doesn't have is shown as the font's box.
     pub fn glyph(&mut self, letter: char) -> &Glyph {
         let (font, cell) = (&self.font, self.cell);
         let glyphs = &mut self.glyphs;
-        glyphs
-            .entry(letter)
-            .or_insert_with(|| rasterised(font.as_ref(), cell.1, letter))
+        glyphs.entry(letter).or_insert_with(|| rasterised(font.as_ref(), cell.1, letter))
     }
 }
 
@@ -58,17 +52,12 @@ fn rasterised(font: Option<&FontRef<'_>>, height: usize, letter: char) -> Glyph 
         let scaled = font.as_scaled(height as f32);
         // Whole pixels down, so that all letters of a line stand on the same row.
         let base = scaled.ascent().round();
-        let glyph: Outlined = scaled
-            .glyph_id(letter)
-            .with_scale_and_position(height as f32, point(0.0, base));
+        let glyph: Outlined =
+            scaled.glyph_id(letter).with_scale_and_position(height as f32, point(0.0, base));
         font.outline_glyph(glyph)
     });
     let Some(outlined) = outlined else {
-        return Glyph {
-            corner: (0, 0),
-            width: 1,
-            coverage: Vec::new(),
-        };
+        return Glyph { corner: (0, 0), width: 1, coverage: Vec::new() };
     };
     let bounds = outlined.px_bounds();
     let (width, rows) = (bounds.width() as usize, bounds.height() as usize);
@@ -82,11 +71,7 @@ fn rasterised(font: Option<&FontRef<'_>>, height: usize, letter: char) -> Glyph 
             *pixel = (part * WHOLE as f32).round() as u8;
         }
     });
-    Glyph {
-        corner: (bounds.min.x as i32, bounds.min.y as i32),
-        width: width.max(1),
-        coverage,
-    }
+    Glyph { corner: (bounds.min.x as i32, bounds.min.y as i32), width: width.max(1), coverage }
 }
 
 #[cfg(test)]
@@ -104,10 +89,7 @@ mod tests {
                 let rows = glyph.coverage.len() / glyph.width;
                 let bottom = glyph.corner.1 + rows as i32;
                 // The underscore may lie between two lines.
-                assert!(
-                    glyph.corner.1 >= 0 && bottom <= height as i32 + 1,
-                    "{letter}"
-                );
+                assert!(glyph.corner.1 >= 0 && bottom <= height as i32 + 1, "{letter}");
                 let right = glyph.corner.0 + glyph.width as i32;
                 assert!(glyph.corner.0 >= -1 && right <= width as i32 + 1);
                 let is_drawn = glyph.coverage.iter().any(|&part| part > 60);

@@ -33,12 +33,7 @@ pub struct Panel {
 
 impl Panel {
     fn new(anchor: Anchor, lines: Vec<Line>) -> Self {
-        Self {
-            anchor,
-            lines,
-            loads: Vec::new(),
-            opacity: 1.0,
-        }
+        Self { anchor, lines, loads: Vec::new(), opacity: 1.0 }
     }
 }
 
@@ -129,10 +124,7 @@ pub fn place_labels(labels: &[PlacedLabel], panels: &[Placed], grid: Grid) -> Ve
             continue;
         }
         let along = |part: f32, from: usize, length: usize| from + (part * length as f32) as usize;
-        let (x, y) = (
-            along(label.place[0], left, width),
-            along(label.place[1], top, height),
-        );
+        let (x, y) = (along(label.place[0], left, width), along(label.place[1], top, height));
         // Half a character is free between a text and its place.
         let gap = grid.cell.0 / 2;
         let (across, down) = (x.saturating_sub(size.0 / 2), y.saturating_sub(size.1 / 2));
@@ -144,22 +136,14 @@ pub fn place_labels(labels: &[PlacedLabel], panels: &[Placed], grid: Grid) -> Ve
             // In a terminal the place itself is as large as a character.
             Side::Below => (across, y + 1),
         };
-        let corner = (
-            corner.0.min(grid.area.0 - size.0),
-            corner.1.min(grid.area.1 - size.1),
-        );
+        let corner = (corner.0.min(grid.area.0 - size.0), corner.1.min(grid.area.1 - size.1));
         let is_free = panels
             .iter()
             .map(|panel| (panel.corner, panel.size))
             .chain(all.iter().map(|label| (label.corner, label.size)))
             .all(|other| !overlap((corner, size), other));
         if is_free {
-            all.push(LabelAt {
-                text,
-                colour: label.colour,
-                corner,
-                size,
-            });
+            all.push(LabelAt { text, colour: label.colour, corner, size });
         }
     }
     all
@@ -210,10 +194,7 @@ pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
         let inset = |room: usize, margin: usize| margin.min(room);
         let (near, far) = (
             (inset(room.0, grid.margin.0), inset(room.1, grid.margin.1)),
-            (
-                room.0.saturating_sub(grid.margin.0),
-                room.1.saturating_sub(grid.margin.1),
-            ),
+            (room.0.saturating_sub(grid.margin.0), room.1.saturating_sub(grid.margin.1)),
         );
         let corner = match panel.anchor {
             Anchor::TopLeft => near,
@@ -221,11 +202,7 @@ pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
             Anchor::Centre => (room.0 / 2, room.1 / 2),
             Anchor::Bottom => (room.0 / 2, far.1),
         };
-        let mut placed = Placed {
-            panel,
-            corner,
-            size,
-        };
+        let mut placed = Placed { panel, corner, size };
         for earlier in &all {
             if !placed.overlaps(earlier) {
                 continue;
@@ -271,17 +248,10 @@ fn wrapped(line: &Line, columns: usize) -> Vec<Line> {
     let lines = parts.iter().enumerate().map(|(number, text)| {
         let length = text.chars().count();
         let own = if number == 0 { 0 } else { indent.len() };
-        let emphasised = if left == 0 {
-            0
-        } else {
-            (left + own).min(length)
-        };
+        let emphasised = if left == 0 { 0 } else { (left + own).min(length) };
         // A space is lost where a line is broken.
         left = left.saturating_sub(length - own.min(length) + 1);
-        Line {
-            text: text.to_string(),
-            emphasised,
-        }
+        Line { text: text.to_string(), emphasised }
     });
     lines.collect()
 }
@@ -330,27 +300,18 @@ mod tests {
 
     #[test]
     fn a_narrow_display_has_the_status_below_the_speeds() {
-        let grid = Grid {
-            area: (200, 360),
-            ..GRID
-        };
+        let grid = Grid { area: (200, 360), ..GRID };
         let all = place(panels(&overlay()), grid);
         assert!(all[1].corner.1 >= all[0].corner.1 + all[0].size.1);
     }
 
     #[test]
     fn where_there_is_little_room_the_keys_are_what_is_shown() {
-        let grid = Grid {
-            area: (120, 60),
-            ..GRID
-        };
+        let grid = Grid { area: (120, 60), ..GRID };
         let mut overlay = overlay();
         overlay.notice = None;
         overlay.message = None;
-        let row = |text: &str, emphasised| Line {
-            text: text.into(),
-            emphasised,
-        };
+        let row = |text: &str, emphasised| Line { text: text.into(), emphasised };
         overlay.help = vec![row("  H: help", 4); 4];
         overlay.help.insert(0, Line::heading("chess"));
         let all = place(panels(&overlay), grid);
@@ -372,12 +333,7 @@ mod tests {
     }
 
     fn label(text: &str, place: [f32; 2], side: Side) -> PlacedLabel {
-        PlacedLabel {
-            text: text.into(),
-            place,
-            side,
-            colour: [255, 0, 0],
-        }
+        PlacedLabel { text: text.into(), place, side, colour: [255, 0, 0] }
     }
 
     #[test]
@@ -415,16 +371,10 @@ mod tests {
         ];
         let texts = |panels: &[Placed]| {
             let labels = place_labels(&labels, panels, GRID);
-            labels
-                .into_iter()
-                .map(|label| label.text)
-                .collect::<Vec<_>>()
+            labels.into_iter().map(|label| label.text).collect::<Vec<_>>()
         };
         assert_eq!(texts(&[]), ["Jupiter", "Uranus"]);
-        let help = Overlay {
-            notice: Some("Paused".into()),
-            ..Overlay::default()
-        };
+        let help = Overlay { notice: Some("Paused".into()), ..Overlay::default() };
         let panels = place(panels(&help), GRID);
         assert_eq!(texts(&panels), ["Uranus"]);
     }
@@ -433,11 +383,7 @@ mod tests {
     fn labels_stay_on_the_smallest_displays() {
         let labels = [label("Mercury", [0.9, 0.9], Side::Right)];
         for area in [(1, 1), (5, 12), (7, 40), (64, 36)] {
-            let grid = Grid {
-                area,
-                picture: ((0, 0), area),
-                ..GRID
-            };
+            let grid = Grid { area, picture: ((0, 0), area), ..GRID };
             for LabelAt { corner, size, .. } in place_labels(&labels, &[], grid) {
                 assert!(corner.0 + size.0 <= area.0 && corner.1 + size.1 <= area.1);
             }
@@ -446,10 +392,8 @@ mod tests {
 
     #[test]
     fn a_long_line_is_broken_between_words() {
-        let line = Line {
-            text: "  left and right arrow, mouse: aim with care".into(),
-            emphasised: 30,
-        };
+        let line =
+            Line { text: "  left and right arrow, mouse: aim with care".into(), emphasised: 30 };
         let lines = wrapped(&line, 20);
         let texts: Vec<_> = lines.iter().map(|line| line.text.as_str()).collect();
         let expected = ["  left and right", "    arrow, mouse:", "    aim with care"];

@@ -92,10 +92,7 @@ impl Painter {
             picture,
         };
         let panels = place(panels(overlay), grid);
-        Layout {
-            labels: place_labels(&overlay.labels, &panels, grid),
-            panels,
-        }
+        Layout { labels: place_labels(&overlay.labels, &panels, grid), panels }
     }
 
     /// Draws an overlay over a picture that fills this part of the canvas.
@@ -210,17 +207,11 @@ mod tests {
     fn painted(overlay: &Overlay, area: (usize, usize)) -> Vec<[u8; 3]> {
         let grey = PixelFormat::ARGB.word(GREY).to_be();
         let mut words = vec![grey; area.0 * area.1];
-        let mut canvas = Canvas {
-            words: &mut words,
-            stride: area.0,
-            area,
-            format: PixelFormat::ARGB,
-        };
+        let mut canvas =
+            Canvas { words: &mut words, stride: area.0, area, format: PixelFormat::ARGB };
         Painter::default().paint(overlay, ((0, 0), area), &mut canvas);
         let colours = words.iter().map(|word| u32::from_be(*word));
-        colours
-            .map(|word| PixelFormat::ARGB.channels(word))
-            .collect()
+        colours.map(|word| PixelFormat::ARGB.channels(word)).collect()
     }
 
     fn count(pixels: &[[u8; 3]], colour: [u8; 3]) -> usize {
@@ -229,10 +220,7 @@ mod tests {
 
     #[test]
     fn bars_are_as_high_as_the_loads() {
-        let overlay = Overlay {
-            loads: vec![0.0, 0.5, 1.0],
-            ..Overlay::default()
-        };
+        let overlay = Overlay { loads: vec![0.0, 0.5, 1.0], ..Overlay::default() };
         let area = (480, 480);
         let pixels = painted(&overlay, area);
         let (load, room) = (count(&pixels, LOAD), count(&pixels, ROOM));
@@ -242,10 +230,8 @@ mod tests {
 
     #[test]
     fn a_message_fades() {
-        let message = |opacity| Overlay {
-            message: Some(("H: help".into(), opacity)),
-            ..Overlay::default()
-        };
+        let message =
+            |opacity| Overlay { message: Some(("H: help".into(), opacity)), ..Overlay::default() };
         let brightest = |opacity| {
             let pixels = painted(&message(opacity), (400, 400));
             pixels.iter().flatten().max().copied()
@@ -287,12 +273,8 @@ mod tests {
             (left..left + width).contains(&x) && (top..top + height).contains(&y)
         };
         assert!(drawn.len() > 100 && drawn.iter().all(within));
-        let red = pixels
-            .iter()
-            .filter(|pixel| pixel[0] > 200 && pixel[1] < 60);
-        let dark = pixels
-            .iter()
-            .filter(|pixel| pixel.iter().all(|it| *it < 0x50));
+        let red = pixels.iter().filter(|pixel| pixel[0] > 200 && pixel[1] < 60);
+        let dark = pixels.iter().filter(|pixel| pixel.iter().all(|it| *it < 0x50));
         assert!(red.count() > 30 && dark.count() > 30);
     }
 

@@ -78,12 +78,7 @@ impl Printed {
             address: target.base.as_ptr().addr(),
             under: saved(layout.rectangles(), area, words, stride),
         });
-        let mut canvas = Canvas {
-            words,
-            stride,
-            area,
-            format: target.format,
-        };
+        let mut canvas = Canvas { words, stride, area, format: target.format };
         self.painter.paint(&overlay, picture, &mut canvas);
     }
 }
@@ -99,8 +94,7 @@ fn saved(
         let (right, bottom) = ((left + width).min(area.0), (top + height).min(area.1));
         (top..bottom).map(move |y| y * stride + left..y * stride + right.max(left))
     });
-    rows.filter_map(|row| Some((row.start, words.get(row)?.to_vec())))
-        .collect()
+    rows.filter_map(|row| Some((row.start, words.get(row)?.to_vec()))).collect()
 }
 
 impl Framebuffer for Printed {
@@ -203,10 +197,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("a folder");
         let size = Geometry::new(200, 100).expect("a size");
         let [path, other] = ["fb", "plain"].map(|name| folder.path().join(name));
-        let overlay = Arc::new(Mutex::new(Overlay {
-            notice: Some("Paused".into()),
-            ..Overlay::default()
-        }));
+        let overlay =
+            Arc::new(Mutex::new(Overlay { notice: Some("Paused".into()), ..Overlay::default() }));
         let file = |path| Box::new(File::open(path, Some(size)).expect("a file"));
         let mut printed = Printed::new(file(&path), Arc::clone(&overlay));
         let mut plain = Printed::new(file(&other), Arc::default());

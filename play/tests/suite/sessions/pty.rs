@@ -188,17 +188,11 @@ impl Pty {
                 break status;
             }
             thread::sleep(Duration::from_millis(20));
-            assert!(
-                begun.elapsed() < PATIENCE,
-                "it does not end: {:?}",
-                self.seen()
-            );
+            assert!(begun.elapsed() < PATIENCE, "it does not end: {:?}", self.seen());
         };
         if self.ours.is_some() {
             let theirs = self.theirs.try_clone().expect("a descriptor");
-            File::from(theirs)
-                .write_all(LAST.as_bytes())
-                .expect("a terminal");
+            File::from(theirs).write_all(LAST.as_bytes()).expect("a terminal");
             self.wait_for(LAST);
         }
         self.bytes.extend(self.chunks.try_iter().flatten());
@@ -231,11 +225,7 @@ impl Drop for Pty {
 
 /// Waits a little, at most.
 fn is_readable(file: &File) -> bool {
-    let mut poll = libc::pollfd {
-        fd: file.as_raw_fd(),
-        events: libc::POLLIN,
-        revents: 0,
-    };
+    let mut poll = libc::pollfd { fd: file.as_raw_fd(), events: libc::POLLIN, revents: 0 };
     // SAFETY: one record, which outlives the call.
     unsafe { libc::poll(&raw mut poll, 1, 50) == 1 }
 }
@@ -292,10 +282,7 @@ fn open() -> (File, OwnedFd) {
     let (pointer, length) = (name.as_mut_ptr().cast(), name.len());
     // SAFETY: the descriptor is open, and the second call writes a string of at most that length.
     let (unlocked, named) = unsafe {
-        (
-            libc::unlockpt(ours.as_raw_fd()),
-            libc::ptsname_r(ours.as_raw_fd(), pointer, length),
-        )
+        (libc::unlockpt(ours.as_raw_fd()), libc::ptsname_r(ours.as_raw_fd(), pointer, length))
     };
     assert_eq!((unlocked, named), (0, 0));
     let name = CStr::from_bytes_until_nul(&name).expect("a string");
@@ -304,12 +291,7 @@ fn open() -> (File, OwnedFd) {
 }
 
 fn resize(terminal: &OwnedFd, columns: u16, rows: u16) {
-    let size = libc::winsize {
-        ws_row: rows,
-        ws_col: columns,
-        ws_xpixel: 0,
-        ws_ypixel: 0,
-    };
+    let size = libc::winsize { ws_row: rows, ws_col: columns, ws_xpixel: 0, ws_ypixel: 0 };
     // SAFETY: the call reads one winsize.
     let set = unsafe { libc::ioctl(terminal.as_raw_fd(), libc::TIOCSWINSZ, &raw const size) };
     assert_eq!(set, 0);

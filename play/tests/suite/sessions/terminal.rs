@@ -27,9 +27,7 @@ fn a_terminal_that_hangs_up_ends_the_session() {
         let talk = folder.path().join("talk");
         let script = format!("{trap}exec \"$0\" view \"$1\" --display terminal 2>\"$2\"");
         let mut command = Command::new("sh");
-        command
-            .args(["-c", &script, env!("CARGO_BIN_EXE_cellray-play"), SCENE])
-            .arg(&talk);
+        command.args(["-c", &script, env!("CARGO_BIN_EXE_cellray-play"), SCENE]).arg(&talk);
         let mut pty = Pty::start(command, 64, 24);
         pty.wait_for(&HALF.to_string());
         pty.hang_up();
@@ -77,10 +75,7 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
             pty::signal(pty.process(), signal);
         }
         let status = pty.end();
-        assert!(
-            status.signal().is_some_and(|it| signals.contains(&it)),
-            "{signals:?}: {status}"
-        );
+        assert!(status.signal().is_some_and(|it| signals.contains(&it)), "{signals:?}: {status}");
         pty.assert_restored();
     }
 }
@@ -137,11 +132,7 @@ fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
     assert_eq!(pty.end().code(), Some(0));
     let recorded = fs::read_to_string(&record).expect("a recording");
     let count = |text: &str| recorded.matches(text).count();
-    assert_eq!(
-        count("\"mouse-motion\":{\"by\":[16.0,-16.0]}"),
-        1,
-        "{recorded}"
-    );
+    assert_eq!(count("\"mouse-motion\":{\"by\":[16.0,-16.0]}"), 1, "{recorded}");
     assert_eq!(count("\"key\":\"b\",\"down\":true"), 2, "{recorded}");
     assert_eq!(count("focus-lost"), 1, "{recorded}");
 }
@@ -226,10 +217,7 @@ fn a_framebuffer_without_text_holds_the_traced_picture() {
     let shown = without.chunks_exact(4).map(|pixel| &pixel[1..]);
     assert!(shown.eq(traced.as_raw().chunks_exact(3)));
     // The text covers less than half of the picture.
-    let same = with
-        .iter()
-        .zip(&without)
-        .filter(|(with, without)| with == without);
+    let same = with.iter().zip(&without).filter(|(with, without)| with == without);
     let same = same.count();
     assert!(same < with.len() && 2 * same > with.len(), "{same}");
 }
@@ -238,9 +226,7 @@ fn a_framebuffer_without_text_holds_the_traced_picture() {
 fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
     let folder = tempfile::tempdir().expect("a folder");
     let picture = folder.path().join("p.png");
-    image::RgbImage::new(200, 20)
-        .save(&picture)
-        .expect("written");
+    image::RgbImage::new(200, 20).save(&picture).expect("written");
     // A terminal that doesn't say its size, as over a serial line, has none.
     for (size, columns) in [((40, 10), 40), ((0, 0), 80)] {
         let mut command = super::program();
@@ -256,9 +242,8 @@ fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
 #[test]
 fn signals_and_ctrl_c_put_the_terminal_back() {
     let folder = tempfile::tempdir().expect("a folder");
-    for (number, signal) in [libc::SIGTERM, libc::SIGINT, libc::SIGHUP, libc::SIGQUIT]
-        .into_iter()
-        .enumerate()
+    for (number, signal) in
+        [libc::SIGTERM, libc::SIGINT, libc::SIGHUP, libc::SIGQUIT].into_iter().enumerate()
     {
         let mut pty = in_terminal(&folder.path().join(number.to_string()));
         pty.wait_for("\u{2580}");
@@ -285,10 +270,7 @@ fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
     }
     let status = pty.end();
     let signal = std::os::unix::process::ExitStatusExt::signal(&status);
-    assert!(
-        [Some(libc::SIGINT), Some(libc::SIGTERM)].contains(&signal),
-        "{status}"
-    );
+    assert!([Some(libc::SIGINT), Some(libc::SIGTERM)].contains(&signal), "{status}");
     pty.assert_restored();
 }
 

@@ -26,17 +26,7 @@ fn the_video_mode_is_changed_first_and_restored_last() {
     drop(device);
     assert_eq!(
         witness.calls(),
-        [
-            Getmode,
-            Setmode(3),
-            Screeninfo,
-            On,
-            Fsel(1),
-            Vsync,
-            Fsel(0),
-            Off,
-            Setmode(131)
-        ]
+        [Getmode, Setmode(3), Screeninfo, On, Fsel(1), Vsync, Fsel(0), Off, Setmode(131)]
     );
     // A mode that is already set is not set again.
     let (device, witness) = bordered.open_with(BORDERED);
@@ -48,14 +38,9 @@ fn the_video_mode_is_changed_first_and_restored_last() {
 fn a_size_that_the_new_mode_does_not_have_puts_the_old_one_back() {
     let mut script = Script::ps3fb();
     script.mode = 131;
-    let (device, witness) = script.open_with(Options {
-        size: Some(Geometry::new(640, 480).unwrap()),
-        ..BORDERED
-    });
-    assert!(matches!(
-        device.err().unwrap(),
-        FramebufferError::SizeMismatch { .. }
-    ));
+    let (device, witness) =
+        script.open_with(Options { size: Some(Geometry::new(640, 480).unwrap()), ..BORDERED });
+    assert!(matches!(device.err().unwrap(), FramebufferError::SizeMismatch { .. }));
     assert_eq!(witness.calls(), [Getmode, Setmode(3), Setmode(131)]);
 }
 
@@ -76,21 +61,14 @@ fn video_modes_that_cannot_be_had_are_errors() {
     for (script, part, calls) in cases {
         let (device, witness) = script.open_with(BORDERED);
         let text = device.err().unwrap().to_string();
-        assert!(
-            text.contains(part) && text.contains("mode with borders"),
-            "{part}: {text}"
-        );
+        assert!(text.contains(part) && text.contains("mode with borders"), "{part}: {text}");
         assert_eq!(witness.calls(), calls);
     }
 }
 
 #[test]
 fn one_frame_and_no_vsync_can_be_asked_for() {
-    let options = Options {
-        two_frames: false,
-        vsync: false,
-        ..Options::default()
-    };
+    let options = Options { two_frames: false, vsync: false, ..Options::default() };
     let (device, witness) = Script::ps3fb().open_with(options);
     let mut device = device.unwrap();
     for seed in 0..2 {
@@ -98,15 +76,9 @@ fn one_frame_and_no_vsync_can_be_asked_for() {
         witness.assert_shows(device.geometry(), 5120, 0, seed);
     }
     let text = device.describe();
-    assert!(
-        text.contains("1 frame ") && text.contains("no vsync"),
-        "{text}"
-    );
+    assert!(text.contains("1 frame ") && text.contains("no vsync"), "{text}");
     drop(device);
-    assert_eq!(
-        witness.calls(),
-        [Screeninfo, On, Fsel(0), Fsel(0), Fsel(0), Off]
-    );
+    assert_eq!(witness.calls(), [Screeninfo, On, Fsel(0), Fsel(0), Fsel(0), Off]);
 
     let (device, witness) = Script::panning().open_with(options);
     let mut device = device.unwrap();

@@ -57,11 +57,7 @@ impl Script {
         line_length: u32,
         smem_len: u32,
     ) -> Script {
-        let channel = |offset| FbBitfield {
-            offset,
-            length: 8,
-            msb_right: 0,
-        };
+        let channel = |offset| FbBitfield { offset, length: 8, msb_right: 0 };
         let var = FbVarScreeninfo {
             xres: width,
             yres: height,
@@ -74,12 +70,7 @@ impl Script {
             transp: channel(24),
             ..Default::default()
         };
-        let mut fix = FbFixScreeninfo {
-            smem_len,
-            visual: 2,
-            line_length,
-            ..Default::default()
-        };
+        let mut fix = FbFixScreeninfo { smem_len, visual: 2, line_length, ..Default::default() };
         fix.id[..id.len()].copy_from_slice(id.as_bytes());
         Script {
             var,
@@ -118,20 +109,14 @@ impl Script {
         size: Option<Geometry>,
         mode: Option<Mode>,
     ) -> (Result<Device, FramebufferError>, Witness) {
-        self.open_with(Options {
-            size,
-            mode,
-            ..Options::default()
-        })
+        self.open_with(Options { size, mode, ..Options::default() })
     }
 
     /// Opens a device with this driver.
     pub(super) fn open_with(self, options: Options) -> (Result<Device, FramebufferError>, Witness) {
         let length = self.start as u64 + u64::from(self.fix.smem_len);
         self.memory.set_len(length).unwrap();
-        self.memory
-            .write_all_at(&vec![0xA5; length as usize], 0)
-            .unwrap();
+        self.memory.write_all_at(&vec![0xA5; length as usize], 0).unwrap();
         let witness = Witness {
             memory: self.memory.try_clone().unwrap(),
             start: self.start,
@@ -191,10 +176,7 @@ impl Driver for Script {
     }
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes> {
         let num_frames = self.num_frames;
-        self.call(Call::Screeninfo).map(|()| Ps3fbIoctlRes {
-            num_frames,
-            ..Default::default()
-        })
+        self.call(Call::Screeninfo).map(|()| Ps3fbIoctlRes { num_frames, ..Default::default() })
     }
     fn ps3fb_on(&mut self) -> io::Result<()> {
         self.call(Call::On)
@@ -239,9 +221,7 @@ impl Witness {
     /// The bytes of the framebuffer's memory in `range`.
     pub(super) fn bytes(&self, range: std::ops::Range<usize>) -> Vec<u8> {
         let mut bytes = vec![0; range.len()];
-        self.memory
-            .read_exact_at(&mut bytes, (self.start + range.start) as u64)
-            .unwrap();
+        self.memory.read_exact_at(&mut bytes, (self.start + range.start) as u64).unwrap();
         bytes
     }
 }

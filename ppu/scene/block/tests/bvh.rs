@@ -13,25 +13,14 @@ fn points(form: &Primitive, random: &mut ChaCha8Rng) -> Vec<DVec3> {
         Primitive::Sphere { centre, radius } => {
             (0..20).map(|_| centre + radius * unit(random)).collect()
         }
-        Primitive::Rectangle {
-            corner,
-            edges: [u, v],
-            ..
-        } => vec![corner, corner + u, corner + v, corner + u + v],
+        Primitive::Rectangle { corner, edges: [u, v], .. } => {
+            vec![corner, corner + u, corner + v, corner + u + v]
+        }
         Primitive::Triangle { vertices, .. } => vertices.to_vec(),
-        Primitive::Cone {
-            base,
-            axis,
-            height,
-            radii,
-            ..
-        } => (0..20)
+        Primitive::Cone { base, axis, height, radii, .. } => (0..20)
             .flat_map(|_| {
                 let across = across(random, axis);
-                [
-                    base + radii[0] * across,
-                    base + height * axis + radii[1] * across,
-                ]
+                [base + radii[0] * across, base + height * axis + radii[1] * across]
             })
             .collect(),
     }
@@ -51,10 +40,7 @@ pub fn any_object(random: &mut ChaCha8Rng, place: DVec3) -> String {
         1 => format!("p 4\n{pa}\n{pb}\n{pc}\n{pd}\n"),
         2 => format!("p 3\n{pa}\n{pb}\n{pc}\n"),
         3 => format!("pp 3\n{pa} 0 0 1\n{pb} 0 0 1\n{pc} 0 1 0\n"),
-        _ => format!(
-            "c\n{pa} {radius}\n{pb} {}\n",
-            random.random_range(0.0..2.0) * size
-        ),
+        _ => format!("c\n{pa} {radius}\n{pb} {}\n", random.random_range(0.0..2.0) * size),
     }
 }
 
@@ -76,14 +62,7 @@ fn objects_are_inside(volumes: NodeVolumes) {
             rest += &any_object(&mut random, place);
         }
         let scene = scene(&rest);
-        let mut block = of(
-            &scene,
-            BlockOptions {
-                ray_depth: 1,
-                volumes,
-                ..Default::default()
-            },
-        );
+        let mut block = of(&scene, BlockOptions { ray_depth: 1, volumes, ..Default::default() });
         let boxed = |kind: PrimitiveKind| {
             volumes == NodeVolumes::Boxes
                 && kind != PrimitiveKind::Sphere
@@ -109,10 +88,7 @@ fn objects_are_inside(volumes: NodeVolumes) {
                 assert_eq!(object.primitive.kind(), kind);
                 for point in points(&object.primitive, &mut random) {
                     for volume in above {
-                        assert!(
-                            volume.holds(point - eye),
-                            "{object:?}: {point} in {volume:?}"
-                        );
+                        assert!(volume.holds(point - eye), "{object:?}: {point} in {volume:?}");
                     }
                 }
                 met += 1;
@@ -142,11 +118,7 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
         })
         .collect();
     let first = scene(&texts);
-    let options = BlockOptions {
-        ray_depth: 1,
-        volumes,
-        ..Default::default()
-    };
+    let options = BlockOptions { ray_depth: 1, volumes, ..Default::default() };
     let shaders = ShaderEntries::new(Vec::new());
     let mut block = SceneBlock::with_room(&first, options, &shaders).expect("a block");
     assert_eq!(block.box_trees() != 0, volumes == NodeVolumes::Boxes);
@@ -169,10 +141,7 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
                     block.remove_object(number);
                     there[number] = false;
                 }
-                2 => match block
-                    .add_object(shape, material, &shaders)
-                    .expect("in range")
-                {
+                2 => match block.add_object(shape, material, &shaders).expect("in range") {
                     Some(number) => {
                         added += 1;
                         assert_eq!(number, there.len());
@@ -194,18 +163,13 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
                     let is_whole =
                         matches!(shape, nff::Shape::Sphere { .. } | nff::Shape::Cone { .. });
                     if same && is_whole {
-                        there[number] = block
-                            .set_object(number, shape, material, &shaders)
-                            .expect("in range");
+                        there[number] =
+                            block.set_object(number, shape, material, &shaders).expect("in range");
                     }
                 }
             }
         }
-        let eye = if round % 3 == 0 {
-            place(&mut random)
-        } else {
-            block.eye.unwrap_or_default()
-        };
+        let eye = if round % 3 == 0 { place(&mut random) } else { block.eye.unwrap_or_default() };
         block.write_for(eye).expect("an eye in range");
         let mut met = 0;
         for kind in PrimitiveKind::ALL {
@@ -217,21 +181,14 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
                 assert_eq!(record.sides.get(), object.sides);
                 for point in points(&object.primitive, &mut random) {
                     for volume in above {
-                        assert!(
-                            volume.holds(point - eye),
-                            "{object:?}: {point} in {volume:?}"
-                        );
+                        assert!(volume.holds(point - eye), "{object:?}: {point} in {volume:?}");
                     }
                 }
                 met += 1;
             });
             assert!(objects.next().is_none());
         }
-        assert_eq!(
-            met,
-            there.iter().filter(|there| **there).count(),
-            "round {round}"
-        );
+        assert_eq!(met, there.iter().filter(|there| **there).count(), "round {round}");
     }
     assert!(added > 20 && full > 0, "{added} {full}");
 }
@@ -270,10 +227,7 @@ fn neighbours_are_together() {
     for index in 1..places.len() {
         places.swap(index, random.random_range(0..=index));
     }
-    let spheres: String = places
-        .iter()
-        .map(|(x, y)| format!("s {x} {y} -5 0.25\n"))
-        .collect();
+    let spheres: String = places.iter().map(|(x, y)| format!("s {x} {y} -5 0.25\n")).collect();
     let block = block(&spheres);
     let mut objects = 0;
     block.walk(PrimitiveKind::Sphere, &mut |_, above| {
@@ -322,14 +276,8 @@ fn boxes_are_chosen_where_they_gain() {
 fn boxes_are_chosen_for_the_scenes_that_gain() {
     let kinds = |kinds: &[PrimitiveKind]| kinds.iter().map(|&kind| 1 << kind as u32).sum::<u32>();
     for (name, trees) in [
-        (
-            "mirrors",
-            kinds(&[PrimitiveKind::Rectangle, PrimitiveKind::Cone]),
-        ),
-        (
-            "glass",
-            kinds(&[PrimitiveKind::Rectangle, PrimitiveKind::Cone]),
-        ),
+        ("mirrors", kinds(&[PrimitiveKind::Rectangle, PrimitiveKind::Cone])),
+        ("glass", kinds(&[PrimitiveKind::Rectangle, PrimitiveKind::Cone])),
         ("shapes", 0),
         ("still-life", 0),
         ("whitted16", 0),
@@ -349,15 +297,11 @@ fn boxes_are_chosen_for_the_scenes_that_gain() {
 fn without_room_for_boxes_nodes_are_spheres() {
     let mut has_been = [0; 2];
     for count in (40..=440).step_by(40) {
-        let triangles: String = (0..count)
-            .map(|x| format!("p 3\n{x} 0 -5\n{x} 1 -5\n{x} 0 -6\n"))
-            .collect();
+        let triangles: String =
+            (0..count).map(|x| format!("p 3\n{x} 0 -5\n{x} 1 -5\n{x} 0 -6\n")).collect();
         let scene = scene(&triangles);
         let [plain, boxed] = [NodeVolumes::Spheres, NodeVolumes::Boxes].map(|volumes| {
-            let options = BlockOptions {
-                volumes,
-                ..Default::default()
-            };
+            let options = BlockOptions { volumes, ..Default::default() };
             of(&scene, options)
         });
         let [few, many] = [&boxed, &plain].map(|block| block.batch().min(SMALL_BATCH));

@@ -28,20 +28,14 @@ fn a_scene_that_reflects_nothing_has_primary_rays_alone() {
 #[test]
 fn chains_get_longer_when_a_material_becomes_a_mirror() {
     let (mut block, matt, shaders) = changing(1);
-    let mirror = NffMaterial {
-        specular: 1.0,
-        ..matt.clone()
-    };
+    let mirror = NffMaterial { specular: 1.0, ..matt.clone() };
     for (material, ray_depth) in [(&mirror, 5), (&matt, 1)] {
         assert!(block.set_material(MATERIAL, material, &shaders).unwrap());
         assert!(block.bound_chains());
         assert_eq!(block.ray_depth(), ray_depth);
     }
     let own = NffMaterial {
-        shader: Shader::Own {
-            name: "rings".to_owned(),
-            parameters: [0.0; 4],
-        },
+        shader: Shader::Own { name: "rings".to_owned(), parameters: [0.0; 4] },
         ..matt
     };
     assert!(block.set_material(MATERIAL, &own, &shaders).unwrap());
@@ -53,10 +47,7 @@ fn chains_get_longer_when_a_material_becomes_a_mirror() {
 fn a_scene_that_leaves_longer_chains_no_room_says_so() {
     // More than fit with the queue for chains of five rays, and fewer than fit without.
     let (mut block, matt, shaders) = changing(865);
-    let mirror = NffMaterial {
-        specular: 1.0,
-        ..matt
-    };
+    let mirror = NffMaterial { specular: 1.0, ..matt };
     assert!(block.set_material(MATERIAL, &mirror, &shaders).unwrap());
     assert!(!block.bound_chains());
 }

@@ -73,10 +73,7 @@ fn colours_in_srgb_become_light() {
     let text = "b 0.5 0.5 0.5\n#cellray sky 0 0.5 1\nf 1 0.5 0 0.5 0.5 9 0.5 1\n\
                 #cellray shader checker 0 0.5 1 2\ns 0 0 9 1\n";
     let of = |colour| {
-        let options = BlockOptions {
-            colour,
-            ..BlockOptions::default()
-        };
+        let options = BlockOptions { colour, ..BlockOptions::default() };
         let block = of(&scene(text), options);
         let background: &Head = block.at(U32::new(SCENE_ADDRESS));
         let sphere: &Head = block.at(only(&block, PrimitiveKind::Sphere));
@@ -87,10 +84,7 @@ fn colours_in_srgb_become_light() {
     assert!(background.emission.into_iter().all(half));
     for colour in [background.colour, sphere.colour] {
         assert!(half(colour[1]), "{colour:?}");
-        assert_eq!(
-            colour.map(F32::get).iter().sum::<f32>(),
-            1.0 + colour[1].get()
-        );
+        assert_eq!(colour.map(F32::get).iter().sum::<f32>(), 1.0 + colour[1].get());
     }
     let [red, green, blue, per_size] = sphere.parameters;
     assert!(half(green));
@@ -118,10 +112,7 @@ fn spheres() {
     assert_eq!(surface(&inside), ([-1.0, 0.0, -4.0], SIDES_EXIT));
     let glass = "f 1 1 1 0 0 0 1 1.5\n";
     assert_eq!(head(&format!("{glass}{rest}")).sides.get(), SIDES_BOTH);
-    assert_eq!(
-        head(&format!("{glass}s 0 0 0 -1\n")).sides.get(),
-        SIDES_BOTH
-    );
+    assert_eq!(head(&format!("{glass}s 0 0 0 -1\n")).sides.get(), SIDES_BOTH);
 }
 
 #[test]
@@ -202,11 +193,7 @@ fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
     for leaf in rounded.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = rounded.at(leaf);
         for vertex in [record.a, record.b, record.c].map(point) {
-            let z = if vertex.x == vertex.y {
-                -5.0f32
-            } else {
-                -5.000_001
-            };
+            let z = if vertex.x == vertex.y { -5.0f32 } else { -5.000_001 };
             assert_eq!(vertex.z, f64::from(z));
         }
     }
@@ -280,25 +267,12 @@ fn cones() {
 fn materials() {
     let material = |text: &str, fresnel: bool| {
         let scene = scene(&format!("f {text}\ns 0 0 0 1\n"));
-        let block = of(
-            &scene,
-            BlockOptions {
-                fresnel,
-                ..Default::default()
-            },
-        );
+        let block = of(&scene, BlockOptions { fresnel, ..Default::default() });
         let head: &Head = block.at(only(&block, PrimitiveKind::Sphere));
         *block.at::<Material>(head.material)
     };
     let shares = |it: &Material| {
-        [
-            it.diffuse,
-            it.highlight,
-            it.exponent,
-            it.mirror,
-            it.transmittance,
-        ]
-        .map(F32::get)
+        [it.diffuse, it.highlight, it.exponent, it.mirror, it.transmittance].map(F32::get)
     };
     let optics = |it: &Material| [it.index, it.inverse_index, it.schlick, it.grazing].map(F32::get);
 
@@ -309,10 +283,7 @@ fn materials() {
     assert_eq!(dull.flags.get(), MATERIAL_LIT);
     let mirror = material("1 1 1 0 0.5 3 0 1", false);
     assert_eq!(shares(&mirror), [0.0, 0.5, 12.0, 0.5, 0.0]);
-    assert_eq!(
-        mirror.flags.get(),
-        MATERIAL_LIT | MATERIAL_SHINES | MATERIAL_MIRRORS
-    );
+    assert_eq!(mirror.flags.get(), MATERIAL_LIT | MATERIAL_SHINES | MATERIAL_MIRRORS);
     let glass = material("1 1 1 0 0 0 0.75 1.5", false);
     assert_eq!(shares(&glass), [0.0, 0.0, 0.0, 0.0, 0.75]);
     assert_eq!(optics(&glass), [1.5, 1.0 / 1.5, 0.0, 0.0]);
@@ -351,16 +322,10 @@ fn shaders() {
 
     let checker = material("checker 0 0.5 1 4");
     assert_eq!(shares(&checker), shares(&phong));
-    assert_eq!(
-        checker.flags.get(),
-        glass | MATERIAL_SHINES | MATERIAL_SHADED
-    );
+    assert_eq!(checker.flags.get(), glass | MATERIAL_SHINES | MATERIAL_SHADED);
     assert_eq!(told(&checker), (0, [0.0, 0.5, 1.0, 0.25]));
     let depth = material("depth 10 2");
-    assert_eq!(
-        (shares(&depth), depth.flags.get()),
-        ([0.0; 4], MATERIAL_SHADED)
-    );
+    assert_eq!((shares(&depth), depth.flags.get()), ([0.0; 4], MATERIAL_SHADED));
     assert_eq!(told(&depth), (1, [10.0, 0.125, 0.0, 0.0]));
     assert_eq!(wide(depth.colour), colour);
     let own = material("rings 1 -2 3");
@@ -381,16 +346,9 @@ fn objects_share_their_material() {
     let block = block("f 0 1 0 1 0 0 0 1\ns 0 0 0 1\ns 5 0 0 1\nf 0 0 1 1 0 0 0 1\ns 9 0 0 1\n");
     let colour = |leaf: &U32| {
         let head: &Head = block.at(*leaf);
-        (
-            head.material,
-            wide(block.at::<Material>(head.material).colour),
-        )
+        (head.material, wide(block.at::<Material>(head.material).colour))
     };
-    let found: Vec<_> = block
-        .leaves(PrimitiveKind::Sphere)
-        .iter()
-        .map(colour)
-        .collect();
+    let found: Vec<_> = block.leaves(PrimitiveKind::Sphere).iter().map(colour).collect();
     assert_eq!(found[0], found[1]);
     assert_eq!(found[0].1, DVec3::Y);
     assert_eq!(found[2].1, DVec3::Z);

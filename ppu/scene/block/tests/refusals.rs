@@ -10,10 +10,7 @@ fn refusal(rest: &str) -> String {
 }
 
 fn refusal_at(rest: &str, ray_depth: u32) -> String {
-    let options = BlockOptions {
-        ray_depth,
-        ..Default::default()
-    };
+    let options = BlockOptions { ray_depth, ..Default::default() };
     match SceneBlock::new(&scene(rest), options, &entry) {
         Ok(_) => panic!("accepted"),
         Err(error) => error.to_string(),
@@ -23,19 +20,13 @@ fn refusal_at(rest: &str, ray_depth: u32) -> String {
 #[test]
 fn numbers_out_of_range() {
     let cases = [
-        (
-            "s 5e18 0 0 1",
-            "9: centre 5e18 is out of range: its magnitude must be at most 2^62",
-        ),
+        ("s 5e18 0 0 1", "9: centre 5e18 is out of range: its magnitude must be at most 2^62"),
         (
             "s 0 0 0 -1e-20",
             "9: radius -1e-20 is out of range: its magnitude must be at most 2^62 and at least 2^-62",
         ),
         ("p 3\n0 0 0\n1 0 0\n0 -1e30 0", "9: vertex -1e30 is out"),
-        (
-            "pp 3\n0 0 0 0 0 1\n1 0 1e30 0 0 1\n0 1 0 0 0 1",
-            "9: vertex 1e30 is out",
-        ),
+        ("pp 3\n0 0 0 0 0 1\n1 0 1e30 0 0 1\n0 1 0 0 0 1", "9: vertex 1e30 is out"),
         ("c\n1e30 0 0 1\n0 0 0 1", "9: base 1e30 is out"),
         ("c\n0 0 0 1\n0 1e30 0 1", "9: apex 1e30 is out"),
         ("c\n0 0 0 1e30\n0 1 0 1", "9: base radius 1e30 is out"),
@@ -45,26 +36,14 @@ fn numbers_out_of_range() {
         ("l 0 0 0 1 1e30 1", "9: brightness 1e30 is out"),
         ("#cellray sun 0 0 1 1 1e30 1", "9: brightness 1e30 is out"),
         ("#cellray ambient 0 0 1e30", ": ambient light 1e30 is out"),
-        (
-            "#cellray shader depth 1e30 0\ns 0 0 0 1",
-            "8: parameter of the shader 1e30 is out",
-        ),
-        (
-            "#cellray shader checker 1 1 1 1e-30\ns 0 0 0 1",
-            "8: parameter of the shader ",
-        ),
-        (
-            "#cellray shader wood\ns 0 0 0 1",
-            "8: the SPU program has no shader `wood`",
-        ),
+        ("#cellray shader depth 1e30 0\ns 0 0 0 1", "8: parameter of the shader 1e30 is out"),
+        ("#cellray shader checker 1 1 1 1e-30\ns 0 0 0 1", "8: parameter of the shader "),
+        ("#cellray shader wood\ns 0 0 0 1", "8: the SPU program has no shader `wood`"),
         ("b 0 0 1e30", ": background 1e30 is out"),
         ("f 1 1e30 1 1 0 0 0 1\ns 0 0 0 1", "9: colour 1e30 is out"),
         ("f 1 1 1 1 1e30 0 0 1\ns 0 0 0 1", "9: Ks 1e30 is out"),
         ("f 1 1 1 1 0 1e30 0 1\ns 0 0 0 1", "9: shine 1e30 is out"),
-        (
-            "f 1 1 1 1 0 0 1 1e-30\ns 0 0 0 1",
-            "9: index of refraction 1e-30 is out",
-        ),
+        ("f 1 1 1 1 0 0 1 1e-30\ns 0 0 0 1", "9: index of refraction 1e-30 is out"),
         (
             "f 1 1 1 1 0 0 1 0\ns 0 0 0 1",
             "9: an index of refraction of 0 refracts nothing (T is above 0)",
@@ -119,10 +98,7 @@ fn more_than_there_is_room_for() {
             "t.nff:{line}: more than 1024 triangles: the scene has about {count}; about 52"
         );
         assert!(found.starts_with(&message), "{found}");
-        assert!(
-            found.ends_with(&format!(" of its {count} triangles fit")),
-            "{found}"
-        );
+        assert!(found.ends_with(&format!(" of its {count} triangles fit")), "{found}");
     }
     let star: String = (0..101)
         .map(|index| {
@@ -134,10 +110,7 @@ fn more_than_there_is_room_for() {
         refusal(&format!("p 101\n{star}")),
         "t.nff:9: a polygon of 101 vertices takes more than 1024 triangles"
     );
-    assert_eq!(
-        refusal(&"l 0 0 0\n".repeat(65)),
-        "t.nff:73: more than 64 lights"
-    );
+    assert_eq!(refusal(&"l 0 0 0\n".repeat(65)), "t.nff:73: more than 64 lights");
     assert_eq!(block(&"l 0 0 0\n".repeat(64)).light_count(), 64);
     for depth in [0, 17, u32::MAX] {
         let message = format!("ray depth {depth}: must be 1 to 16");
@@ -162,12 +135,7 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
     assert_eq!(room, SCENE_ROOM as usize - 16 * 32 * 3);
     // "About" means within some per cent.
     let fewer = fit - fit / 50;
-    assert_eq!(
-        block(&triangles(fewer))
-            .leaves(PrimitiveKind::Triangle)
-            .len(),
-        fewer
-    );
+    assert_eq!(block(&triangles(fewer)).leaves(PrimitiveKind::Triangle).len(), fewer);
     let more = refusal(&triangles(fit + fit / 50));
     assert!(more.contains(" triangles fit"), "{more}");
 }
@@ -181,13 +149,8 @@ fn what_takes_the_room_is_named() {
     // The spheres alone would fit, but not their materials.
     let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
     let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
-    assert!(
-        before.contains("): 700 materials 67200, 700 spheres "),
-        "{message}"
-    );
-    let fit = fit
-        .strip_suffix(" of its 700 materials fit")
-        .expect("of what");
+    assert!(before.contains("): 700 materials 67200, 700 spheres "), "{message}");
+    let fit = fit.strip_suffix(" of its 700 materials fit").expect("of what");
     let fit: usize = fit.parse().expect("a number");
     let with_materials = |count: usize| {
         let shared = "s 0 0 0 1\n".repeat(700 - count);
@@ -199,10 +162,7 @@ fn what_takes_the_room_is_named() {
     let cone = "c\n0 0 0 1\n0 1 0 1\n";
     let message = refusal(&each_its_own(900, cone));
     let (before, part) = message.rsplit_once("; about ").expect("an estimate");
-    assert!(
-        before.contains("): 900 materials 86400, 900 cones "),
-        "{message}"
-    );
+    assert!(before.contains("): 900 materials 86400, 900 cones "), "{message}");
     let part = part.strip_suffix(" % of the scene fits").expect("of what");
     let part: usize = part.parse().expect("a number");
     block(&each_its_own(9 * (part - 1), cone));
@@ -226,10 +186,7 @@ fn the_batch_is_as_large_as_fits() {
     for ray_depth in 1..=16 {
         for spheres in [0, 200, 400, 500, 600] {
             let scene = scene(&(MIRROR.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
-            let options = BlockOptions {
-                ray_depth,
-                ..Default::default()
-            };
+            let options = BlockOptions { ray_depth, ..Default::default() };
             let block = of(&scene, options);
             let deepest = if spheres == 0 { 1 } else { ray_depth };
             assert_eq!(block.ray_depth(), deepest);

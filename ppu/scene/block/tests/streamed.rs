@@ -9,10 +9,7 @@ use super::*;
 /// A square of 2 by `rows` triangles across the z axis, with two materials.
 fn square(rows: u32) -> Scene {
     let mut scene = scene("f 1 0 0 1 0.5 9 0 1\n");
-    let mut mesh = Mesh {
-        two_sided: true,
-        ..Mesh::default()
-    };
+    let mut mesh = Mesh { two_sided: true, ..Mesh::default() };
     for row in 0..=rows {
         let y = row as f32 / rows as f32;
         mesh.positions.extend([[-1.0, y, -5.0], [1.0, y, -5.0]]);
@@ -43,10 +40,7 @@ fn a_small_mesh_is_in_local_store() {
 fn a_large_mesh_is_in_main_memory() {
     let scene = square(2000);
     for ray_depth in [1, 2, 5] {
-        let options = BlockOptions {
-            ray_depth,
-            ..BlockOptions::default()
-        };
+        let options = BlockOptions { ray_depth, ..BlockOptions::default() };
         let block = of(&scene, options);
         let mesh = block.mesh().unwrap();
         assert_eq!(mesh.blocks.statistics().triangles, 4000);
@@ -82,10 +76,7 @@ fn a_mesh_that_can_t_be_converted_names_its_file() {
     scene.mesh = Some(Arc::new(mesh));
     let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
     let message = error.to_string();
-    assert!(
-        message.starts_with("t.nff: vertex 5 is at [1e30"),
-        "{message}"
-    );
+    assert!(message.starts_with("t.nff: vertex 5 is at [1e30"), "{message}");
 }
 
 #[test]
@@ -94,10 +85,7 @@ fn a_mesh_leaves_less_room_for_objects() {
     let sphere = |number: u32| nff::Object {
         line: number,
         material: 0,
-        shape: nff::Shape::Sphere {
-            centre: DVec3::new(f64::from(number), 0.0, -9.0),
-            radius: 0.5,
-        },
+        shape: nff::Shape::Sphere { centre: DVec3::new(f64::from(number), 0.0, -9.0), radius: 0.5 },
     };
     scene.objects.extend((0..700).map(sphere));
     let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
@@ -172,10 +160,7 @@ fn materials_of_what_changes_have_records_of_their_own() {
     let scene = fills(40, 2);
     let options = BlockOptions::default();
     let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
-    let changed = nff::Material {
-        colour: DVec3::ONE,
-        ..scene.materials[3].clone()
-    };
+    let changed = nff::Material { colour: DVec3::ONE, ..scene.materials[3].clone() };
     assert!(block.set_material(3, &changed, &shaders).expect("a record"));
     let white = |block: &SceneBlock| {
         let objects = block.leaves(PrimitiveKind::Sphere).into_iter();
@@ -203,10 +188,7 @@ fn a_material_in_main_memory_is_changed_in_place() {
     let number = numbers.iter().position(|&it| it == 700).unwrap();
     let read = |block: &SceneBlock| block.mesh().unwrap().table.unwrap().bytes().to_vec();
     let before = read(&block);
-    let changed = nff::Material {
-        colour: DVec3::ONE,
-        ..scene.materials[700].clone()
-    };
+    let changed = nff::Material { colour: DVec3::ONE, ..scene.materials[700].clone() };
     assert!(block.set_material(700, &changed, &shaders).unwrap());
     let after = read(&block);
     let stride = MATERIAL_STRIDE as usize;
@@ -236,16 +218,9 @@ fn places(scene: &Scene) -> [[usize; 3]; 2] {
     let block = SceneBlock::unchanging(scene, options, &entry).expect("a block");
     let statistics = block.mesh().map(|mesh| mesh.blocks.statistics());
     let statistics = statistics.unwrap_or_default();
-    let here = [
-        PrimitiveKind::Sphere,
-        PrimitiveKind::Cone,
-        PrimitiveKind::Triangle,
-    ];
+    let here = [PrimitiveKind::Sphere, PrimitiveKind::Cone, PrimitiveKind::Triangle];
     let here = here.map(|kind| block.primitives[kind as usize].count());
-    [
-        [statistics.spheres, statistics.cones, statistics.triangles],
-        here,
-    ]
+    [[statistics.spheres, statistics.cones, statistics.triangles], here]
 }
 
 #[test]
@@ -258,10 +233,7 @@ fn only_what_does_not_fit_goes_to_main_memory() {
     assert_eq!(places(&crowd(20, 1500, 10)), [[0, 1500, 0], [20, 0, 10]]);
     assert_eq!(places(&crowd(0, 740, 0)), [[0, 740, 0], [0; 3]]);
     // Otherwise both do.
-    assert_eq!(
-        places(&crowd(1500, 1500, 10)),
-        [[1500, 1500, 0], [0, 0, 10]]
-    );
+    assert_eq!(places(&crowd(1500, 1500, 10)), [[1500, 1500, 0], [0, 0, 10]]);
     assert_eq!(places(&crowd(600, 400, 0)), [[600, 400, 0], [0; 3]]);
 }
 

@@ -38,11 +38,7 @@ fn cones(count: u32, seed: u64) -> Vec<MeshCone> {
                 radius: radius as f32,
                 growth: ((apex - radius) / height) as f32,
                 hollow: number % 7 == 0,
-                sides: if number % 3 == 0 {
-                    SIDES_EXIT
-                } else {
-                    SIDES_BOTH
-                },
+                sides: if number % 3 == 0 { SIDES_EXIT } else { SIDES_BOTH },
                 material: number % 2,
             }
         })
@@ -82,14 +78,9 @@ fn key(cone: &MeshCone) -> [u32; 4] {
 
 #[test]
 fn every_cone_is_in_one_leaf() {
-    for (count, spheres, triangles) in [
-        (1, 0, 0),
-        (4, 0, 0),
-        (5, 0, 0),
-        (17, 1, 0),
-        (3000, 0, 0),
-        (700, 900, 500),
-    ] {
+    for (count, spheres, triangles) in
+        [(1, 0, 0), (4, 0, 0), (5, 0, 0), (17, 1, 0), (3000, 0, 0), (700, 900, 500)]
+    {
         let objects = MeshObjects {
             cones: cones(count, u64::from(count)),
             spheres: (0..spheres)
@@ -113,13 +104,11 @@ fn every_cone_is_in_one_leaf() {
         assert!(statistics.expected_cones > 0.0);
         let kind = |number: &u32| Parts::of(&blocks, *number).header.kind.get();
         let of_kind = |wanted| (0..blocks.count()).filter(move |number| kind(number) == wanted);
-        let in_spheres: usize = of_kind(MESH_SPHERES)
-            .map(|number| Parts::of(&blocks, number).objects().len())
-            .sum();
+        let in_spheres: usize =
+            of_kind(MESH_SPHERES).map(|number| Parts::of(&blocks, number).objects().len()).sum();
         assert_eq!(in_spheres, spheres as usize);
-        let mut found: Vec<_> = of_kind(MESH_CONES)
-            .flat_map(|number| of_block(&blocks, number))
-            .collect();
+        let mut found: Vec<_> =
+            of_kind(MESH_CONES).flat_map(|number| of_block(&blocks, number)).collect();
         let mut wanted = objects.cones;
         found.sort_by_key(key);
         wanted.sort_by_key(key);

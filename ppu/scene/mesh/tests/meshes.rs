@@ -26,12 +26,7 @@ pub fn materials() -> Vec<Material> {
 
 /// Triangles of the first material.
 pub fn mesh(positions: Vec<[f32; 3]>, triangles: Vec<[u32; 3]>) -> Mesh {
-    Mesh {
-        positions,
-        materials: vec![0; triangles.len()],
-        triangles,
-        ..Mesh::default()
-    }
+    Mesh { positions, materials: vec![0; triangles.len()], triangles, ..Mesh::default() }
 }
 
 /// Random triangles that share no vertices, about `size` large in a cube of side 2.

@@ -4,9 +4,7 @@ use super::super::{MeshBlocks, MeshError, MeshObjects};
 use super::meshes::{materials, mesh, soup};
 
 fn refused(mesh: &nff::Mesh, materials: &[nff::Material]) -> String {
-    MeshBlocks::new(mesh, &MeshObjects::default(), materials)
-        .unwrap_err()
-        .to_string()
+    MeshBlocks::new(mesh, &MeshObjects::default(), materials).unwrap_err().to_string()
 }
 
 #[test]

@@ -49,29 +49,17 @@ fn every_sphere_is_in_one_leaf() {
             0 => nff::Mesh::default(),
             _ => soup(triangles, 0.1, 1),
         };
-        let objects = MeshObjects {
-            spheres: spheres.clone(),
-            ..MeshObjects::default()
-        };
+        let objects = MeshObjects { spheres: spheres.clone(), ..MeshObjects::default() };
         let blocks = MeshBlocks::new(&mesh, &objects, &materials()).unwrap();
         let statistics = blocks.statistics();
         assert_eq!(statistics.spheres, count as usize);
         assert_eq!(statistics.triangles, triangles as usize);
         let kind = |number: &u32| Parts::of(&blocks, *number).header.kind.get();
         let leaves = (0..blocks.count()).filter(|number| kind(number) == MESH_SPHERES);
-        let mut found: Vec<_> = leaves
-            .flat_map(|number| of_block(&blocks, number))
-            .collect();
+        let mut found: Vec<_> = leaves.flat_map(|number| of_block(&blocks, number)).collect();
         let key = |sphere: &MeshSphere| {
             let [x, y, z] = sphere.centre.to_array().map(f32::to_bits);
-            [
-                x,
-                y,
-                z,
-                sphere.radius.to_bits(),
-                sphere.sides,
-                sphere.material,
-            ]
+            [x, y, z, sphere.radius.to_bits(), sphere.sides, sphere.material]
         };
         let mut wanted = spheres.clone();
         found.sort_by_key(key);

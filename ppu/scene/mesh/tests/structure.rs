@@ -90,10 +90,7 @@ fn texture_coordinates_are_where_a_material_has_a_texture() {
         let mut mesh = ball(rows);
         let plain = MeshBlocks::new(&mesh, &MeshObjects::default(), &materials).unwrap();
         check(&mesh, &materials, &plain);
-        let places = mesh
-            .positions
-            .iter()
-            .map(|[x, y, z]| [2.0 * x + z, 9.0 * y]);
+        let places = mesh.positions.iter().map(|[x, y, z]| [2.0 * x + z, 9.0 * y]);
         mesh.texture_coordinates = places.collect();
         for (triangle, material) in mesh.materials.iter_mut().enumerate() {
             *material = u32::from(triangle % 5 == 0);
@@ -127,17 +124,9 @@ fn materials_that_share_a_number() {
         *material = triangle as u32 % 3;
     }
     let firsts = [0, 1, 0];
-    let numbers = Numbers {
-        firsts: &firsts,
-        least: NumberWidth::TwoBytes,
-    };
-    let blocks = MeshBlocks::numbered(
-        &mesh,
-        &MeshObjects::default(),
-        &materials,
-        numbers,
-        Colour::Linear,
-    );
+    let numbers = Numbers { firsts: &firsts, least: NumberWidth::TwoBytes };
+    let blocks =
+        MeshBlocks::numbered(&mesh, &MeshObjects::default(), &materials, numbers, Colour::Linear);
     let blocks = blocks.unwrap();
     assert_eq!(blocks.materials(), [0, 1]);
     for material in &mut mesh.materials {

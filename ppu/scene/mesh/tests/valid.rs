@@ -45,11 +45,7 @@ impl Parts {
             _ => 0,
         };
         let has_objects = record > 0;
-        let faces = if has_objects {
-            0
-        } else {
-            count(header.triangles)
-        };
+        let faces = if has_objects { 0 } else { count(header.triangles) };
         let (faces, rest) = <[MeshFace]>::ref_from_prefix_with_elems(rest, faces).unwrap();
         let rest = &rest[record * count(header.triangles)..];
         // Texture coordinates begin at the next quadword.
@@ -212,9 +208,7 @@ fn visit(
             let children = parts.children(offset);
             // A node's box is the one that its parent has for it.
             if let Some(place) = boxes.iter().position(|it| it.1 == offset) {
-                let own = children
-                    .iter()
-                    .fold(Bounds::EMPTY, |sum, it| sum.with(it.0));
+                let own = children.iter().fold(Bounds::EMPTY, |sum, it| sum.with(it.0));
                 assert_eq!(boxes[place].0, own);
             }
             next.extend(children);
@@ -255,10 +249,7 @@ fn leaf(
         for face in next..next + count {
             let corners = parts.corners(face as usize);
             for corner in corners {
-                own = own.with(Bounds {
-                    low: corner,
-                    high: corner,
-                });
+                own = own.with(Bounds { low: corner, high: corner });
             }
             let lower = parts.faces[face as usize].material;
             let number = u16::from_be_bytes([parts.upper[face as usize], lower]);
@@ -284,10 +275,7 @@ fn leaf(
         let position = vertex.position.map(F32::get);
         let mut all = mesh.positions.iter().zip(&mesh.texture_coordinates);
         let found = [found.u.get(), found.v.get()];
-        assert!(
-            all.any(|known| known == (&position, &found)),
-            "{position:?}"
-        );
+        assert!(all.any(|known| known == (&position, &found)), "{position:?}");
     }
     assert_eq!(parts.colours.is_empty(), mesh.colours.is_empty());
     for (vertex, found) in parts.vertices.iter().zip(&parts.colours) {

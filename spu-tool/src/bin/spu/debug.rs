@@ -38,10 +38,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             let file = File::open(path).map_err(Failure::file(path))?;
             (Box::new(BufReader::new(file)), false)
         }
-        None => (
-            Box::new(BufReader::new(io::stdin())),
-            io::stdin().is_terminal(),
-        ),
+        None => (Box::new(BufReader::new(io::stdin())), io::stdin().is_terminal()),
     };
     run::with_program(&arguments.run, |machine, image| {
         let mut console = Console::new(image, input, io::stdout(), is_terminal);
@@ -64,9 +61,9 @@ fn refuse(options: &run::Options) -> Result<(), Failure> {
         ("--max-instructions", options.max_instructions.is_some()),
     ];
     match given.into_iter().find(|(_, is_given)| *is_given) {
-        Some((name, _)) => Err(Failure::Usage(format!(
-            "{name} does not go with spu debug; use spu run"
-        ))),
+        Some((name, _)) => {
+            Err(Failure::Usage(format!("{name} does not go with spu debug; use spu run")))
+        }
         None => Ok(()),
     }
 }

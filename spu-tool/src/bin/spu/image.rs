@@ -18,11 +18,7 @@ pub fn parse<'data>(path: &Path, bytes: &'data [u8]) -> Result<Image<'data>, Fai
 
 /// The file is no SPU program for this reason.
 pub fn refused(path: &Path, bytes: &[u8], error: ElfError) -> Failure {
-    Failure::Elf {
-        path: path.to_path_buf(),
-        advice: advice(path, bytes, &error),
-        error,
-    }
+    Failure::Elf { path: path.to_path_buf(), advice: advice(path, bytes, &error), error }
 }
 
 /// What to do with a file that is no SPU program.

@@ -58,11 +58,7 @@ fn main() -> ExitCode {
             if error.kind() == ErrorKind::InvalidSubcommand {
                 suggest_run();
             }
-            return if error.use_stderr() {
-                USAGE.into()
-            } else {
-                ExitCode::SUCCESS
-            };
+            return if error.use_stderr() { USAGE.into() } else { ExitCode::SUCCESS };
         }
     };
     let done = match line.command {

@@ -68,19 +68,12 @@ impl From<Error> for Failure {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let image = read(&arguments.program)?;
-    let code = Code::parse(&image).map_err(|source| Error::Code {
-        path: arguments.program.clone(),
-        source,
-    })?;
+    let code = Code::parse(&image)
+        .map_err(|source| Error::Code { path: arguments.program.clone(), source })?;
     let profile = read(&arguments.profile)?;
-    let profile = ProfileFile::parse(&profile).map_err(|source| Error::Profile {
-        path: arguments.profile.clone(),
-        source,
-    })?;
-    let strange = |source| Error::View {
-        path: arguments.profile.clone(),
-        source,
-    };
+    let profile = ProfileFile::parse(&profile)
+        .map_err(|source| Error::Profile { path: arguments.profile.clone(), source })?;
+    let strange = |source| Error::View { path: arguments.profile.clone(), source };
     let view = View::new(&code, &image, &profile).map_err(strange)?;
     let name = arguments.function.as_deref();
     let function = name.map(|name| view.function(name));
@@ -107,8 +100,5 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Error> {
-    fs::read(path).map_err(|source| Error::File {
-        path: path.to_path_buf(),
-        source,
-    })
+    fs::read(path).map_err(|source| Error::File { path: path.to_path_buf(), source })
 }

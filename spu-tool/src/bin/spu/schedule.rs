@@ -60,10 +60,7 @@ pub enum Error {
     #[error("{path}: {source}")]
     File { path: PathBuf, source: io::Error },
     #[error("{path}: {source}")]
-    Object {
-        path: PathBuf,
-        source: ScheduleError,
-    },
+    Object { path: PathBuf, source: ScheduleError },
     #[error(transparent)]
     Line(ScheduleError),
     #[error(transparent)]
@@ -79,10 +76,7 @@ impl From<Error> for Failure {
 /// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let read = |path: &PathBuf| {
-        fs::read(path).map_err(|source| Error::File {
-            path: path.clone(),
-            source,
-        })
+        fs::read(path).map_err(|source| Error::File { path: path.clone(), source })
     };
     let object = read(&arguments.object)?;
     let text = read(&arguments.source)?;
@@ -93,10 +87,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         });
     let scheduled = scheduled.map_err(|source| match source {
         at @ (ScheduleError::At { .. } | ScheduleError::Assembler(_)) => Error::Line(at),
-        source => Error::Object {
-            path: arguments.object.clone(),
-            source,
-        },
+        source => Error::Object { path: arguments.object.clone(), source },
     })?;
     for found in &scheduled.loops {
         let result = match &found.outcome {
@@ -107,10 +98,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         talk::say!("{path}:{}: loop {}: {result}", found.line, found.name);
     }
     match &arguments.output {
-        Some(output) => fs::write(output, scheduled.text).map_err(|source| Error::File {
-            path: output.clone(),
-            source,
-        })?,
+        Some(output) => fs::write(output, scheduled.text)
+            .map_err(|source| Error::File { path: output.clone(), source })?,
         None => talk::print(scheduled.text).map_err(Error::Output)?,
     }
     Ok(ExitCode::SUCCESS)

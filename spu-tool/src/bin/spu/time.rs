@@ -109,11 +109,7 @@ pub enum TimeError {
     #[error("{path}: {source}")]
     Check { path: PathBuf, source: CheckError },
     #[error("{path}: no function {name}; it has {functions}")]
-    NoFunction {
-        path: PathBuf,
-        name: String,
-        functions: String,
-    },
+    NoFunction { path: PathBuf, name: String, functions: String },
     #[error("{0}: the file has no schedule note")]
     NoNotes(String),
     #[error(transparent)]
@@ -133,14 +129,9 @@ impl From<TimeError> for Failure {
 /// Runs the subcommand. The exit status is 1 if a note differs.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     let path = &arguments.file;
-    let data = fs::read(path).map_err(|source| TimeError::Read {
-        path: path.clone(),
-        source,
-    })?;
-    let code = Code::parse(&data).map_err(|source| TimeError::Code {
-        path: path.clone(),
-        source,
-    })?;
+    let data = fs::read(path).map_err(|source| TimeError::Read { path: path.clone(), source })?;
+    let code =
+        Code::parse(&data).map_err(|source| TimeError::Code { path: path.clone(), source })?;
     if arguments.check {
         return compare(arguments, &code);
     }
@@ -156,10 +147,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     })?;
     if let Some(page) = &arguments.html {
         let text = report.html(&path.display().to_string());
-        fs::write(page, &text).map_err(|source| TimeError::Write {
-            path: page.clone(),
-            source,
-        })?;
+        fs::write(page, &text).map_err(|source| TimeError::Write { path: page.clone(), source })?;
         talk::say!("{}: {} bytes", page.display(), text.len());
         return Ok(ExitCode::SUCCESS);
     }
@@ -179,23 +167,13 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
     };
     let read = |path: &PathBuf| match fs::read(path) {
         Ok(text) => Ok((path.clone(), String::from_utf8_lossy(&text).into_owned())),
-        Err(source) => Err(TimeError::Read {
-            path: path.clone(),
-            source,
-        }),
+        Err(source) => Err(TimeError::Read { path: path.clone(), source }),
     };
     let sources = named.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let outcome = check::check(code, &sources, arguments.model.rules()?).map_err(|source| {
-        TimeError::Check {
-            path: arguments.file.clone(),
-            source,
-        }
-    })?;
+    let outcome = check::check(code, &sources, arguments.model.rules()?)
+        .map_err(|source| TimeError::Check { path: arguments.file.clone(), source })?;
     if outcome.notes == 0 {
-        let names: Vec<_> = named
-            .iter()
-            .map(|path| path.display().to_string())
-            .collect();
+        let names: Vec<_> = named.iter().map(|path| path.display().to_string()).collect();
         return Err(TimeError::NoNotes(names.join(", ")));
     }
     let lines = outcome.differences.iter();

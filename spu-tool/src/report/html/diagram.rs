@@ -37,10 +37,8 @@ pub(super) fn diagram(code: &Code, id: &str, lines: &[Line], extent: Option<Exte
     let mut rest = lines;
     while !rest.is_empty() {
         let base = first_cycle(rest);
-        let issues_here = |line: &Line| {
-            line.issued
-                .is_none_or(|(_, issue)| issue.cycle < base + SPAN)
-        };
+        let issues_here =
+            |line: &Line| line.issued.is_none_or(|(_, issue)| issue.cycle < base + SPAN);
         // An instruction that waits for longer than a part stands in one of its own.
         let end = rest.iter().position(|line| !issues_here(line));
         let (part, behind) = rest.split_at(end.unwrap_or(rest.len()).max(1));
@@ -56,9 +54,7 @@ pub(super) fn diagram(code: &Code, id: &str, lines: &[Line], extent: Option<Exte
 }
 
 fn issues(lines: &[Line]) -> impl DoubleEndedIterator<Item = &Issue> {
-    lines
-        .iter()
-        .filter_map(|line| line.issued.as_ref().map(|(_, issue)| issue))
+    lines.iter().filter_map(|line| line.issued.as_ref().map(|(_, issue)| issue))
 }
 
 /// The first cycle that a part shows: that of its first instruction's wait, or one a little before
@@ -79,11 +75,7 @@ fn part(code: &Code, id: &str, lines: &[Line], extent: Option<&Extent>, last: bo
     let pass_end = pass_end.map(|extent| extent.cycles.round() as u64);
     let end = issues(lines).map(|issue| issue.ready_cycle.max(issue.cycle + 1));
     let end = end.chain(pass_end).max().unwrap_or(0).max(base + 1);
-    let frame = Frame {
-        base,
-        columns: end - base,
-        rows: rows.len(),
-    };
+    let frame = Frame { base, columns: end - base, rows: rows.len() };
     let mut picture = String::new();
     picture::open(&mut picture, &frame);
     picture::entries(&mut picture, &frame, &entries(&rows));
@@ -143,9 +135,7 @@ fn joined(rows: &[Row], at: usize) -> bool {
         Row::Instruction(line) => line.issued.is_some_and(|(_, issue)| issue.dual),
         Row::Label(_) => false,
     };
-    let behind = rows[at + 1..]
-        .iter()
-        .find(|row| matches!(row, Row::Instruction(_)));
+    let behind = rows[at + 1..].iter().find(|row| matches!(row, Row::Instruction(_)));
     second(&rows[at]) || behind.is_some_and(second)
 }
 
@@ -169,10 +159,8 @@ fn columns(line: &Line, joined: bool) -> Markup {
 
 /// What the instruction waited for, with a link to where that comes from.
 fn reason(id: &str, line: &Line) -> Markup {
-    let Some((cause, issue)) = line
-        .issued
-        .as_ref()
-        .and_then(|(_, issue)| issue.waited.map(|cause| (cause, issue)))
+    let Some((cause, issue)) =
+        line.issued.as_ref().and_then(|(_, issue)| issue.waited.map(|cause| (cause, issue)))
     else {
         return html! {};
     };
@@ -201,12 +189,10 @@ fn entries<'a>(rows: &'a [Row]) -> Vec<Entry<'a>> {
         if let Some((_, issue)) = &line.issued {
             let waits = matches!(issue.waited, Some(Cause::Operand(_)));
             let link =
-                line.producer
-                    .filter(|_| waits)
-                    .map(|producer| match at_row.get(&producer) {
-                        Some(&from) => Link::Row(from),
-                        None => Link::Above,
-                    });
+                line.producer.filter(|_| waits).map(|producer| match at_row.get(&producer) {
+                    Some(&from) => Link::Row(from),
+                    None => Link::Above,
+                });
             entries.push(Entry { row, issue, link });
         }
         at_row.insert(line.address, row);

@@ -186,10 +186,7 @@ fn limits(found: &Loop) -> String {
         (found.odd, "the odd pipe"),
         (recurrence, "the chain from pass to pass"),
     ];
-    let names = limits
-        .iter()
-        .filter(|(cycles, _)| *cycles == found.bound())
-        .map(|(_, name)| *name);
+    let names = limits.iter().filter(|(cycles, _)| *cycles == found.bound()).map(|(_, name)| *name);
     format!("The bound is {}.", names.collect::<Vec<_>>().join(" and "))
 }
 

@@ -148,10 +148,7 @@ pub(super) fn bound(text: &mut String, frame: &Frame, cycles: u64) {
     let (x, bottom) = (frame.x(cycles), frame.rows as u64 * HEIGHT);
     path(text, "bound", &format!("M{x} 0V{bottom}"));
     let x = x + 3;
-    let _ = write!(
-        text,
-        "<text class=\"bound\" x=\"{x}\" y=\"12\">bound {cycles}</text>"
-    );
+    let _ = write!(text, "<text class=\"bound\" x=\"{x}\" y=\"12\">bound {cycles}</text>");
 }
 
 /// Marks the cycles behind the last instruction in which nothing issues.

@@ -44,36 +44,17 @@ fn same(source: &str, what: &str) -> (String, String) {
             let quadword = [0; 4].map(|_| 0x3f00_0000 + random.below(0x0180_0000) as u32);
             input.memory.push((address, quadword));
         }
-        let registers = [
-            (3, MIDDLE),
-            (4, MIDDLE + 0x4000),
-            (5, 0x3fc0_0000),
-            (6, count),
-            (7, 0),
-        ];
-        input.registers = registers
-            .map(|(register, value)| (register, [value; 4]))
-            .to_vec();
+        let registers = [(3, MIDDLE), (4, MIDDLE + 0x4000), (5, 0x3fc0_0000), (6, count), (7, 0)];
+        input.registers = registers.map(|(register, value)| (register, [value; 4])).to_vec();
         let (one, other) = (plain.call("f", &input), scheduled.call("f", &input));
-        compare(
-            &one,
-            &other,
-            &[3, 4, 7, 10],
-            &format!("{what}, {count} passes"),
-        );
+        compare(&one, &other, &[3, 4, 7, 10], &format!("{what}, {count} passes"));
     }
-    (
-        messages,
-        fs::read_to_string(shop.path("scheduled.s")).unwrap(),
-    )
+    (messages, fs::read_to_string(shop.path("scheduled.s")).unwrap())
 }
 
 /// The scheduled instructions from `next:` up to the branch back, without notes.
 fn kernel(scheduled: &str) -> Vec<&str> {
-    let lines = scheduled
-        .lines()
-        .skip_while(|line| *line != "next:")
-        .skip(1);
+    let lines = scheduled.lines().skip_while(|line| *line != "next:").skip(1);
     let lines = lines.filter(|line| !line.ends_with(':'));
     let mut kernel = Vec::new();
     for line in lines {
@@ -106,10 +87,7 @@ fn saxpy_takes_four_cycles_a_pass() {
     assert!(messages.contains("copies 0, passes 2"), "{messages}");
     let kernel = kernel(&scheduled);
     assert_eq!(kernel.len(), 16, "{kernel:?}");
-    let stores: Vec<_> = kernel
-        .iter()
-        .filter(|line| line.starts_with("stqd"))
-        .collect();
+    let stores: Vec<_> = kernel.iter().filter(|line| line.starts_with("stqd")).collect();
     assert_eq!(stores.len(), 2);
     for store in stores {
         assert!(store.contains(",-") && store.ends_with("($4)"), "{store}");
@@ -148,22 +126,13 @@ fn saxpy_with_one_address_takes_four_cycles_a_pass() {
 
 #[test]
 fn a_loop_that_is_marked_has_one_pass_in_its_kernel() {
-    let body = [
-        "lqd $8,0($3)",
-        "fa $8,$8,$5",
-        "stqd $8,0($3)",
-        "ai $3,$3,16",
-        "ai $6,$6,-1",
-    ];
+    let body = ["lqd $8,0($3)", "fa $8,$8,$5", "stqd $8,0($3)", "ai $3,$3,16", "ai $6,$6,-1"];
     let source = looped(&body, &[]);
     let marked = source.replace("brnz $6,next", "brnz $6,next # one pass: room is short");
     let (several, _) = same(&source, "not marked");
     let (one, _) = same(&marked, "marked");
     let short = |message: &str| message.contains("interval 4,");
-    assert!(
-        short(&several) && !several.contains("passes 1"),
-        "{several}"
-    );
+    assert!(short(&several) && !several.contains("passes 1"), "{several}");
     assert!(!short(&one) && one.contains("passes 1"), "{one}");
 }
 
@@ -222,13 +191,7 @@ fn an_address_may_be_advanced_between_its_accesses() {
 #[test]
 fn what_is_no_multiple_of_a_quadword_does_not_move() {
     let source = looped(
-        &[
-            "lqd $8,0($4)",
-            "fma $9,$5,$8,$8",
-            "stqd $9,0($4)",
-            "ai $4,$4,20",
-            "ai $6,$6,-1",
-        ],
+        &["lqd $8,0($4)", "fma $9,$5,$8,$8", "stqd $9,0($4)", "ai $4,$4,20", "ai $6,$6,-1"],
         &[],
     );
     let (_, scheduled) = same(&source, "step 20");
@@ -240,13 +203,7 @@ fn what_is_no_multiple_of_a_quadword_does_not_move() {
 #[test]
 fn each_exit_of_a_kernel_of_several_passes_leads_on() {
     // The code after the loop is another loop, so that the drains can't contain it.
-    let body = [
-        "lqd $8,0($3)",
-        "fa $8,$8,$5",
-        "stqd $8,0($3)",
-        "ai $3,$3,16",
-        "ai $6,$6,-1",
-    ];
+    let body = ["lqd $8,0($3)", "fa $8,$8,$5", "stqd $8,0($3)", "ai $3,$3,16", "ai $6,$6,-1"];
     let after = [
         "il $6,7",
         "again:",

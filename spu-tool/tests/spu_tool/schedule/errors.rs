@@ -20,18 +20,12 @@ fn messages(body: &str, status: i32) -> String {
 #[test]
 fn faults_of_the_code_name_file_and_line() {
     for (body, expected) in [
-        (
-            "        il $3,1\n        .long 0x123\n",
-            "plain.s:5: directive .long",
-        ),
+        ("        il $3,1\n        .long 0x123\n", "plain.s:5: directive .long"),
         (
             "        .irp n,1\n        .endr\n        .ascii \"x\"\n        .skip 3\n",
             "plain.s:6: directive .ascii",
         ),
-        (
-            "        hbrr there,f\nthere:  brz $3,f\n",
-            "plain.s:4: a branch hint",
-        ),
+        ("        hbrr there,f\nthere:  brz $3,f\n", "plain.s:4: a branch hint"),
         ("        hbrp\n", "plain.s:4: a branch hint"),
         ("        lqr $3,f\n", "plain.s:4: it refers to 0x0"),
         ("        brz $3,f+12\n        il $3,1\n", ""),
@@ -48,18 +42,12 @@ fn loops_that_stay_plain_are_named_with_the_reason() {
             "pass:   ai $4,$4,-1\n        brz $5,skip\n        a $6,$6,$4\nskip:   brnz $4,pass\n",
             "loop pass: not pipelined: it has several blocks",
         ),
-        (
-            "pass:   ai $4,$4,-2\n        brnz $4,pass\n",
-            "not pipelined: it is not counted down",
-        ),
+        ("pass:   ai $4,$4,-2\n        brnz $4,pass\n", "not pipelined: it is not counted down"),
         (
             "pass:   ai $4,$4,-1\n        wrch $ch28,$5\n        brnz $4,pass\n",
             "not pipelined: `wrch` at line 5: no instruction may move past it",
         ),
-        (
-            "pass:   ai $4,$4,-1\n        brz $4,pass\n",
-            "not pipelined: it is not counted down",
-        ),
+        ("pass:   ai $4,$4,-1\n        brz $4,pass\n", "not pipelined: it is not counted down"),
     ] {
         let messages = messages(body, 0);
         assert!(messages.contains(reason), "{messages}");
@@ -85,11 +73,7 @@ fn files_that_do_not_fit_are_refused() {
         (&shop, ["none.o", "plain.s"], "none.o: "),
         (&shop, ["plain.o", "none.s"], "none.s: "),
         (&shop, ["text.o", "plain.s"], "text.o: not an ELF file"),
-        (
-            &shop,
-            ["bare.o", "plain.s"],
-            "bare.o: no line table: assemble with -g",
-        ),
+        (&shop, ["bare.o", "plain.s"], "bare.o: no line table: assemble with -g"),
         (&shop, ["plain.o", "other.s"], "does not name other.s"),
         (
             &broken,

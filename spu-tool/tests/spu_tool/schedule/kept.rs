@@ -37,15 +37,7 @@ fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
 /// An assembly line for an instruction with a constant.
 fn line(op: Op, constant: i32) -> String {
     let row = op.row();
-    let i = Instruction {
-        op,
-        rt: 0,
-        ra: 0,
-        rb: 0,
-        rc: 0,
-        branch_distance: 0,
-        immediate: constant,
-    };
+    let i = Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: constant };
     let operands = row.operands.iter().map(|operand| match operand {
         Operand::Rt => "$3".to_owned(),
         Operand::Ra => "$4".to_owned(),
@@ -98,9 +90,8 @@ fn constants(op: Op) -> &'static [i32] {
 #[test]
 fn every_instruction_comes_out_with_its_operands() {
     let mut source = format!("{START}function f\n");
-    let rows = Op::rows()
-        .iter()
-        .filter(|row| !matches!(row.class, Class::Nop | Class::Lnop | Class::Hb));
+    let rows =
+        Op::rows().iter().filter(|row| !matches!(row.class, Class::Nop | Class::Lnop | Class::Hb));
     for row in rows {
         for &constant in constants(row.op) {
             source.push_str(&line(row.op, constant));
@@ -109,10 +100,7 @@ fn every_instruction_comes_out_with_its_operands() {
     source.push_str("        bi $lr\nendfunction f\n");
     let shop = Workshop::new(&source);
     shop.schedule();
-    let (plain, scheduled) = (
-        instructions(&shop, "plain.o"),
-        instructions(&shop, "scheduled.o"),
-    );
+    let (plain, scheduled) = (instructions(&shop, "plain.o"), instructions(&shop, "scheduled.o"));
     assert!(plain.len() > 400, "{}", plain.len());
     assert_eq!(scheduled, plain);
 }
@@ -141,10 +129,7 @@ endfunction f
     let shop = Workshop::new(&source);
     let message = shop.schedule();
     assert!(message.contains("copies 0, passes 1"), "{message}");
-    let stages = message
-        .split("stages ")
-        .nth(1)
-        .unwrap_or_else(|| panic!("{message}"));
+    let stages = message.split("stages ").nth(1).unwrap_or_else(|| panic!("{message}"));
     let stages: usize = stages.split(',').next().unwrap().parse().unwrap();
     assert!(stages > 1, "{message}");
     let mut expected = instructions(&shop, "plain.o");
@@ -157,10 +142,7 @@ endfunction f
     // Only the test of the trip count is left.
     assert_eq!(found.remove(&format!("clgti None {}", stages - 1)), Some(1));
     let branches = |counts: &mut BTreeMap<String, usize>| {
-        counts
-            .extract_if(.., |key, _| key.starts_with("br"))
-            .map(|(_, count)| count)
-            .sum::<usize>()
+        counts.extract_if(.., |key, _| key.starts_with("br")).map(|(_, count)| count).sum::<usize>()
     };
     assert_eq!(branches(&mut found), branches(&mut expected) + 1);
     assert_eq!(found, expected);
@@ -180,12 +162,9 @@ endfunction f
     ));
     shop.schedule();
     let text = fs::read_to_string(shop.path("scheduled.s")).unwrap();
-    for line in [
-        "        rotqbybi $",
-        "        shlqbybi $",
-        "        rotqmbybi $",
-        "        rotqmbyi $",
-    ] {
+    for line in
+        ["        rotqbybi $", "        shlqbybi $", "        rotqmbybi $", "        rotqmbyi $"]
+    {
         assert!(text.contains(line), "{text}");
     }
 }
@@ -305,10 +284,6 @@ fn what_the_assembler_says_of_the_text_is_told() {
     // Without the folder of the included files.
     let output = shop.spu(&["schedule", "plain.o", "plain.s"]);
     assert_eq!(output.status.code(), Some(127));
-    assert!(
-        stderr(&output).contains("the schedule does not assemble: "),
-        "{}",
-        stderr(&output)
-    );
+    assert!(stderr(&output).contains("the schedule does not assemble: "), "{}", stderr(&output));
     assert!(output.stdout.is_empty());
 }

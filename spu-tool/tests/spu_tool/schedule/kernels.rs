@@ -19,11 +19,7 @@ fn forms(kernel: &str) -> (Program, Program, String) {
     let shop = Workshop::new(&source(kernel));
     let messages = shop.schedule();
     let names = [kernel.to_owned()];
-    (
-        shop.link("plain.s", &names),
-        shop.link("scheduled.s", &names),
-        messages,
-    )
+    (shop.link("plain.s", &names), shop.link("scheduled.s", &names), messages)
 }
 
 /// A single between -4 and 4.
@@ -41,15 +37,8 @@ fn singles(random: &mut Random, input: &mut Input, address: u32, count: u32) {
 
 /// The number after a word in the messages.
 fn figure(messages: &str, name: &str) -> u64 {
-    let behind = messages
-        .split(name)
-        .nth(1)
-        .unwrap_or_else(|| panic!("{messages}"));
-    let digits: String = behind
-        .trim()
-        .chars()
-        .take_while(char::is_ascii_digit)
-        .collect();
+    let behind = messages.split(name).nth(1).unwrap_or_else(|| panic!("{messages}"));
+    let digits: String = behind.trim().chars().take_while(char::is_ascii_digit).collect();
     digits.parse().unwrap()
 }
 
@@ -68,12 +57,7 @@ fn spheres_are_met_every_95_cycles() {
             input.registers.push((register, [value; 4]));
         }
         let call = |program: &Program| program.call("isect_spheres_r16", &input);
-        compare(
-            &call(&plain),
-            &call(&scheduled),
-            &[],
-            &format!("{count} spheres"),
-        );
+        compare(&call(&plain), &call(&scheduled), &[], &format!("{count} spheres"));
     }
 }
 
@@ -122,12 +106,7 @@ fn depths_are_shaded_alike() {
             input.registers.push((register, [value; 4]));
         }
         let call = |program: &Program| program.call("shade_depth_r16", &input);
-        compare(
-            &call(&plain),
-            &call(&scheduled),
-            &[],
-            &format!("round {round}"),
-        );
+        compare(&call(&plain), &call(&scheduled), &[], &format!("round {round}"));
     }
 }
 

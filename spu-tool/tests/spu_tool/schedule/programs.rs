@@ -89,11 +89,7 @@ fn header(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
         live.retain(|_| random.below(4) == 0);
     }
     let names: Vec<_> = live.iter().map(|register| format!("${register}")).collect();
-    let _ = write!(
-        source,
-        "\n#   Out     {}\nfunction {name}\n",
-        names.join(" ")
-    );
+    let _ = write!(source, "\n#   Out     {}\nfunction {name}\n", names.join(" "));
     live
 }
 
@@ -125,17 +121,14 @@ fn straight(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
         doubles: random.below(4) == 0,
     };
     for part in 0..=random.below(3) {
-        let body: Vec<_> = (0..random.below(50))
-            .map(|_| operation(random, &shape))
-            .collect();
+        let body: Vec<_> = (0..random.below(50)).map(|_| operation(random, &shape)).collect();
         lines(source, &body);
         let tested = value(random);
         match random.below(3) {
             0 => {
                 let _ = writeln!(source, "        brz {tested},{name}_{part}");
-                let body: Vec<_> = (0..random.below(10))
-                    .map(|_| operation(random, &shape))
-                    .collect();
+                let body: Vec<_> =
+                    (0..random.below(10)).map(|_| operation(random, &shape)).collect();
                 lines(source, &body);
                 let _ = writeln!(source, "{name}_{part}:");
             }
@@ -157,9 +150,7 @@ fn counted(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
         records: random.below(3) == 0,
         doubles: random.below(8) == 0,
     };
-    let before: Vec<_> = (0..random.below(10))
-        .map(|_| operation(random, &shape))
-        .collect();
+    let before: Vec<_> = (0..random.below(10)).map(|_| operation(random, &shape)).collect();
     // The longest are beyond the reach of a hint before them.
     let longest = [25, 25, 25, 25, 25, 25, 90, 90, 330][random.below(9) as usize];
     let length = 2 + random.below(longest);
@@ -180,9 +171,7 @@ fn counted(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
         body.insert(0, "lqd $record,0($list)".into());
         body.insert(1, "ai $list,$list,16".into());
     }
-    let after: Vec<_> = (0..random.below(12))
-        .map(|_| operation(random, &shape))
-        .collect();
+    let after: Vec<_> = (0..random.below(12)).map(|_| operation(random, &shape)).collect();
     lines(source, &["lqd $record,0($list)".to_owned()]);
     lines(source, &before);
     let _ = writeln!(source, "{name}_pass:");
@@ -254,9 +243,7 @@ fn input(random: &mut Random, count: u32) -> Input {
         input.registers.push((register, [address; 4]));
     }
     input.registers.push((COUNT, [count; 4]));
-    input
-        .registers
-        .push((INDEX, [16 * random.below(8) as u32; 4]));
+    input.registers.push((INDEX, [16 * random.below(8) as u32; 4]));
     for address in (DATA..DATA + 0x1_4000).step_by(16) {
         let value = quadword(random);
         input.memory.push((address, value));
@@ -275,10 +262,8 @@ fn random_straight_code_does_the_same() {
     for round in 0..3 {
         let mut source = start();
         let names: Vec<String> = (0..FUNCTIONS).map(|at| format!("f{at}")).collect();
-        let live: Vec<_> = names
-            .iter()
-            .map(|name| straight(&mut random, &mut source, name))
-            .collect();
+        let live: Vec<_> =
+            names.iter().map(|name| straight(&mut random, &mut source, name)).collect();
         let shop = Workshop::new(&source);
         shop.schedule();
         let plain = shop.link("plain.s", &names);
@@ -313,16 +298,9 @@ fn random_loops_do_the_same_for_every_trip_count() {
         pipelined += messages.matches("interval").count();
         let passes = messages.matches("passes ").count();
         several += passes - messages.matches("passes 1\n").count();
-        let overlapping = |line: &&str| {
-            !["stages 1,", "stages 2,"]
-                .iter()
-                .any(|few| line.contains(few))
-        };
-        deep += messages
-            .lines()
-            .filter(|line| line.contains("stages"))
-            .filter(overlapping)
-            .count();
+        let overlapping =
+            |line: &&str| !["stages 1,", "stages 2,"].iter().any(|few| line.contains(few));
+        deep += messages.lines().filter(|line| line.contains("stages")).filter(overlapping).count();
         let plain = shop.link("plain.s", &names);
         let scheduled = shop.link("scheduled.s", &names);
         for (name, live) in names.iter().zip(&live) {
@@ -334,13 +312,7 @@ fn random_loops_do_the_same_for_every_trip_count() {
             }
         }
     }
-    assert!(
-        deep > FUNCTIONS / 4,
-        "only {deep} loops overlap three passes"
-    );
+    assert!(deep > FUNCTIONS / 4, "only {deep} loops overlap three passes");
     assert!(several > 2, "only {several} kernels contain several passes");
-    assert!(
-        pipelined > FUNCTIONS,
-        "only {pipelined} loops were pipelined"
-    );
+    assert!(pipelined > FUNCTIONS, "only {pipelined} loops were pipelined");
 }

@@ -94,9 +94,11 @@ impl Workshop {
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../linker/spu.ld");
         let image = self.path(&format!("{source}.elf"));
         let built = spu_build::Tools::find().and_then(|tools| {
-            spu_build::Image::from_folder(&sources, &script)?
-                .include(&kernels())
-                .build(&tools, &self.path(&format!("{source}.objects")), &image)
+            spu_build::Image::from_folder(&sources, &script)?.include(&kernels()).build(
+                &tools,
+                &self.path(&format!("{source}.objects")),
+                &image,
+            )
         });
         if let Err(error) = built {
             panic!("{error}\n(ci/setup installs the SPU binutils)");
@@ -193,17 +195,10 @@ impl Program {
         let mut channels = Written::default();
         let stopped = spu.run_limited(&store, &mut channels, LIMIT);
         let stopped = stopped.unwrap_or_else(|| panic!("{function} does not return"));
-        assert!(
-            matches!(stopped.reason, Stop::Signal(0x2000)),
-            "{function}: {stopped:?}"
-        );
+        assert!(matches!(stopped.reason, Stop::Signal(0x2000)), "{function}: {stopped:?}");
         let mut memory = vec![0; (SIZE - DATA) as usize];
         store.read(DATA, &mut memory);
-        Left {
-            registers: spu.registers.to_vec(),
-            memory,
-            channels: channels.0,
-        }
+        Left { registers: spu.registers.to_vec(), memory, channels: channels.0 }
     }
 }
 
@@ -211,20 +206,11 @@ impl Program {
 /// callee saves are compared.
 pub fn compare(plain: &Left, scheduled: &Left, live: &[u8], what: &str) {
     for register in (0..128u8).filter(|r| *r == 1 || *r >= 80 || live.contains(r)) {
-        let (plain, scheduled) = (
-            plain.registers[usize::from(register)],
-            scheduled.registers[usize::from(register)],
-        );
-        assert!(
-            plain == scheduled,
-            "{what}: ${register} is {scheduled:x?}, not {plain:x?}"
-        );
+        let (plain, scheduled) =
+            (plain.registers[usize::from(register)], scheduled.registers[usize::from(register)]);
+        assert!(plain == scheduled, "{what}: ${register} is {scheduled:x?}, not {plain:x?}");
     }
-    let differs = plain
-        .memory
-        .iter()
-        .zip(&scheduled.memory)
-        .position(|(a, b)| a != b);
+    let differs = plain.memory.iter().zip(&scheduled.memory).position(|(a, b)| a != b);
     if let Some(at) = differs {
         panic!("{what}: memory at {:#x} differs", DATA as usize + at);
     }

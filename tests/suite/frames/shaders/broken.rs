@@ -26,10 +26,7 @@ fn scene(shader: &str) -> String {
 fn parsed(shader: &str) -> Scene {
     let scene = scene(shader);
     let scene = nff::parse(scene.as_bytes(), "sphere", &nff::Limits::default()).unwrap();
-    let render_options = RenderOptions {
-        model: Model::Whitted,
-        ..RenderOptions::default()
-    };
+    let render_options = RenderOptions { model: Model::Whitted, ..RenderOptions::default() };
     Scene::new(&scene, render_options, &program()).unwrap()
 }
 
@@ -64,10 +61,7 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
     for (shader, broken) in [
         ("changes_90", "changed $90, which it must preserve"),
         ("overruns_stack", "wrote below its 1024 bytes of stack"),
-        (
-            "paints_all_lanes",
-            "changed surfaces that it must not shade",
-        ),
+        ("paints_all_lanes", "changed surfaces that it must not shade"),
     ] {
         let bad = parsed(&format!("#cellray shader {shader}"));
         let refusal = refused(&mut engine, &bad);
@@ -136,10 +130,7 @@ fn a_shader_for_which_there_is_no_room_is_not_linked() {
     fs::write(folder.path().join("large.s"), source).unwrap();
     let error = build(&[folder.path()], &folder.path().join("tracer.elf")).unwrap_err();
     let text = error.to_string();
-    assert!(
-        text.contains("code and fixed data are too large for the local store"),
-        "{text}"
-    );
+    assert!(text.contains("code and fixed data are too large for the local store"), "{text}");
 }
 
 #[test]
@@ -191,16 +182,10 @@ fn the_command_line_checks_a_games_shaders() {
     let error = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(1), "{error}");
     assert!(picture.is_none());
-    assert!(
-        error.contains("the shader changes_90 breaks its contract: it changed $90"),
-        "{error}"
-    );
+    assert!(error.contains("the shader changes_90 breaks its contract: it changed $90"), "{error}");
     let (output, _) = cellray("#cellray shader ringz", &[]);
     let error = String::from_utf8_lossy(&output.stderr);
-    assert!(
-        error.contains("sphere.nff:10: the SPU program has no shader `ringz`"),
-        "{error}"
-    );
+    assert!(error.contains("sphere.nff:10: the SPU program has no shader `ringz`"), "{error}");
 }
 
 #[test]

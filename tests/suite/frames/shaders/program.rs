@@ -15,9 +15,7 @@ pub fn file(path: &str) -> PathBuf {
 /// Builds the tracer's program with the sources of these folders into `image`.
 pub fn build(folders: &[&Path], image: &Path) -> Result<(), Error> {
     let work = tempfile::tempdir().unwrap();
-    let program = folders
-        .iter()
-        .try_fold(tracer()?, |program, folder| program.folder(folder))?;
+    let program = folders.iter().try_fold(tracer()?, |program, folder| program.folder(folder))?;
     program.build(&Tools::find()?, work.path(), image)
 }
 
@@ -28,10 +26,7 @@ pub fn image() -> &'static [u8] {
     IMAGE.get_or_init(|| {
         let folder = tempfile::tempdir().unwrap();
         let image = folder.path().join("tracer.elf");
-        let folders = [
-            file("examples/shader/shaders"),
-            file("tests/suite/frames/broken_shaders"),
-        ];
+        let folders = [file("examples/shader/shaders"), file("tests/suite/frames/broken_shaders")];
         build(&folders.each_ref().map(PathBuf::as_path), &image).unwrap();
         fs::read(image).unwrap()
     })

@@ -11,11 +11,7 @@ use crate::recorder::Recorder;
 
 fn render(scene: &Scene, (width, height): (u32, u32), check_shaders: bool) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);
-    let settings = Settings {
-        check_shaders,
-        program: program(),
-        ..Settings::default()
-    };
+    let settings = Settings { check_shaders, program: program(), ..Settings::default() };
     let mut engine = Engine::start(settings, framebuffer).unwrap();
     engine.render(scene, &mut |_| ()).unwrap();
     let picture = shown.lock().unwrap().take();
@@ -44,10 +40,7 @@ p 4
 #[test]
 fn rings_are_where_the_formula_has_them() {
     let nff = nff::parse(GROUND.as_bytes(), "ground", &nff::Limits::default()).unwrap();
-    let render_options = RenderOptions {
-        model: Model::Whitted,
-        ..RenderOptions::default()
-    };
+    let render_options = RenderOptions { model: Model::Whitted, ..RenderOptions::default() };
     let scene = Scene::new(&nff, render_options, &program()).unwrap();
     let size = nff.view.resolution;
     let picture = render(&scene, size, true);

@@ -30,23 +30,14 @@ impl Player {
         let from = game.balls()[0].body.centre;
         let now = game.aim().direction();
         let wanted = (to - from).normalize();
-        let turn = libm::atan2(
-            now.x * wanted.z - now.z * wanted.x,
-            now.x * wanted.x + now.z * wanted.z,
-        );
+        let turn =
+            libm::atan2(now.x * wanted.z - now.z * wanted.x, now.x * wanted.x + now.z * wanted.z);
         let button = MouseButton::Left;
-        let motion = |across: f64, back: f64| InputEvent::MouseMotion {
-            by: [across as f32, back as f32],
-        };
+        let motion =
+            |across: f64, back: f64| InputEvent::MouseMotion { by: [across as f32, back as f32] };
         self.to_do = vec![
-            vec![InputEvent::MouseButton {
-                button,
-                down: false,
-            }],
-            vec![
-                InputEvent::MouseButton { button, down: true },
-                motion(0.0, power / POWER),
-            ],
+            vec![InputEvent::MouseButton { button, down: false }],
+            vec![InputEvent::MouseButton { button, down: true }, motion(0.0, power / POWER)],
             vec![motion(turn / TURN, 0.0)],
         ];
     }

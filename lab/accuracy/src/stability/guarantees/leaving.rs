@@ -60,12 +60,7 @@ pub fn families() -> impl Iterator<Item = Family> {
     let kinds: [(_, _, _, Make); 5] = [
         ("leave-spheres", "spheres", Kind::Sphere, sphere),
         ("leave-triangles", "triangles", Kind::Triangle, triangle),
-        (
-            "leave-rectangles",
-            "parallelograms",
-            Kind::Rectangle,
-            rectangle,
-        ),
+        ("leave-rectangles", "parallelograms", Kind::Rectangle, rectangle),
         ("leave-cones", "cones", Kind::Cone, stout_cone),
         ("leave-thin-cones", "cones", Kind::Cone, thin_cone),
     ];
@@ -113,16 +108,10 @@ fn body(
 fn sphere(random: &mut Generator) -> Option<Body> {
     let centre = place(random);
     let radius = magnitude(-7, 5, random);
-    let shape = Shape::Sphere {
-        centre: vector(centre),
-        radius,
-    };
+    let shape = Shape::Sphere { centre: vector(centre), radius };
     body(Kind::Sphere, shape, random, |random| {
         let normal = direction(random);
-        Target {
-            point: along(centre, radius, normal),
-            normal,
-        }
+        Target { point: along(centre, radius, normal), normal }
     })
 }
 
@@ -132,18 +121,13 @@ fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Bod
     let second = less(vertices[vertices.len() - 1], corner);
     let across = cross(first, second);
     let normal = (dot(across, across) > 0.0).then(|| unit(across))?;
-    let shape = Shape::Polygon {
-        vertices: vertices.into_iter().map(vector).collect(),
-    };
+    let shape = Shape::Polygon { vertices: vertices.into_iter().map(vector).collect() };
     body(kind, shape, random, |random| {
         let [mut u, mut v] = [(); 2].map(|()| random.random_range(0.01..0.99));
         if kind == Kind::Triangle && u + v > 1.0 {
             [u, v] = [1.0 - u, 1.0 - v];
         }
-        Target {
-            point: along(along(corner, u, first), v, second),
-            normal,
-        }
+        Target { point: along(along(corner, u, first), v, second), normal }
     })
 }
 
@@ -342,11 +326,7 @@ fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool
     let from = less(point, head.centre);
     let off = along(from, -dot(from, head.axis), head.axis);
     let distance = length(off);
-    let scale = if head.gain == 0.0 {
-        0.0
-    } else {
-        head.gain / distance
-    };
+    let scale = if head.gain == 0.0 { 0.0 } else { head.gain / distance };
     let normal = along(off.map(|x| scale * x), head.slope, head.axis);
     let cosine = dot(normal, line[1].map(to_f64)).abs();
     let edge = head.gain != 0.0 && cosine * distance < exactly(found.leave[lane]);

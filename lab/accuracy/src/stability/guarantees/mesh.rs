@@ -76,11 +76,7 @@ pub fn lattice(random: &mut Generator) -> Mesh {
     }
     // The middle of the lattice is not on the surface, and is in line with its vertices.
     let inside = place([1.0; 3]);
-    Mesh {
-        vertices,
-        faces,
-        inside,
-    }
+    Mesh { vertices, faces, inside }
 }
 
 impl Mesh {
@@ -104,11 +100,7 @@ impl Mesh {
         let mut faces = Vec::new();
         for a in 0..12 {
             for b in (a + 1..12).filter(|b| near(a, *b)) {
-                faces.extend(
-                    (b + 1..12)
-                        .filter(|c| near(a, *c) && near(b, *c))
-                        .map(|c| [a, b, c]),
-                );
+                faces.extend((b + 1..12).filter(|c| near(a, *c) && near(b, *c)).map(|c| [a, b, c]));
             }
         }
         let vertices = vertices
@@ -121,14 +113,8 @@ impl Mesh {
             })
             .collect();
         let offset = in_cube(0.05 * size, random);
-        let inside = point(std::array::from_fn(|axis| {
-            place[axis] + widths[axis] * offset[axis]
-        }));
-        Self {
-            vertices,
-            faces,
-            inside,
-        }
+        let inside = point(std::array::from_fn(|axis| place[axis] + widths[axis] * offset[axis]));
+        Self { vertices, faces, inside }
     }
 
     /// The triangles, each with a random orientation.
@@ -180,12 +166,7 @@ mod tests {
     #[test]
     fn meshes_are_closed() {
         let mut random = of_round(1, "mesh", "", 0);
-        for (maker, faces) in [
-            (lumpy as Maker, 20),
-            (thin, 20),
-            (far_out, 20),
-            (lattice, 48),
-        ] {
+        for (maker, faces) in [(lumpy as Maker, 20), (thin, 20), (far_out, 20), (lattice, 48)] {
             for _ in 0..20 {
                 let mesh = maker(&mut random);
                 let triangles = mesh.triangles(&mut random);

@@ -61,10 +61,8 @@ impl Blocker for By<Perpendicular> {
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
         let sphere = truth::sphere::Sphere::of_radius(self.sphere.centre, self.sphere.offset);
-        let line = Line {
-            origin: from.map(to_f64),
-            direction: less(to.map(to_f64), from.map(to_f64)),
-        };
+        let line =
+            Line { origin: from.map(to_f64), direction: less(to.map(to_f64), from.map(to_f64)) };
         sphere.passing(&line).beyond.abs() * sphere.radius()
     }
 
@@ -74,11 +72,8 @@ impl Blocker for By<Perpendicular> {
     }
 
     fn from_words(words: &[u32]) -> Self {
-        let sphere = SphereObject {
-            centre: [words[0], words[1], words[2]],
-            offset: words[3],
-            sides: FRONT,
-        };
+        let sphere =
+            SphereObject { centre: [words[0], words[1], words[2]], offset: words[3], sides: FRONT };
         sphere.into()
     }
 }
@@ -126,10 +121,7 @@ pub fn families() -> Families {
         value: 2.0 * (2.0 * 3_f64.sqrt() * direction + outline),
         source: "header of shadow_rays_r16, and what decides at outlines, both ways".to_owned(),
     };
-    Ok(vec![
-        family::<By<Perpendicular>>(bound(TANGENT)),
-        family::<TriangleObject>(bound(EDGE)),
-    ])
+    Ok(vec![family::<By<Perpendicular>>(bound(TANGENT)), family::<TriangleObject>(bound(EDGE))])
 }
 
 fn family<B: Blocker + 'static>(bound: Bound) -> Family {
@@ -162,11 +154,7 @@ fn site(points: &[Point; 16], axis: Vector) -> Site {
         lit: [0; 3],
         flags: 0,
     };
-    let unasked = twins::surfaces::Ray {
-        origin: [0; 3],
-        direction: [0; 3],
-        t: NOT_THERE,
-    };
+    let unasked = twins::surfaces::Ray { origin: [0; 3], direction: [0; 3], t: NOT_THERE };
     Site {
         surfaces: points.map(surface),
         normals: [plane; 16],
@@ -190,10 +178,7 @@ fn blocked<B: Blocker>(
     let packets: Vec<_> = lights
         .iter()
         .map(|light| {
-            let place = Place {
-                position: *light,
-                directional: false,
-            };
+            let place = Place { position: *light, directional: false };
             let rays = shadow_rays(bench, std::slice::from_ref(&site), &place, 0);
             let rays = rays.packets.first().map(|packet| {
                 packet.map(|ray| Ray {
@@ -209,10 +194,7 @@ fn blocked<B: Blocker>(
     let list: Vec<[usize; 2]> = (0..16).map(|packet| [0, packet]).collect();
     let (after, _) = call::pairs(bench, &packets, &[*object], &list, 0);
     let blocked = |ray: Ray| (ray.t as i32 > 0).then_some(ray.object != 0);
-    after
-        .iter()
-        .map(|packet| call::rays(packet).map(blocked))
-        .collect()
+    after.iter().map(|packet| call::rays(packet).map(blocked)).collect()
 }
 
 /// Tries all pairs of points and lights.
@@ -238,9 +220,7 @@ fn try_pairs<B: Blocker>(
             let way = less(light.map(to_f64), point.map(to_f64));
             object.off_outline(point, light) / spacing(length(way))
         };
-        tally.error(error, || {
-            [object.words(), point.to_vec(), light.to_vec()].concat()
-        });
+        tally.error(error, || [object.words(), point.to_vec(), light.to_vec()].concat());
     }
 }
 

@@ -129,11 +129,7 @@ impl Room {
         let distance = 2.0 * ULP * stated("isect_sphere_pairs_r16", "")?;
         let normal = components * (ULP + leave / 4.0);
         let direction = components * ULP * stated("reflect_r16", "")?;
-        Ok(Noise {
-            place: height + distance * self.sine(),
-            angle: 2.0 * normal + direction,
-            leave,
-        })
+        Ok(Noise { place: height + distance * self.sine(), angle: 2.0 * normal + direction, leave })
     }
 
     /// The error of the place after this many bounces, in ulps of the radius.
@@ -163,20 +159,12 @@ impl Room {
     /// The mirrors in the order in which a ray hits them, and sixteen rays.
     fn mirrors(self, bounces: u32, random: &mut Generator) -> Option<([Product; 2], [Line; 16])> {
         let radius = magnitude(-10, 10, random);
-        let place: Vector = rounded(std::array::from_fn(|_| {
-            PLACE * radius * random.random_range(-1.0..1.0)
-        }));
+        let place: Vector =
+            rounded(std::array::from_fn(|_| PLACE * radius * random.random_range(-1.0..1.0)));
         let axis = direction(random);
         let mirror = |centre: Vector, radius: f64| {
-            let shape = Shape::Sphere {
-                centre: DVec3::from_array(centre),
-                radius,
-            };
-            let stuff = Stuff {
-                mirror: 1.0,
-                transmittance: 0.0,
-                index: 1.0,
-            };
+            let shape = Shape::Sphere { centre: DVec3::from_array(centre), radius };
+            let stuff = Stuff { mirror: 1.0, transmittance: 0.0, index: 1.0 };
             Product::of(Kind::Sphere, shape, stuff)
         };
         let at = |by: f64| rounded(along(place, by * radius, axis));
@@ -218,11 +206,7 @@ struct Exact {
 
 impl Exact {
     fn new([origin, way]: Line) -> Self {
-        Self {
-            origin: origin.map(to_f64),
-            way: unit(way.map(to_f64)),
-            cosine: 1.0,
-        }
+        Self { origin: origin.map(to_f64), way: unit(way.map(to_f64)), cosine: 1.0 }
     }
 
     /// Follows the ray to the next mirror and reflects it. `None` if it misses.
@@ -253,10 +237,8 @@ impl Chain {
         lines: &[[Line; 16]],
         tally: &mut Tally,
     ) {
-        let mut exact: Vec<[Option<Exact>; 16]> = lines
-            .iter()
-            .map(|lines| lines.map(|line| Some(Exact::new(line))))
-            .collect();
+        let mut exact: Vec<[Option<Exact>; 16]> =
+            lines.iter().map(|lines| lines.map(|line| Some(Exact::new(line)))).collect();
         let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
         let mut rays: Vec<Lanes> = lines.iter().map(rays).collect();
         let mut points = vec![[[0.0; 3]; 16]; lines.len()];
@@ -284,9 +266,7 @@ impl Chain {
             for lane in 0..16 {
                 let input = || {
                     let words = mirrors[number].iter().flat_map(Product::words);
-                    words
-                        .chain(lines[number][lane].into_iter().flatten())
-                        .collect()
+                    words.chain(lines[number][lane].into_iter().flatten()).collect()
                 };
                 let exact = exact[number][lane].as_ref();
                 match exact.filter(|exact| exact.cosine > self.room.cosine()) {

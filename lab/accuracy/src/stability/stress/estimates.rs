@@ -41,12 +41,7 @@ fn operand(random: &mut Generator) -> Single {
     let first = random.random_range(0..ENTRIES) << POSITION;
     let within = random.random_range(0..3);
     let last = (1 << POSITION) - 1;
-    let fraction = first
-        | if random.random() {
-            within
-        } else {
-            last - within
-        };
+    let fraction = first | if random.random() { within } else { last - within };
     let exponent: u32 = match random.random_range(0..4) {
         0 => random.random_range(0..4),
         1 => random.random_range(252..256),

@@ -81,9 +81,7 @@ trait OfWords: Shape {
 }
 
 fn take<const N: usize>(words: &mut &[u32]) -> [u32; N] {
-    let (first, rest) = words
-        .split_first_chunk()
-        .expect("as many words as a shape has");
+    let (first, rest) = words.split_first_chunk().expect("as many words as a shape has");
     *words = rest;
     *first
 }
@@ -95,10 +93,7 @@ fn one(words: &mut &[u32]) -> u32 {
 
 fn sides(words: &mut &[u32]) -> Sides {
     let word = one(words);
-    Sides {
-        both: word & 1 != 0,
-        exit: word & 2 != 0,
-    }
+    Sides { both: word & 1 != 0, exit: word & 2 != 0 }
 }
 
 impl<F: ForAnyRay> OfWords for By<F> {
@@ -108,12 +103,7 @@ impl<F: ForAnyRay> OfWords for By<F> {
         let sides = sides(&mut words);
         let [x, y, z, offset] = take(&mut words);
         let centre = [x, y, z];
-        SphereObject {
-            centre,
-            offset,
-            sides,
-        }
-        .into()
+        SphereObject { centre, offset, sides }.into()
     }
 }
 
@@ -165,12 +155,7 @@ const NOTHING: u32 = 0;
 
 fn ray(words: [u32; RAY]) -> Ray {
     let [ox, oy, oz, dx, dy, dz, t] = words;
-    Ray {
-        origin: [ox, oy, oz],
-        direction: [dx, dy, dz],
-        t,
-        object: NOTHING,
-    }
+    Ray { origin: [ox, oy, oz], direction: [dx, dy, dz], t, object: NOTHING }
 }
 
 /// Random rays tested against random objects of a shape.
@@ -248,10 +233,8 @@ impl Bounces {
         let through = queue("refract_r16", bench);
         let mirrors = sites.surfaces(bench)[0].mirror.map(bits);
         for lane in 0..16 {
-            let expected = (
-                reflect(&packet[lane], Limits::NONE),
-                refract(&packet[lane], Limits::NONE),
-            );
+            let expected =
+                (reflect(&packet[lane], Limits::NONE), refract(&packet[lane], Limits::NONE));
             let same = expected == (back[lane], (through[lane], mirrors[lane]));
             tally.verdict(same, || hits[lane].to_vec());
         }

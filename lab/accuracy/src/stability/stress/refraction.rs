@@ -85,10 +85,7 @@ fn hit(way: Way, random: &mut Generator) -> Bounce {
     let incidence = (1.0 - sine * sine).sqrt();
     let ray = along(aside.map(|x| sine * x), -incidence, normal);
     let head_on = ((1.0 - dense) / (1.0 + dense)) * ((1.0 - dense) / (1.0 + dense));
-    bounce(
-        [ray, normal].map(|v| v.map(from_f64)),
-        [ratio, head_on, 1.0 - head_on].map(from_f64),
-    )
+    bounce([ray, normal].map(|v| v.map(from_f64)), [ratio, head_on, 1.0 - head_on].map(from_f64))
 }
 
 /// A hit from this direction with this normal.
@@ -132,41 +129,28 @@ fn truth(hit: &Bounce) -> Truth {
     Truth {
         squared,
         direction: along(sine, -cosine, normal),
-        share: if squared < 0.0 {
-            1.0
-        } else {
-            schlick + grazing * fifth
-        },
+        share: if squared < 0.0 { 1.0 } else { schlick + grazing * fifth },
         thinner,
     }
 }
 
 impl Critical {
     fn try_hits(&self, bench: &mut Bench, hits: &[Bounce; 16], tally: &mut Tally) {
-        let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
-            pixel: lane as u32,
-            ..hits[lane]
-        });
+        let packet: [Bounce; 16] =
+            std::array::from_fn(|lane| Bounce { pixel: lane as u32, ..hits[lane] });
         bench.reset();
         // Fills the parts of the records that the kernel does not read.
         let mut junk = Generator::seed_from_u64(0);
         let sites = Sites::put(bench, &[packet], &mut junk);
         let end = bench.call(KERNEL, &sites.arguments(Limits::NONE)).value;
         let queued = sites.queued(bench, end);
-        let mirrors = sites.surfaces(bench)[0]
-            .mirror
-            .map(|share| to_f64(bits(share)));
+        let mirrors = sites.surfaces(bench)[0].mirror.map(|share| to_f64(bits(share)));
         for (hit, mirror) in packet.iter().zip(mirrors) {
             let truth = truth(hit);
-            let ray = queued
-                .iter()
-                .find(|ray| ray.pixel == hit.pixel + CHAIN_STEP);
+            let ray = queued.iter().find(|ray| ray.pixel == hit.pixel + CHAIN_STEP);
             let input = || {
-                let words = [
-                    &hit.direction[..],
-                    &hit.normal,
-                    &[hit.ratio, hit.schlick, hit.grazing],
-                ];
+                let words =
+                    [&hit.direction[..], &hit.normal, &[hit.ratio, hit.schlick, hit.grazing]];
                 words.concat()
             };
             let cosine = truth.squared.max(0.0).sqrt();
@@ -175,11 +159,7 @@ impl Critical {
                 tally.uncounted();
                 continue;
             }
-            let (scale, share_scale) = if out {
-                (cosine, truth.thinner)
-            } else {
-                (1.0, 1.0)
-            };
+            let (scale, share_scale) = if out { (cosine, truth.thinner) } else { (1.0, 1.0) };
             let share_error = (mirror - truth.share).abs() / ULP / STEEPEST;
             match ray {
                 None => {

@@ -71,18 +71,12 @@ pub fn families() -> Families {
             "hits",
             Bound::none("edges of one point have no area"),
             repeated,
-            |case| {
-                case.found
-                    .map_or(Judgement::Error(0.0), |_| Judgement::Wrong)
-            },
+            |case| case.found.map_or(Judgement::Error(0.0), |_| Judgement::Wrong),
         ),
         family(
             "triangle-edges",
             "ulp of the farthest vertex, off the edge",
-            Bound {
-                value: EDGE,
-                source: "roundings of vertices and slopes".to_owned(),
-            },
+            Bound { value: EDGE, source: "roundings of vertices and slopes".to_owned() },
             near_edge,
             off_edge,
         ),
@@ -111,9 +105,7 @@ fn beyond_vertices(case: &Case) -> Judgement {
         return Judgement::Uncounted;
     };
     let way = unit(case.line.direction);
-    let along = case
-        .vertices
-        .map(|vertex| dot(less(vertex.map(to_f64), case.line.origin), way));
+    let along = case.vertices.map(|vertex| dot(less(vertex.map(to_f64), case.line.origin), way));
     let near = along.iter().copied().fold(f64::INFINITY, f64::min);
     let far = along.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let beyond = (near - found).max(found - far).max(0.0);
@@ -146,11 +138,7 @@ fn needle(random: &mut Generator) -> Aimed {
     let a = rounded(in_cube(4.0 * size, random));
     let axis = direction(random);
     let [aside, _] = across(axis, random);
-    let width = if random.random_ratio(1, 4) {
-        0.0
-    } else {
-        size * magnitude(-30, 0, random)
-    };
+    let width = if random.random_ratio(1, 4) { 0.0 } else { size * magnitude(-30, 0, random) };
     let share = random.random_range(-0.5..1.5);
     let b = along(a, size, axis);
     let c = along(along(a, share * size, axis), width, aside);
@@ -159,11 +147,7 @@ fn needle(random: &mut Generator) -> Aimed {
         let target = along(along(a, u, less(b, a)), v, less(c, a));
         // For half of the rays, all points of the triangle are at one distance.
         let [aside, _] = across(axis, random);
-        let back = if random.random() {
-            aside
-        } else {
-            direction(random)
-        };
+        let back = if random.random() { aside } else { direction(random) };
         let distance = size * magnitude(-4, 7, random);
         aimed_at(target, back, distance, random)
     });
@@ -246,10 +230,7 @@ impl Cases for Triangles {
 
     fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
         let [a, b, c, origin, direction] = points_of(words)?;
-        let aimed = Aimed {
-            vertices: [a, b, c],
-            rays: [fresh(origin, direction); 16],
-        };
+        let aimed = Aimed { vertices: [a, b, c], rays: [fresh(origin, direction); 16] };
         self.shoot(bench, &aimed, tally);
         Ok(())
     }

@@ -40,12 +40,7 @@ pub fn put_places(
 ) -> bench::Place {
     let place = |(number, packet): (usize, &bench::Place)| {
         let [pixels, x, y] = fill(number).map(U32::new);
-        Place {
-            packet: packet.address.into(),
-            pixels,
-            x,
-            y,
-        }
+        Place { packet: packet.address.into(), pixels, x, y }
     };
     let places: Vec<Place> = packets.iter().enumerate().map(place).collect();
     put(bench, &places)
@@ -84,10 +79,7 @@ pub fn ray_setup(
         [0, x, y]
     });
     let count = pixels.len() as u32;
-    bench.call(
-        "ray_setup_r16",
-        &[basis.address, places.address, count, background],
-    );
+    bench.call("ray_setup_r16", &[basis.address, places.address, count, background]);
     packets.iter().map(|packet| bench.read(*packet)).collect()
 }
 
@@ -104,9 +96,8 @@ pub fn isect_pairs(
     bench.reset();
     let packets = put_packets(bench, packets);
     let records = put(bench, spheres);
-    let objects: Vec<u32> = (0..spheres.len())
-        .map(|number| address::<Sphere>(records, number))
-        .collect();
+    let objects: Vec<u32> =
+        (0..spheres.len()).map(|number| address::<Sphere>(records, number)).collect();
     let list: Vec<_> = pairs
         .iter()
         .map(|&[sphere, packet]| eye_records::pair(objects[sphere], packets[packet].address))
@@ -127,10 +118,7 @@ pub fn shade_depth(
     depth: shade_depth::Depth,
 ) -> (Vec<Vectors>, [u32; 4]) {
     bench.reset();
-    let nothing = eye_records::sphere(&BareSphere {
-        centre: [0; 3],
-        radius_squared: 0,
-    });
+    let nothing = eye_records::sphere(&BareSphere { centre: [0; 3], radius_squared: 0 });
     let records: Vec<Sphere> = colours
         .iter()
         .map(|colour| Sphere {
@@ -144,10 +132,8 @@ pub fn shade_depth(
     let packets: Vec<Packet> = hits
         .iter()
         .map(|hits| {
-            let hits = hits.map(|hit| Hit {
-                object: address::<Sphere>(records, hit.object as usize),
-                ..hit
-            });
+            let hits = hits
+                .map(|hit| Hit { object: address::<Sphere>(records, hit.object as usize), ..hit });
             eye_records::packet(&[[0; 3]; 16], &hits)
         })
         .collect();
@@ -156,13 +142,7 @@ pub fn shade_depth(
     let depth = put(bench, &[eye_records::depth(depth)]);
     let shaded = bench.place(&vec![0x55; size_of::<Colours>() * hits.len()]);
     let count = hits.len() as u32;
-    let arguments = [
-        places.address,
-        count,
-        depth.address,
-        shaded.address,
-        records.address,
-    ];
+    let arguments = [places.address, count, depth.address, shaded.address, records.address];
     bench.call("shade_depth_r16", &arguments);
     let shaded: Vec<Colours> = bench.read_all(shaded);
     let shaded = shaded.iter().map(eye_records::colour_vectors).collect();
@@ -180,27 +160,15 @@ pub fn pack(bench: &mut Bench, colours: &[Vectors], shifts: [u32; 3]) -> Vec<[u3
     let records: Vec<Colours> = colours.iter().map(eye_records::colours).collect();
     let records = put(bench, &records);
     let shuffle = put(bench, &[eye_records::pixel_shuffle(shifts)]);
-    let rows: Vec<bench::Place> = colours
-        .iter()
-        .map(|_| bench.place(&[JUNK; 4 * PITCH]))
-        .collect();
+    let rows: Vec<bench::Place> = colours.iter().map(|_| bench.place(&[JUNK; 4 * PITCH])).collect();
     let places = put_places(bench, &rows, |number| [rows[number].address, 0, 0]);
     let count = colours.len() as u32;
-    let arguments = [
-        places.address,
-        count,
-        records.address,
-        shuffle.address,
-        PITCH as u32,
-    ];
+    let arguments = [places.address, count, records.address, shuffle.address, PITCH as u32];
     bench.call("pack_r16", &arguments);
     let words = |rows: &bench::Place| {
         let rows: [[u8; PITCH]; 4] = bench.read(*rows);
         let beside = rows.iter().flat_map(|row| &row[16..]);
-        assert!(
-            beside.into_iter().all(|byte| *byte == JUNK),
-            "pack_r16 wrote beside the pixels"
-        );
+        assert!(beside.into_iter().all(|byte| *byte == JUNK), "pack_r16 wrote beside the pixels");
         std::array::from_fn(|lane| {
             let first = lane % 4 * 4;
             let bytes = &rows[lane / 4][first..first + 4];

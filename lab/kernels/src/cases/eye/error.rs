@@ -85,10 +85,7 @@ pub fn error_of_directions_through(
 }
 
 /// The hits of rays that have hit nothing.
-pub const NO_HITS: Hits = [Hit {
-    t: FARTHEST,
-    object: 0,
-}; 16];
+pub const NO_HITS: Hits = [Hit { t: FARTHEST, object: 0 }; 16];
 
 /// Depth shading, colours of which the first is the background's, and hits of numbered objects at
 /// distances from before the start of the fading to after its end.
@@ -97,20 +94,13 @@ pub fn shaded_hits(random: &mut ChaCha8Rng) -> (Depth, Vec<[Single; 3]>, Hits) {
     let near: f64 = random.random_range(0.0..50.0);
     let range: f64 = random.random_range(1.0..50.0);
     let far = near + range;
-    let depth = Depth {
-        far: from_f64(far),
-        scale: from_f64(1.0 / range),
-    };
-    let colours: Vec<[Single; 3]> = (0..20)
-        .map(|_| std::array::from_fn(|_| from_f64(random.random_range(0.0..1.0))))
-        .collect();
+    let depth = Depth { far: from_f64(far), scale: from_f64(1.0 / range) };
+    let colours: Vec<[Single; 3]> =
+        (0..20).map(|_| std::array::from_fn(|_| from_f64(random.random_range(0.0..1.0)))).collect();
     let hits = std::array::from_fn(|_| {
         let object = random.random_range(0..colours.len() as u32);
         let t = from_f64(random.random_range(near * 0.9..far * 1.1));
-        Hit {
-            t: if object == 0 { FARTHEST } else { t },
-            object,
-        }
+        Hit { t: if object == 0 { FARTHEST } else { t }, object }
     });
     (depth, colours, hits)
 }

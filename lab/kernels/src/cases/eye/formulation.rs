@@ -54,17 +54,11 @@ impl Seen for BareSphere {
     }
 
     fn words(&self) -> EyeSphere {
-        EyeSphere::Centre {
-            centre: self.centre,
-            radius_squared: self.radius_squared,
-        }
+        EyeSphere::Centre { centre: self.centre, radius_squared: self.radius_squared }
     }
 
     fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            centre: random.random(),
-            radius_squared: random.random(),
-        }
+        Self { centre: random.random(), radius_squared: random.random() }
     }
 }
 
@@ -87,19 +81,11 @@ impl Seen for Axis {
     }
 
     fn words(&self) -> EyeSphere {
-        EyeSphere::Axis {
-            axis: self.axis,
-            k: self.k,
-            distance: self.distance,
-        }
+        EyeSphere::Axis { axis: self.axis, k: self.k, distance: self.distance }
     }
 
     fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            axis: random.random(),
-            k: random.random(),
-            distance: random.random(),
-        }
+        Self { axis: random.random(), k: random.random(), distance: random.random() }
     }
 }
 
@@ -138,11 +124,7 @@ pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
                     place: |bench, count| {
                         let nearer = [20.0, 15.0, 10.0, 5.0];
                         let sphere = |distance: f64| F::Sphere::at([0.0, 0.0, -distance], 1.0);
-                        isect_pairs(
-                            bench,
-                            &nearer.map(|distance| sphere(distance).record()),
-                            count,
-                        )
+                        isect_pairs(bench, &nearer.map(|distance| sphere(distance).record()), count)
                     },
                 },
             ]
@@ -162,11 +144,8 @@ pub fn around_a_sphere<F: ForTheEye<Sphere: Seen>>(
     let sphere = F::Sphere::at(centre, radius);
     let rays = std::array::from_fn(|_| {
         let towards = centre.map(|component| component + radius * random.random_range(-0.9..0.9));
-        let length = if F::DOMAIN.lengths.is_empty() {
-            1.0
-        } else {
-            magnitude(F::DOMAIN.lengths, random)
-        };
+        let length =
+            if F::DOMAIN.lengths.is_empty() { 1.0 } else { magnitude(F::DOMAIN.lengths, random) };
         unit(towards).map(|component| from_f64(component * length))
     });
     (rays, sphere)
@@ -191,11 +170,7 @@ fn error<F: ForTheEye<Sphere: Seen>>(bench: &mut Bench, random: &mut ChaCha8Rng)
             let depth = disc / radius_squared;
             let found = (hit.object != 0).then(|| to_f64(hit.t));
             // With directions of any length, t is a multiple of the length.
-            let part = if F::DOMAIN.lengths.is_empty() {
-                1.0
-            } else {
-                length
-            };
+            let part = if F::DOMAIN.lengths.is_empty() { 1.0 } else { length };
             let truth = (disc >= 0.0).then(|| (b - disc.sqrt()) / part);
             match (found, truth) {
                 (Some(found), Some(t)) if depth > F::DOMAIN.outline => {

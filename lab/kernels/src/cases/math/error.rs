@@ -58,21 +58,15 @@ pub fn accuracy(function: &Function) -> Accuracy {
     let mean = sum / errors.len() as f64;
     let place = (MOST * errors.len() as f64).ceil() as usize - 1;
     let (_, most, _) = errors.select_nth_unstable_by(place, f32::total_cmp);
-    Accuracy {
-        largest,
-        worst,
-        mean,
-        most: f64::from(*most),
-    }
+    Accuracy { largest, worst, mean, most: f64::from(*most) }
 }
 
 /// The largest error of the kernel over random operands from its domain.
 pub fn largest(bench: &mut Bench, random: &mut ChaCha8Rng, function: &Function) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..CALLS {
-        let operands: Vec<[Single; 4]> = (0..QUADWORDS)
-            .map(|_| std::array::from_fn(|_| operand(random, function)))
-            .collect();
+        let operands: Vec<[Single; 4]> =
+            (0..QUADWORDS).map(|_| std::array::from_fn(|_| operand(random, function))).collect();
         let results = call(bench, function.kernel, &operands, 0, false);
         for (operand, result) in operands.iter().zip(&results) {
             for (operand, result) in operand.iter().zip(result) {

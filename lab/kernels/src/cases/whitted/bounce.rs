@@ -29,11 +29,7 @@ pub const KERNELS: &[Kernel] = &[
         name: "refract_r16",
         rays: 16,
         cases: &[
-            Case {
-                name: "glass",
-                objects: SITES,
-                place: |bench, count| case(bench, count, 1.0),
-            },
+            Case { name: "glass", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
             Case {
                 name: "nothing lets through",
                 objects: SITES,
@@ -46,11 +42,7 @@ pub const KERNELS: &[Kernel] = &[
         name: "reflect_r16",
         rays: 16,
         cases: &[
-            Case {
-                name: "mirrors",
-                objects: SITES,
-                place: |bench, count| case(bench, count, 1.0),
-            },
+            Case { name: "mirrors", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
             Case {
                 name: "nothing reflects",
                 objects: SITES,
@@ -104,24 +96,14 @@ impl Sites {
         let sites = bench.place(sites.as_bytes());
         let mut queue = vec![0; (16 * packets.len() + 1) * size_of::<QueuedRay>()];
         random.fill_bytes(&mut queue);
-        Self {
-            sites,
-            surfaces,
-            queue: bench.place(&queue),
-        }
+        Self { sites, surfaces, queue: bench.place(&queue) }
     }
 
     /// The arguments of a kernel.
     #[must_use]
     pub fn arguments(&self, limits: Limits) -> Vec<u32> {
         let count = self.surfaces.len() as u32;
-        vec![
-            self.sites.address,
-            count,
-            self.queue.address,
-            limits.least,
-            limits.deepest,
-        ]
+        vec![self.sites.address, count, self.queue.address, limits.least, limits.deepest]
     }
 
     /// The rays that a kernel appended, up to the end that it returned.
@@ -162,30 +144,10 @@ fn records(packet: &[Bounce; 16], random: &mut impl Rng) -> (Surfaces, RayPacket
     random.fill_bytes(rays.as_mut_bytes());
     for (lane, hit) in packet.iter().enumerate() {
         let vectors = [
-            (
-                &mut surfaces.point_x,
-                &mut surfaces.point_y,
-                &mut surfaces.point_z,
-                hit.point,
-            ),
-            (
-                &mut surfaces.normal_x,
-                &mut surfaces.normal_y,
-                &mut surfaces.normal_z,
-                hit.normal,
-            ),
-            (
-                &mut surfaces.plane_x,
-                &mut surfaces.plane_y,
-                &mut surfaces.plane_z,
-                hit.plane,
-            ),
-            (
-                &mut rays.direction_x,
-                &mut rays.direction_y,
-                &mut rays.direction_z,
-                hit.direction,
-            ),
+            (&mut surfaces.point_x, &mut surfaces.point_y, &mut surfaces.point_z, hit.point),
+            (&mut surfaces.normal_x, &mut surfaces.normal_y, &mut surfaces.normal_z, hit.normal),
+            (&mut surfaces.plane_x, &mut surfaces.plane_y, &mut surfaces.plane_z, hit.plane),
+            (&mut rays.direction_x, &mut rays.direction_y, &mut rays.direction_z, hit.direction),
         ];
         for (x, y, z, vector) in vectors {
             [x[lane], y[lane], z[lane]] = vector.map(single);
@@ -213,21 +175,11 @@ pub fn hit(random: &mut impl Rng) -> Bounce {
     };
     let lean = if random.random() { 0.5 } else { 0.0 };
     let offset = in_cube(1.0, random);
-    let leaning = unit(std::array::from_fn(|axis| {
-        plane[axis] + lean * offset[axis]
-    }));
-    let normal = if dot(direction, leaning) < -1e-3 {
-        leaning
-    } else {
-        plane
-    };
+    let leaning = unit(std::array::from_fn(|axis| plane[axis] + lean * offset[axis]));
+    let normal = if dot(direction, leaning) < -1e-3 { leaning } else { plane };
     let index = random.random_range(0.25..4.0_f64);
     let head_on = ((1.0 - index) / (1.0 + index)).powi(2);
-    let [schlick, grazing] = if random.random() {
-        [head_on, 1.0 - head_on]
-    } else {
-        [0.0; 2]
-    };
+    let [schlick, grazing] = if random.random() { [head_on, 1.0 - head_on] } else { [0.0; 2] };
     let mut share = || random.random_range(-0.5..1.0_f64).max(0.0);
     let (mirror, transmittance) = (share(), share());
     Bounce {
@@ -258,19 +210,13 @@ pub fn reflected(hit: &Bounce) -> Option<(Vector, f64)> {
         [hit.direction, hit.normal, hit.plane].map(|v| unit(v.map(to_f64)));
     let mirrored = |normal: Vector| -> Vector {
         let along = dot(direction, normal);
-        unit(std::array::from_fn(|axis| {
-            direction[axis] - 2.0 * along * normal[axis]
-        }))
+        unit(std::array::from_fn(|axis| direction[axis] - 2.0 * along * normal[axis]))
     };
     let by_normal = mirrored(normal);
     let off = dot(by_normal, plane);
     let share = to_f64(hit.mirror);
     let decided = off.abs() > ALONG && share > 0.0;
-    let taken = if off > 0.0 {
-        by_normal
-    } else {
-        mirrored(plane)
-    };
+    let taken = if off > 0.0 { by_normal } else { mirrored(plane) };
     decided.then_some((taken, share))
 }
 
@@ -291,11 +237,7 @@ pub fn refracted(hit: &Bounce) -> Option<(Vector, f64)> {
     };
     let (first, _) = through(normal)?;
     let off = dot(first, plane);
-    let (taken, beyond) = if off < 0.0 {
-        through(normal)
-    } else {
-        through(plane)
-    }?;
+    let (taken, beyond) = if off < 0.0 { through(normal) } else { through(plane) }?;
     let near = -dot(direction, normal);
     let cosine = if ratio > 1.0 { beyond } else { near };
     let reflected = schlick + grazing * (1.0 - cosine).clamp(0.0, 1.0).powi(5);
@@ -308,10 +250,8 @@ fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth)
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         // One hit at a time, because only the pixel identifies a ray in the queue.
-        let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
-            pixel: lane as u32,
-            ..hit(random)
-        });
+        let packet: [Bounce; 16] =
+            std::array::from_fn(|lane| Bounce { pixel: lane as u32, ..hit(random) });
         bench.reset();
         let sites = Sites::put(bench, &[packet], random);
         let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;

@@ -61,12 +61,7 @@ fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
     object[11] = U32::new(anything & !SIDES_COLOURED | coloured);
     let triangle = layout::Triangle { object, a, b, c };
     let [normal_a, normal_b, normal_c] = [quad([anything; 3], anything); 3];
-    layout::Patch {
-        triangle: zerocopy::transmute!(triangle),
-        normal_a,
-        normal_b,
-        normal_c,
-    }
+    layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
 }
 
 /// Puts hits and their surfaces into local store. Lanes without a hit have one on something without

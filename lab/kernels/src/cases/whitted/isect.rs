@@ -50,11 +50,7 @@ const fn row<S: Shape>() -> Kernel {
                     objects: CANDIDATES,
                     place: |bench, count| {
                         let nearer = [20.0, 15.0, 10.0, 5.0];
-                        candidates(
-                            bench,
-                            &nearer.map(|distance| S::ahead(0.0, distance)),
-                            count,
-                        )
+                        candidates(bench, &nearer.map(|distance| S::ahead(0.0, distance)), count)
                     },
                 },
             ]
@@ -99,9 +95,8 @@ pub const KERNELS: &[Kernel] = &[
 fn candidates<S: Shape>(bench: &mut Bench, objects: &[S; 4], count: u32) -> Vec<u32> {
     let rays = case_rays().map(|ray| Ray { t: FARTHEST, ..ray });
     let packets = [call::packet(&rays, 0); 16];
-    let list: Vec<[usize; 2]> = (0..count as usize)
-        .map(|number| [number / 16, number % 16])
-        .collect();
+    let list: Vec<[usize; 2]> =
+        (0..count as usize).map(|number| [number / 16, number % 16]).collect();
     let placed = call::place(bench, &packets, objects, &list, 0);
     vec![placed.candidates, count]
 }

@@ -279,10 +279,7 @@ fn bounds(bench: &mut Bench, count: u32) -> Vec<u32> {
 fn node(y: f64) -> Node {
     let corners: Corners =
         [[-5.0, y - 5.0, -60.0], [5.0, y + 5.0, -50.0]].map(|corner| corner.map(from_f64));
-    Node {
-        boxes: [corners; 4],
-        words: [4; 4],
-    }
+    Node { boxes: [corners; 4], words: [4; 4] }
 }
 
 /// All rays of so many packets, and one node.
@@ -299,11 +296,7 @@ fn few(bench: &mut Bench, count: u32) -> Vec<u32> {
 
 /// Visits by rays of two packets.
 fn visits(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let visit = Visit {
-        child: 4,
-        near: ONE,
-        rays: 1 << 120 | 1 << 30,
-    };
+    let visit = Visit { child: 4, near: ONE, rays: 1 << 120 | 1 << 30 };
     call::put_for_candidates(bench, &vec![visit; count as usize], 0).1
 }
 
@@ -318,10 +311,7 @@ fn arrived(bench: &mut Bench, kind: u32) -> Vec<u32> {
 fn candidates(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
     let corners: Corners =
         [[-5.0, y - 5.0, -60.0], [5.0, y + 5.0, -50.0]].map(|corner| corner.map(from_f64));
-    let node = Node {
-        boxes: [corners; 4],
-        words: [ZERO; 4],
-    };
+    let node = Node { boxes: [corners; 4], words: [ZERO; 4] };
     let packet: ([Ray; 16], MeshBound) = (rays(), mesh_bound(&rays()));
     let pairs = vec![[0, 0]; count as usize];
     call::put_candidates(bench, &[node], &[packet], &pairs, 0).arguments
@@ -334,9 +324,7 @@ fn one_behind_another(x: f64) -> MeshBlock {
         number: 1,
         both: false,
         vertices: faces.iter().flat_map(|face| face.vertices).collect(),
-        faces: (0..4)
-            .map(|face| [3 * face, 3 * face + 1, 3 * face + 2])
-            .collect(),
+        faces: (0..4).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect(),
     }
 }
 
@@ -381,14 +369,8 @@ type From = fn(Aimed) -> Aimed;
 pub fn relative_to_the_eye((object, rays): Aimed) -> Aimed {
     let eye = rays[0].origin;
     let relative = |vertex: [Single; 3]| std::array::from_fn(|axis| fs(vertex[axis], eye[axis]));
-    let object = TriangleObject {
-        vertices: object.vertices.map(relative),
-        ..object
-    };
-    let rays = rays.map(|ray| sphere_ray::Ray {
-        origin: [ZERO; 3],
-        ..ray
-    });
+    let object = TriangleObject { vertices: object.vertices.map(relative), ..object };
+    let rays = rays.map(|ray| sphere_ray::Ray { origin: [ZERO; 3], ..ray });
     (object, rays)
 }
 
@@ -408,11 +390,7 @@ fn from_the_eye(
     rays: &[sphere_ray::Ray; 16],
     block: &MeshBlock,
 ) -> layout::RayPacket {
-    let all = Rows {
-        triangle: 0,
-        rows: [true; 4],
-        packet: 0,
-    };
+    let all = Rows { triangle: 0, rows: [true; 4], packet: 0 };
     call::isect_rows(bench, &[*rays], block, &[all], 0)[0]
 }
 

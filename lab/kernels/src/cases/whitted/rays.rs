@@ -193,19 +193,11 @@ fn view() -> View {
 }
 
 /// A queued ray.
-const QUEUED: Queued = Queued {
-    origin: [ONE; 3],
-    weight: ONE,
-    direction: [ZERO, ZERO, ONE],
-    pixel: 0,
-};
+const QUEUED: Queued =
+    Queued { origin: [ONE; 3], weight: ONE, direction: [ZERO, ZERO, ONE], pixel: 0 };
 
 /// The origin of the cases' rays.
-const EYE: Point = Point {
-    place: [ZERO; 3],
-    near: ZERO,
-    along: ONE,
-};
+const EYE: Point = Point { place: [ZERO; 3], near: ZERO, along: ONE };
 
 /// Rays close to -z.
 fn rays() -> [Ray; 16] {
@@ -245,18 +237,12 @@ fn child<V>(volume: V) -> Child<V> {
 
 /// A sphere of radius 1.
 fn sphere(centre: [f64; 3]) -> BareSphere {
-    BareSphere {
-        centre: centre.map(from_f64),
-        radius: ONE,
-    }
+    BareSphere { centre: centre.map(from_f64), radius: ONE }
 }
 
 /// A cube around it.
 fn cube(centre: [f64; 3]) -> BareBox {
-    BareBox {
-        centre: centre.map(from_f64),
-        half: [ONE; 3],
-    }
+    BareBox { centre: centre.map(from_f64), half: [ONE; 3] }
 }
 
 /// Candidates of one packet and a face in front of the rays, whose normal has this z.
@@ -274,11 +260,7 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
 
 /// A pixel whose sum doesn't matter.
 fn pixel([x, y]: [u32; 2]) -> Pixel {
-    Pixel {
-        sum: 0,
-        x: x as i32,
-        y: y as i32,
-    }
+    Pixel { sum: 0, x: x as i32, y: y as i32 }
 }
 
 /// The largest error of a direction's component, in ulps of 1.

@@ -33,91 +33,55 @@ pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "surfaces_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all hit",
-            objects: PACKETS,
-            place: surfaces,
-        }],
+        cases: &[Case { name: "all hit", objects: PACKETS, place: surfaces }],
         error: Some(error::surfaces),
     },
     Kernel {
         name: "same_objects_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all the same",
-            objects: PACKETS,
-            place: same_objects,
-        }],
+        cases: &[Case { name: "all the same", objects: PACKETS, place: same_objects }],
         error: None,
     },
     Kernel {
         name: "surfaces_same_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all hit",
-            objects: PACKETS,
-            place: surfaces,
-        }],
+        cases: &[Case { name: "all hit", objects: PACKETS, place: surfaces }],
         error: Some(error::surfaces_same),
     },
     Kernel {
         name: "ambient_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all lit",
-            objects: PACKETS,
-            place: ambient,
-        }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: ambient }],
         error: Some(error::ambient),
     },
     Kernel {
         name: "shadow_rays_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all face the light",
-            objects: PACKETS,
-            place: shadow_rays,
-        }],
+        cases: &[Case { name: "all face the light", objects: PACKETS, place: shadow_rays }],
         error: Some(error::shadow_rays),
     },
     Kernel {
         name: "lambert_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all lit",
-            objects: PACKETS,
-            place: light,
-        }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: light }],
         error: Some(error::lambert),
     },
     Kernel {
         name: "light_r16",
         rays: 16,
-        cases: &[Case {
-            name: "all lit",
-            objects: PACKETS,
-            place: light,
-        }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: light }],
         error: Some(error::light),
     },
     Kernel {
         name: "accumulate_r16",
         rays: 16,
-        cases: &[Case {
-            name: "a pixel each",
-            objects: PACKETS,
-            place: accumulate,
-        }],
+        cases: &[Case { name: "a pixel each", objects: PACKETS, place: accumulate }],
         error: Some(error::accumulate),
     },
     Kernel {
         name: "pack_sums",
         rays: 64,
-        cases: &[Case {
-            name: "rows of a tile",
-            objects: PACKETS,
-            place: pack_sums,
-        }],
+        cases: &[Case { name: "rows of a tile", objects: PACKETS, place: pack_sums }],
         error: Some(error::pack_sums),
     },
     Kernel {
@@ -145,11 +109,7 @@ pub const KERNELS: &[Kernel] = &[
 /// A ray from the eye towards -z.
 fn away() -> PacketRay {
     PacketRay {
-        ray: Ray {
-            origin: [0; 3],
-            direction: [0.0, 0.0, -1.0].map(from_f64),
-            t: from_f64(4.0),
-        },
+        ray: Ray { origin: [0; 3], direction: [0.0, 0.0, -1.0].map(from_f64), t: from_f64(4.0) },
         object: 0,
         weight: from_f64(1.0),
         pixel: 0,
@@ -179,10 +139,7 @@ fn hits(bench: &mut Bench, count: u32) -> (bench::Place, bench::Place) {
     );
     let sphere = Shape::sphere([0.0, 0.0, -5.0], 1.0).object();
     let objects = put(bench, &[records::object(&sphere, material.address); 2]);
-    let ray = PacketRay {
-        object: address::<layout::Object>(objects, 1),
-        ..away()
-    };
+    let ray = PacketRay { object: address::<layout::Object>(objects, 1), ..away() };
     let packets = vec![records::rays(&[ray; 16]); count as usize];
     (objects, put(bench, &packets))
 }
@@ -208,10 +165,7 @@ fn ambient(bench: &mut Bench, count: u32) -> Vec<u32> {
 
 /// A light next to the eye.
 fn near_light() -> Place {
-    Place {
-        position: [1.0, 1.0, 0.0].map(from_f64),
-        directional: false,
-    }
+    Place { position: [1.0, 1.0, 0.0].map(from_f64), directional: false }
 }
 
 /// Hits on a sphere that this light reaches.
@@ -270,11 +224,5 @@ fn pack_sums(bench: &mut Bench, count: u32) -> Vec<u32> {
     let sums = bench.place(&vec![0; (4 * row_bytes * count) as usize]);
     let pixels = bench.place(&vec![0; (row_bytes * count) as usize]);
     let shuffle = put(bench, &[pixel_shuffle([16, 8, 0])]);
-    vec![
-        sums.address,
-        pixels.address,
-        count,
-        row_bytes,
-        shuffle.address,
-    ]
+    vec![sums.address, pixels.address, count, row_bytes, shuffle.address]
 }

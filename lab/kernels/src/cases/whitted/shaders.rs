@@ -106,9 +106,7 @@ impl Call {
 
     /// Puts the records into local store. Returns the surfaces' buffer and the arguments.
     pub fn put(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let mask = self
-            .mask
-            .map(|lane| U32::new(if lane { u32::MAX } else { 0 }));
+        let mask = self.mask.map(|lane| U32::new(if lane { u32::MAX } else { 0 }));
         let mut material = Material::new_zeroed();
         material.parameters = self.parameters.map(single);
         let mut shading = ShaderContext::new_zeroed();
@@ -127,33 +125,21 @@ impl Call {
     /// A lane's colour.
     #[must_use]
     pub fn colour(&self, lane: usize) -> [Single; 3] {
-        let Surfaces {
-            red, green, blue, ..
-        } = &self.surfaces;
+        let Surfaces { red, green, blue, .. } = &self.surfaces;
         [red, green, blue].map(|channel: &[F32; 16]| bits(channel[lane]))
     }
 
     /// A lane's light so far.
     #[must_use]
     pub fn lit(&self, lane: usize) -> [Single; 3] {
-        let Surfaces {
-            lit_red,
-            lit_green,
-            lit_blue,
-            ..
-        } = &self.surfaces;
+        let Surfaces { lit_red, lit_green, lit_blue, .. } = &self.surfaces;
         [lit_red, lit_green, lit_blue].map(|channel: &[F32; 16]| bits(channel[lane]))
     }
 
     /// The direction of a lane's ray.
     #[must_use]
     pub fn direction(&self, lane: usize) -> [Single; 3] {
-        let RayPacket {
-            direction_x,
-            direction_y,
-            direction_z,
-            ..
-        } = &self.rays;
+        let RayPacket { direction_x, direction_y, direction_z, .. } = &self.rays;
         [direction_x, direction_y, direction_z].map(|axis: &[F32; 16]| bits(axis[lane]))
     }
 }
@@ -162,10 +148,8 @@ impl Call {
 fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let mut call = Call {
-            mask: [true; 16],
-            ..Call::random(random, |random| from_f64(random.random()))
-        };
+        let mut call =
+            Call { mask: [true; 16], ..Call::random(random, |random| from_f64(random.random())) };
         let mut unit = || {
             let axes: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.0..1.0));
             let length = axes.iter().map(|axis| axis * axis).sum::<f64>().sqrt();
@@ -203,10 +187,8 @@ fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 fn depth_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let call = Call {
-            mask: [true; 16],
-            ..Call::random(random, |random| from_f64(random.random()))
-        };
+        let call =
+            Call { mask: [true; 16], ..Call::random(random, |random| from_f64(random.random())) };
         bench.reset();
         let (place, arguments) = call.put(bench);
         bench.call("shader_depth", &arguments);

@@ -68,12 +68,7 @@ fn record(hit: &Hit, anything: u32) -> layout::Patch {
     let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
     object[11] = U32::new(bits);
     let triangle = layout::Triangle { object, a, b, c };
-    layout::Patch {
-        triangle: zerocopy::transmute!(triangle),
-        normal_a,
-        normal_b,
-        normal_c,
-    }
+    layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
 }
 
 /// The surfaces of these hits. `anything` fills the lanes without a normal and all other fields.
@@ -82,16 +77,10 @@ pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
     let words = [U32::new(anything); size_of::<Surfaces>() / 4];
     let mut surfaces: Surfaces = zerocopy::transmute!(words);
     for (lane, hit) in hits.iter().enumerate() {
-        [
-            surfaces.point_x[lane],
-            surfaces.point_y[lane],
-            surfaces.point_z[lane],
-        ] = hit.point.map(single);
-        [
-            surfaces.plane_x[lane],
-            surfaces.plane_y[lane],
-            surfaces.plane_z[lane],
-        ] = hit.plane.map(single);
+        [surfaces.point_x[lane], surfaces.point_y[lane], surfaces.point_z[lane]] =
+            hit.point.map(single);
+        [surfaces.plane_x[lane], surfaces.plane_y[lane], surfaces.plane_z[lane]] =
+            hit.plane.map(single);
     }
     surfaces
 }
@@ -163,16 +152,9 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
         (weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]) / sum
     });
     let direction = any_direction(random);
-    let way = if dot(direction, outward) < 0.0 {
-        1.0
-    } else {
-        -1.0
-    };
+    let way = if dot(direction, outward) < 0.0 { 1.0 } else { -1.0 };
     Hit {
-        patch: Patch {
-            vertices: corners.map(point),
-            normals,
-        },
+        patch: Patch { vertices: corners.map(point), normals },
         smooth: random.random_range(0..4) > 0,
         point: point(at),
         plane: point(outward.map(|component| way * component)),
@@ -184,18 +166,14 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
 /// used.
 #[must_use]
 pub fn truth(hit: &Hit) -> (Vector, f64) {
-    let [a, b, c] = hit
-        .patch
-        .vertices
-        .map(|vertex| less(vertex.map(to_f64), hit.point.map(to_f64)));
+    let [a, b, c] =
+        hit.patch.vertices.map(|vertex| less(vertex.map(to_f64), hit.point.map(to_f64)));
     let plane = hit.plane.map(to_f64);
     let part = |from: Vector, to: Vector| dot(cross(from, to), plane);
     let parts = [part(b, c), part(c, a), part(a, b)];
     let normals = hit.patch.normals.map(|normal| normal.map(to_f64));
     let normal = unit(std::array::from_fn(|axis| {
-        (0..3)
-            .map(|corner| parts[corner] * normals[corner][axis])
-            .sum()
+        (0..3).map(|corner| parts[corner] * normals[corner][axis]).sum()
     }));
     let towards = -dot(normal, hit.direction.map(to_f64));
     (if towards > 0.0 { normal } else { plane }, towards)

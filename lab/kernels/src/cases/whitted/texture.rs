@@ -57,12 +57,8 @@ pub const KERNELS: &[Kernel] = &[
             name: "a packet",
             objects: Objects::Fixed(1),
             place: |bench, _| {
-                let lane = Filtered {
-                    texels: [0xff80_4000; 4],
-                    right: 0,
-                    down: 0,
-                    colour: [ONE; 3],
-                };
+                let lane =
+                    Filtered { texels: [0xff80_4000; 4], right: 0, down: 0, colour: [ONE; 3] };
                 put_filtered(bench, &[Some(lane); 16], true, 0).0
             },
         }],
@@ -118,12 +114,7 @@ fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
     let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
     object[11] = U32::new(anything & !SIDES_TEXTURED | textured);
     let triangle = layout::Triangle { object, a, b, c };
-    layout::Patch {
-        triangle: zerocopy::transmute!(triangle),
-        normal_a,
-        normal_b,
-        normal_c,
-    }
+    layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
 }
 
 /// Puts hits, their surfaces and a texture into local store. Returns the arguments, and the buffer
@@ -171,11 +162,7 @@ fn place(
         t: 0,
     };
     let records: [layout::Patch; 16] = std::array::from_fn(|lane| {
-        let hit = if plain(lane) {
-            Some(&known)
-        } else {
-            hits[lane].as_ref()
-        };
+        let hit = if plain(lane) { Some(&known) } else { hits[lane].as_ref() };
         record(hit, anything)
     });
     let records = put(bench, &records);
@@ -200,12 +187,7 @@ fn place(
     }
     let surfaces = put(bench, &[surfaces]);
     let texels = put(bench, &[any_texels(anything)]);
-    let arguments = vec![
-        rays.address,
-        surfaces.address,
-        texels.address,
-        from_f64(angle),
-    ];
+    let arguments = vec![rays.address, surfaces.address, texels.address, from_f64(angle)];
     (arguments, texels)
 }
 
@@ -270,11 +252,8 @@ pub fn truth(hit: &Hit, angle: f64) -> ([f64; 2], f64) {
     };
     let shares = [part(b, c), part(c, a), part(a, b)];
     let coordinates = hit.coordinates.map(|it| it.map(to_f64));
-    let place = [0, 1].map(|axis| {
-        (0..3)
-            .map(|corner| shares[corner] * coordinates[corner][axis])
-            .sum()
-    });
+    let place =
+        [0, 1].map(|axis| (0..3).map(|corner| shares[corner] * coordinates[corner][axis]).sum());
     let edge = |corner: usize| [0, 1].map(|axis| coordinates[corner][axis] - coordinates[0][axis]);
     let (first, second) = (edge(1), edge(2));
     let area = (first[0] * second[1] - first[1] * second[0]).abs();
@@ -323,10 +302,7 @@ fn size(hit: &Hit) -> f64 {
     let coordinates = hit.coordinates.map(|it| it.map(to_f64));
     let axis = |axis: usize| coordinates.map(|it| it[axis]);
     let span = |[a, b, c]: [f64; 3]| (a.max(b).max(c)) - (a.min(b).min(c));
-    let largest = coordinates
-        .as_flattened()
-        .iter()
-        .fold(0.0_f64, |sum, it| sum.max(it.abs()));
+    let largest = coordinates.as_flattened().iter().fold(0.0_f64, |sum, it| sum.max(it.abs()));
     span(axis(0)).max(span(axis(1))) + largest.max(1.0)
 }
 
@@ -355,9 +331,8 @@ fn put_filtered(
     let mut words = [[U32::new(anything); 15]; 16];
     for (words, lane) in words.iter_mut().zip(lanes) {
         let side = TEXTURE_SIDE as usize;
-        for (place, texel) in [0, 1, side, side + 1]
-            .into_iter()
-            .zip(lane.map_or([0; 4], |it| it.texels))
+        for (place, texel) in
+            [0, 1, side, side + 1].into_iter().zip(lane.map_or([0; 4], |it| it.texels))
         {
             words[place] = texel.into();
         }
@@ -396,11 +371,7 @@ pub fn coloured(lanes: &[Option<Filtered>; 16], anything: u32) -> Surfaces {
 
 /// Sets the colour of a lane.
 pub fn set_colour(surfaces: &mut Surfaces, lane: usize, colour: [Single; 3]) {
-    [
-        surfaces.red[lane],
-        surfaces.green[lane],
-        surfaces.blue[lane],
-    ] = colour.map(single);
+    [surfaces.red[lane], surfaces.green[lane], surfaces.blue[lane]] = colour.map(single);
 }
 
 /// `texture_filter_r16` on these lanes: returns the surfaces after the call.

@@ -28,28 +28,17 @@ fn check_within(
     let before = sites.surfaces(bench);
     let end = bench.call("reflect_r16", &sites.arguments(limits)).value;
     let thrown_back = sites.queued(bench, end);
-    let expected: Vec<Queued> = packets
-        .iter()
-        .flatten()
-        .filter_map(|hit| reflect(hit, limits))
-        .collect();
+    let expected: Vec<Queued> =
+        packets.iter().flatten().filter_map(|hit| reflect(hit, limits)).collect();
     assert_eq!(thrown_back, expected, "{packets:x?}");
-    assert_surfaces(&sites, bench, &before, |packet, lane| {
-        packets[packet][lane].mirror
-    });
+    assert_surfaces(&sites, bench, &before, |packet, lane| packets[packet][lane].mirror);
 
     let end = bench.call("refract_r16", &sites.arguments(limits)).value;
     let through = sites.queued(bench, end);
-    let expected: Vec<_> = packets
-        .iter()
-        .flatten()
-        .map(|hit| refract(hit, limits))
-        .collect();
+    let expected: Vec<_> = packets.iter().flatten().map(|hit| refract(hit, limits)).collect();
     let rays: Vec<Queued> = expected.iter().filter_map(|(ray, _)| *ray).collect();
     assert_eq!(through, rays, "{packets:x?}");
-    assert_surfaces(&sites, bench, &before, |packet, lane| {
-        expected[16 * packet + lane].1
-    });
+    assert_surfaces(&sites, bench, &before, |packet, lane| expected[16 * packet + lane].1);
     [through, thrown_back]
 }
 
@@ -97,10 +86,7 @@ fn rays_below_the_least_weight_are_not_sent_on() {
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
         let least = random.random_range(0.0..1.0);
-        let limits = Limits {
-            least: from_f64(least),
-            ..Limits::NONE
-        };
+        let limits = Limits { least: from_f64(least), ..Limits::NONE };
         let found = check_within(limits, &mut bench, &mut random, &[packet]);
         let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(least));
         assert!(!found.iter().flatten().any(light), "{least}: {found:x?}");
@@ -123,10 +109,7 @@ fn the_last_ray_of_a_chain_sends_none() {
     let mut sent = [0; 2];
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
-        let limits = Limits {
-            deepest: random.random_range(0..16) * CHAIN_STEP,
-            ..Limits::NONE
-        };
+        let limits = Limits { deepest: random.random_range(0..16) * CHAIN_STEP, ..Limits::NONE };
         let found = check_within(limits, &mut bench, &mut random, &[packet]);
         let open = check(&mut bench, &mut random, &[packet]);
         for kernel in 0..2 {
@@ -159,10 +142,7 @@ fn any_bits_at_all_equal_the_twins() {
             schlick: random.random(),
             grazing: random.random(),
         });
-        let limits = Limits {
-            least: random.random(),
-            deepest: random.random(),
-        };
+        let limits = Limits { least: random.random(), deepest: random.random() };
         let found = check_within(limits, &mut bench, &mut random, &[packet]);
         for (rays, found) in rays.iter_mut().zip(found) {
             *rays += found.len();
@@ -179,10 +159,8 @@ fn keep_their_error_bounds() {
     let mut worst = [0.0_f64; 2];
     let (mut length, mut share, mut compared) = (0.0_f64, 0.0_f64, [0; 2]);
     for _ in 0..2000 {
-        let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
-            pixel: lane as u32,
-            ..hit(&mut random)
-        });
+        let packet: [Bounce; 16] =
+            std::array::from_fn(|lane| Bounce { pixel: lane as u32, ..hit(&mut random) });
         let found = check(&mut bench, &mut random, &[packet]);
         for (kernel, queued) in found.iter().enumerate() {
             for ray in queued {
@@ -204,10 +182,7 @@ fn keep_their_error_bounds() {
     for (kernel, worst) in ["refract_r16", "reflect_r16"].iter().zip(worst) {
         let header = Source::find(kernel).and_then(Source::header);
         let stated = header.and_then(|header| header.stated_error());
-        assert!(
-            stated.is_some_and(|stated| worst <= stated),
-            "{kernel}: {worst}"
-        );
+        assert!(stated.is_some_and(|stated| worst <= stated), "{kernel}: {worst}");
     }
     assert!(length <= 2.0, "a length is {length} ulp off 1");
     assert!(share <= 1e-5, "a share is {share} off");
@@ -229,10 +204,7 @@ fn keeps_its_error_near_the_critical_angle() {
             let ratio: f64 = random.random_range(1.05..4.0);
             let beyond = random.random_range(1e-4..0.1_f64);
             let sine = (1.0 + beyond * beyond * if random.random() { 1.0 } else { -1.0 }).sqrt();
-            Bounce {
-                pixel: lane as u32,
-                ..on_plane((1.0 - (sine / ratio).powi(2)).sqrt(), ratio)
-            }
+            Bounce { pixel: lane as u32, ..on_plane((1.0 - (sine / ratio).powi(2)).sqrt(), ratio) }
         });
         let [through, _] = check(&mut bench, &mut random, &[packet]);
         for (pixel, hit) in (0..).zip(&packet) {
@@ -282,11 +254,7 @@ fn on_plane(cosine: f64, ratio: f64) -> Bounce {
 fn follow(hit: Bounce) -> [Option<Queued>; 2] {
     let mut bench = Bench::new();
     let mut random = random();
-    let nothing = Bounce {
-        mirror: 0,
-        transmittance: 0,
-        ..hit
-    };
+    let nothing = Bounce { mirror: 0, transmittance: 0, ..hit };
     // Only lane 6.
     let mut packet = [nothing; 16];
     packet[6] = hit;
@@ -324,11 +292,8 @@ fn critical_grazing_and_head_on() {
         assert_eq!(back, None);
     }
     // Almost parallel to the surface, Schlick's formula reflects almost everything.
-    let grazing = Bounce {
-        schlick: from_f64(0.04),
-        grazing: from_f64(0.96),
-        ..on_plane(1e-3, 1.0 / 1.5)
-    };
+    let grazing =
+        Bounce { schlick: from_f64(0.04), grazing: from_f64(0.96), ..on_plane(1e-3, 1.0 / 1.5) };
     let [through, back] = follow(grazing).map(|ray| ray.expect("a ray"));
     let (through, back) = (to_f64(through.weight), to_f64(back.weight));
     assert!((through + back - 0.375).abs() < 1e-6, "{through}, {back}");
@@ -340,17 +305,10 @@ fn critical_grazing_and_head_on() {
 #[test]
 fn leaning_normals_give_way_to_the_plane() {
     let leaning = [0.8, 0.0, 0.6].map(from_f64);
-    let mirror = Bounce {
-        normal: leaning,
-        mirror: from_f64(1.0),
-        transmittance: 0,
-        ..on_plane(0.3, 1.0)
-    };
+    let mirror =
+        Bounce { normal: leaning, mirror: from_f64(1.0), transmittance: 0, ..on_plane(0.3, 1.0) };
     // With the leaning normal, the ray would be reflected into the surface.
-    let away = Bounce {
-        normal: [-0.8, 0.0, 0.6].map(from_f64),
-        ..mirror
-    };
+    let away = Bounce { normal: [-0.8, 0.0, 0.6].map(from_f64), ..mirror };
     let [_, back] = follow(away);
     let back = back.expect("a ray").direction.map(to_f64);
     assert!(back[2] > 0.0, "{back:?}");

@@ -23,10 +23,7 @@ use twins::sphere::{Axis, Constants, Perpendicular};
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::U32;
 
-const SIZE: Geometry = Geometry {
-    width: 320,
-    height: 200,
-};
+const SIZE: Geometry = Geometry { width: 320, height: 200 };
 const CAMERAS: usize = 200;
 const SPHERES: usize = 32;
 /// The width and height of a group in pixels.
@@ -77,11 +74,7 @@ fn sphere_at(random: &mut ChaCha8Rng, eye: DVec3, ray: DVec3) -> scene::Sphere {
         }
     };
     let towards = ray * libm::cos(angle) + across(random, ray) * libm::sin(angle);
-    scene::Sphere {
-        centre: eye + towards * distance,
-        radius: distance * share,
-        colour: DVec3::ONE,
-    }
+    scene::Sphere { centre: eye + towards * distance, radius: distance * share, colour: DVec3::ONE }
 }
 
 /// Whether a ray enters a sphere from outside, computed only in f64.
@@ -148,19 +141,12 @@ impl Group {
         for _ in 0..SPHERES {
             let ray = rays[random.random_range(0..16)][random.random_range(0..16)];
             let sphere = sphere_at(random, camera.eye, wide(ray));
-            let form = if random.random() {
-                EyeRecord::Centre
-            } else {
-                EyeRecord::Axis
-            };
+            let form = if random.random() { EyeRecord::Centre } else { EyeRecord::Axis };
             eye_spheres.cull(&[sphere], &projection, Skip::Nothing, form);
             let record = Sphere::read_from_bytes(eye_spheres.bytes()).expect("one record");
             let bare = eye_records::bare_sphere(&record);
-            let axis = Axis {
-                axis: bare.centre,
-                k: bare.radius_squared,
-                distance: bits(record.distance),
-            };
+            let axis =
+                Axis { axis: bare.centre, k: bare.radius_squared, distance: bits(record.distance) };
             let needs_test = |ray: &[Single; 3]| {
                 let hit = match form {
                     EyeRecord::Centre => isect_pair::<Perpendicular>(*ray, &bare, 1, NO_HITS[0]),
@@ -168,21 +154,13 @@ impl Group {
                 };
                 hit.object == 1 || enters(&sphere, camera.eye, wide(*ray))
             };
-            let mask = rays.iter().fold(0, |mask, packet| {
-                mask << 1 | u32::from(packet.iter().any(needs_test))
-            });
+            let mask = rays
+                .iter()
+                .fold(0, |mask, packet| mask << 1 | u32::from(packet.iter().any(needs_test)));
             records.push(record);
             entered.push(mask);
         }
-        Self {
-            camera,
-            left,
-            top,
-            packets,
-            middles,
-            records,
-            entered,
-        }
+        Self { camera, left, top, packets, middles, records, entered }
     }
 
     /// Checks that a kernel keeps all necessary tests. Returns how many were necessary and how
@@ -235,9 +213,7 @@ fn no_ray_that_enters_a_sphere_is_filtered_out() {
             let end = bench.call("filter_spheres_r16", &arguments).value;
             for pair in list(&bench, room, end) {
                 let sphere = (pair.object.get() - spheres.address) as usize / size_of::<Sphere>();
-                let packet = packets
-                    .iter()
-                    .position(|packet| packet.address == pair.packet.get());
+                let packet = packets.iter().position(|packet| packet.address == pair.packet.get());
                 masks[sphere] |= 0x8000 >> (4 * row + packet.expect("one of these"));
             }
         }
@@ -290,11 +266,7 @@ fn frustum(camera: &Camera, left: u32, top: u32) -> Frustum {
     ]
     .map(|normal| nearest(normal.normalize() * normal.dot(middle).signum()).map(single));
     let [normal_x, normal_y, normal_z] = [0, 1, 2].map(|axis| normals.map(|normal| normal[axis]));
-    Frustum {
-        normal_x,
-        normal_y,
-        normal_z,
-    }
+    Frustum { normal_x, normal_y, normal_z }
 }
 
 #[test]
@@ -311,10 +283,8 @@ fn no_sphere_that_a_ray_of_a_tile_enters_is_outside_of_its_frustum() {
         let count = SPHERES as u32;
         let arguments = [planes.address, spheres.address, count, room.address];
         let end = bench.call("frustum_spheres", &arguments).value;
-        let listed: Vec<u32> = list(&bench, room, end)
-            .iter()
-            .map(|entry| entry.object.get())
-            .collect();
+        let listed: Vec<u32> =
+            list(&bench, room, end).iter().map(|entry| entry.object.get()).collect();
         group.check("frustum_spheres", |sphere| {
             let is_listed = listed.contains(&address::<Sphere>(spheres, sphere));
             if is_listed { 0xffff } else { 0 }

@@ -72,10 +72,7 @@ impl Inputs {
 }
 
 fn objects_and_packets(pairs: &[Pair]) -> Vec<[u32; 2]> {
-    pairs
-        .iter()
-        .map(|pair| [pair.object.get(), pair.packet.get()])
-        .collect()
+    pairs.iter().map(|pair| [pair.object.get(), pair.packet.get()]).collect()
 }
 
 /// Checks `filter_spheres_r16`, and returns how many pairs passed.
@@ -154,9 +151,7 @@ fn check_cull(
     order: &[usize],
 ) -> u32 {
     bench.reset();
-    let packets = middles
-        .each_ref()
-        .map(|group| eye_records::packet(group, &error::NO_HITS));
+    let packets = middles.each_ref().map(|group| eye_records::packet(group, &error::NO_HITS));
     let packets = put(bench, &packets);
     let records = put(bench, spheres);
     let entries: Vec<Pair> = order
@@ -165,12 +160,7 @@ fn check_cull(
         .collect();
     let entries = put(bench, &entries);
     let masks = put(bench, &vec![[U32::new(0x5555_5555); 4]; order.len()]);
-    let arguments = [
-        packets.address,
-        entries.address,
-        order.len() as u32,
-        masks.address,
-    ];
+    let arguments = [packets.address, entries.address, order.len() as u32, masks.address];
     bench.call("cull_spheres_p64", &arguments);
     let masks: Vec<[U32; 4]> = bench.read_all(masks);
     let mut named = 0;
@@ -178,9 +168,9 @@ fn check_cull(
         let sphere = &spheres[*number];
         let (centre, limit) = (sphere.centre.map(bits), bits(sphere.packet_limit));
         for (middles, found) in middles.iter().zip(masks) {
-            let expected = middles.iter().fold(0, |mask, middle| {
-                mask << 1 | u32::from(may_enter(*middle, centre, limit))
-            });
+            let expected = middles
+                .iter()
+                .fold(0, |mask, middle| mask << 1 | u32::from(may_enter(*middle, centre, limit)));
             assert_eq!(found.get(), expected, "{middles:x?}, {sphere:x?}");
             named += expected.count_ones();
         }
@@ -212,25 +202,13 @@ fn check_frustum(bench: &mut Bench, normals: &[[Single; 3]; 4], spheres: &[Spher
     bench.reset();
     let [normal_x, normal_y, normal_z] =
         [0, 1, 2].map(|axis| normals.map(|normal| single(normal[axis])));
-    let frustum = Frustum {
-        normal_x,
-        normal_y,
-        normal_z,
-    };
+    let frustum = Frustum { normal_x, normal_y, normal_z };
     let frustum = put(bench, &[frustum]);
     let records = put(bench, spheres);
     let room = list_room(bench, spheres.len());
-    let arguments = [
-        frustum.address,
-        records.address,
-        spheres.len() as u32,
-        room.address,
-    ];
+    let arguments = [frustum.address, records.address, spheres.len() as u32, room.address];
     let end = bench.call("frustum_spheres", &arguments).value;
-    let found: Vec<u32> = list(bench, room, end)
-        .iter()
-        .map(|entry| entry.object.get())
-        .collect();
+    let found: Vec<u32> = list(bench, room, end).iter().map(|entry| entry.object.get()).collect();
     let expected: Vec<u32> = (0..spheres.len())
         .filter(|number| {
             let sphere = &spheres[*number];
@@ -270,13 +248,8 @@ fn spheres_in_a_frustum_equal_the_twins() {
 fn check_hidden(bench: &mut Bench, packets: &[Packet], near: &[Single]) -> usize {
     bench.reset();
     let addresses = put_packets(bench, packets);
-    let spheres: Vec<Sphere> = near
-        .iter()
-        .map(|near| Sphere {
-            near: single(*near),
-            ..Sphere::new_zeroed()
-        })
-        .collect();
+    let spheres: Vec<Sphere> =
+        near.iter().map(|near| Sphere { near: single(*near), ..Sphere::new_zeroed() }).collect();
     let spheres = put(bench, &spheres);
     let pairs: Vec<Pair> = addresses
         .iter()
@@ -322,21 +295,14 @@ fn hidden_pairs_equal_the_twins() {
                 .collect();
             let near: Vec<Single> = (0..count)
                 .map(|_| {
-                    if any_bits {
-                        random.random()
-                    } else {
-                        from_f64(random.random_range(1.0..3.0))
-                    }
+                    if any_bits { random.random() } else { from_f64(random.random_range(1.0..3.0)) }
                 })
                 .collect();
             stayed += check_hidden(&mut bench, &packets, &near);
             tried += count;
         }
     }
-    assert!(
-        stayed * 4 > tried && stayed * 10 < tried * 9,
-        "{stayed} of {tried}"
-    );
+    assert!(stayed * 4 > tried && stayed * 10 < tried * 9, "{stayed} of {tried}");
 }
 
 #[test]

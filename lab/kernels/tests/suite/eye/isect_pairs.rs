@@ -74,10 +74,7 @@ fn the_nearest_of_many_in_lists_of_any_length<F: ForTheEye<Sphere: Seen>>() {
     let mut hit_objects = BTreeSet::new();
     for _ in 0..30 {
         for count in COUNTS.into_iter().chain([0]) {
-            let before = Hit {
-                t: from_f64(random.random_range(1.0..20.0)),
-                object: 7,
-            };
+            let before = Hit { t: from_f64(random.random_range(1.0..20.0)), object: 7 };
             let packets: Vec<Packet> = (0..random.random_range(1..5))
                 .map(|_| eye_records::packet(&rays(&mut random), &[before; 16]))
                 .collect();
@@ -98,14 +95,9 @@ fn a_packet_in_pair_after_pair_keeps_its_nearest_hit<F: ForTheEye<Sphere: Seen>>
     let mut random = random();
     let mut bench = Bench::new();
     let distances: Vec<f64> = (0..40).map(|step| 5.0 + f64::from(step)).collect();
-    let spheres: Vec<F::Sphere> = distances
-        .iter()
-        .map(|distance| F::Sphere::at([0.0, 0.0, -distance], 1.0))
-        .collect();
-    let none = Hit {
-        t: FARTHEST,
-        object: 7,
-    };
+    let spheres: Vec<F::Sphere> =
+        distances.iter().map(|distance| F::Sphere::at([0.0, 0.0, -distance], 1.0)).collect();
+    let none = Hit { t: FARTHEST, object: 7 };
     for count in COUNTS {
         let farther: Vec<[usize; 2]> = (0..count).map(|sphere| [sphere, 0]).collect();
         let nearer: Vec<[usize; 2]> = farther.iter().rev().copied().collect();
@@ -147,29 +139,13 @@ fn all_that_an_eye_and_a_sphere_can_be_to_each_other<F: ForTheEye<Sphere: Seen>>
     let cases: [(&str, F::Sphere, bool); 11] = [
         ("ahead", F::Sphere::at([0.0, 0.0, -5.0], 1.0), true),
         ("behind", F::Sphere::at([0.0, 0.0, 5.0], 1.0), false),
-        (
-            "around the eye",
-            F::Sphere::at([0.0, 0.0, -0.5], 1.0),
-            false,
-        ),
+        ("around the eye", F::Sphere::at([0.0, 0.0, -0.5], 1.0), false),
         ("at the eye", F::Sphere::at([0.0; 3], 1.0), false),
         ("tangent", F::Sphere::at([1.0, 0.0, -5.0], 1.0), true),
-        (
-            "tangent at the eye",
-            F::Sphere::at([1.0, 0.0, 0.0], 1.0),
-            true,
-        ),
+        ("tangent at the eye", F::Sphere::at([1.0, 0.0, 0.0], 1.0), true),
         ("beside", F::Sphere::at([3.0, 0.0, -5.0], 1.0), false),
-        (
-            "beside and behind",
-            F::Sphere::at([3.0, 0.0, 5.0], 1.0),
-            false,
-        ),
-        (
-            "tiny and far",
-            F::Sphere::at([0.0, 0.0, -4096.0], 1.0 / 16.0),
-            true,
-        ),
+        ("beside and behind", F::Sphere::at([3.0, 0.0, 5.0], 1.0), false),
+        ("tiny and far", F::Sphere::at([0.0, 0.0, -4096.0], 1.0 / 16.0), true),
         ("huge", F::Sphere::at([0.0, 0.0, -1e9], 0.999e9), true),
         (
             "at the limit of the domain",
@@ -184,10 +160,7 @@ fn all_that_an_eye_and_a_sphere_can_be_to_each_other<F: ForTheEye<Sphere: Seen>>
         if touches && !F::DOMAIN.touches || rounded_off {
             continue;
         }
-        let packet = straight(Hit {
-            t: FARTHEST,
-            object: 7,
-        });
+        let packet = straight(Hit { t: FARTHEST, object: 7 });
         let (hits, objects) = check::<F>(&mut bench, &[packet], &[sphere], &[[0, 0]]);
         let object = if is_hit { objects[0] } else { 7 };
         for hit in hits[0] {
@@ -236,10 +209,8 @@ fn any_bits_at_all_equal_the_twin<F: ForTheEye<Sphere: Seen>>() {
         let packets: Vec<Packet> = (0..2)
             .map(|_| {
                 let rays = std::array::from_fn(|_| random.random());
-                let hits = std::array::from_fn(|_| Hit {
-                    t: random.random(),
-                    object: random.random(),
-                });
+                let hits =
+                    std::array::from_fn(|_| Hit { t: random.random(), object: random.random() });
                 eye_records::packet(&rays, &hits)
             })
             .collect();

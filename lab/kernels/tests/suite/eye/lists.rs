@@ -31,12 +31,7 @@ fn masks(random: &mut ChaCha8Rng) -> Vec<[u32; 4]> {
 }
 
 fn record([packet, pixels, x, y]: [u32; 4]) -> Place {
-    Place {
-        packet: packet.into(),
-        pixels: pixels.into(),
-        x: x.into(),
-        y: y.into(),
-    }
+    Place { packet: packet.into(), pixels: pixels.into(), x: x.into(), y: y.into() }
 }
 
 fn words(place: &Place) -> [u32; 4] {
@@ -101,13 +96,7 @@ fn masks_of_pairs_equal_the_twins() {
         for count in COUNTS.into_iter().chain([0]) {
             // Each packet alone, and then random sets of them.
             let numbers: Vec<usize> = (0..count)
-                .map(|_| {
-                    if round < TILE {
-                        round
-                    } else {
-                        random.random_range(0..TILE)
-                    }
-                })
+                .map(|_| if round < TILE { round } else { random.random_range(0..TILE) })
                 .collect();
             let first = 16 * random.random_range(0..0x2000);
             let pairs: Vec<Pair> = numbers

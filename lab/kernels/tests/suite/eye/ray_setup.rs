@@ -35,9 +35,8 @@ fn cameras_equal_the_twin_in_lists_of_any_length() {
     for _ in 0..20 {
         for count in COUNTS {
             let basis = error::camera(&mut random);
-            let pixels: Vec<[u32; 2]> = (0..count)
-                .map(|_| [0; 2].map(|_: u32| random.random_range(0..2048) * 4))
-                .collect();
+            let pixels: Vec<[u32; 2]> =
+                (0..count).map(|_| [0; 2].map(|_: u32| random.random_range(0..2048) * 4)).collect();
             check(&mut bench, &basis, &pixels, random.random());
         }
     }
@@ -48,11 +47,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let basis = Basis {
-            corner: random.random(),
-            right: random.random(),
-            down: random.random(),
-        };
+        let basis =
+            Basis { corner: random.random(), right: random.random(), down: random.random() };
         let pixels = [0; 2].map(|_: u32| random.random_range(0..PIXELS_END - 4));
         check(&mut bench, &basis, &[pixels], random.random());
     }
@@ -61,19 +57,13 @@ fn any_bits_at_all_equal_the_twin() {
 #[test]
 fn directions_with_zeros_and_extreme_lengths() {
     let header = Source::find("ray_setup_r16").and_then(Source::header);
-    let stated = header
-        .and_then(|header| header.stated_error())
-        .expect("an error");
+    let stated = header.and_then(|header| header.stated_error()).expect("an error");
     let mut bench = Bench::new();
     for scale in [1e-9, 1.0, 1e9] {
         for axis in 0..3 {
             let mut corner = [0; 3];
             corner[axis] = from_f64(scale);
-            let basis = Basis {
-                corner,
-                right: [0; 3],
-                down: [0x8000_0000; 3],
-            };
+            let basis = Basis { corner, right: [0; 3], down: [0x8000_0000; 3] };
             let error = error::error_of_rays(&mut bench, &basis, &[[0, 8188]]);
             assert!(error <= stated, "{basis:x?}: {error}");
         }

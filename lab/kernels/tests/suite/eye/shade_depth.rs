@@ -48,10 +48,7 @@ fn scenes_equal_the_twin_in_lists_of_any_length() {
 fn colours_fade_from_whole_to_black_and_the_background_does_not() {
     let mut bench = Bench::new();
     let colours = [[0.25, 0.5, 0.75], [1.0, 0.5, 0.25]].map(|colour| colour.map(from_f64));
-    let depth = Depth {
-        far: from_f64(8.0),
-        scale: from_f64(0.25),
-    };
+    let depth = Depth { far: from_f64(8.0), scale: from_f64(0.25) };
     for (t, object, bright) in [
         (0.0, 1, 1.0),
         (4.0, 1, 1.0),
@@ -61,10 +58,7 @@ fn colours_fade_from_whole_to_black_and_the_background_does_not() {
         (1e30, 0, 1.0),
         (6.0, 0, 1.0),
     ] {
-        let hit = Hit {
-            t: from_f64(t),
-            object,
-        };
+        let hit = Hit { t: from_f64(t), object };
         let found = check(&mut bench, &[[hit; 16]], &colours, depth);
         let expected = colours[object as usize].map(|channel| bright * to_f64(channel));
         assert_eq!(found[0][0].map(to_f64), expected, "object {object} at {t}");
@@ -77,15 +71,9 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for _ in 0..1000 {
         let colours: [[Single; 3]; 20] = random.random();
-        let depth = Depth {
-            far: random.random(),
-            scale: random.random(),
-        };
+        let depth = Depth { far: random.random(), scale: random.random() };
         let hits = [[(); 16]; 2].map(|packet| {
-            packet.map(|()| Hit {
-                t: random.random(),
-                object: random.random_range(0..20),
-            })
+            packet.map(|()| Hit { t: random.random(), object: random.random_range(0..20) })
         });
         check(&mut bench, &hits, &colours, depth);
     }

@@ -48,13 +48,8 @@ fn count(random: &mut ChaCha8Rng, mesh: fn(&mut ChaCha8Rng) -> Mesh) -> Leaks {
     for _ in 0..MESHES {
         let mesh = mesh(random);
         let faces = mesh.triangles(random);
-        let faces: Vec<TriangleObject> = faces
-            .into_iter()
-            .map(|vertices| TriangleObject {
-                vertices,
-                both: true,
-            })
-            .collect();
+        let faces: Vec<TriangleObject> =
+            faces.into_iter().map(|vertices| TriangleObject { vertices, both: true }).collect();
         let packets: Vec<RayPacket> = (0..PACKETS)
             .map(|_| {
                 let rays = std::array::from_fn(|_| {

@@ -22,19 +22,14 @@ pub fn sheared(bench: &mut Bench, packets: &[Rays]) -> Vec<Shears> {
 
 /// The bits for a condition on sixteen rays, in the format of the any-hit kernels' results.
 pub fn code(blocked: [bool; 16]) -> u32 {
-    blocked
-        .into_iter()
-        .fold(0, |code, blocked| code << 1 | u32::from(blocked))
+    blocked.into_iter().fold(0, |code, blocked| code << 1 | u32::from(blocked))
 }
 
 /// Checks that a kernel's worst errors are within the numbers after `Error` in its header.
 pub fn keeps_stated_errors(kernel: &str, worst: &[f64]) {
     let source = kernels::source::Source::find(kernel).expect("a kernel");
     let header = source.header().expect("a header");
-    let words = header
-        .error
-        .split_whitespace()
-        .filter_map(|word| word.parse().ok());
+    let words = header.error.split_whitespace().filter_map(|word| word.parse().ok());
     let stated: Vec<f64> = words.take(worst.len()).collect();
     println!("{kernel}: worst errors {worst:?}, stated {stated:?}");
     assert_eq!(stated.len(), worst.len(), "{}", header.error);

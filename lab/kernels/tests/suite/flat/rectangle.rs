@@ -25,18 +25,12 @@ fn check(
     let places = [(); 2].map(|()| bench.place(Rays::pack(rays).as_bytes()));
     let object = random.random();
 
-    let blocked = bench.call(
-        "any_rectangle_r16",
-        &[places[0].address, rectangle_place.address],
-    );
+    let blocked = bench.call("any_rectangle_r16", &[places[0].address, rectangle_place.address]);
     let expected = rays.map(|ray| any_rectangle(ray.origin, ray.direction, rectangle, ray.hit.t));
     assert_eq!(blocked.value, code(expected), "{rays:x?}, {rectangle:x?}");
 
     let kernels = [
-        (
-            "isect_rectangle_r16",
-            isect_rectangle as fn(_, _, &_, _, _) -> _,
-        ),
+        ("isect_rectangle_r16", isect_rectangle as fn(_, _, &_, _, _) -> _),
         ("isect_plane_r16", isect_plane),
     ];
     std::array::from_fn(|number| {
@@ -78,18 +72,12 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
                 wrong += 1;
                 // Only where rounding decides.
                 let beyond = [u, 1.0 - u, v, 1.0 - v].map(f64::abs);
-                assert!(
-                    beyond.iter().any(|beyond| *beyond <= error),
-                    "{u}, {v} are taken wrongly"
-                );
+                assert!(beyond.iter().any(|beyond| *beyond <= error), "{u}, {v} are taken wrongly");
             }
         }
     }
     println!("{by_plane} hits of planes, {hits} of rectangles, {wrong} wrong");
-    assert!(
-        by_plane > 15_000 && hits > 4000,
-        "too few hits within the domain"
-    );
+    assert!(by_plane > 15_000 && hits > 4000, "too few hits within the domain");
     keeps_stated_errors("isect_rectangle_r16", &[worst_t, worst_uv]);
     keeps_stated_errors("isect_plane_r16", &[worst_t, worst_uv]);
 }
@@ -109,79 +97,15 @@ fn sides_edges_behind_and_along() {
         ("ahead", ahead, [0.0; 3], forward, 1e9, true, true),
         ("its other side", turned, [0.0; 3], forward, 1e9, true, true),
         ("beside", ahead, [1.5, 0.0, 0.0], forward, 1e9, false, true),
-        (
-            "on an edge",
-            ahead,
-            [1.0, 0.0, 0.0],
-            forward,
-            1e9,
-            true,
-            true,
-        ),
-        (
-            "on its corner",
-            ahead,
-            [-1.0, -1.0, 0.0],
-            forward,
-            1e9,
-            true,
-            true,
-        ),
-        (
-            "on its far corner",
-            ahead,
-            [1.0, 1.0, 0.0],
-            forward,
-            1e9,
-            true,
-            true,
-        ),
+        ("on an edge", ahead, [1.0, 0.0, 0.0], forward, 1e9, true, true),
+        ("on its corner", ahead, [-1.0, -1.0, 0.0], forward, 1e9, true, true),
+        ("on its far corner", ahead, [1.0, 1.0, 0.0], forward, 1e9, true, true),
         ("behind", ahead, [0.0, 0.0, 9.0], forward, 1e9, false, false),
-        (
-            "where the ray begins",
-            ahead,
-            [0.0, 0.0, 5.0],
-            forward,
-            1e9,
-            false,
-            false,
-        ),
-        (
-            "beyond what is allowed",
-            ahead,
-            [0.0; 3],
-            forward,
-            4.9999,
-            false,
-            false,
-        ),
-        (
-            "nothing is allowed",
-            ahead,
-            [0.0; 3],
-            forward,
-            0.0,
-            false,
-            false,
-        ),
-        (
-            "along it",
-            ahead,
-            [0.0; 3],
-            [1.0, 0.0, 0.0],
-            1e30,
-            false,
-            false,
-        ),
-        (
-            "within it",
-            ahead,
-            [-3.0, 0.0, 5.0],
-            [1.0, 0.0, 0.0],
-            1e30,
-            false,
-            false,
-        ),
+        ("where the ray begins", ahead, [0.0, 0.0, 5.0], forward, 1e9, false, false),
+        ("beyond what is allowed", ahead, [0.0; 3], forward, 4.9999, false, false),
+        ("nothing is allowed", ahead, [0.0; 3], forward, 0.0, false, false),
+        ("along it", ahead, [0.0; 3], [1.0, 0.0, 0.0], 1e30, false, false),
+        ("within it", ahead, [-3.0, 0.0, 5.0], [1.0, 0.0, 0.0], 1e30, false, false),
     ];
     for (name, rectangle, origin, direction, farthest, within, plane) in cases {
         let mut ray = Ray::new(point(origin), point(direction));
@@ -211,15 +135,8 @@ fn any_bits_at_all_equal_the_twin() {
         };
         let found = check(&mut bench, &mut random, &rays, &rectangle);
         for (hits, found) in hits.iter_mut().zip(found) {
-            *hits += rays
-                .iter()
-                .zip(found)
-                .filter(|(ray, found)| ray.hit != *found)
-                .count();
+            *hits += rays.iter().zip(found).filter(|(ray, found)| ray.hit != *found).count();
         }
     }
-    assert!(
-        hits[0] > 5 && hits[1] > 1000,
-        "junk hit only {hits:?} times"
-    );
+    assert!(hits[0] > 5 && hits[1] > 1000, "junk hit only {hits:?} times");
 }

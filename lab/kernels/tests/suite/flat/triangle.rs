@@ -25,12 +25,7 @@ fn check(
     let sheared = sheared(bench, &[packed]).remove(0);
     let shears: [Shear; 16] = std::array::from_fn(|lane| {
         let expected = shear(rays[lane].origin, rays[lane].direction);
-        assert_eq!(
-            flat_records::shear(&sheared, lane),
-            expected,
-            "{:x?}",
-            rays[lane]
-        );
+        assert_eq!(flat_records::shear(&sheared, lane), expected, "{:x?}", rays[lane]);
         expected
     });
 
@@ -77,10 +72,7 @@ fn one_ray(
 ) -> FlatHit {
     let ray = bench.place(OneRay::new(ray, random).as_bytes());
     let triangle = put_triangles(bench, [*triangle], || random.random());
-    bench.call(
-        "isect_triangle_r1",
-        &[ray.address, triangle.address, object],
-    );
+    bench.call("isect_triangle_r1", &[ray.address, triangle.address, object]);
     bench.read::<OneRay>(ray).hit()
 }
 
@@ -94,10 +86,7 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
         let rays = cases.map(|(ray, _)| ray);
         let triangles = cases.map(|(_, triangle)| triangle);
         let shears = sheared(&mut bench, &[Rays::pack(&rays)]).remove(0);
-        for (lane, hit) in check(&mut bench, &mut random, &rays, &triangles, 1)
-            .iter()
-            .enumerate()
-        {
+        for (lane, hit) in check(&mut bench, &mut random, &rays, &triangles, 1).iter().enumerate() {
             let ray = &rays[lane];
             assert_ne!(hit.object, 0, "{ray:x?} misses what it is aimed at");
             worst_slope = worst_slope.max(error_of_shear(ray, &shears, lane));
@@ -106,9 +95,7 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
                 hits += 1;
                 let [t, u, v] = on_triangle(ray, &triangles[lane]);
                 worst_t = worst_t.max(ulps(to_f64(hit.t), t));
-                worst_uv = worst_uv
-                    .max((to_f64(hit.u) - u).abs())
-                    .max((to_f64(hit.v) - v).abs());
+                worst_uv = worst_uv.max((to_f64(hit.u) - u).abs()).max((to_f64(hit.v) - v).abs());
             }
         }
     }
@@ -189,12 +176,7 @@ fn behind_beyond_along_and_without_size() {
             false,
         ),
         ("one point", through([[0.0, 0.0, 5.0]; 3]), 1e9, false),
-        (
-            "one line",
-            through([[-1.0, 0.0, 5.0], [1.0, 0.0, 5.0], [3.0, 0.0, 5.0]]),
-            1e9,
-            false,
-        ),
+        ("one line", through([[-1.0, 0.0, 5.0], [1.0, 0.0, 5.0], [3.0, 0.0, 5.0]]), 1e9, false),
         (
             "as large as may be",
             through([[-far, -far, far], [far, -far, far], [0.0, far, far]]),
@@ -234,11 +216,7 @@ fn a_hit_has_to_be_nearer_than_the_last() {
         let (mut ray, triangle) = aimed_at_triangle(&mut random);
         let [hit, ..] = check(&mut bench, &mut random, &[ray; 16], &[triangle], 1);
         for (ulps, object) in [(0, 7), (1, 2)] {
-            ray.hit = FlatHit {
-                t: hit.t + ulps,
-                object: 7,
-                ..hit
-            };
+            ray.hit = FlatHit { t: hit.t + ulps, object: 7, ..hit };
             let [again, ..] = check(&mut bench, &mut random, &[ray; 16], &[triangle], 2);
             assert_eq!(again.object, object, "{ulps} ulp, {ray:x?}, {triangle:x?}");
         }
@@ -252,9 +230,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut hits = 0;
     for _ in 0..3000 {
         let rays = std::array::from_fn(|_| Ray::junk(&mut random));
-        let triangles: Vec<Triangle> = (0..random.random_range(1..20))
-            .map(|_| -> [Point; 3] { random.random() })
-            .collect();
+        let triangles: Vec<Triangle> =
+            (0..random.random_range(1..20)).map(|_| -> [Point; 3] { random.random() }).collect();
         let found = check(&mut bench, &mut random, &rays, &triangles, 1);
         hits += found.iter().filter(|hit| hit.object < 20).count();
     }

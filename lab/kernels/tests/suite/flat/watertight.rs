@@ -19,12 +19,7 @@ fn faces() -> Vec<[usize; 3]> {
     (1..=5)
         .flat_map(|k| {
             let (n, below, below_next) = (next(k), k + 5, next(k) + 5);
-            [
-                [0, k, n],
-                [11, below_next, below],
-                [k, below, n],
-                [n, below, below_next],
-            ]
+            [[0, k, n], [11, below_next, below], [k, below, n], [n, below, below_next]]
         })
         .collect()
 }
@@ -58,14 +53,10 @@ impl Mesh {
     pub fn new(place: [f64; 3], size: f64, widths: [f64; 3], random: &mut ChaCha8Rng) -> Self {
         let vertices = vertices().map(|vertex| {
             let stretch = size * random.random_range(0.5..2.0);
-            point(std::array::from_fn(|axis| {
-                place[axis] + stretch * widths[axis] * vertex[axis]
-            }))
+            point(std::array::from_fn(|axis| place[axis] + stretch * widths[axis] * vertex[axis]))
         });
         let offset = in_cube(0.05 * size, random);
-        let inside = point(std::array::from_fn(|axis| {
-            place[axis] + widths[axis] * offset[axis]
-        }));
+        let inside = point(std::array::from_fn(|axis| place[axis] + widths[axis] * offset[axis]));
         Self { vertices, inside }
     }
 
@@ -93,14 +84,9 @@ impl Mesh {
     /// How often the surface winds around `inside`: the sum of the faces' solid angles divided by
     /// the sphere's (Van Oosterom and Strackee). An integer, or 0 if `inside` is on the surface.
     fn turns(&self) -> f64 {
-        let seen = self
-            .vertices
-            .map(|vertex| less(vertex.map(to_f64), self.inside.map(to_f64)));
+        let seen = self.vertices.map(|vertex| less(vertex.map(to_f64), self.inside.map(to_f64)));
         let mut turns = 0.0;
-        for [a, b, c] in faces()
-            .into_iter()
-            .map(|face| face.map(|vertex| seen[vertex]))
-        {
+        for [a, b, c] in faces().into_iter().map(|face| face.map(|vertex| seen[vertex])) {
             let [la, lb, lc] = [a, b, c].map(|side| dot(side, side).sqrt());
             let volume = dot(a, cross(b, c));
             let corner = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
@@ -164,9 +150,8 @@ fn trace(
     for _ in 0..meshes {
         let mesh = mesh(random);
         let triangles = mesh.triangles(random);
-        let rays: Vec<[Ray; 16]> = (0..packets)
-            .map(|_| std::array::from_fn(|_| mesh.aimed(random)))
-            .collect();
+        let rays: Vec<[Ray; 16]> =
+            (0..packets).map(|_| std::array::from_fn(|_| mesh.aimed(random))).collect();
         let packed: Vec<Rays> = rays.iter().map(Rays::pack).collect();
         let sheared = sheared(bench, &packed);
         let triangles_place = put_triangles(bench, triangles.iter().copied(), || random.random());
@@ -216,8 +201,5 @@ fn no_ray_leaves_a_closed_mesh() {
     });
     on_edges += trace(&mut bench, &mut random, 4000, 8, Mesh::on_lattice);
     println!("{on_edges} rays exactly through an edge");
-    assert!(
-        on_edges > 10_000,
-        "only {on_edges} rays were exactly on edges"
-    );
+    assert!(on_edges > 10_000, "only {on_edges} rays were exactly on edges");
 }

@@ -91,9 +91,7 @@ fn any_bits_at_all_equal_the_twin() {
 fn borders_of_the_estimates_tables_equal_the_twin() {
     let mut bench = Bench::new();
     let mut operands = Vec::new();
-    for exponent in [
-        0, 1, 2, 3, 26, 27, 28, 126, 127, 128, 251, 252, 253, 254, 255,
-    ] {
+    for exponent in [0, 1, 2, 3, 26, 27, 28, 126, 127, 128, 251, 252, 253, 254, 255] {
         for entry in 0..32 {
             let border: Single = (exponent << 5 | entry) << 18;
             for beside in -2..=2 {
@@ -137,11 +135,7 @@ fn errors_hold_to_the_ends_of_the_domains() {
         let (stated, _) = stated(function);
         for operand in (least..least + span).chain(most - span..=most).step_by(3) {
             let error = ulps(function, operand, (function.twin)(operand));
-            assert!(
-                error <= stated,
-                "{} of {operand:x}: {error}",
-                function.kernel
-            );
+            assert!(error <= stated, "{} of {operand:x}: {error}", function.kernel);
         }
     }
 }
@@ -149,16 +143,10 @@ fn errors_hold_to_the_ends_of_the_domains() {
 /// Each step is worth its cycles, because it lowers the mean error.
 #[test]
 fn every_step_lowers_the_error() {
-    let all: Vec<f64> = FUNCTIONS
-        .iter()
-        .map(|function| accuracy(function).mean)
-        .collect();
+    let all: Vec<f64> = FUNCTIONS.iter().map(|function| accuracy(function).mean).collect();
     for steps in all.chunks(4) {
         println!("{steps:?}");
-        assert!(
-            steps.is_sorted_by(|before, after| before > after),
-            "{steps:?}"
-        );
+        assert!(steps.is_sorted_by(|before, after| before > after), "{steps:?}");
     }
 }
 
@@ -221,11 +209,7 @@ fn reciprocals_of_enormous_operands_are_zero() {
 fn unrefined_roots_of_negative_operands_are_those_of_their_magnitudes() {
     let mut random = random();
     for function in [&FUNCTIONS[4..6], &FUNCTIONS[8..10]].into_iter().flatten() {
-        let sign = if function.quantity == Quantity::Root {
-            SIGN
-        } else {
-            0
-        };
+        let sign = if function.quantity == Quantity::Root { SIGN } else { 0 };
         for _ in 0..10_000 {
             let operand = operand(&mut random, function);
             let negative = (function.twin)(operand | SIGN);
@@ -245,17 +229,9 @@ fn roots_of_tiny_operands_lose_what_is_flushed() {
     };
     for function in &FUNCTIONS[10..] {
         let stated = stated(function).0;
-        assert!(
-            largest(function, -104, -102) <= stated,
-            "{}",
-            function.kernel
-        );
+        assert!(largest(function, -104, -102) <= stated, "{}", function.kernel);
         let at_106 = largest(function, -106, -104);
-        assert!(
-            (stated..=4.0).contains(&at_106),
-            "{}: {at_106}",
-            function.kernel
-        );
+        assert!((stated..=4.0).contains(&at_106), "{}: {at_106}", function.kernel);
         for operand in (SMALLEST..=0x05ff_ffff).step_by(7) {
             let unrefined = (FUNCTIONS[9].twin)(operand);
             assert_eq!((function.twin)(operand), unrefined, "{operand:x}");

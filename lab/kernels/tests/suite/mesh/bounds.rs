@@ -15,18 +15,9 @@ use super::COUNTS;
 fn check(bench: &mut Bench, packets: &[[Ray; 16]], later: &[[Ray; 16]], shears: u32) {
     let mut expected: Vec<(MeshBound, u32)> = (0..)
         .zip(packets)
-        .map(|(number, rays)| {
-            (
-                mesh_bound(rays),
-                shears + number * size_of::<Shear>() as u32,
-            )
-        })
+        .map(|(number, rays)| (mesh_bound(rays), shears + number * size_of::<Shear>() as u32))
         .collect();
-    assert_eq!(
-        call::bounds(bench, packets, shears),
-        expected,
-        "{packets:x?}"
-    );
+    assert_eq!(call::bounds(bench, packets, shears), expected, "{packets:x?}");
     let bounds: Vec<MeshBound> = expected.iter().map(|(bound, _)| *bound).collect();
     let found = call::farthest(bench, later, &bounds, shears);
     for ((bound, at), rays) in expected.iter_mut().zip(later) {
@@ -61,12 +52,7 @@ fn any_bits_at_all_equal_the_twin() {
     for _ in 0..1000 {
         let [packet, later] =
             std::array::from_fn(|_| std::array::from_fn(|_| fans::junk(&mut random)));
-        check(
-            &mut bench,
-            &[packet],
-            &[later],
-            random.random_range(0..1 << 30),
-        );
+        check(&mut bench, &[packet], &[later], random.random_range(0..1 << 30));
     }
 }
 

@@ -58,12 +58,7 @@ fn check(
 }
 
 fn pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
-    let pair = |_| {
-        [
-            random.random_range(0..NODES),
-            random.random_range(0..PACKETS),
-        ]
-    };
+    let pair = |_| [random.random_range(0..NODES), random.random_range(0..PACKETS)];
     (0..count).map(pair).collect()
 }
 
@@ -79,10 +74,7 @@ fn corners(random: &mut ChaCha8Rng) -> Corners {
 }
 
 fn node(random: &mut ChaCha8Rng) -> Node {
-    Node {
-        boxes: std::array::from_fn(|_| corners(random)),
-        words: random.random(),
-    }
+    Node { boxes: std::array::from_fn(|_| corners(random)), words: random.random() }
 }
 
 fn packet(random: &mut ChaCha8Rng) -> Bounded {
@@ -117,10 +109,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     let mut kept = [0; 2];
     for _ in 0..500 {
-        let nodes: [Node; NODES] = std::array::from_fn(|_| Node {
-            boxes: random.random(),
-            words: random.random(),
-        });
+        let nodes: [Node; NODES] =
+            std::array::from_fn(|_| Node { boxes: random.random(), words: random.random() });
         let packets: [Bounded; PACKETS] = std::array::from_fn(|_| {
             let slab = |random: &mut ChaCha8Rng| Slab {
                 down: random.random(),

@@ -48,13 +48,7 @@ pub(super) enum Axes {
     Tiny,
 }
 
-pub(super) const AXES: [Axes; 5] = [
-    Axes::Any,
-    Axes::Flat,
-    Axes::Parallel,
-    Axes::Mixed,
-    Axes::Tiny,
-];
+pub(super) const AXES: [Axes; 5] = [Axes::Any, Axes::Flat, Axes::Parallel, Axes::Mixed, Axes::Tiny];
 
 pub(super) fn packet(fan: Fan, axes: Axes, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     let mut rays = fans::packet(fan, scale, random);
@@ -86,11 +80,7 @@ fn along(ray: &Ray, scale: f64, random: &mut ChaCha8Rng) -> f64 {
     match random.random_range(0..5) {
         0 => 0.0,
         1 => end,
-        _ => {
-            end * random
-                .random_range(0.0..1.0_f64)
-                .powi(random.random_range(1..8))
-        }
+        _ => end * random.random_range(0.0..1.0_f64).powi(random.random_range(1..8)),
     }
 }
 
@@ -145,10 +135,7 @@ pub(super) fn meets(ray: &Ray, [lower, upper]: &Corners) -> bool {
 /// The corners with a slack.
 pub(super) fn widened(corners: &Corners, slack: f64) -> Corners {
     let values = corners.map(|corner| corner.map(to_f64));
-    let largest = values
-        .iter()
-        .flatten()
-        .fold(0.0_f64, |top, c| top.max(c.abs()));
+    let largest = values.iter().flatten().fold(0.0_f64, |top, c| top.max(c.abs()));
     let moved = |corner: usize, way: f64| {
         std::array::from_fn(|axis| from_f64(values[corner][axis] + way * slack * largest))
     };
@@ -200,10 +187,7 @@ fn add(sum: &mut Outcome, one: Outcome) {
 }
 
 fn there(rays: &[Ray; 16]) -> Vec<Ray> {
-    rays.iter()
-        .filter(|ray| ray.t >> 31 == 0)
-        .copied()
-        .collect()
+    rays.iter().filter(|ray| ray.t >> 31 == 0).copied().collect()
 }
 
 /// Makes a box for a ray of a scene of some scale.
@@ -228,10 +212,8 @@ fn boxes_of(
         let boxes: Vec<Corners> = (0..4 * NODES)
             .map(|_| source(&those[random.random_range(0..those.len())], scale, random))
             .collect();
-        let met: Vec<bool> = boxes
-            .iter()
-            .map(|corners| those.iter().any(|ray| meets(ray, corners)))
-            .collect();
+        let met: Vec<bool> =
+            boxes.iter().map(|corners| those.iter().any(|ray| meets(ray, corners))).collect();
         add(&mut sum, outcome(bench, &rays, &boxes, &met, slack));
     }
     println!("{fan:?}, {axes:?}, slack {slack:.1e}: {sum:?}");
@@ -257,14 +239,7 @@ fn boxes_a_hair_too_small_are_left_out() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One] {
-        let sum = boxes_of(
-            &mut bench,
-            fan,
-            Axes::Any,
-            touching,
-            -4.0 * SLACK,
-            &mut random,
-        );
+        let sum = boxes_of(&mut bench, fan, Axes::Any, touching, -4.0 * SLACK, &mut random);
         assert!(sum.lost.iter().all(|lost| *lost > 0), "{fan:?}: {sum:?}");
     }
 }
@@ -325,10 +300,7 @@ fn no_box_is_left_out_whose_triangle_a_ray_hits() {
                 }
                 let aimed = &those[random.random_range(0..those.len())];
                 let vertices = triangle(aimed, scale, &mut random);
-                let shape = TriangleObject {
-                    vertices,
-                    both: true,
-                };
+                let shape = TriangleObject { vertices, both: true };
                 let rays = rays.map(|ray| {
                     let before = sphere_ray::Ray {
                         origin: ray.origin,
@@ -337,19 +309,12 @@ fn no_box_is_left_out_whose_triangle_a_ray_hits() {
                         object: 0,
                     };
                     let after = isect_triangle(before, &shape, 1);
-                    let t = if after.object == 1 {
-                        after.t + 1
-                    } else {
-                        ABSENT
-                    };
+                    let t = if after.object == 1 { after.t + 1 } else { ABSENT };
                     Ray { t, ..ray }
                 });
                 let hit = !there(&rays).is_empty();
                 let boxes = [around(&vertices); 4];
-                add(
-                    &mut sum,
-                    outcome(&mut bench, &rays, &boxes, &[hit; 4], SLACK),
-                );
+                add(&mut sum, outcome(&mut bench, &rays, &boxes, &[hit; 4], SLACK));
             }
             println!("{fan:?}, {axes:?}: {sum:?}");
             assert_eq!(sum.lost, [0; 2], "{fan:?} {axes:?}");
@@ -370,10 +335,7 @@ fn much_of_what_rays_miss_is_left_out() {
         let missed = sum.tested - sum.met;
         let left_out = sum.kept.map(|kept| sum.tested - kept);
         assert!(10 * left_out[1] > 9 * missed, "{fan:?}: {sum:?}");
-        if matches!(
-            fan,
-            Fan::Eye | Fan::Coherent | Fan::Shadow | Fan::One | Fan::Half
-        ) {
+        if matches!(fan, Fan::Eye | Fan::Coherent | Fan::Shadow | Fan::One | Fan::Half) {
             assert!(2 * left_out[0] > missed, "{fan:?}: {sum:?}");
         }
     }

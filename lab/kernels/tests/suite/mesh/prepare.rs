@@ -57,9 +57,7 @@ fn damaged_blocks_are_those_that_the_twin_refuses() {
         };
         words[at] = match random.random_range(0..4) {
             0 => words[at] ^ 1 << random.random_range(0..32),
-            1 => words[at]
-                .wrapping_add(random.random_range(0..20))
-                .wrapping_sub(10),
+            1 => words[at].wrapping_add(random.random_range(0..20)).wrapping_sub(10),
             2 => random.random_range(0..20),
             _ => random.random(),
         };

@@ -25,9 +25,7 @@ fn batch(count: usize, scale: f64, random: &mut ChaCha8Rng) -> Vec<[Ray; 16]> {
 }
 
 fn junk(count: usize, random: &mut ChaCha8Rng) -> Vec<[Ray; 16]> {
-    (0..count)
-        .map(|_| std::array::from_fn(|_| fans::junk(random)))
-        .collect()
+    (0..count).map(|_| std::array::from_fn(|_| fans::junk(random))).collect()
 }
 
 fn records(packets: &[[Ray; 16]]) -> Vec<MeshRay> {
@@ -59,11 +57,7 @@ fn records_equal_the_twin() {
             _ => junk(count, &mut random),
         };
         let expected = call::ray_words(&records(&packets));
-        assert_eq!(
-            call::mesh_rays(&mut bench, &packets),
-            expected,
-            "{packets:x?}"
-        );
+        assert_eq!(call::mesh_rays(&mut bench, &packets), expected, "{packets:x?}");
     }
 }
 
@@ -132,11 +126,7 @@ fn check(bench: &mut Bench, packets: &[[Ray; 16]], nodes: &[Node], bits: u128, b
     let rays = records(packets);
     let (visits, tests) = mesh_rays::filter_rays(&rays, bits, &of_twin(nodes));
     let found = call::filter_rays(bench, packets, nodes, bits);
-    assert_eq!(
-        found,
-        (visits.clone(), tests),
-        "{packets:x?} {nodes:x?} {bits:x}"
-    );
+    assert_eq!(found, (visits.clone(), tests), "{packets:x?} {nodes:x?} {bits:x}");
 
     let of_packet = |visit: &Visit| {
         let there = (0..8).filter(|packet| visit.rays << (16 * packet) >> 112 != 0);
@@ -227,10 +217,7 @@ fn no_box_that_a_ray_enters_is_left_out() {
         for (word, corners) in (1..).zip(&corners) {
             if conservative::meets(&ray, corners) {
                 met += 1;
-                assert!(
-                    visits.iter().any(|visit| visit.child == word),
-                    "{ray:x?} {corners:x?}"
-                );
+                assert!(visits.iter().any(|visit| visit.child == word), "{ray:x?} {corners:x?}");
                 assert!(few.contains(&(word, 0)), "{ray:x?} {corners:x?}");
             }
         }

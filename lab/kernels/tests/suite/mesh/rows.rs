@@ -41,9 +41,7 @@ fn junk_block(random: &mut ChaCha8Rng) -> MeshBlock {
         number: random.random_range(0..1 << 24),
         both: random.random(),
         vertices: (0..40).map(|_| random.random()).collect(),
-        faces: (0..MESH_FACES)
-            .map(|_| [(); 3].map(|()| random.random_range(0..40)))
-            .collect(),
+        faces: (0..MESH_FACES).map(|_| [(); 3].map(|()| random.random_range(0..40))).collect(),
     }
 }
 
@@ -57,12 +55,10 @@ fn aimed(random: &mut ChaCha8Rng) -> (MeshBlock, Vec<Packet>) {
     let near = |random: &mut ChaCha8Rng, width: f64| {
         towards.map(|axis| axis * distance + random.random_range(-width..width))
     };
-    let corners: Vec<[f64; 3]> = (0..24)
-        .map(|_| near(random, width).map(|axis| to_f64(from_f64(axis))))
-        .collect();
-    let faces: Vec<[u8; 3]> = (0..28)
-        .map(|_| [(); 3].map(|()| random.random_range(0..24)))
-        .collect();
+    let corners: Vec<[f64; 3]> =
+        (0..24).map(|_| near(random, width).map(|axis| to_f64(from_f64(axis)))).collect();
+    let faces: Vec<[u8; 3]> =
+        (0..28).map(|_| [(); 3].map(|()| random.random_range(0..24))).collect();
     let packets = (0..8)
         .map(|_| {
             std::array::from_fn(|_| {
@@ -90,11 +86,7 @@ fn aimed(random: &mut ChaCha8Rng) -> (MeshBlock, Vec<Packet>) {
                 Ray {
                     origin: [ZERO; 3],
                     direction: unit(target).map(from_f64),
-                    t: if random.random_ratio(1, 12) {
-                        ABSENT
-                    } else {
-                        FARTHEST
-                    },
+                    t: if random.random_ratio(1, 12) { ABSENT } else { FARTHEST },
                     object: 0,
                 }
             })
@@ -113,19 +105,15 @@ fn runs(count: usize, packets: usize, faces: usize, random: &mut ChaCha8Rng) -> 
     let run = |_| {
         let first = random.random_range(0..faces);
         let length = random.random_range(1..=MESH_RUN as usize);
-        (
-            first..(first + length).min(faces),
-            random.random_range(0..packets),
-        )
+        (first..(first + length).min(faces), random.random_range(0..packets))
     };
     (0..count).map(run).collect()
 }
 
 /// The list that the filter's twin makes.
 fn expected(windows: &[MeshWindow], block: &MeshBlock, runs: &Runs) -> Vec<Rows> {
-    let pairs = runs
-        .iter()
-        .flat_map(|(run, packet)| run.clone().map(|triangle| (triangle, *packet)));
+    let pairs =
+        runs.iter().flat_map(|(run, packet)| run.clone().map(|triangle| (triangle, *packet)));
     pairs
         .map(|(triangle, packet)| Rows {
             triangle,
@@ -147,11 +135,7 @@ fn check_filter(
     let (found, rows, triangles) = call::filtered(bench, windows, block, runs, anything);
     let expected = expected(windows, block, runs);
     assert_eq!(found, expected, "{windows:x?} {block:x?} {runs:?}");
-    let count: usize = expected
-        .iter()
-        .flat_map(|of| of.rows)
-        .map(usize::from)
-        .sum();
+    let count: usize = expected.iter().flat_map(|of| of.rows).map(usize::from).sum();
     assert_eq!(rows as usize, count);
     let tested: usize = runs.iter().map(|(run, _)| run.len()).sum();
     assert_eq!(triangles as usize, tested);
@@ -175,10 +159,8 @@ fn check_rows(
             }
         }
     }
-    let records: Vec<RayPacket> = expected
-        .iter()
-        .map(|rays| isect::call::packet(rays, anything))
-        .collect();
+    let records: Vec<RayPacket> =
+        expected.iter().map(|rays| isect::call::packet(rays, anything)).collect();
     assert_eq!(found.as_bytes(), records.as_bytes(), "{rows:?} {block:x?}");
     expected
 }
@@ -278,20 +260,11 @@ fn any_bits_at_all_equal_the_twins() {
     for _ in 0..300 {
         let block = junk_block(&mut random);
         let packets: Vec<Packet> = (0..4).map(|_| junk(&mut random)).collect();
-        let windows: Vec<_> = (0..4)
-            .map(|_| mesh_window(&aimed(&mut random).1[0]))
-            .collect();
+        let windows: Vec<_> = (0..4).map(|_| mesh_window(&aimed(&mut random).1[0])).collect();
         let runs = runs(7, packets.len(), block.faces.len(), &mut random);
         let rows = check_filter(&mut bench, &windows, &block, &runs, random.random());
-        let from_the_eye: Vec<Packet> = packets
-            .iter()
-            .map(|rays| {
-                rays.map(|ray| Ray {
-                    origin: [ZERO; 3],
-                    ..ray
-                })
-            })
-            .collect();
+        let from_the_eye: Vec<Packet> =
+            packets.iter().map(|rays| rays.map(|ray| Ray { origin: [ZERO; 3], ..ray })).collect();
         check_rows(&mut bench, &from_the_eye, &block, &rows, random.random());
     }
 }
@@ -308,9 +281,7 @@ fn all_three_find_the_hits_of_every_ray_with_every_triangle() {
         let windows: Vec<_> = packets.iter().map(mesh_window).collect();
         let runs: Runs = (0..packets.len())
             .flat_map(|packet| {
-                (0..block.faces.len())
-                    .step_by(7)
-                    .map(move |first| (first..first + 7, packet))
+                (0..block.faces.len()).step_by(7).map(move |first| (first..first + 7, packet))
             })
             .collect();
         let rows = check_filter(&mut bench, &windows, &block, &runs, 0);
@@ -325,11 +296,7 @@ fn all_three_find_the_hits_of_every_ray_with_every_triangle() {
         rays += 16 * every.len();
         hits += every.iter().flatten().filter(|ray| ray.object != 0).count();
         tested += 4 * packets.len() * block.faces.len();
-        rows_tested += rows
-            .iter()
-            .flat_map(|of| of.rows)
-            .map(usize::from)
-            .sum::<usize>();
+        rows_tested += rows.iter().flat_map(|of| of.rows).map(usize::from).sum::<usize>();
     }
     assert!(hits > rays / 3, "{hits} of {rays}");
     assert!(rows_tested < tested * 19 / 20, "{rows_tested} of {tested}");

@@ -29,16 +29,10 @@ fn check(
             *ray = block.isect_run(*ray, run.clone());
         }
     }
-    let records: Vec<RayPacket> = expected
-        .iter()
-        .map(|rays| isect::call::packet(rays, anything))
-        .collect();
+    let records: Vec<RayPacket> =
+        expected.iter().map(|rays| isect::call::packet(rays, anything)).collect();
     for (found, (expected, rays)) in found.iter().zip(records.iter().zip(&expected)) {
-        assert_eq!(
-            found.as_bytes(),
-            expected.as_bytes(),
-            "{runs:?} {rays:x?} {block:x?}"
-        );
+        assert_eq!(found.as_bytes(), expected.as_bytes(), "{runs:?} {rays:x?} {block:x?}");
     }
     expected
 }
@@ -52,10 +46,7 @@ fn runs(
     let run = |_| {
         let first = random.random_range(0..faces);
         let length = random.random_range(1..=MESH_RUN as usize);
-        (
-            first..(first + length).min(faces),
-            random.random_range(0..packets),
-        )
+        (first..(first + length).min(faces), random.random_range(0..packets))
     };
     (0..count).map(run).collect()
 }
@@ -67,13 +58,10 @@ fn runs_equal_the_twin_in_lists_of_any_length() {
     let (mut rays, mut hits) = (0, 0);
     for _ in 0..20 {
         for count in COUNTS {
-            let around: Vec<_> = (0..8)
-                .map(|_| TriangleObject::around(&mut random, 1.0))
-                .collect();
+            let around: Vec<_> = (0..8).map(|_| TriangleObject::around(&mut random, 1.0)).collect();
             let vertices: Vec<_> = around.iter().flat_map(|(of, _)| of.vertices).collect();
-            let mut faces: Vec<[u8; 3]> = (0..8)
-                .map(|face| [3 * face, 3 * face + 1, 3 * face + 2])
-                .collect();
+            let mut faces: Vec<[u8; 3]> =
+                (0..8).map(|face| [3 * face, 3 * face + 1, 3 * face + 2]).collect();
             faces.extend((0..20).map(|_| [(); 3].map(|()| random.random_range(0..24))));
             let block = MeshBlock {
                 number: random.random_range(0..1 << 24),
@@ -85,11 +73,7 @@ fn runs_equal_the_twin_in_lists_of_any_length() {
             let runs = runs(count, packets.len(), block.faces.len(), &mut random);
             let after = check(&mut bench, &packets, &block, &runs, random.random());
             rays += 16 * after.len();
-            hits += after
-                .iter()
-                .flatten()
-                .filter(|ray| ray.object >> 31 != 0)
-                .count();
+            hits += after.iter().flatten().filter(|ray| ray.object >> 31 != 0).count();
         }
     }
     assert!(hits > rays / 20 && hits < rays * 9 / 10, "{hits} of {rays}");
@@ -104,9 +88,7 @@ fn any_bits_at_all_equal_the_twin() {
             number: random.random_range(0..1 << 24),
             both: random.random(),
             vertices: (0..40).map(|_| random.random()).collect(),
-            faces: (0..MESH_FACES)
-                .map(|_| [(); 3].map(|()| random.random_range(0..40)))
-                .collect(),
+            faces: (0..MESH_FACES).map(|_| [(); 3].map(|()| random.random_range(0..40))).collect(),
         };
         let junk = |random: &mut ChaCha8Rng| Ray {
             origin: random.random(),
@@ -114,9 +96,8 @@ fn any_bits_at_all_equal_the_twin() {
             t: random.random(),
             object: random.random(),
         };
-        let packets: Vec<[Ray; 16]> = (0..4)
-            .map(|_| std::array::from_fn(|_| junk(&mut random)))
-            .collect();
+        let packets: Vec<[Ray; 16]> =
+            (0..4).map(|_| std::array::from_fn(|_| junk(&mut random))).collect();
         let runs = runs(7, packets.len(), block.faces.len(), &mut random);
         check(&mut bench, &packets, &block, &runs, random.random());
     }

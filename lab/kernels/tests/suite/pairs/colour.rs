@@ -28,9 +28,7 @@ fn sensible_hits_equal_the_twin() {
     for _ in 0..100 {
         for scale in SCALES {
             let hits = std::array::from_fn(|_| {
-                random
-                    .random_ratio(3, 4)
-                    .then(|| any_hit(&mut random, scale))
+                random.random_ratio(3, 4).then(|| any_hit(&mut random, scale))
             });
             check(&mut bench, &hits, random.random(), random.random());
         }

@@ -10,10 +10,7 @@ use twins::pairs::Sides;
 
 use super::check;
 
-const BOTH: Sides = Sides {
-    both: true,
-    exit: false,
-};
+const BOTH: Sides = Sides { both: true, exit: false };
 
 /// A name, a ray's origin and direction, and the distances at which it enters and leaves.
 type Case = (&'static str, [f64; 3], [f64; 3], Option<f64>, Option<f64>);
@@ -62,53 +59,17 @@ fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
     let forward = [0.0, 0.0, -1.0];
     let cases: [Case; 12] = [
         ("ahead", [0.0; 3], forward, Some(4.0), Some(6.0)),
-        (
-            "from behind",
-            [0.0, 0.0, -9.0],
-            [0.0, 0.0, 1.0],
-            Some(3.0),
-            Some(5.0),
-        ),
+        ("from behind", [0.0, 0.0, -9.0], [0.0, 0.0, 1.0], Some(3.0), Some(5.0)),
         ("behind", [0.0, 0.0, -9.0], forward, None, None),
         ("beside", [1.5, 0.0, 0.0], forward, None, None),
         ("above", [0.0, 1.5, 0.0], forward, None, None),
         ("below", [0.0, -1.5, 0.0], forward, None, None),
         ("from within", [0.0, 0.0, -5.0], forward, None, Some(1.0)),
-        (
-            "through the open top",
-            [0.0, 4.0, -8.0],
-            [0.0, -1.0, 1.0],
-            None,
-            Some(4.0 * root_2),
-        ),
-        (
-            "out at the open top",
-            [0.0, -3.0, -8.5],
-            [0.0, 1.0, 1.0],
-            Some(2.5 * root_2),
-            None,
-        ),
-        (
-            "along the axis",
-            [0.0, 5.0, -5.0],
-            [0.0, -1.0, 0.0],
-            None,
-            None,
-        ),
-        (
-            "beside the axis",
-            [0.5, 5.0, -5.0],
-            [0.0, -1.0, 0.0],
-            None,
-            None,
-        ),
-        (
-            "along it, outside",
-            [1.5, 5.0, -5.0],
-            [0.0, -1.0, 0.0],
-            None,
-            None,
-        ),
+        ("through the open top", [0.0, 4.0, -8.0], [0.0, -1.0, 1.0], None, Some(4.0 * root_2)),
+        ("out at the open top", [0.0, -3.0, -8.5], [0.0, 1.0, 1.0], Some(2.5 * root_2), None),
+        ("along the axis", [0.0, 5.0, -5.0], [0.0, -1.0, 0.0], None, None),
+        ("beside the axis", [0.5, 5.0, -5.0], [0.0, -1.0, 0.0], None, None),
+        ("along it, outside", [1.5, 5.0, -5.0], [0.0, -1.0, 0.0], None, None),
     ];
     check_cases(&cylinder, &cases);
 }
@@ -125,62 +86,14 @@ fn all_that_a_ray_and_a_cone_can_be_to_each_other() {
     };
     let root_2 = 2_f64.sqrt();
     let cases: [Case; 9] = [
-        (
-            "across",
-            [9.0, 1.0, 0.0],
-            [-1.0, 0.0, 0.0],
-            Some(8.0),
-            Some(10.0),
-        ),
-        (
-            "down beside the axis",
-            [1.0, 5.0, 0.0],
-            [0.0, -1.0, 0.0],
-            Some(4.0),
-            None,
-        ),
-        (
-            "up beside the axis",
-            [1.0, -5.0, 0.0],
-            [0.0, 1.0, 0.0],
-            None,
-            Some(6.0),
-        ),
-        (
-            "along a side, within",
-            [0.0, 0.0, 0.0],
-            [1.0, 1.0, 0.0],
-            None,
-            Some(root_2),
-        ),
-        (
-            "along a side, into it",
-            [-3.0, 0.0, 0.0],
-            [1.0, 1.0, 0.0],
-            None,
-            None,
-        ),
-        (
-            "along a side, from above",
-            [3.0, 3.0, 0.0],
-            [-1.0, -1.0, 0.0],
-            Some(2.0 * root_2),
-            None,
-        ),
-        (
-            "the mirror image",
-            [9.0, 3.0, 0.0],
-            [-1.0, 0.0, 0.0],
-            None,
-            None,
-        ),
-        (
-            "through both",
-            [-1.0, 4.0, 0.0],
-            [1.0, -1.5, 0.0],
-            Some(2.0 * 3.25_f64.sqrt()),
-            None,
-        ),
+        ("across", [9.0, 1.0, 0.0], [-1.0, 0.0, 0.0], Some(8.0), Some(10.0)),
+        ("down beside the axis", [1.0, 5.0, 0.0], [0.0, -1.0, 0.0], Some(4.0), None),
+        ("up beside the axis", [1.0, -5.0, 0.0], [0.0, 1.0, 0.0], None, Some(6.0)),
+        ("along a side, within", [0.0, 0.0, 0.0], [1.0, 1.0, 0.0], None, Some(root_2)),
+        ("along a side, into it", [-3.0, 0.0, 0.0], [1.0, 1.0, 0.0], None, None),
+        ("along a side, from above", [3.0, 3.0, 0.0], [-1.0, -1.0, 0.0], Some(2.0 * root_2), None),
+        ("the mirror image", [9.0, 3.0, 0.0], [-1.0, 0.0, 0.0], None, None),
+        ("through both", [-1.0, 4.0, 0.0], [1.0, -1.5, 0.0], Some(2.0 * 3.25_f64.sqrt()), None),
         ("below", [9.0, -1.0, 0.0], [-1.0, 0.0, 0.0], None, None),
     ];
     check_cases(&cone, &cases);

@@ -49,11 +49,7 @@ fn from_before_and_from_behind() {
                 let place = |point: [f64; 3]| turned(point, turn, way);
                 let (first, second) = ([2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
                 // Seen along -z, counter-clockwise is from x to y.
-                let (first, second) = if front {
-                    (first, second)
-                } else {
-                    (second, first)
-                };
+                let (first, second) = if front { (first, second) } else { (second, first) };
                 let corner = [-0.9, -0.9, -5.0];
                 let behind = [-0.9, -0.9, 5.0];
                 let straight = ray(place([0.0; 3]), place([0.0, 0.0, -1.0]), FARTHEST);
@@ -75,10 +71,7 @@ fn from_before_and_from_behind() {
                 let other = MoellerTrumbore(triangle);
                 assert_eq!(is_hit(&mut bench, straight, triangle), seen);
                 assert_eq!(is_hit(&mut bench, straight, other), seen);
-                let away = Ray {
-                    direction: point(place([0.0, 0.0, 1.0])),
-                    ..straight
-                };
+                let away = Ray { direction: point(place([0.0, 0.0, 1.0])), ..straight };
                 assert!(!is_hit(&mut bench, away, triangle));
                 assert!(!is_hit(&mut bench, away, other));
             }
@@ -99,10 +92,7 @@ fn along_the_plane_and_from_within_it_is_no_hit() {
     ] {
         for both in [false, true] {
             let ray = ray(origin, direction, FARTHEST);
-            let rectangle = RectangleObject {
-                rectangle: flat,
-                both,
-            };
+            let rectangle = RectangleObject { rectangle: flat, both };
             assert!(!is_hit(&mut bench, ray, rectangle));
             let triangle = TriangleObject { vertices, both };
             assert!(!is_hit(&mut bench, ray, triangle));
@@ -117,17 +107,12 @@ fn an_edge_belongs_to_both_triangles_and_to_the_rectangle() {
     let straight = ray([0.0; 3], [0.0, 0.0, -1.0], FARTHEST);
     let [a, b] = [[0.0, -1.0, -5.0], [0.0, 1.0, -5.0]];
     for vertices in [[a, b, [-1.0, 0.0, -5.0]], [a, [1.0, 0.0, -5.0], b]] {
-        let triangle = TriangleObject {
-            vertices: vertices.map(point),
-            both: false,
-        };
+        let triangle = TriangleObject { vertices: vertices.map(point), both: false };
         assert!(is_hit(&mut bench, straight, triangle));
         assert!(is_hit(&mut bench, straight, MoellerTrumbore(triangle)));
     }
-    let rectangle = RectangleObject {
-        rectangle: rectangle(a, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]),
-        both: false,
-    };
+    let rectangle =
+        RectangleObject { rectangle: rectangle(a, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]), both: false };
     assert!(is_hit(&mut bench, straight, rectangle));
 }
 
@@ -147,10 +132,8 @@ fn shears_of_packets_equal_the_twin() {
                     _ => TriangleObject::around(&mut random, 1.0).1,
                 })
                 .collect();
-            let records: Vec<_> = packets
-                .iter()
-                .map(|rays| call::packet(rays, random.random()))
-                .collect();
+            let records: Vec<_> =
+                packets.iter().map(|rays| call::packet(rays, random.random())).collect();
             bench.reset();
             let placed = call::place::<TriangleObject>(&mut bench, &records, &[], &[], 0);
             let shears: Vec<Shears> = bench.read_all(placed.shears.expect("triangles take shears"));
@@ -189,10 +172,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
         });
         let faces = FACES.map(|mut face| {
             face.rotate_left(random.random_range(0..3));
-            TriangleObject {
-                vertices: face.map(|corner| point(corners[corner])),
-                both: false,
-            }
+            TriangleObject { vertices: face.map(|corner| point(corners[corner])), both: false }
         });
         // To vertices, to the middles of edges, and to random points on them.
         let rays = std::array::from_fn(|lane| {
@@ -208,10 +188,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
         });
         let (rays, objects) = check(&mut bench, &[rays], &faces, &list, 0);
         for ray in rays[0] {
-            assert!(
-                objects.contains(&ray.object),
-                "{ray:x?} leaks out of {faces:x?}"
-            );
+            assert!(objects.contains(&ray.object), "{ray:x?} leaks out of {faces:x?}");
         }
     }
 }

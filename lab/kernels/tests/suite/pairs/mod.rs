@@ -49,10 +49,7 @@ fn check<S: Shape>(
     list: &[[usize; 2]],
     anything: u32,
 ) -> (Vec<[Ray; 16]>, Vec<u32>) {
-    let before: Vec<RayPacket> = packets
-        .iter()
-        .map(|rays| call::packet(rays, anything))
-        .collect();
+    let before: Vec<RayPacket> = packets.iter().map(|rays| call::packet(rays, anything)).collect();
     let (after, addresses) = call::pairs(bench, &before, objects, list, anything);
     let mut expected = packets.to_vec();
     for &[object, packet] in list {
@@ -79,11 +76,7 @@ fn around_a_tangent(lane: usize) -> f64 {
 
 /// The rays of the cases, which have hit nothing yet.
 fn straight() -> [Ray; 16] {
-    case_rays().map(|ray| Ray {
-        t: FARTHEST,
-        object: NOTHING,
-        ..ray
-    })
+    case_rays().map(|ray| Ray { t: FARTHEST, object: NOTHING, ..ray })
 }
 
 fn lists_of_any_length<S: Shape>() {
@@ -93,12 +86,7 @@ fn lists_of_any_length<S: Shape>() {
     for _ in 0..30 {
         for count in COUNTS {
             let objects: Vec<S> = (0..12)
-                .map(|_| {
-                    S::ahead(
-                        random.random_range(-1.0..1.0),
-                        random.random_range(2.0..9.0),
-                    )
-                })
+                .map(|_| S::ahead(random.random_range(-1.0..1.0), random.random_range(2.0..9.0)))
                 .collect();
             let packets: Vec<[Ray; 16]> = (0..random.random_range(1..5))
                 .map(|_| {
@@ -121,9 +109,7 @@ fn lists_of_any_length<S: Shape>() {
 fn a_packet_in_candidate_after_candidate_keeps_its_nearest_hit<S: Shape>() {
     let mut random = random();
     let mut bench = Bench::new();
-    let objects: Vec<S> = (0..40)
-        .map(|step| S::ahead(0.0, 5.0 + f64::from(step)))
-        .collect();
+    let objects: Vec<S> = (0..40).map(|step| S::ahead(0.0, 5.0 + f64::from(step))).collect();
     for count in COUNTS.into_iter().filter(|count| *count > 0) {
         let farther: Vec<[usize; 2]> = (0..count).map(|object| [object, 0]).collect();
         let nearer: Vec<[usize; 2]> = farther.iter().rev().copied().collect();
@@ -198,10 +184,7 @@ fn sensible_rays_equal_the_twin<S: Shape>() {
         }
     }
     println!("{}: {hits} of {rays_of_all} rays hit", S::KERNEL);
-    assert!(
-        (rays_of_all / 16..rays_of_all * 7 / 8).contains(&hits),
-        "{hits} of {rays_of_all}"
-    );
+    assert!((rays_of_all / 16..rays_of_all * 7 / 8).contains(&hits), "{hits} of {rays_of_all}");
 }
 
 fn any_bits_at_all_equal_the_twin<S: Shape>() {
@@ -220,11 +203,7 @@ fn any_bits_at_all_equal_the_twin<S: Shape>() {
         let objects: [S; 4] = std::array::from_fn(|_| S::junk(&mut random));
         let list: Vec<[usize; 2]> = (0..8).map(|pair| [pair % 4, pair / 4]).collect();
         let (after, _) = check(&mut bench, &packets, &objects, &list, random.random());
-        hits += after
-            .iter()
-            .flatten()
-            .filter(|ray| ray.object != NOTHING)
-            .count();
+        hits += after.iter().flatten().filter(|ray| ray.object != NOTHING).count();
     }
     println!("{}: junk hit {hits} times", S::KERNEL);
 }

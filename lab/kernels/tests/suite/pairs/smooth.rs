@@ -18,11 +18,8 @@ fn check(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> [[u32; 3]; 16] {
     for (lane, hit) in hits.iter().enumerate().filter(|(_, hit)| hit.smooth) {
         let normal = twin(&hit.patch, hit.point, hit.plane, hit.direction);
         assert_eq!(normals(&after)[lane], normal, "{hit:x?}");
-        [
-            expected.normal_x[lane],
-            expected.normal_y[lane],
-            expected.normal_z[lane],
-        ] = normal.map(single);
+        [expected.normal_x[lane], expected.normal_y[lane], expected.normal_z[lane]] =
+            normal.map(single);
     }
     assert_eq!(after.as_bytes(), expected.as_bytes());
     normals(&after)
@@ -54,10 +51,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for _ in 0..1000 {
         let hits = std::array::from_fn(|_| Hit {
-            patch: Patch {
-                vertices: random.random(),
-                normals: random.random(),
-            },
+            patch: Patch { vertices: random.random(), normals: random.random() },
             smooth: random.random(),
             point: random.random(),
             plane: random.random(),
@@ -75,10 +69,7 @@ fn a_vertex_has_its_own_normal_from_both_sides() {
     for vertex in 0..3 {
         for way in [1.0, -1.0] {
             let hit = Hit {
-                patch: Patch {
-                    vertices: vertices.map(point),
-                    normals: normals.map(point),
-                },
+                patch: Patch { vertices: vertices.map(point), normals: normals.map(point) },
                 smooth: true,
                 point: point(vertices[vertex]),
                 plane: point([0.0, 0.0, way]),
@@ -105,10 +96,7 @@ fn where_it_points_away_or_the_normals_cancel_it_is_the_planes() {
         ([[1.0, 0.0, 0.0]; 3], [0.0, 0.0, -1.0]),
     ] {
         let hit = Hit {
-            patch: Patch {
-                vertices,
-                normals: normals.map(point),
-            },
+            patch: Patch { vertices, normals: normals.map(point) },
             smooth: true,
             point: point([0.0, 0.0, -5.0]),
             plane: point([0.0, 0.0, 1.0]),

@@ -22,36 +22,12 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
     let mut bench = Bench::new();
     let cases: [Case; 12] = [
         ("ahead", [0.0, 0.0, -5.0], 1.0, Some(4.0), Some(6.0)),
-        (
-            "of a negative radius",
-            [0.0, 0.0, -5.0],
-            -1.0,
-            Some(4.0),
-            Some(6.0),
-        ),
+        ("of a negative radius", [0.0, 0.0, -5.0], -1.0, Some(4.0), Some(6.0)),
         ("behind", [0.0, 0.0, 5.0], 1.0, None, None),
-        (
-            "around, its centre ahead",
-            [0.0, 0.0, -0.5],
-            1.0,
-            None,
-            Some(1.5),
-        ),
-        (
-            "around, its centre behind",
-            [0.0, 0.0, 0.5],
-            1.0,
-            None,
-            Some(0.5),
-        ),
+        ("around, its centre ahead", [0.0, 0.0, -0.5], 1.0, None, Some(1.5)),
+        ("around, its centre behind", [0.0, 0.0, 0.5], 1.0, None, Some(0.5)),
         ("around, its centre here", [0.0; 3], 1.0, None, Some(1.0)),
-        (
-            "around, its centre beside",
-            [0.6, 0.0, 0.0],
-            1.0,
-            None,
-            Some(0.8),
-        ),
+        ("around, its centre beside", [0.6, 0.0, 0.0], 1.0, None, Some(0.8)),
         ("tangent", [1.0, 0.0, -5.0], 1.0, Some(5.0), Some(5.0)),
         ("beside", [3.0, 0.0, -5.0], 1.0, None, None),
         (
@@ -91,13 +67,8 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
             (true, true, enters.or(leaves)),
         ] {
             let sphere = sphere(centre, radius, Sides { both, exit });
-            let (rays, objects) = check(
-                &mut bench,
-                &[[straight; 16]],
-                &[By::<F>::from(sphere)],
-                &[[0, 0]],
-                0,
-            );
+            let (rays, objects) =
+                check(&mut bench, &[[straight; 16]], &[By::<F>::from(sphere)], &[[0, 0]], 0);
             let found = (rays[0][0].object == objects[0]).then(|| to_f64(rays[0][0].t));
             assert_eq!(found.is_some(), expected.is_some(), "{name}: {found:?}");
             if let (Some(found), Some(expected)) = (found, expected) {
@@ -117,13 +88,8 @@ fn a_hit_at_0_is_none<F: ForAnyRay>() {
     let straight = ray([0.0; 3], [0.0, 0.0, -1.0], FARTHEST);
     for (both, exit) in [(false, false), (false, true), (true, false)] {
         let sphere = sphere([1.0, 0.0, 0.0], 1.0, Sides { both, exit });
-        let (rays, _) = check(
-            &mut bench,
-            &[[straight; 16]],
-            &[By::<F>::from(sphere)],
-            &[[0, 0]],
-            0,
-        );
+        let (rays, _) =
+            check(&mut bench, &[[straight; 16]], &[By::<F>::from(sphere)], &[[0, 0]], 0);
         assert_eq!(rays[0][0], straight);
     }
 }

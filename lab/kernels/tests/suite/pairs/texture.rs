@@ -41,9 +41,7 @@ fn sensible_hits_equal_the_twin_in_all_levels() {
         for scale in SCALES {
             let table = levels(round % 16);
             let hits = std::array::from_fn(|_| {
-                random
-                    .random_ratio(3, 4)
-                    .then(|| any_hit(&mut random, scale))
+                random.random_ratio(3, 4).then(|| any_hit(&mut random, scale))
             });
             let tiles = check(&mut bench, &hits, &table, random.random());
             for (tile, _) in tiles.iter().zip(&hits).filter(|(_, hit)| hit.is_some()) {

@@ -86,14 +86,8 @@ fn rays_turned_round_have_the_same_cone() {
             direction: ray.direction.map(|component| component ^ 0x8000_0000),
             ..ray
         });
-        let from = Point {
-            along: from_f64(1.0),
-            ..point(&mut random)
-        };
-        let to = Point {
-            along: from_f64(-1.0),
-            ..from
-        };
+        let from = Point { along: from_f64(1.0), ..point(&mut random) };
+        let to = Point { along: from_f64(-1.0), ..from };
         let turned = check_fans(&mut bench, &[turned], &to);
         assert_eq!(check_fans(&mut bench, &[packet], &from), turned);
     }
@@ -104,10 +98,7 @@ fn without_a_ray_the_radius_is_far_below_0() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..200 {
-        let packet = std::array::from_fn(|_| Ray {
-            t: ABSENT,
-            ..fans::junk(&mut random)
-        });
+        let packet = std::array::from_fn(|_| Ray { t: ABSENT, ..fans::junk(&mut random) });
         assert_eq!(check(&mut bench, &[packet])[0].radius, NOTHING);
         let fan = check_fans(&mut bench, &[packet], &point(&mut random))[0];
         assert_eq!([fan.radius, fan.sine], [NOTHING; 2]);
@@ -132,9 +123,7 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
             [found.cosine, found.sine, found.radius, found.farthest].map(to_f64);
 
         let largest = |of: &dyn Fn(&Ray) -> f64| {
-            rays.iter()
-                .map(|ray| of(ray))
-                .fold(f64::NEG_INFINITY, f64::max)
+            rays.iter().map(|ray| of(ray)).fold(f64::NEG_INFINITY, f64::max)
         };
         let apart = largest(&|ray| {
             let apart = less(ray.origin.map(to_f64), apex);
@@ -142,10 +131,7 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
         });
         let away = dot(apex, apex).sqrt();
         assert!(apart <= radius, "{apart} {at}");
-        assert!(
-            radius <= apart * (1.0 + LOOSE) + away * LOOSE,
-            "{apart} {at}"
-        );
+        assert!(radius <= apart * (1.0 + LOOSE) + away * LOOSE, "{apart} {at}");
         assert!(farthest == largest(&|ray| to_f64(ray.t)), "{at}");
 
         let direction = |ray: &Ray| unit(ray.direction.map(to_f64));
@@ -167,10 +153,7 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
             dot(normal, normal).sqrt()
         });
         assert!((dot(axis, axis) - 1.0).abs() < LOOSE, "{at}");
-        assert!(
-            cosine <= least && least - LOOSE_COSINE <= cosine,
-            "{least} {at}"
-        );
+        assert!(cosine <= least && least - LOOSE_COSINE <= cosine, "{least} {at}");
         assert!(sine >= beside && beside + LOOSE >= sine, "{beside} {at}");
         assert!(cosine * cosine + sine * sine <= 1.0, "{at}");
     }

@@ -60,11 +60,7 @@ fn place(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, Vector,
 /// 1, and a tiny bit more or less.
 fn nearly_one(random: &mut ChaCha8Rng) -> f64 {
     let hair = magnitude(1e-9..1e-1, random);
-    if random.random() {
-        1.0 - hair
-    } else {
-        1.0 + hair
-    }
+    if random.random() { 1.0 - hair } else { 1.0 + hair }
 }
 
 /// A distance up to the end of a ray, often a small one.
@@ -185,11 +181,7 @@ fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
 /// Rays from the eye.
 fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     let packet = fans::packet(Fan::Eye, scale, random);
-    let eye = Point {
-        place: [ZERO; 3],
-        near: ZERO,
-        along: ONE,
-    };
+    let eye = Point { place: [ZERO; 3], near: ZERO, along: ONE };
     (packet, call::fans(bench, &[packet], &eye))
 }
 
@@ -218,10 +210,7 @@ fn outcome<V: Near>(
         std::array::from_fn(|_| {
             let (volume, is_met) = V::near(&rays, scale, slack, random);
             met.push(is_met);
-            Child {
-                volume,
-                address: met.len() as u32 - 1,
-            }
+            Child { volume, address: met.len() as u32 - 1 }
         })
     });
     let pairs: [[usize; 2]; NODES] = std::array::from_fn(|node| [node, 0]);

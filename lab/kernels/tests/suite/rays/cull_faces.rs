@@ -53,9 +53,7 @@ fn face(point: Vector, random: &mut ChaCha8Rng) -> Face {
 }
 
 fn pairs(count: usize, of: [usize; 2], random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
-    (0..count)
-        .map(|_| of.map(|end| random.random_range(0..end)))
-        .collect()
+    (0..count).map(|_| of.map(|end| random.random_range(0..end))).collect()
 }
 
 #[test]
@@ -77,10 +75,7 @@ fn candidates_equal_the_twin_in_lists_of_any_length() {
             tested += count;
         }
     }
-    assert!(
-        kept > tested / 10 && kept < tested * 9 / 10,
-        "{kept} of {tested}"
-    );
+    assert!(kept > tested / 10 && kept < tested * 9 / 10, "{kept} of {tested}");
 }
 
 #[test]
@@ -122,10 +117,7 @@ fn nobody_meets_a_front() {
     for _ in 0..500 {
         let absent =
             fans::packet(Fan::Coherent, 1.0, &mut random).map(|ray| Ray { t: ABSENT, ..ray });
-        let front = Face {
-            both: false,
-            ..face(in_cube(20.0, &mut random), &mut random)
-        };
+        let front = Face { both: false, ..face(in_cube(20.0, &mut random), &mut random) };
         let kept = check(&mut bench, &[front], &[bound(&absent)], &[[0, 0]], ONE);
         assert!(kept.is_empty());
     }
@@ -155,10 +147,7 @@ fn tempting(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> Face {
     let normal = unit(normal);
     let step = scale * magnitude(1e-9..10.0, random);
     let point = std::array::from_fn(|k| origin[k] + step * (normal[k] + tilt[k] * hair));
-    Face {
-        normal: normal.map(from_f64),
-        ..face(point, random)
-    }
+    Face { normal: normal.map(from_f64), ..face(point, random) }
 }
 
 /// Rays with their bounds, of which no face may be lost.
@@ -176,12 +165,7 @@ fn no_face_is_lost(
     sums: &mut [usize; 3],
     random: &mut ChaCha8Rng,
 ) {
-    let Bounded {
-        packet,
-        bound,
-        along,
-        scale,
-    } = of;
+    let Bounded { packet, bound, along, scale } = of;
     let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
     if rays.is_empty() {
         return;
@@ -204,11 +188,7 @@ fn no_face_that_a_ray_meets_is_left_out() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sums = [0; 3];
-    let eye = Point {
-        place: [ZERO; 3],
-        near: ZERO,
-        along: ONE,
-    };
+    let eye = Point { place: [ZERO; 3], near: ZERO, along: ONE };
     for _ in 0..1500 {
         let scale = magnitude(SCALES, &mut random);
         let fan = FANS[random.random_range(0..FANS.len())];
@@ -217,24 +197,11 @@ fn no_face_that_a_ray_meets_is_left_out() {
         let from_eye = fans::packet(Fan::Eye, scale, &mut random);
         let bounded = [
             (anywhere, call::bounds(&mut bench, &[anywhere]), ONE),
-            (
-                to_light,
-                call::fans(&mut bench, &[to_light], &light),
-                light.along,
-            ),
-            (
-                from_eye,
-                call::fans(&mut bench, &[from_eye], &eye),
-                eye.along,
-            ),
+            (to_light, call::fans(&mut bench, &[to_light], &light), light.along),
+            (from_eye, call::fans(&mut bench, &[from_eye], &eye), eye.along),
         ];
         for (packet, bounds, along) in bounded {
-            let of = Bounded {
-                packet,
-                bound: bounds[0],
-                along,
-                scale,
-            };
+            let of = Bounded { packet, bound: bounds[0], along, scale };
             no_face_is_lost(&mut bench, &of, &mut sums, &mut random);
         }
     }

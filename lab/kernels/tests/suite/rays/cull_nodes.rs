@@ -68,12 +68,7 @@ fn check_rays<V: Volume>(
 }
 
 fn pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
-    let pair = |_| {
-        [
-            random.random_range(0..NODES),
-            random.random_range(0..BOUNDS),
-        ]
-    };
+    let pair = |_| [random.random_range(0..NODES), random.random_range(0..BOUNDS)];
     (0..count).map(pair).collect()
 }
 
@@ -96,17 +91,11 @@ impl Random for BareSphere {
     }
 
     fn bits(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            centre: random.random(),
-            radius: random.random(),
-        }
+        Self { centre: random.random(), radius: random.random() }
     }
 
     fn nobody(self) -> Self {
-        Self {
-            radius: NO_CHILD,
-            ..self
-        }
+        Self { radius: NO_CHILD, ..self }
     }
 }
 
@@ -122,17 +111,11 @@ impl Random for BareBox {
     }
 
     fn bits(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            centre: random.random(),
-            half: random.random(),
-        }
+        Self { centre: random.random(), half: random.random() }
     }
 
     fn nobody(self) -> Self {
-        Self {
-            half: [NO_CHILD; 3],
-            ..self
-        }
+        Self { half: [NO_CHILD; 3], ..self }
     }
 }
 
@@ -174,14 +157,8 @@ fn candidates_equal_the_twin<V: Random>() {
             tested += 4 * count;
         }
     }
-    assert!(
-        kept > tested / 10 && kept < tested * 9 / 10,
-        "{kept} of {tested}"
-    );
-    assert!(
-        kept_by_rays > tested / 50 && kept_by_rays < kept,
-        "{kept_by_rays} of {tested}"
-    );
+    assert!(kept > tested / 10 && kept < tested * 9 / 10, "{kept} of {tested}");
+    assert!(kept_by_rays > tested / 50 && kept_by_rays < kept, "{kept_by_rays} of {tested}");
 }
 
 #[test]
@@ -256,16 +233,11 @@ fn nobody_is_met<V: Random>() {
     for _ in 0..2000 {
         let fan = FANS[random.random_range(0..FANS.len())];
         let rays = fans::packet(fan, 1.0, &mut random);
-        let absent = rays.map(|ray| twins::primary_rays::Ray {
-            t: twins::primary_rays::ABSENT,
-            ..ray
-        });
+        let absent =
+            rays.map(|ray| twins::primary_rays::Ray { t: twins::primary_rays::ABSENT, ..ray });
         let nobody: [Child<V>; 4] = std::array::from_fn(|_| {
             let child = child::<V>(&mut random);
-            Child {
-                volume: child.volume.nobody(),
-                ..child
-            }
+            Child { volume: child.volume.nobody(), ..child }
         });
         let anybody = std::array::from_fn(|_| child(&mut random));
         let bounds = [bound(&rays), bound(&absent)];

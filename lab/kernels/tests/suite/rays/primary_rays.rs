@@ -36,9 +36,8 @@ fn cameras_equal_the_twin_in_lists_of_any_length() {
                 width: random.random_range(1..8192),
                 height: random.random_range(1..8192),
             };
-            let corners: Vec<[u32; 2]> = (0..count)
-                .map(|_| [0; 2].map(|_: u32| random.random_range(0..2048) * 4))
-                .collect();
+            let corners: Vec<[u32; 2]> =
+                (0..count).map(|_| [0; 2].map(|_: u32| random.random_range(0..2048) * 4)).collect();
             check(&mut bench, &view, &corners, random.random());
         }
     }
@@ -50,11 +49,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for _ in 0..1000 {
         let view = View {
-            basis: Basis {
-                corner: random.random(),
-                right: random.random(),
-                down: random.random(),
-            },
+            basis: Basis { corner: random.random(), right: random.random(), down: random.random() },
             background: random.random(),
             width: random.random(),
             height: random.random(),
@@ -69,25 +64,12 @@ fn beyond_the_edges_no_ray_is_there() {
     let mut random = random();
     let mut bench = Bench::new();
     for (width, height) in (0..=9).flat_map(|width| (0..=9).map(move |height| (width, height))) {
-        let view = View {
-            basis: camera(&mut random),
-            background: 0,
-            width,
-            height,
-        };
+        let view = View { basis: camera(&mut random), background: 0, width, height };
         let packets = call::primary_rays(&mut bench, &view, &[[4, 4]], 0);
         for (lane, ray) in (0..).zip(&packets[0]) {
             let within = 4 + lane % 4 < width && 4 + lane / 4 < height;
-            let (t, weight) = if within {
-                (twins::FARTHEST, ONE)
-            } else {
-                (ABSENT, 0)
-            };
-            assert_eq!(
-                (ray.t, ray.weight),
-                (t, weight),
-                "{width} x {height}, {lane}"
-            );
+            let (t, weight) = if within { (twins::FARTHEST, ONE) } else { (ABSENT, 0) };
+            assert_eq!((ray.t, ray.weight), (t, weight), "{width} x {height}, {lane}");
         }
     }
 }

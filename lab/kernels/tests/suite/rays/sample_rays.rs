@@ -46,11 +46,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for across in [2, 4] {
         for _ in 0..500 {
-            let basis = Basis {
-                corner: random.random(),
-                right: random.random(),
-                down: random.random(),
-            };
+            let basis =
+                Basis { corner: random.random(), right: random.random(), down: random.random() };
             let pixels = [(); 4].map(|()| Pixel {
                 sum: random.random(),
                 x: random.random(),

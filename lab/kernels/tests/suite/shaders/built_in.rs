@@ -26,41 +26,25 @@ fn check(
     bench.call(kernel, &arguments);
     let found: Surfaces = bench.read(place);
     let (found, wanted) = (found.as_bytes(), wanted.as_bytes());
-    let differs = found
-        .iter()
-        .zip(wanted)
-        .position(|(found, wanted)| found != wanted);
+    let differs = found.iter().zip(wanted).position(|(found, wanted)| found != wanted);
     assert_eq!(differs, None, "{kernel}: the byte of SURFACES that differs");
 }
 
 fn depth(call: &Call, wanted: &mut Surfaces, lane: usize) {
     let lit = shader::depth(bits(call.rays.t[lane]), call.colour(lane), call.parameters);
-    let channels = [
-        &mut wanted.lit_red,
-        &mut wanted.lit_green,
-        &mut wanted.lit_blue,
-    ];
+    let channels = [&mut wanted.lit_red, &mut wanted.lit_green, &mut wanted.lit_blue];
     for (channel, lit) in channels.into_iter().zip(lit) {
         channel[lane] = single(lit);
     }
-    let shares = [
-        &mut wanted.diffuse,
-        &mut wanted.highlight,
-        &mut wanted.mirror,
-        &mut wanted.transmittance,
-    ];
+    let shares =
+        [&mut wanted.diffuse, &mut wanted.highlight, &mut wanted.mirror, &mut wanted.transmittance];
     for share in shares {
         share[lane] = single(0);
     }
 }
 
 fn checker(call: &Call, wanted: &mut Surfaces, lane: usize) {
-    let Surfaces {
-        point_x,
-        point_y,
-        point_z,
-        ..
-    } = &call.surfaces;
+    let Surfaces { point_x, point_y, point_z, .. } = &call.surfaces;
     let point = [point_x, point_y, point_z].map(|axis| bits(axis[lane]));
     let colour = shader::checker(point, call.colour(lane), call.parameters, call.eye);
     let channels = [&mut wanted.red, &mut wanted.green, &mut wanted.blue];
@@ -72,11 +56,7 @@ fn checker(call: &Call, wanted: &mut Surfaces, lane: usize) {
 fn sky(call: &Call, wanted: &mut Surfaces, lane: usize) {
     let [colour, lit] = [call.colour(lane), call.lit(lane)];
     let lit = shader::sky(call.direction(lane), colour, lit, call.parameters);
-    let channels = [
-        &mut wanted.lit_red,
-        &mut wanted.lit_green,
-        &mut wanted.lit_blue,
-    ];
+    let channels = [&mut wanted.lit_red, &mut wanted.lit_green, &mut wanted.lit_blue];
     for (channel, lit) in channels.into_iter().zip(lit) {
         channel[lane] = single(lit);
     }
@@ -87,9 +67,7 @@ fn equal_their_twins() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
-        let call = Call::random(&mut random, |random| {
-            from_f64(random.random_range(-20.0..20.0))
-        });
+        let call = Call::random(&mut random, |random| from_f64(random.random_range(-20.0..20.0)));
         check(&mut bench, "shader_depth", &call, depth);
         check(&mut bench, "shader_checker", &call, checker);
         check(&mut bench, "shader_sky", &call, sky);
@@ -116,9 +94,8 @@ fn the_checker_follows_its_rule() {
     let mut odd = 0;
     for round in 0..200 {
         let scale = [1.0, 0.5, 4.0][round % 3];
-        let mut call = Call::random(&mut random, |random| {
-            from_f64(random.random_range(-20.0..20.0))
-        });
+        let mut call =
+            Call::random(&mut random, |random| from_f64(random.random_range(-20.0..20.0)));
         call.mask = [true; 16];
         call.eye = [1.0, 2.0, 3.0].map(from_f64);
         call.parameters = [9.0, 9.0, 9.0, scale].map(from_f64);

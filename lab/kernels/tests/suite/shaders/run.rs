@@ -71,9 +71,7 @@ impl Machine {
         machine.random.fill(machine.rays.as_mut_bytes());
         machine.surfaces.material = [MATERIALS.into(); 16];
         machine.surfaces.flags = [MATERIAL_SHADED.into(), 0.into(), 0.into(), 0.into()];
-        elf::Image::parse(&machine.elf)
-            .unwrap()
-            .load(&machine.store, 0);
+        elf::Image::parse(&machine.elf).unwrap().load(&machine.store, 0);
         machine
     }
 
@@ -107,9 +105,8 @@ impl Machine {
         spu.registers[4].0[0] = RAYS;
         let before = spu.registers;
         spu.set_pc(image.symbol("shaders_run").unwrap());
-        let stopped = spu
-            .run_observed(&self.store, &mut NoChannels, LIMIT, &mut ())
-            .expect("an end");
+        let stopped =
+            spu.run_observed(&self.store, &mut NoChannels, LIMIT, &mut ()).expect("an end");
         assert_eq!(stopped.reason, Stop::Signal(0x1fff), "{stopped}");
         if features != 0 {
             assert_eq!(spu.registers[1], before[1]);

@@ -65,9 +65,8 @@ fn scenes_equal_the_twin_in_lists_of_any_length() {
                 object.sides = random.random::<u32>() << 29;
                 *material = random.random_range(0..materials.len());
             }
-            let hits: Vec<[Hit; 16]> = (0..count)
-                .map(|_| first.map(|hit| perhaps(hit, &mut random)))
-                .collect();
+            let hits: Vec<[Hit; 16]> =
+                (0..count).map(|_| first.map(|hit| perhaps(hit, &mut random))).collect();
             check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
             // Both kernels give the same results for packets that are valid for both.
             let object = random.random_range(0..objects.len());
@@ -140,9 +139,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for _ in 0..1000 {
         let materials: [Material; 3] = [(); 3].map(|()| any_bits_of_a_material(&mut random));
-        let objects: Vec<(Object, usize)> = (0..6)
-            .map(|number| (any_object(&mut random), number % 3))
-            .collect();
+        let objects: Vec<(Object, usize)> =
+            (0..6).map(|number| (any_object(&mut random), number % 3)).collect();
         let hits = [[(); 16]; 2].map(|packet| {
             packet.map(|()| Hit {
                 ray: Ray {
@@ -176,11 +174,7 @@ fn normals_are_the_shapes_on_the_rays_side() {
             let plane = vector(found.plane);
             if towards.abs() > 1e-3 {
                 let side = -towards.signum();
-                let ratio = if side > 0.0 {
-                    material.inverse_index
-                } else {
-                    material.index
-                };
+                let ratio = if side > 0.0 { material.inverse_index } else { material.index };
                 assert_eq!(found.ratio, ratio, "{hit:x?}");
                 // The error that the singles of the coordinates leave, as seen from the centre.
                 let leave = to_f64(found.leave);
@@ -216,10 +210,7 @@ fn a_point_in_the_centre_has_a_finite_normal() {
         direction: [0.0, 0.0, 1.0].map(from_f64),
         t: from_f64(1.0),
     };
-    let hits: [Hit; 16] = std::array::from_fn(|lane| Hit {
-        ray,
-        object: lane % 2,
-    });
+    let hits: [Hit; 16] = std::array::from_fn(|lane| Hit { ray, object: lane % 2 });
     let objects = [(sphere, 0), (cone, 0)];
     let found = check(&mut bench, "surfaces_r16", &[hits], &objects, &[material]);
     assert_eq!(vector(found[0][0].plane), [0.0; 3]);

@@ -79,11 +79,8 @@ fn lost_rays(
             leaving = leaving.map(|x| -x);
         }
         let [near, beyond] = starts(&found, fm(found.leave, from_f64(share)));
-        let (outside, inside) = if dot(outwards, vector(found.plane)) > 0.0 {
-            (near, beyond)
-        } else {
-            (beyond, near)
-        };
+        let (outside, inside) =
+            if dot(outwards, vector(found.plane)) > 0.0 { (near, beyond) } else { (beyond, near) };
         let back = leaving.map(|x| -x);
         let wrong = [
             meets(&shape, outside, leaving),
@@ -119,16 +116,10 @@ fn spheres_are_left_and_entered() {
     };
     let meets = |shape: &Shape, origin, direction: Vector| {
         let radius = from_f64(shape.offset);
-        let sphere = BareSphere {
-            centre: shape.centre.map(from_f64),
-            radius_squared: fm(radius, radius),
-        };
-        let ray = sphere_ray::Ray {
-            origin,
-            direction: direction.map(from_f64),
-            t: FARTHEST,
-            object: 0,
-        };
+        let sphere =
+            BareSphere { centre: shape.centre.map(from_f64), radius_squared: fm(radius, radius) };
+        let ray =
+            sphere_ray::Ray { origin, direction: direction.map(from_f64), t: FARTHEST, object: 0 };
         sphere_ray::nearest(ray, &sphere, OBJECT).object == OBJECT
     };
     check(shape, meets, [true, true]);
@@ -144,12 +135,7 @@ fn planes_are_left_and_gone_through() {
             dual_u: [0; 3],
             dual_v: [0; 3],
         };
-        let none = FlatHit {
-            t: FARTHEST,
-            object: 0,
-            u: 0,
-            v: 0,
-        };
+        let none = FlatHit { t: FARTHEST, object: 0, u: 0, v: 0 };
         let direction = direction.map(from_f64);
         isect_plane(origin, direction, &plane, OBJECT, none).object == OBJECT
     };

@@ -88,9 +88,7 @@ fn check_light(bench: &mut Bench, sites: &[Site], brightness: [Single; 3]) {
         });
     }
     let found = call::ambient(bench, sites, brightness);
-    check_lit(&found, sites, |site, lane| {
-        ambient(&site.surfaces[lane], brightness)
-    });
+    check_lit(&found, sites, |site, lane| ambient(&site.surfaces[lane], brightness));
 }
 
 #[test]
@@ -118,9 +116,8 @@ fn sites_equal_the_twins_in_lists_of_any_length() {
             rays += made[0];
             packets += made[1];
             all += count;
-            let shining: Vec<Site> = (0..count)
-                .map(|_| any_shining_site(&mut random, 4096.0))
-                .collect();
+            let shining: Vec<Site> =
+                (0..count).map(|_| any_shining_site(&mut random, 4096.0)).collect();
             let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
             check_light(&mut bench, &shining, brightness);
         }
@@ -137,11 +134,8 @@ fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
         weights: random.random(),
         shines: random.random(),
         shadow: std::array::from_fn(|_| {
-            let ray = Ray {
-                origin: random.random(),
-                direction: random.random(),
-                t: random.random(),
-            };
+            let ray =
+                Ray { origin: random.random(), direction: random.random(), t: random.random() };
             (ray, random.random())
         }),
     }
@@ -153,10 +147,7 @@ fn any_bits_at_all_equal_the_twins() {
     let mut bench = Bench::new();
     for _ in 0..500 {
         let sites = [(); 2].map(|()| any_bits_of_a_site(&mut random));
-        let place = Place {
-            position: random.random(),
-            directional: random.random(),
-        };
+        let place = Place { position: random.random(), directional: random.random() };
         let least = if random.random() { random.random() } else { 0 };
         check_shadow_rays(&mut bench, &sites, &place, least);
         check_light(&mut bench, &sites, random.random());
@@ -187,50 +178,25 @@ fn facing() -> Surface {
 fn there_is_a_shadow_ray_only_to_a_light_ahead() {
     let surface = facing();
     let normal = surface.plane;
-    let at = |position: [f64; 3]| Place {
-        position: position.map(from_f64),
-        directional: false,
-    };
+    let at = |position: [f64; 3]| Place { position: position.map(from_f64), directional: false };
     let there = |surface: &Surface, normal, place: &Place| {
         shadow_ray(surface, normal, ONE, place, 0).t != NOT_THERE
     };
     assert!(there(&surface, normal, &at([0.0; 3])));
     assert!(!there(&surface, normal, &at([1.0, 2.0, -4.0])), "beside");
     assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind");
-    assert!(
-        !there(&surface, normal, &at([0.0, 0.0, -4.0])),
-        "at the point"
-    );
+    assert!(!there(&surface, normal, &at([0.0, 0.0, -4.0])), "at the point");
     let turned = [-1.0, 0.0, 0.0].map(from_f64);
     let light = at([1.0, 0.0, 0.0]);
     assert!(!there(&surface, turned, &light), "behind the normal");
-    let behind = Surface {
-        plane: turned,
-        ..surface
-    };
+    let behind = Surface { plane: turned, ..surface };
     assert!(!there(&behind, normal, &light), "behind the plane");
-    let dark = Surface {
-        diffuse: 0,
-        highlight: 0,
-        ..surface
-    };
+    let dark = Surface { diffuse: 0, highlight: 0, ..surface };
     assert!(!there(&dark, normal, &at([0.0; 3])), "not lit");
-    for share in [
-        Surface {
-            diffuse: 0,
-            ..surface
-        },
-        Surface {
-            highlight: 0,
-            ..surface
-        },
-    ] {
+    for share in [Surface { diffuse: 0, ..surface }, Surface { highlight: 0, ..surface }] {
         assert!(there(&share, normal, &at([0.0; 3])));
     }
-    let sun = Place {
-        position: [0.0, 0.6, 0.8].map(from_f64),
-        directional: true,
-    };
+    let sun = Place { position: [0.0, 0.6, 0.8].map(from_f64), directional: true };
     let ray = shadow_ray(&surface, normal, ONE, &sun, 0);
     assert_eq!(ray.t, FARTHEST);
     for (found, exact) in ray.direction.into_iter().zip(sun.position) {
@@ -249,21 +215,10 @@ fn light_at(cosine: f64) -> Place {
 
 #[test]
 fn a_ray_is_left_out_if_its_light_is_too_little() {
-    let surface = Surface {
-        colour: [0.25, 0.5, 0.125].map(from_f64),
-        ..facing()
-    };
-    let matt = Surface {
-        highlight: 0,
-        ..surface
-    };
+    let surface = Surface { colour: [0.25, 0.5, 0.125].map(from_f64), ..facing() };
+    let matt = Surface { highlight: 0, ..surface };
     // The OR of the channels' bits.
-    let most = to_f64(
-        surface
-            .colour
-            .into_iter()
-            .fold(0, |all, channel| all | channel),
-    );
+    let most = to_f64(surface.colour.into_iter().fold(0, |all, channel| all | channel));
     assert!((0.5..2.0).contains(&most), "{most}");
     let least = 1.0 / 4096.0;
     let there = |surface: &Surface, weight: f64, cosine: f64, least: f64| {
@@ -281,10 +236,7 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
         }
     }
     // Without a bound only what is not lit at all is left out, whatever the weight and the colour.
-    let black = Surface {
-        colour: [0; 3],
-        ..matt
-    };
+    let black = Surface { colour: [0; 3], ..matt };
     for surface in [&surface, &matt, &black] {
         assert!(there(surface, 0.0, 0.5, 0.0));
     }

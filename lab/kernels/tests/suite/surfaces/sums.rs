@@ -56,11 +56,7 @@ fn any_bits_of_shares_and_sums_equal_the_twin() {
 #[test]
 fn a_ray_that_is_not_there_changes_no_sum() {
     let mut bench = Bench::new();
-    let share = Share {
-        pixel: 0,
-        weight: 0,
-        lit: [0x7fff_ffff, 0xffff_ffff, 0x1234_5678],
-    };
+    let share = Share { pixel: 0, weight: 0, lit: [0x7fff_ffff, 0xffff_ffff, 0x1234_5678] };
     let sum = [0.25, 0.5, 0.75].map(from_f64);
     let found = call::accumulate(&mut bench, &[[share; 16]], &[sum]);
     assert_eq!(found, [sum]);
@@ -69,11 +65,7 @@ fn a_ray_that_is_not_there_changes_no_sum() {
 /// Compares with the twin.
 fn check_pack(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3]) {
     let found = call::pack_sums(bench, rows, shifts);
-    let expected: Vec<u32> = rows
-        .iter()
-        .flatten()
-        .map(|&sum| pack(sum, shifts))
-        .collect();
+    let expected: Vec<u32> = rows.iter().flatten().map(|&sum| pack(sum, shifts)).collect();
     assert_eq!(found, expected, "{rows:x?}, shifts {shifts:?}");
 }
 
@@ -88,18 +80,10 @@ fn packed_rows_equal_the_twin_whatever_their_number_and_length() {
             let [red, green, blue, _] = shifts;
             let any_bits = random.random_ratio(1, 4);
             let mut channel = || {
-                if any_bits {
-                    random.random()
-                } else {
-                    from_f64(random.random_range(-0.25..1.25))
-                }
+                if any_bits { random.random() } else { from_f64(random.random_range(-0.25..1.25)) }
             };
             let rows: Vec<Vec<[Single; 3]>> = (0..rows)
-                .map(|_| {
-                    (0..4 * groups)
-                        .map(|_| [(); 3].map(|()| channel()))
-                        .collect()
-                })
+                .map(|_| (0..4 * groups).map(|_| [(); 3].map(|()| channel())).collect())
                 .collect();
             check_pack(&mut bench, &rows, [red, green, blue]);
         }

@@ -63,16 +63,10 @@ pub fn write(bytes: &[u8], image: &Image<'_>, text: &mut String) -> Result<(), S
 
 fn of_sections(code: &Code) -> Words {
     let sources = code.sources().into_iter().map(|(address, source)| {
-        let file = source
-            .file
-            .file_name()
-            .map_or(source.file.as_path(), Path::new);
+        let file = source.file.file_name().map_or(source.file.as_path(), Path::new);
         (address, format!("{}:{}", file.display(), source.line))
     });
-    Words {
-        words: code.words(0, SIZE),
-        sources: sources.collect(),
-    }
+    Words { words: code.words(0, SIZE), sources: sources.collect() }
 }
 
 fn of_segments(image: &Image<'_>) -> Words {
@@ -81,23 +75,15 @@ fn of_segments(image: &Image<'_>) -> Words {
         let addresses = (segment.address..).step_by(4);
         addresses.zip(words.iter().map(|&word| u32::from_be_bytes(word)))
     });
-    Words {
-        words: words.collect(),
-        sources: BTreeMap::new(),
-    }
+    Words { words: words.collect(), sources: BTreeMap::new() }
 }
 
 /// The address that an instruction's operand refers to.
 fn target(word: u32, pc: u32) -> Option<u32> {
     let instruction = Instruction::decode(word)?;
-    instruction
-        .op
-        .row()
-        .operands
-        .iter()
-        .find_map(|operand| match operand {
-            Operand::Relative => Some(pc.wrapping_add_signed(instruction.immediate) & LIMIT_MASK),
-            Operand::Absolute => Some(instruction.immediate as u32 & LIMIT_MASK),
-            _ => None,
-        })
+    instruction.op.row().operands.iter().find_map(|operand| match operand {
+        Operand::Relative => Some(pc.wrapping_add_signed(instruction.immediate) & LIMIT_MASK),
+        Operand::Absolute => Some(instruction.immediate as u32 & LIMIT_MASK),
+        _ => None,
+    })
 }

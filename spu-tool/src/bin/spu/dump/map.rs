@@ -79,11 +79,7 @@ impl Map {
             }
         }
         sections.sort_by_key(|area| area.start);
-        Ok(Self {
-            segments,
-            sections,
-            notes,
-        })
+        Ok(Self { segments, sections, notes })
     }
 
     pub fn write(&self, text: &mut String) {
@@ -127,10 +123,7 @@ impl Map {
 
 fn access(flags: u32) -> String {
     let letters = [(elf::PF_R.0, 'r'), (elf::PF_W.0, 'w'), (elf::PF_X.0, 'x')];
-    letters
-        .iter()
-        .map(|&(bit, letter)| if flags & bit == 0 { '-' } else { letter })
-        .collect()
+    letters.iter().map(|&(bit, letter)| if flags & bit == 0 { '-' } else { letter }).collect()
 }
 
 /// The SPU's notes contain a name, or these words: revision, local-store size, stack size, flags.
@@ -140,9 +133,7 @@ fn note_text(owner: &str, contents: &[u8]) -> String {
         return String::from_utf8_lossy(name).into_owned();
     }
     let (words, rest) = contents.as_chunks::<4>();
-    let words = words
-        .iter()
-        .map(|&word| format!("{:#x}", u32::from_be_bytes(word)));
+    let words = words.iter().map(|&word| format!("{:#x}", u32::from_be_bytes(word)));
     let rest = rest.iter().map(|byte| format!("{byte:#04x}"));
     words.chain(rest).collect::<Vec<_>>().join(" ")
 }

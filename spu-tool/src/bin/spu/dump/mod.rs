@@ -39,10 +39,7 @@ pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
     map.write(&mut text);
     if !options.map {
         let listed = listing::write(&bytes, &image, &mut text);
-        listed.map_err(|what| Failure::Contents {
-            path: options.program.clone(),
-            what,
-        })?;
+        listed.map_err(|what| Failure::Contents { path: options.program.clone(), what })?;
     }
     talk::print(text).map_err(Failure::Output)?;
     Ok(ExitCode::SUCCESS)

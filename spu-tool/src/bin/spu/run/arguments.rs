@@ -36,10 +36,7 @@ pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>
         Start::Elfspe => copy_for_local_store(&strings)?,
     };
     let registered = memory.register(ARGUMENTS_EA, block, Access::ReadWrite);
-    registered.map_err(|error| RunError::Region {
-        what: "the arguments".into(),
-        error,
-    })?;
+    registered.map_err(|error| RunError::Region { what: "the arguments".into(), error })?;
     Ok(registers)
 }
 

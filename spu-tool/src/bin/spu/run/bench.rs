@@ -31,10 +31,7 @@ impl<'a> Bench<'a> {
     ) -> Result<Self, Failure> {
         let mut mailboxes = Mailboxes::open(options)?;
         mailboxes.exchange(spe);
-        let trace = options
-            .trace
-            .as_ref()
-            .map(|path| Trace::open(path.as_deref(), image));
+        let trace = options.trace.as_ref().map(|path| Trace::open(path.as_deref(), image));
         let statistics = options.stats.as_ref();
         Ok(Self {
             spe,

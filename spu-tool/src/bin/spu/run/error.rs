@@ -16,11 +16,7 @@ pub enum RunError {
     #[error("{what}: {error}")]
     Memory { what: String, error: MemoryFault },
     #[error("{path}: {size} bytes at {address:#x} do not fit into local store")]
-    OutsideLocalStore {
-        path: PathBuf,
-        address: u64,
-        size: usize,
-    },
+    OutsideLocalStore { path: PathBuf, address: u64, size: usize },
     #[error(transparent)]
     Machine(TimingFileError),
     #[error("the arguments take {0} bytes; there is no room for them in local store")]

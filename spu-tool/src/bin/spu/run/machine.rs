@@ -83,20 +83,11 @@ impl Machine {
             let registered = memory.register(ea, bytes, access);
             registered.map_err(|error| RunError::Region { what, error })
         };
-        register(
-            "the program's file",
-            IMAGE_EA,
-            bytes.to_vec(),
-            Access::ReadOnly,
-        )?;
+        register("the program's file", IMAGE_EA, bytes.to_vec(), Access::ReadOnly)?;
         let machine = match options.is_simulated() {
             false => machine::Machine::with_engine(memory.clone(), options.engine()),
             true => {
-                let method = if options.check {
-                    Method::Checked
-                } else {
-                    Method::Memoised
-                };
+                let method = if options.check { Method::Checked } else { Method::Memoised };
                 let simulation = SimulationOptions {
                     method,
                     engine: options.engine(),
@@ -114,18 +105,12 @@ impl Machine {
         if let Some(simulation) = machine.simulation() {
             warn_of_races(simulation, bytes);
         }
-        let config = Config {
-            policy: options.policy(),
-            ..Config::default()
-        };
+        let config = Config { policy: options.policy(), ..Config::default() };
         let spe = Spe::new(&machine, config);
         spe.profile_as(ProgramId::of(bytes));
         memory
             .register_local_store(LOCAL_STORE_EA, Arc::clone(spe.local_store()))
-            .map_err(|error| RunError::Region {
-                what: "local store".into(),
-                error,
-            })?;
+            .map_err(|error| RunError::Region { what: "local store".into(), error })?;
         for region in &options.main_memory {
             let what = format!("--main-memory {}@{:#x}", region.size.0, region.ea);
             register(&what, region.ea, vec![0; region.size.0], Access::ReadWrite)?;
@@ -195,9 +180,7 @@ impl Machine {
     pub fn run(&mut self, options: &Options, image: &Image<'_>) -> Result<End, Failure> {
         let spe = Arc::clone(&self.spe);
         let mut bench = Bench::new(options, image, &spe)?;
-        let end = sandbox::within(options.root.as_deref(), || {
-            self.run_with(options, &mut bench)
-        })??;
+        let end = sandbox::within(options.root.as_deref(), || self.run_with(options, &mut bench))??;
         self.flush()?;
         bench.finish()?;
         Ok(end)
@@ -238,9 +221,7 @@ impl Machine {
     /// Waits for a debugger on this port and runs the program under it.
     fn debug(&mut self, port: u16, bench: &mut Bench<'_>) -> Result<End, RunError> {
         let debugger = Debugger::new(|| ());
-        let address = debugger
-            .listen(port)
-            .map_err(|error| RunError::Debugger { port, error })?;
+        let address = debugger.listen(port).map_err(|error| RunError::Debugger { port, error })?;
         talk::say!("spu: waiting for a debugger: target remote {address}");
         let thread = debugger.attach(&self.spe);
         let end = loop {
@@ -273,9 +254,8 @@ impl Machine {
     ) -> Result<End, Failure> {
         let spe = Arc::clone(&self.spe);
         let mut bench = Bench::new(options, image, &spe)?;
-        let end = sandbox::within(options.root.as_deref(), || {
-            self.obey_console(console, &mut bench)
-        })?;
+        let end =
+            sandbox::within(options.root.as_deref(), || self.obey_console(console, &mut bench))?;
         self.flush()?;
         bench.finish()?;
         Ok(end)
@@ -349,9 +329,8 @@ impl Machine {
                 self.prepare(spu, arguments);
             }
         });
-        self.at = stopped
-            .as_ref()
-            .map_or_else(|| self.spe.with_spu(Spu::pc), |stopped| stopped.npc);
+        self.at =
+            stopped.as_ref().map_or_else(|| self.spe.with_spu(Spu::pc), |stopped| stopped.npc);
         stopped
     }
 
@@ -385,8 +364,7 @@ impl Machine {
         if let Some(arguments) = self.arguments.take() {
             const NO_INSTRUCTIONS: u64 = 0;
             let prepare = |spu: &mut Spu| self.prepare(spu, &arguments);
-            self.spe
-                .run_observed(self.at, NO_INSTRUCTIONS, &mut (), prepare);
+            self.spe.run_observed(self.at, NO_INSTRUCTIONS, &mut (), prepare);
         }
     }
 
@@ -399,8 +377,7 @@ impl Machine {
         };
         bench.called(name.unwrap_or("unknown"));
         let spe = Arc::clone(&self.spe);
-        self.library
-            .serve(number, spe.local_store().as_ref(), address)
+        self.library.serve(number, spe.local_store().as_ref(), address)
     }
 
     /// Writes the profile to a file, or which functions the cycles went to.
@@ -431,11 +408,7 @@ impl Machine {
             for spe in &simulation.report().spes {
                 figures.add(spe);
             }
-            let text = if options.json {
-                json(&figures)
-            } else {
-                figures.table()
-            };
+            let text = if options.json { json(&figures) } else { figures.table() };
             write_text(path.as_deref(), &text)?;
         }
         if let (Some(path), Some(simulation)) = (&options.profile, self.spe.simulation()) {
@@ -502,11 +475,9 @@ impl End {
     fn fault(&self) -> Option<(String, u32, Status)> {
         Some(match self {
             Self::Exit(_) | Self::Quit => return None,
-            Self::Fault(stopped) => (
-                stopped.to_string(),
-                stopped.pc,
-                Status::from(&stopped.reason),
-            ),
+            Self::Fault(stopped) => {
+                (stopped.to_string(), stopped.pc, Status::from(&stopped.reason))
+            }
             Self::Call(error, at) => (error.to_string(), *at, Status::UnknownStop),
             Self::Limit(at) => ("instruction limit reached".into(), *at, Status::Limit),
             Self::Differs(difference, at) => (difference.clone(), *at, Status::Differs),

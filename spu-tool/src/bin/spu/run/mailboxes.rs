@@ -30,11 +30,7 @@ struct Output {
 impl Output {
     fn open(path: &Path) -> Result<Self, Failure> {
         let file = File::create(path).map_err(Failure::file(path))?;
-        Ok(Self {
-            path: path.to_path_buf(),
-            file: BufWriter::new(file),
-            result: Ok(()),
-        })
+        Ok(Self { path: path.to_path_buf(), file: BufWriter::new(file), result: Ok(()) })
     }
 
     fn put(&mut self, word: u32) {

@@ -63,12 +63,7 @@ pub struct Options {
     #[arg(long, value_name = "FILE@EA:SIZE", help_heading = "Main memory")]
     pub dump_mem: Vec<FileOf>,
     /// Size of the heap for malloc_ea and mmap_ea
-    #[arg(
-        long,
-        value_name = "SIZE",
-        default_value = "16M",
-        help_heading = "Main memory"
-    )]
+    #[arg(long, value_name = "SIZE", default_value = "16M", help_heading = "Main memory")]
     pub heap: Size,
 
     /// File with words for the inbound mailbox
@@ -112,12 +107,7 @@ pub struct Options {
     #[arg(long, value_name = "N", help_heading = "Limits")]
     pub max_instructions: Option<u64>,
     /// Stop a program that sleeps in a channel for longer than this
-    #[arg(
-        long,
-        value_name = "SECONDS",
-        default_value_t = 60,
-        help_heading = "Limits"
-    )]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60, help_heading = "Limits")]
     pub patience: u64,
 
     /// Write each instruction: address, symbol, text, registers written
@@ -136,12 +126,7 @@ pub struct Options {
     #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "simulated", help_heading = "Output")]
     pub profile: Option<Option<PathBuf>>,
     /// Take latencies and rates from a file instead of the console's; see docs/timing.md
-    #[arg(
-        long,
-        value_name = "FILE",
-        requires = "simulated",
-        help_heading = "Output"
-    )]
+    #[arg(long, value_name = "FILE", requires = "simulated", help_heading = "Output")]
     pub machine: Option<PathBuf>,
     /// Write statistics and timing as JSON
     #[arg(long, requires = "report", help_heading = "Output")]
@@ -242,9 +227,7 @@ impl FromStr for Size {
             Some(b'G' | b'g') => (&text[..text.len() - 1], 1 << 30),
             _ => (text, 1),
         };
-        let size = number(digits)?
-            .checked_mul(unit)
-            .filter(|&size| size <= MOST);
+        let size = number(digits)?.checked_mul(unit).filter(|&size| size <= MOST);
         let size = size.and_then(|size| usize::try_from(size).ok());
         size.map(Self).ok_or(format!("`{text}` is more than 4G"))
     }
@@ -262,10 +245,7 @@ impl FromStr for Region {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (size, ea) = text.split_once('@').ok_or("expected SIZE@EA")?;
-        Ok(Self {
-            size: size.parse()?,
-            ea: number(ea)?,
-        })
+        Ok(Self { size: size.parse()?, ea: number(ea)? })
     }
 }
 
@@ -282,10 +262,7 @@ impl FromStr for FileAt {
     fn from_str(text: &str) -> Result<Self, String> {
         // A path may contain an `@`, but an address can't.
         let (path, address) = text.rsplit_once('@').ok_or("expected FILE@ADDRESS")?;
-        Ok(Self {
-            path: path.into(),
-            address: number(address)?,
-        })
+        Ok(Self { path: path.into(), address: number(address)? })
     }
 }
 
@@ -303,11 +280,7 @@ impl FromStr for FileOf {
     fn from_str(text: &str) -> Result<Self, String> {
         let (path, piece) = text.rsplit_once('@').ok_or("expected FILE@EA:SIZE")?;
         let (ea, size) = piece.split_once(':').ok_or("expected FILE@EA:SIZE")?;
-        Ok(Self {
-            path: path.into(),
-            ea: number(ea)?,
-            size: size.parse()?,
-        })
+        Ok(Self { path: path.into(), ea: number(ea)?, size: size.parse()? })
     }
 }
 

@@ -30,9 +30,7 @@ fn file_of_an_option(program: &Path) -> Option<&'static str> {
     let typed: Vec<_> = env::args_os().collect();
     let options = WITH_OPTIONAL_FILE.into_iter();
     let mut before = options.filter(|option| {
-        typed
-            .windows(2)
-            .any(|pair| pair[0] == *option && pair[1] == program.as_os_str())
+        typed.windows(2).any(|pair| pair[0] == *option && pair[1] == program.as_os_str())
     });
     before.next()
 }
@@ -41,11 +39,8 @@ fn said_without_equals(option: &str, options: &Options) -> String {
     let path = options.program.display();
     let command = env::args_os().nth(1).unwrap_or_default();
     let command = command.to_string_lossy();
-    let rest: Vec<_> = options
-        .arguments
-        .iter()
-        .map(|argument| argument.to_string_lossy())
-        .collect();
+    let rest: Vec<_> =
+        options.arguments.iter().map(|argument| argument.to_string_lossy()).collect();
     let rest = match rest.is_empty() {
         true => "PROGRAM".to_owned(),
         false => rest.join(" "),

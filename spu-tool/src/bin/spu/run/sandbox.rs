@@ -88,8 +88,5 @@ fn check(result: libc::c_int) -> io::Result<()> {
 }
 
 fn refused(root: &Path, error: io::Error) -> RunError {
-    RunError::Root {
-        path: root.to_path_buf(),
-        error,
-    }
+    RunError::Root { path: root.to_path_buf(), error }
 }

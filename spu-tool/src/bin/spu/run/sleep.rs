@@ -46,12 +46,7 @@ impl Watchdog {
         };
         let spawned: io::Result<_> = thread::Builder::new().spawn(watch);
         spawned.map_err(RunError::Thread)?;
-        Ok(Self {
-            since,
-            started,
-            in_channel: false,
-            _alive: alive,
-        })
+        Ok(Self { since, started, in_channel: false, _alive: alive })
     }
 
     #[inline]

@@ -135,11 +135,7 @@ impl Statistics {
     /// Writes the counts. `executed` is the SPU's own count of completed instructions.
     pub fn write(mut self, executed: u64) -> Result<(), Failure> {
         self.summarise(executed);
-        let text = if self.json {
-            json(&self.counts)
-        } else {
-            self.table()
-        };
+        let text = if self.json { json(&self.counts) } else { self.table() };
         write_text(self.path.as_deref(), &text)
     }
 
@@ -154,11 +150,7 @@ impl Statistics {
             *self.counts.classes.entry(class).or_default() += count;
             if row.class == Class::Ls {
                 let stores = row.mnemonic.starts_with("st");
-                *(if stores {
-                    &mut self.counts.stores
-                } else {
-                    &mut self.counts.loads
-                }) += count;
+                *(if stores { &mut self.counts.stores } else { &mut self.counts.loads }) += count;
             }
         }
     }

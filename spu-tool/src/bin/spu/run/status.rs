@@ -41,27 +41,15 @@ impl From<&Stop> for Status {
 /// The table of exit statuses for `--help`.
 pub fn help() -> String {
     let meanings = [
-        (
-            Status::Differs as u8,
-            "--check found that the two ways of counting cycles differ",
-        ),
+        (Status::Differs as u8, "--check found that the two ways of counting cycles differ"),
         (Status::Halt as u8, "halt"),
         (Status::InvalidInstruction as u8, "invalid instruction"),
         (Status::InvalidChannel as u8, "invalid channel"),
         (Status::Dma as u8, "DMA error"),
-        (
-            Status::UnknownStop as u8,
-            "unknown stop code, or library call without a handler",
-        ),
-        (
-            Status::Limit as u8,
-            "instruction limit reached, or the program sleeps for ever",
-        ),
+        (Status::UnknownStop as u8, "unknown stop code, or library call without a handler"),
+        (Status::Limit as u8, "instruction limit reached, or the program sleeps for ever"),
         (BAD_ELF, "not an SPU program"),
-        (
-            USAGE,
-            "wrong usage, or a file that can't be read or written",
-        ),
+        (USAGE, "wrong usage, or a file that can't be read or written"),
     ];
     let lines = meanings.map(|(status, meaning)| format!("  {status}    {meaning}\n"));
     format!(

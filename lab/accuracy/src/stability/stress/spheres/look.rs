@@ -90,9 +90,7 @@ impl Look {
         found: Option<f64>,
     ) -> Self {
         let passing = sphere.passing(line);
-        let seen = passing
-            .crossing
-            .and_then(|crossing| subject.form.seen(&crossing));
+        let seen = passing.crossing.and_then(|crossing| subject.form.seen(&crossing));
         let unit = length(line.direction);
         let found = found.map(|t| match subject.formulation.name {
             ANY_LENGTH => t * unit,
@@ -123,11 +121,7 @@ impl Look {
     /// How far the ray passes from a tangent, in units of the tangent's bound.
     pub fn off_tangent(&self) -> f64 {
         let larger = self.distance.max(self.radius);
-        let grown = if self.squares() {
-            larger / self.radius
-        } else {
-            1.0
-        };
+        let grown = if self.squares() { larger / self.radius } else { 1.0 };
         self.passing.beyond.abs() * self.radius / (spacing(larger) * grown)
     }
 
@@ -171,22 +165,14 @@ impl Look {
     /// The unit in which the header states the error of this distance, under the condition of its
     /// domain.
     pub fn unit(&self, exact: f64) -> f64 {
-        let least = if self.stated.of_larger {
-            self.radius
-        } else {
-            exact
-        };
+        let least = if self.stated.of_larger { self.radius } else { exact };
         spacing(exact.max(least)) * self.condition()
     }
 
     /// By how much the direction's length moves a distance. Headers that state less than an ulp
     /// exclude this: they treat the given direction as having length 1.
     pub fn given(&self) -> f64 {
-        if self.stated.error < 1.0 {
-            self.off_length * self.distance
-        } else {
-            0.0
-        }
+        if self.stated.error < 1.0 { self.off_length * self.distance } else { 0.0 }
     }
 
     /// The error of the distance in the header's ulps, under the condition of its domain.

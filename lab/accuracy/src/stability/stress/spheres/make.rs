@@ -49,11 +49,7 @@ pub fn scales(random: &mut Generator, form: Form) -> Shot {
             Form::Eye => [0.0; 3],
             Form::General => {
                 let inside = random.random_ratio(1, 4);
-                let away = if inside {
-                    radius * random.random_range(0.0..0.999)
-                } else {
-                    distance
-                };
+                let away = if inside { radius * random.random_range(0.0..0.999) } else { distance };
                 rounded(along(centre, away, direction(random)))
             }
         };

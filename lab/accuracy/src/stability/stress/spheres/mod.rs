@@ -63,10 +63,7 @@ const KINDS: &[Kind] = &[
         forms: &[Form::Eye, Form::General],
         make: make::grazing,
         judge: |look| Judgement::unless(look.agrees(), || look.off_tangent()),
-        bound: |_, _| Bound {
-            value: TANGENT,
-            source: "roundings of the discriminant".to_owned(),
-        },
+        bound: |_, _| Bound { value: TANGENT, source: "roundings of the discriminant".to_owned() },
     },
     Kind {
         name: "sphere-surface",
@@ -94,11 +91,7 @@ pub fn families() -> Families {
                 unit: kind.unit,
                 bound: (kind.bound)(&subject, &stated),
                 rounds: 800,
-                cases: Box::new(Spheres {
-                    kind,
-                    subject,
-                    stated,
-                }),
+                cases: Box::new(Spheres { kind, subject, stated }),
             });
         }
     }
@@ -138,12 +131,7 @@ impl Spheres {
             let line = Line::new(ray.origin, ray.direction);
             let look = Look::new(self.subject, self.stated, &sphere, &line, found);
             let input = || {
-                let words = [
-                    &shot.centre[..],
-                    &[shot.radius],
-                    &ray.origin,
-                    &ray.direction,
-                ];
+                let words = [&shot.centre[..], &[shot.radius], &ray.origin, &ray.direction];
                 words.concat()
             };
             tally.judged((self.kind.judge)(&look), input);

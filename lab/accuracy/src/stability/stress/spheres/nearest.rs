@@ -71,10 +71,7 @@ fn pair(random: &mut Generator) -> Pair {
             let other = radius * magnitude(-3, 3, random);
             (other, radius + other * random.random_range(-1.0..1.0))
         }
-        _ => (
-            1e7 * radius,
-            1e7 * radius + radius * random.random_range(-1.0..2.0),
-        ),
+        _ => (1e7 * radius, 1e7 * radius + radius * random.random_range(-1.0..2.0)),
     };
     [(place, radius), (along(place, apart, way), other)]
         .map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
@@ -104,18 +101,14 @@ impl Nearest {
         let after = call::rays(&bench.read_all(placed.packets)[0]);
         for (ray, after) in rays.iter().zip(after) {
             let line = Line::new(ray.origin, ray.direction);
-            let chosen = placed
-                .objects
-                .iter()
-                .position(|object| *object == after.object);
+            let chosen = placed.objects.iter().position(|object| *object == after.object);
             let looks = pair.map(|(centre, radius)| {
                 let sphere = Sphere::of_radius(centre, radius);
                 Look::new(self.subject, self.stated, &sphere, &line, None)
             });
             let input = || {
-                let spheres = pair
-                    .iter()
-                    .flat_map(|(centre, radius)| [&centre[..], &[*radius]].concat());
+                let spheres =
+                    pair.iter().flat_map(|(centre, radius)| [&centre[..], &[*radius]].concat());
                 spheres.chain(ray.origin).chain(ray.direction).collect()
             };
             if !looks.iter().all(Look::has_root_or_misses) {

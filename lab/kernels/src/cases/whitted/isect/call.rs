@@ -15,16 +15,10 @@ use protocol::layout::{Candidate, RayPacket, Shear};
 pub fn packet(rays: &[Ray; 16], anything: u32) -> RayPacket {
     let mut packet = RayPacket::new_zeroed();
     for (lane, ray) in rays.iter().enumerate() {
-        [
-            packet.origin_x[lane],
-            packet.origin_y[lane],
-            packet.origin_z[lane],
-        ] = ray.origin.map(single);
-        [
-            packet.direction_x[lane],
-            packet.direction_y[lane],
-            packet.direction_z[lane],
-        ] = ray.direction.map(single);
+        [packet.origin_x[lane], packet.origin_y[lane], packet.origin_z[lane]] =
+            ray.origin.map(single);
+        [packet.direction_x[lane], packet.direction_y[lane], packet.direction_z[lane]] =
+            ray.direction.map(single);
         packet.t[lane] = single(ray.t);
         packet.object[lane] = ray.object.into();
         packet.weight[lane] = single(anything);
@@ -71,36 +65,22 @@ pub fn place<S: Shape>(
     let shears = S::SHEARED.then(|| {
         let shears = bench.place(&vec![0x55; size_of::<Shear>() * packets.len()]);
         let count = packets.len() as u32;
-        bench.call(
-            "shear_packets_r16",
-            &[placed.address, count, shears.address],
-        );
+        bench.call("shear_packets_r16", &[placed.address, count, shears.address]);
         shears
     });
-    let records: Vec<S::Record> = objects
-        .iter()
-        .map(|object| object.record(anything))
-        .collect();
+    let records: Vec<S::Record> = objects.iter().map(|object| object.record(anything)).collect();
     let records = put(bench, &records);
-    let objects: Vec<u32> = (0..objects.len())
-        .map(|number| address::<S::Record>(records, number))
-        .collect();
+    let objects: Vec<u32> =
+        (0..objects.len()).map(|number| address::<S::Record>(records, number)).collect();
     let candidate = |&[object, packet]: &[usize; 2]| Candidate {
         object: objects[object].into(),
         packet: address::<RayPacket>(placed, packet).into(),
         bound: anything.into(),
-        shear: shears.map_or(U32::new(anything), |shears| {
-            address::<Shear>(shears, packet).into()
-        }),
+        shear: shears.map_or(U32::new(anything), |shears| address::<Shear>(shears, packet).into()),
     };
     let candidates: Vec<Candidate> = list.iter().map(candidate).collect();
     let candidates = put(bench, &candidates).address;
-    Placed {
-        packets: placed,
-        shears,
-        objects,
-        candidates,
-    }
+    Placed { packets: placed, shears, objects, candidates }
 }
 
 /// Calls the shape's kernel on candidates. Returns the packets after the call, and the objects'

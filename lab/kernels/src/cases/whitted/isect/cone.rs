@@ -139,10 +139,7 @@ impl Shape for ConeObject {
             radius: 1.0,
             growth: -0.125,
             heights: [0.0, 4.0],
-            sides: Sides {
-                both: true,
-                exit: false,
-            },
+            sides: Sides { both: true, exit: false },
         })
     }
 
@@ -160,11 +157,7 @@ impl Shape for ConeObject {
                 1 => 1.0,
                 _ => random.random_range(0.0..1.0),
             };
-        let [radius, top] = if random.random() {
-            [widest, narrowest]
-        } else {
-            [narrowest, widest]
-        };
+        let [radius, top] = if random.random() { [widest, narrowest] } else { [narrowest, widest] };
         let exact = Exact {
             base: std::array::from_fn(|_| scale * random.random_range(-3.0..3.0)),
             axis: any_direction(random),

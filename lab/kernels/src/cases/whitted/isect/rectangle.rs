@@ -25,12 +25,7 @@ impl Shape for RectangleObject {
     type Record = layout::Rectangle;
 
     fn record(&self, anything: u32) -> layout::Rectangle {
-        let Rectangle {
-            point,
-            normal,
-            dual_u,
-            dual_v,
-        } = self.rectangle;
+        let Rectangle { point, normal, dual_u, dual_v } = self.rectangle;
         let sides = one_sided(self.both, anything);
         layout::Rectangle {
             object: head_words(point, normal, anything, sides, anything),
@@ -63,10 +58,7 @@ impl Shape for RectangleObject {
 
     fn ahead(x: f64, distance: f64) -> Self {
         let corner = [x - 1.0, -1.0, -distance];
-        Self {
-            rectangle: rectangle(corner, [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]),
-            both: false,
-        }
+        Self { rectangle: rectangle(corner, [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]), both: false }
     }
 
     fn around(random: &mut ChaCha8Rng, scale: f64) -> (Self, [Ray; 16]) {

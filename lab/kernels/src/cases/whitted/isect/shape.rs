@@ -53,10 +53,7 @@ pub struct Truth {
 
 /// A random combination of sides.
 pub fn any_sides(random: &mut ChaCha8Rng) -> Sides {
-    Sides {
-        both: random.random(),
-        exit: random.random(),
-    }
+    Sides { both: random.random(), exit: random.random() }
 }
 
 /// The word of the sides. Its other bits come from `anything`.
@@ -70,10 +67,7 @@ fn sides_word(sides: Sides, anything: u32) -> u32 {
 /// The sides of a shape without an inside. Everything except `both` is arbitrary.
 #[must_use]
 pub fn one_sided(both: bool, anything: u32) -> Sides {
-    Sides {
-        both,
-        exit: anything & 1 != 0,
-    }
+    Sides { both, exit: anything & 1 != 0 }
 }
 
 /// The head of an object's record.

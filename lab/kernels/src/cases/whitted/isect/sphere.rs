@@ -31,10 +31,7 @@ pub struct By<F> {
 
 impl<F> From<SphereObject> for By<F> {
     fn from(sphere: SphereObject) -> Self {
-        Self {
-            sphere,
-            formulation: PhantomData,
-        }
+        Self { sphere, formulation: PhantomData }
     }
 }
 
@@ -51,11 +48,7 @@ impl<F: ForAnyRay> Shape for By<F> {
     }
 
     fn truth(&self, ray: &Ray) -> Truth {
-        let SphereObject {
-            centre,
-            offset,
-            sides: Sides { both, exit },
-        } = self.sphere;
+        let SphereObject { centre, offset, sides: Sides { both, exit } } = self.sphere;
         let direction = ray.direction.map(to_f64);
         let length = dot(direction, direction).sqrt();
         let direction = unit(direction);
@@ -72,11 +65,7 @@ impl<F: ForAnyRay> Shape for By<F> {
         let t = (disc >= 0.0 && t > 0.0).then_some(t);
         let clear = (distance / radius - 1.0).abs() > F::DOMAIN.surface;
         // With directions of any length, t is a multiple of the length.
-        let part = if F::DOMAIN.lengths.is_empty() {
-            1.0
-        } else {
-            length
-        };
+        let part = if F::DOMAIN.lengths.is_empty() { 1.0 } else { length };
         let t = t.map(|t| t / part);
         Truth {
             t,
@@ -111,39 +100,24 @@ impl<F: ForAnyRay> Shape for By<F> {
             } else {
                 magnitude(F::DOMAIN.lengths, random)
             };
-            ray(
-                origin,
-                unit(towards).map(|component| component * length),
-                FARTHEST,
-            )
+            ray(origin, unit(towards).map(|component| component * length), FARTHEST)
         });
         (sphere.into(), rays)
     }
 
     fn junk(random: &mut ChaCha8Rng) -> Self {
-        SphereObject {
-            centre: random.random(),
-            offset: random.random(),
-            sides: any_sides(random),
-        }
-        .into()
+        SphereObject { centre: random.random(), offset: random.random(), sides: any_sides(random) }
+            .into()
     }
 }
 
 /// Visible only from the front, which is where a ray enters a sphere.
-pub const FRONT: Sides = Sides {
-    both: false,
-    exit: false,
-};
+pub const FRONT: Sides = Sides { both: false, exit: false };
 
 /// A sphere.
 #[must_use]
 pub fn sphere(centre: Vector, radius: f64, sides: Sides) -> SphereObject {
-    SphereObject {
-        centre: centre.map(from_f64),
-        offset: from_f64(radius),
-        sides,
-    }
+    SphereObject { centre: centre.map(from_f64), offset: from_f64(radius), sides }
 }
 
 /// The record of a sphere. `anything` fills the fields that no intersector reads.

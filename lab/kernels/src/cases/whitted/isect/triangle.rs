@@ -105,9 +105,7 @@ impl Shape for TriangleObject {
             let [u, v] = [(); 2].map(|()| random.random_range(-0.2..0.8));
             let weights: Vector = [u, v, 1.0 - u - v];
             let target: Vector = std::array::from_fn(|axis| {
-                (0..3)
-                    .map(|corner| weights[corner] * corners[corner][axis])
-                    .sum()
+                (0..3).map(|corner| weights[corner] * corners[corner][axis]).sum()
             });
             let towards = unit(less(target, origin.map(to_f64)));
             // A quarter of the rays points away from it.
@@ -124,9 +122,6 @@ impl Shape for TriangleObject {
     }
 
     fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            vertices: random.random(),
-            both: random.random(),
-        }
+        Self { vertices: random.random(), both: random.random() }
     }
 }

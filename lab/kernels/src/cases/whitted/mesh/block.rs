@@ -40,23 +40,12 @@ pub fn block(
         (_, Some(size)) => [children.min(room / size), 0],
         _ => {
             let vertices = random.random_range(1..=room / 8);
-            [
-                (room - 4 * vertices).min(random.random_range(1..=100)),
-                vertices,
-            ]
+            [(room - 4 * vertices).min(random.random_range(1..=100)), vertices]
         }
     };
     let mut words = [0; WORDS];
-    let header = [
-        MAGIC,
-        NUMBER,
-        kind,
-        levels as u32,
-        nodes as u32,
-        records as u32,
-        vertices as u32,
-        0,
-    ];
+    let header =
+        [MAGIC, NUMBER, kind, levels as u32, nodes as u32, records as u32, vertices as u32, 0];
     words[..HEADER].copy_from_slice(&header);
     let corner = |corner: [f64; 3], way: f64| corner.map(|c| from_f64(c + way));
     let mut below = 1;

@@ -102,25 +102,11 @@ pub fn bound(record: &MeshBound) -> (mesh::MeshBound, u32) {
         assert_eq!(lanes, [lanes[0]; 4], "lanes of a bound");
         lanes[0]
     };
-    let near_scale = [
-        record.near_scale_x,
-        record.near_scale_y,
-        record.near_scale_z,
-    ]
-    .map(one);
-    let near_shift = [
-        record.near_shift_x,
-        record.near_shift_y,
-        record.near_shift_z,
-    ]
-    .map(one);
+    let near_scale = [record.near_scale_x, record.near_scale_y, record.near_scale_z].map(one);
+    let near_shift = [record.near_shift_x, record.near_shift_y, record.near_shift_z].map(one);
     let far_scale = [record.far_scale_x, record.far_scale_y, record.far_scale_z].map(one);
     let far_shift = [record.far_shift_x, record.far_shift_y, record.far_shift_z].map(one);
-    let planes = [
-        record.near_plane_x,
-        record.near_plane_y,
-        record.near_plane_z,
-    ];
+    let planes = [record.near_plane_x, record.near_plane_y, record.near_plane_z];
     let slabs = std::array::from_fn(|axis| {
         let plane = usize::from(planes[axis].get());
         let down = plane == LOWER[axis] + TO_UPPER;
@@ -178,10 +164,7 @@ pub fn farthest(
     shears: u32,
 ) -> Vec<(mesh::MeshBound, u32)> {
     bench.reset();
-    let before: Vec<MeshBound> = bounds
-        .iter()
-        .map(|bound| bound_record(bound, shears))
-        .collect();
+    let before: Vec<MeshBound> = bounds.iter().map(|bound| bound_record(bound, shears)).collect();
     let (bounds, arguments) = put_for_bounds(bench, packets, &before, shears);
     bench.call("mesh_farthest_r16", &arguments[..3]);
     bench.read_all(bounds).iter().map(bound).collect()
@@ -208,15 +191,11 @@ pub fn put_candidates(
 ) -> Candidates {
     let nodes: Vec<Boxes> = nodes.iter().map(boxes).collect();
     let nodes = put(bench, &nodes);
-    let bounds: Vec<MeshBound> = packets
-        .iter()
-        .map(|(_, bound)| bound_record(bound, u32::MAX))
-        .collect();
+    let bounds: Vec<MeshBound> =
+        packets.iter().map(|(_, bound)| bound_record(bound, u32::MAX)).collect();
     let bounds = put(bench, &bounds);
-    let packets: Vec<RayPacket> = packets
-        .iter()
-        .map(|(rays, _)| rays::call::packet(rays))
-        .collect();
+    let packets: Vec<RayPacket> =
+        packets.iter().map(|(rays, _)| rays::call::packet(rays)).collect();
     let packets = put(bench, &packets);
     let candidate = |(number, &[node, packet]): (usize, &[usize; 2])| MeshCandidate {
         object: address::<Boxes>(nodes, node).into(),
@@ -236,12 +215,7 @@ pub fn put_candidates(
 }
 
 fn words(candidate: &MeshCandidate) -> [u32; 4] {
-    [
-        candidate.object.get(),
-        candidate.packet.get(),
-        candidate.bound.get(),
-        bits(candidate.near),
-    ]
+    [candidate.object.get(), candidate.packet.get(), candidate.bound.get(), bits(candidate.near)]
 }
 
 /// Calls `cull_boxes` or `filter_boxes_r16`. Returns the candidates that it gets, and its list.
@@ -289,10 +263,7 @@ pub fn leaf(block: &MeshBlock, nodes: u32, anything: u32) -> Vec<u8> {
         position: position.map(single),
         normal: anything.into(),
     };
-    let face = |vertex: &[u8; 3]| MeshFace {
-        vertex: *vertex,
-        material: anything as u8,
-    };
+    let face = |vertex: &[u8; 3]| MeshFace { vertex: *vertex, material: anything as u8 };
     let vertices: Vec<MeshVertex> = block.vertices.iter().map(vertex).collect();
     let faces: Vec<MeshFace> = block.faces.iter().map(face).collect();
     let mut bytes = header.as_bytes().to_vec();
@@ -357,10 +328,8 @@ pub fn isect_runs(
     anything: u32,
 ) -> Vec<RayPacket> {
     bench.reset();
-    let records: Vec<RayPacket> = packets
-        .iter()
-        .map(|rays| isect::call::packet(rays, anything))
-        .collect();
+    let records: Vec<RayPacket> =
+        packets.iter().map(|rays| isect::call::packet(rays, anything)).collect();
     let (placed, arguments) = put_runs(bench, &records, block, runs, anything);
     bench.call("isect_mesh_pairs_r16", &arguments);
     bench.read_all(placed)

@@ -125,16 +125,10 @@ fn centres<V>(children: &[Child<V>; 4], of: impl Fn(&V) -> [Single; 3]) -> [[F32
 pub fn packet(rays: &[Ray; 16]) -> RayPacket {
     let mut record = RayPacket::new_zeroed();
     for (lane, ray) in rays.iter().enumerate() {
-        [
-            record.origin_x[lane],
-            record.origin_y[lane],
-            record.origin_z[lane],
-        ] = ray.origin.map(single);
-        [
-            record.direction_x[lane],
-            record.direction_y[lane],
-            record.direction_z[lane],
-        ] = ray.direction.map(single);
+        [record.origin_x[lane], record.origin_y[lane], record.origin_z[lane]] =
+            ray.origin.map(single);
+        [record.direction_x[lane], record.direction_y[lane], record.direction_z[lane]] =
+            ray.direction.map(single);
         record.t[lane] = single(ray.t);
         record.object[lane] = ray.object.into();
         record.weight[lane] = single(ray.weight);
@@ -149,10 +143,7 @@ pub fn rays(record: &RayPacket) -> [Ray; 16] {
     let vector = |axes: [[F32; 16]; 3], lane: usize| axes.map(|axis| bits(axis[lane]));
     std::array::from_fn(|lane| Ray {
         origin: vector([record.origin_x, record.origin_y, record.origin_z], lane),
-        direction: vector(
-            [record.direction_x, record.direction_y, record.direction_z],
-            lane,
-        ),
+        direction: vector([record.direction_x, record.direction_y, record.direction_z], lane),
         t: bits(record.t[lane]),
         object: record.object[lane].get(),
         weight: bits(record.weight[lane]),
@@ -368,10 +359,8 @@ pub fn put_for_bounds(
 ) -> (Place, Vec<u32>) {
     let records: Vec<RayPacket> = packets.iter().map(packet).collect();
     let records = put(bench, &records);
-    let bounds: Vec<layout::Bound> = bounds
-        .iter()
-        .map(|bound| bound_record(bound, ANYTHING))
-        .collect();
+    let bounds: Vec<layout::Bound> =
+        bounds.iter().map(|bound| bound_record(bound, ANYTHING)).collect();
     let bounds = put(bench, &bounds);
     let arguments = vec![records.address, packets.len() as u32, bounds.address];
     (bounds, arguments)
@@ -390,13 +379,8 @@ pub fn put_for_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> 
         near: single(point.near),
     };
     let light = put(bench, &[light]);
-    let arguments = vec![
-        records.address,
-        packets.len() as u32,
-        bounds.address,
-        light.address,
-        point.along,
-    ];
+    let arguments =
+        vec![records.address, packets.len() as u32, bounds.address, light.address, point.along];
     (bounds, arguments)
 }
 
@@ -410,11 +394,7 @@ pub fn fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Boun
 
 /// Calls `bound_fan_r16` with any point, and then `bound_origins_r16`.
 pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
-    let point = Point {
-        place: [ANYTHING; 3],
-        near: ANYTHING,
-        along: ONE,
-    };
+    let point = Point { place: [ANYTHING; 3], near: ANYTHING, along: ONE };
     let fans = fans(bench, packets, &point);
     bench.reset();
     let (bounds, arguments) = put_for_bounds(bench, packets, &fans);
@@ -446,10 +426,8 @@ pub fn put_candidates<V: Volume>(
 ) -> Candidates {
     let nodes: Vec<V::Node> = nodes.iter().map(V::node).collect();
     let nodes = put(bench, &nodes);
-    let bounds: Vec<layout::Bound> = bounds
-        .iter()
-        .map(|bound| bound_record(bound, ANYTHING))
-        .collect();
+    let bounds: Vec<layout::Bound> =
+        bounds.iter().map(|bound| bound_record(bound, ANYTHING)).collect();
     let bounds = put(bench, &bounds);
     let packets = packets.map(|packets| {
         let packets: Vec<RayPacket> = packets.iter().map(packet).collect();
@@ -458,9 +436,7 @@ pub fn put_candidates<V: Volume>(
     let candidate = |(number, &[node, bound]): (usize, &[usize; 2])| Candidate {
         object: address::<V::Node>(nodes, node).into(),
         packet: packets
-            .map_or(0x5000_0000 + number as u32, |packets| {
-                address::<RayPacket>(packets, bound)
-            })
+            .map_or(0x5000_0000 + number as u32, |packets| address::<RayPacket>(packets, bound))
             .into(),
         bound: address::<layout::Bound>(bounds, bound).into(),
         shear: (0x6000_0000 + number as u32).into(),
@@ -472,9 +448,7 @@ pub fn put_candidates<V: Volume>(
             ..candidate
         };
         let all = given.iter();
-        given = all
-            .flat_map(|&candidate| (0..4).map(move |lane| child(candidate, lane)))
-            .collect();
+        given = all.flat_map(|&candidate| (0..4).map(move |lane| child(candidate, lane))).collect();
     }
     let list = put(bench, &given);
     let room = put(bench, &vec![Candidate::new_zeroed(); 4 * pairs.len() + 1]);
@@ -489,12 +463,7 @@ pub fn put_candidates<V: Volume>(
 /// The words of candidates: object, packet, bound, shear.
 #[must_use]
 pub fn words(candidate: &Candidate) -> [u32; 4] {
-    let &Candidate {
-        object,
-        packet,
-        bound,
-        shear,
-    } = candidate;
+    let &Candidate { object, packet, bound, shear } = candidate;
     [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
 }
 

@@ -15,10 +15,7 @@ use protocol::layout::{self, Candidate, Object};
 /// The record of a face. `anything` fills the fields without meaning.
 #[must_use]
 pub fn record(face: &Face, anything: u32) -> Object {
-    let sides = Sides {
-        both: face.both,
-        exit: anything & 1 != 0,
-    };
+    let sides = Sides { both: face.both, exit: anything & 1 != 0 };
     Object {
         leave: single(face.leave),
         ..shape::head(face.point, face.normal, anything, sides, anything)
@@ -37,10 +34,8 @@ pub fn put(
     let anything = 0x5555_5555 ^ pairs.len() as u32;
     let faces: Vec<Object> = faces.iter().map(|face| record(face, anything)).collect();
     let faces = put_records(bench, &faces);
-    let bounds: Vec<layout::Bound> = bounds
-        .iter()
-        .map(|bound| bound_record(bound, anything))
-        .collect();
+    let bounds: Vec<layout::Bound> =
+        bounds.iter().map(|bound| bound_record(bound, anything)).collect();
     let bounds = put_records(bench, &bounds);
     let candidate = |(number, &[face, bound]): (usize, &[usize; 2])| Candidate {
         object: address::<Object>(faces, face).into(),
@@ -81,8 +76,5 @@ pub fn cull_faces(
     assert_eq!(behind, Some([0; 4]), "behind the candidates");
     let ends = (0..=pairs.len()).find(|n| address::<Candidate>(candidates.room, *n) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
-    (
-        candidates.given.iter().map(words).collect(),
-        list.iter().map(words).collect(),
-    )
+    (candidates.given.iter().map(words).collect(), list.iter().map(words).collect())
 }

@@ -99,11 +99,7 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
             Fan::Incoherent | Fan::Any => (any_direction(random), FARTHEST),
             _ => (moved(along, in_cube(1.0, random), width), FARTHEST),
         };
-        let t = if random.random_range(0..4) == 0 && t == FARTHEST {
-            from_f64(reach)
-        } else {
-            t
-        };
+        let t = if random.random_range(0..4) == 0 && t == FARTHEST { from_f64(reach) } else { t };
         ray(origin, direction, t)
     })
 }
@@ -126,17 +122,10 @@ pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
         let to_light = less(light, point);
         let t = from_f64(dot(to_light, to_light).sqrt());
         let is_there = random.random_range(0..8) > 0;
-        Ray {
-            t: if is_there { t } else { ABSENT },
-            ..ray(origin, to_light, t)
-        }
+        Ray { t: if is_there { t } else { ABSENT }, ..ray(origin, to_light, t) }
     });
     let near = 2.0 * taxicab(light) / f64::from(1 << 18) + 8.0 * leave;
-    let point = Point {
-        place: light.map(from_f64),
-        near: from_f64(near),
-        along: from_f64(-1.0),
-    };
+    let point = Point { place: light.map(from_f64), near: from_f64(near), along: from_f64(-1.0) };
     (rays, point)
 }
 

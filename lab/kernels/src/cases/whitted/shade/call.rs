@@ -92,32 +92,19 @@ pub struct PlacedSites {
 const ANYTHING: u32 = 0x5555_5555;
 
 fn packet_ray(ray: Ray, object: u32) -> PacketRay {
-    PacketRay {
-        ray,
-        object,
-        weight: ANYTHING,
-        pixel: ANYTHING,
-    }
+    PacketRay { ray, object, weight: ANYTHING, pixel: ANYTHING }
 }
 
 /// Puts sites into local store, each record between guards.
 pub fn put_sites(bench: &mut Bench, sites: &[Site]) -> PlacedSites {
     let background = put(bench, &[layout::Object::new_zeroed()]);
-    let mut placed = PlacedSites {
-        list: background,
-        surfaces: Vec::new(),
-        background,
-    };
+    let mut placed = PlacedSites { list: background, surfaces: Vec::new(), background };
     let mut list = Vec::new();
     for site in sites {
         let surfaces = records::surfaces(&site.surfaces, &site.normals, [ANYTHING; 16]);
         let surfaces = put(bench, &[surfaces]);
         let seen: [PacketRay; 16] = std::array::from_fn(|lane| PacketRay {
-            ray: Ray {
-                origin: [ANYTHING; 3],
-                direction: site.directions[lane],
-                t: ANYTHING,
-            },
+            ray: Ray { origin: [ANYTHING; 3], direction: site.directions[lane], t: ANYTHING },
             object: ANYTHING,
             weight: site.weights[lane],
             pixel: ANYTHING,
@@ -234,10 +221,7 @@ pub fn light_arguments(
     brightness: [Single; 3],
 ) -> (Vec<u32>, Vec<bench::Place>) {
     let placed = put_sites(bench, sites);
-    let nowhere = shadow_rays::Place {
-        position: [ANYTHING; 3],
-        directional: false,
-    };
+    let nowhere = shadow_rays::Place { position: [ANYTHING; 3], directional: false };
     let light = put(bench, &[light_record(&nowhere, brightness)]);
     let background = placed.background.address;
     let packets: Vec<RayPacket> = sites
@@ -251,13 +235,8 @@ pub fn light_arguments(
         })
         .collect();
     let packets = put(bench, &packets);
-    let arguments = vec![
-        placed.list.address,
-        sites.len() as u32,
-        light.address,
-        background,
-        packets.address,
-    ];
+    let arguments =
+        vec![placed.list.address, sites.len() as u32, light.address, background, packets.address];
     (arguments, placed.surfaces)
 }
 
@@ -297,16 +276,10 @@ pub fn accumulate(
     sums: &[[Single; 3]],
 ) -> Vec<[Single; 3]> {
     bench.reset();
-    let quadwords: Vec<[F32; 4]> = sums
-        .iter()
-        .map(|&[x, y, z]| [x, y, z, ANYTHING].map(single))
-        .collect();
+    let quadwords: Vec<[F32; 4]> =
+        sums.iter().map(|&[x, y, z]| [x, y, z, ANYTHING].map(single)).collect();
     let place = put(bench, &quadwords);
-    let ray = Ray {
-        origin: [ANYTHING; 3],
-        direction: [ANYTHING; 3],
-        t: ANYTHING,
-    };
+    let ray = Ray { origin: [ANYTHING; 3], direction: [ANYTHING; 3], t: ANYTHING };
     let mut rays = Vec::new();
     let mut surfaces = Vec::new();
     for shares in packets {
@@ -347,13 +320,8 @@ pub fn pack_sums(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3])
     let row_bytes = 4 * rows[0].len();
     let pixels = bench.place(&vec![0x55; row_bytes * rows.len()]);
     let shuffle = put(bench, &[pixel_shuffle(shifts)]);
-    let arguments = [
-        sums.address,
-        pixels.address,
-        rows.len() as u32,
-        row_bytes as u32,
-        shuffle.address,
-    ];
+    let arguments =
+        [sums.address, pixels.address, rows.len() as u32, row_bytes as u32, shuffle.address];
     bench.call("pack_sums", &arguments);
     let words: Vec<U32> = bench.read_all(pixels);
     words.iter().map(|word| word.get()).collect()
@@ -362,11 +330,7 @@ pub fn pack_sums(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3])
 /// `same_objects_r16`: returns its bits for packets with these objects.
 pub fn same_objects(bench: &mut Bench, packets: &[[u32; 16]]) -> u32 {
     bench.reset();
-    let ray = Ray {
-        origin: [ANYTHING; 3],
-        direction: [ANYTHING; 3],
-        t: ANYTHING,
-    };
+    let ray = Ray { origin: [ANYTHING; 3], direction: [ANYTHING; 3], t: ANYTHING };
     let records: Vec<RayPacket> = packets
         .iter()
         .map(|objects| records::rays(&objects.map(|object| packet_ray(ray, object))))

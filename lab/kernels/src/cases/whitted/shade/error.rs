@@ -49,10 +49,8 @@ pub fn any_hits(random: &mut ChaCha8Rng) -> ([Shape; 16], Vec<(Object, usize)>, 
     let background = Shape::plane([0.0; 3], [0.0, 0.0, 1.0]);
     let objects = std::iter::once(&background).chain(&shapes);
     let objects = objects.map(|shape| (shape.object(), 0)).collect();
-    let hits = std::array::from_fn(|lane| Hit {
-        ray: shapes[lane].any_ray(random),
-        object: lane + 1,
-    });
+    let hits =
+        std::array::from_fn(|lane| Hit { ray: shapes[lane].any_ray(random), object: lane + 1 });
     (shapes, objects, hits)
 }
 
@@ -74,15 +72,8 @@ pub fn surfaces(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 /// A light that is near, far, or infinitely far.
 pub fn any_light(random: &mut ChaCha8Rng) -> Place {
     let directional = random.random_ratio(1, 4);
-    let distance = if directional {
-        1.0
-    } else {
-        magnitude(1.0..1000.0, random)
-    };
-    Place {
-        position: any_direction(random).map(|x| from_f64(distance * x)),
-        directional,
-    }
+    let distance = if directional { 1.0 } else { magnitude(1.0..1000.0, random) };
+    Place { position: any_direction(random).map(|x| from_f64(distance * x)), directional }
 }
 
 /// Hits on random shapes, with shading normals that differ from the surfaces' normals, and their
@@ -114,14 +105,7 @@ pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
         let ray = shadow_ray(&surfaces[lane], normals[lane], weights[lane], light, LEAST);
         (ray, random.random())
     });
-    Site {
-        surfaces,
-        normals,
-        directions,
-        weights,
-        shines: random.random(),
-        shadow,
-    }
+    Site { surfaces, normals, directions, weights, shines: random.random(), shadow }
 }
 
 /// The same, but half of the highlights are as bright as possible: the light is almost in the
@@ -159,11 +143,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for (ray, surface) in found.packets.iter().flatten().zip(&site.surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
-            let to = if light.directional {
-                position
-            } else {
-                less(position, point)
-            };
+            let to = if light.directional { position } else { less(position, point) };
             let distance = dot(to, to).sqrt();
             let exact = to.map(|component| component / distance);
             for (found, exact) in ray.direction.iter().zip(exact) {
@@ -252,9 +232,7 @@ pub fn any_shares(random: &mut ChaCha8Rng, packets: usize, pixels: usize) -> Vec
         weight: from_f64(random.random_range(0.0..1.0)),
         lit: [(); 3].map(|()| from_f64(random.random_range(0.0..1.0))),
     };
-    (0..packets)
-        .map(|_| std::array::from_fn(|_| share()))
-        .collect()
+    (0..packets).map(|_| std::array::from_fn(|_| share())).collect()
 }
 
 /// The largest error of a sum for each addition, in ulps of the sum.
@@ -305,10 +283,7 @@ pub fn surfaces_same(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         let shape = Shape::any(random);
-        let hits = std::array::from_fn(|_| Hit {
-            ray: shape.any_ray(random),
-            object: 0,
-        });
+        let hits = std::array::from_fn(|_| Hit { ray: shape.any_ray(random), object: 0 });
         let objects = [(shape.object(), 0)];
         let materials = [any_material(random)];
         let (found, ..) = call::surfaces(bench, "surfaces_same_r16", &[hits], &objects, &materials);
@@ -334,9 +309,8 @@ fn error_of_values(
     most: f64,
     exact: fn(f64) -> f64,
 ) -> f64 {
-    let values: Vec<[Single; 4]> = (0..1000)
-        .map(|_| [(); 4].map(|()| from_f64(random.random_range(0.0..most))))
-        .collect();
+    let values: Vec<[Single; 4]> =
+        (0..1000).map(|_| [(); 4].map(|()| from_f64(random.random_range(0.0..most)))).collect();
     let found = call::convert(bench, kernel, &values);
     let pairs = values.as_flattened().iter().zip(found.as_flattened());
     let errors = pairs.map(|(value, found)| 255.0 * (to_f64(*found) - exact(to_f64(*value))).abs());
@@ -346,21 +320,13 @@ fn error_of_values(
 /// The largest error of sRGB's values, of 1/255.
 pub fn encode_srgb(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     error_of_values(bench, random, "encode_srgb", 1.0, |x| {
-        if x <= 0.003_130_8 {
-            12.92 * x
-        } else {
-            1.055 * libm::pow(x, 1.0 / 2.4) - 0.055
-        }
+        if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 }
     })
 }
 
 /// The largest error of limited light, of 1/255.
 pub fn roll_off(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     error_of_values(bench, random, "roll_off", 8.0, |x| {
-        if x <= 0.75 {
-            x
-        } else {
-            1.0 - 0.0625 / (x - 0.5)
-        }
+        if x <= 0.75 { x } else { 1.0 - 0.0625 / (x - 0.5) }
     })
 }

@@ -47,11 +47,7 @@ pub fn packet_rays(packet: &RayPacket) -> [PacketRay; 16] {
     let origins = vectors([packet.origin_x, packet.origin_y, packet.origin_z]);
     let directions = vectors([packet.direction_x, packet.direction_y, packet.direction_z]);
     std::array::from_fn(|lane| PacketRay {
-        ray: Ray {
-            origin: origins[lane],
-            direction: directions[lane],
-            t: bits(packet.t[lane]),
-        },
+        ray: Ray { origin: origins[lane], direction: directions[lane], t: bits(packet.t[lane]) },
         object: packet.object[lane].get(),
         weight: bits(packet.weight[lane]),
         pixel: packet.pixel[lane].get(),
@@ -146,12 +142,7 @@ pub fn lit(surfaces: &Surfaces) -> [[Single; 3]; 16] {
 #[must_use]
 pub fn lit_surfaces(lit: &[[Single; 3]; 16]) -> Surfaces {
     let [lit_red, lit_green, lit_blue] = components(lit);
-    Surfaces {
-        lit_red,
-        lit_green,
-        lit_blue,
-        ..Surfaces::new_zeroed()
-    }
+    Surfaces { lit_red, lit_green, lit_blue, ..Surfaces::new_zeroed() }
 }
 
 fn components(vectors: &[[Single; 3]; 16]) -> [[F32; 16]; 3] {

@@ -50,25 +50,13 @@ impl Shape {
     #[must_use]
     pub fn cone(base: Vector, axis: Vector, radius: f64, growth: f64) -> Self {
         let gain = 1.0 / libm::hypot(growth, 1.0);
-        Self {
-            centre: base,
-            gain,
-            axis,
-            slope: -gain * growth,
-            offset: gain * radius,
-        }
+        Self { centre: base, gain, axis, slope: -gain * growth, offset: gain * radius }
     }
 
     /// A plane.
     #[must_use]
     pub fn plane(point: Vector, normal: Vector) -> Self {
-        Self {
-            centre: point,
-            gain: 0.0,
-            axis: normal,
-            slope: 1.0,
-            offset: 0.0,
-        }
+        Self { centre: point, gain: 0.0, axis: normal, slope: 1.0, offset: 0.0 }
     }
 
     /// A random shape of any size, within 100 of the eye.
@@ -110,22 +98,14 @@ impl Shape {
         let off: Vector = std::array::from_fn(|k| from[k] - along * self.axis[k]);
         let distance = dot(off, off).sqrt();
         let height = self.gain * distance + self.slope * along - self.offset;
-        let scale = if self.gain == 0.0 {
-            0.0
-        } else {
-            self.gain / distance
-        };
+        let scale = if self.gain == 0.0 { 0.0 } else { self.gain / distance };
         let normal = std::array::from_fn(|k| scale * off[k] + self.slope * self.axis[k]);
         (height, normal)
     }
 
     /// A random point of the surface.
     pub fn any_point(&self, random: &mut ChaCha8Rng) -> Vector {
-        let size = if self.gain == 0.0 {
-            50.0
-        } else {
-            self.offset / self.gain
-        };
+        let size = if self.gain == 0.0 { 50.0 } else { self.offset / self.gain };
         let (height, radius) = if self.axis == [0.0; 3] {
             return self.beside_centre(any_direction(random), size);
         } else if self.gain == 0.0 {

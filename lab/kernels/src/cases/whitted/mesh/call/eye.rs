@@ -51,21 +51,12 @@ pub fn put_for_eye_bounds(
     packets: &[[sphere_ray::Ray; 16]],
     shears: u32,
 ) -> (Place, Place, Vec<u32>) {
-    let records: Vec<RayPacket> = packets
-        .iter()
-        .map(|rays| isect::call::packet(rays, 0))
-        .collect();
+    let records: Vec<RayPacket> = packets.iter().map(|rays| isect::call::packet(rays, 0)).collect();
     let placed = put(bench, &records);
     let bounds = put(bench, &vec![MeshBound::new_zeroed(); packets.len()]);
     let windows = put(bench, &vec![MeshWindow::new_zeroed(); packets.len()]);
     let count = packets.len() as u32;
-    let arguments = vec![
-        placed.address,
-        count,
-        bounds.address,
-        shears,
-        windows.address,
-    ];
+    let arguments = vec![placed.address, count, bounds.address, shears, windows.address];
     (bounds, windows, arguments)
 }
 
@@ -95,10 +86,7 @@ pub struct Rows {
 impl Rows {
     /// The record, whose packets and bounds are at these addresses.
     fn record(self, packet: u32, bound: u32, anything: u32) -> MeshRows {
-        let bits = self
-            .rows
-            .iter()
-            .fold(0, |bits, row| bits << 1 | u32::from(*row));
+        let bits = self.rows.iter().fold(0, |bits, row| bits << 1 | u32::from(*row));
         MeshRows {
             rows: ((self.triangle as u32) << 10 | bits).into(),
             packet: packet.into(),
@@ -130,13 +118,8 @@ pub fn put_filter(
     let block = bench.place(&leaf(block, 3, anything));
     let most: usize = runs.iter().map(|(run, _)| run.len()).sum();
     let room = put(bench, &vec![MeshRows::new_zeroed(); most + 1]);
-    let arguments = vec![
-        candidates.address,
-        runs.len() as u32,
-        block.address,
-        room.address,
-        windows.address,
-    ];
+    let arguments =
+        vec![candidates.address, runs.len() as u32, block.address, room.address, windows.address];
     (room, arguments)
 }
 
@@ -206,10 +189,8 @@ pub fn isect_rows(
     anything: u32,
 ) -> Vec<RayPacket> {
     bench.reset();
-    let records: Vec<RayPacket> = packets
-        .iter()
-        .map(|rays| isect::call::packet(rays, anything))
-        .collect();
+    let records: Vec<RayPacket> =
+        packets.iter().map(|rays| isect::call::packet(rays, anything)).collect();
     let (placed, arguments) = put_rows(bench, &records, block, rows, anything);
     bench.call("isect_mesh_rows_r4", &arguments);
     bench.read_all(placed)
@@ -226,12 +207,7 @@ pub fn put_for_hits(bench: &mut Bench, objects: &[[u32; 16]]) -> (Place, Place, 
     let placed = put(bench, &packets);
     let patches = put(bench, &vec![Patch::new_zeroed(); 16 * packets.len()]);
     let none = bench.place(&[0; 16]);
-    let arguments = vec![
-        placed.address,
-        packets.len() as u32,
-        patches.address,
-        none.address,
-    ];
+    let arguments = vec![placed.address, packets.len() as u32, patches.address, none.address];
     (placed, patches, arguments)
 }
 
@@ -255,13 +231,8 @@ pub fn hits_listed(bench: &mut Bench, objects: &[[u32; 16]]) -> [(Vec<[u32; 16]>
         assert_eq!(words, [words[0]; 4]);
         words[0].get()
     });
-    let found = (
-        records
-            .iter()
-            .map(|record| record.object.map(U32::get))
-            .collect(),
-        listed.collect(),
-    );
+    let found =
+        (records.iter().map(|record| record.object.map(U32::get)).collect(), listed.collect());
     let mut expected = (Vec::new(), Vec::new());
     for objects in objects {
         let first = address::<Patch>(patches, expected.1.len());
@@ -310,13 +281,7 @@ pub fn put_for_patches(
     }
     let table = put(bench, &table);
     let list = put(bench, &vec![MeshHit::new_zeroed(); objects.len() + 4]);
-    let arguments = vec![
-        patches.address,
-        fours as u32,
-        table.address,
-        list.address,
-        MATERIALS,
-    ];
+    let arguments = vec![patches.address, fours as u32, table.address, list.address, MATERIALS];
     (patches, list, arguments)
 }
 
@@ -356,9 +321,7 @@ pub fn flat_patches(
             }
             continue;
         };
-        let found = Object::read_from_prefix(patch.as_bytes())
-            .expect("a record")
-            .0;
+        let found = Object::read_from_prefix(patch.as_bytes()).expect("a record").0;
         let both = if leaf.both { SIDES_BOTH } else { 0 };
         let material = MATERIALS + (anything & 0xff) * size_of::<Material>() as u32;
         assert_eq!(bits(found.gain), 0);

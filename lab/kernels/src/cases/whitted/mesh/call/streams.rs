@@ -149,20 +149,13 @@ pub fn filter_rays(
     let tests = bench.returned_second();
     let visits: Vec<MeshVisit> = bench.read_all(room);
     let count = (end - room.address) as usize / size_of::<MeshVisit>();
-    assert_eq!(
-        end,
-        address::<MeshVisit>(room, count),
-        "the end of the list"
-    );
+    assert_eq!(end, address::<MeshVisit>(room, count), "the end of the list");
     let visit = |visit: &MeshVisit| {
         assert_eq!([visit.reserved.get(), visit.reserved_2.get()], [0; 2]);
         Visit {
             child: visit.child.get(),
             near: single_of(visit.near),
-            rays: visit
-                .rays
-                .iter()
-                .fold(0, |rays, word| rays << 32 | u128::from(word.get())),
+            rays: visit.rays.iter().fold(0, |rays, word| rays << 32 | u128::from(word.get())),
         }
     };
     (visits[..count].iter().map(visit).collect(), tests)
@@ -294,13 +287,7 @@ pub fn put_for_candidates(bench: &mut Bench, visits: &[Visit], base: u32) -> (Pl
     let room = vec![MeshCandidate::new_zeroed(); 8 * visits.len() + 7];
     let room = put(bench, &room);
     let steps = steps(bench, PACKETS, BOUNDS);
-    let arguments = vec![
-        records.address,
-        visits.len() as u32,
-        room.address,
-        base,
-        steps,
-    ];
+    let arguments = vec![records.address, visits.len() as u32, room.address, base, steps];
     (room, arguments)
 }
 
@@ -319,20 +306,10 @@ pub fn prepare(bench: &mut Bench, block: &[u32; WORDS], known: &Known) -> Option
 pub fn put_block(bench: &mut Bench, block: &[u32; WORDS], known: &Known) -> (Place, Vec<u32>) {
     let bytes: Vec<u8> = block.iter().flat_map(|word| word.to_be_bytes()).collect();
     let place = bench.place(&bytes);
-    let eye: Vec<u8> = known
-        .eye
-        .iter()
-        .chain([&u32::MAX])
-        .flat_map(|word| word.to_be_bytes())
-        .collect();
+    let eye: Vec<u8> =
+        known.eye.iter().chain([&u32::MAX]).flat_map(|word| word.to_be_bytes()).collect();
     let eye = bench.place(&eye);
-    let arguments = vec![
-        place.address,
-        known.number,
-        eye.address,
-        known.blocks,
-        known.materials,
-        known.sides,
-    ];
+    let arguments =
+        vec![place.address, known.number, eye.address, known.blocks, known.materials, known.sides];
     (place, arguments)
 }
