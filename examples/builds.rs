@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let times: u32 = times.parse()?;
     let program = Program::tracer();
-    let prepare = |scene: &nff::Scene| Scene::new(scene, RenderOptions::default(), &program);
+    let prepare = |scene: &scenes::Scene| Scene::new(scene, RenderOptions::default(), &program);
     if shape == "file" {
         let mut loaded = None;
         let load = || meshes::load(Path::new(count)).map(|it| loaded = Some(it.scene));
@@ -65,7 +65,7 @@ fn least<T, E>(times: u32, mut done: impl FnMut() -> Result<T, E>) -> Result<f64
 }
 
 /// A scene of small objects that are spread evenly in a cube.
-fn objects(shape: &str, count: usize) -> Option<nff::Scene> {
+fn objects(shape: &str, count: usize) -> Option<scenes::Scene> {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let size = 4.0 / libm::cbrt(count as f64);
     let mut text = VIEW.to_owned();
@@ -84,5 +84,5 @@ fn objects(shape: &str, count: usize) -> Option<nff::Scene> {
             _ => return None,
         }
     }
-    nff::parse(text.as_bytes(), "spread", &nff::Limits::default()).ok()
+    scenes::parse(text.as_bytes(), "spread", &scenes::Limits::default()).ok()
 }

@@ -13,8 +13,8 @@ pub(crate) mod single;
 pub mod texture;
 
 use glam::DVec3;
-use nff::Sky;
-use nff::depth::{self, DepthShading, NotDrawn};
+use scenes::Sky;
+use scenes::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, MaterialTable, MeshPlace, SceneBlock};
@@ -88,7 +88,7 @@ pub enum SceneError {
         /// Name of the scene's file.
         file: String,
         /// The reason.
-        source: nff::ViewError,
+        source: scenes::ViewError,
     },
 }
 
@@ -107,7 +107,7 @@ pub struct Sphere {
 #[derive(Clone, Debug)]
 pub struct Scene {
     file: String,
-    view: nff::View,
+    view: scenes::View,
     background: DVec3,
     sky: Option<Sky>,
     spheres: Vec<Sphere>,
@@ -122,7 +122,7 @@ impl Scene {
     ///
     /// # Errors
     /// As for [`Scene::new`].
-    pub fn from_nff(scene: &nff::Scene) -> Result<Self, SceneError> {
+    pub fn from_nff(scene: &scenes::Scene) -> Result<Self, SceneError> {
         Self::new(scene, RenderOptions::default(), &Program::tracer())
     }
 
@@ -133,7 +133,7 @@ impl Scene {
     /// - The scene doesn't fit the local store, or a number is out of range.
     /// - Whitted's model: see [`BlockError`].
     pub fn new(
-        scene: &nff::Scene,
+        scene: &scenes::Scene,
         render_options: RenderOptions,
         program: &Program,
     ) -> Result<Self, SceneError> {
@@ -173,7 +173,7 @@ impl Scene {
     /// [`Scene::new`] with room for more objects in Whitted's model, so that the scene can be
     /// changed in place.
     pub(crate) fn with_room(
-        scene: &nff::Scene,
+        scene: &scenes::Scene,
         render_options: RenderOptions,
         shaders: &ShaderEntries,
     ) -> Result<Self, SceneError> {
@@ -185,7 +185,7 @@ impl Scene {
     }
 
     fn whitted(
-        scene: &nff::Scene,
+        scene: &scenes::Scene,
         render_options: RenderOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, SceneError> {
@@ -193,7 +193,7 @@ impl Scene {
         Ok(Self::by_whitted(scene, render_options, block))
     }
 
-    fn by_whitted(scene: &nff::Scene, render_options: RenderOptions, block: SceneBlock) -> Self {
+    fn by_whitted(scene: &scenes::Scene, render_options: RenderOptions, block: SceneBlock) -> Self {
         Self {
             file: scene.name.clone(),
             view: scene.view.clone(),
@@ -207,7 +207,7 @@ impl Scene {
         }
     }
 
-    fn by_depth(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, SceneError> {
+    fn by_depth(scene: &scenes::Scene, render_options: RenderOptions) -> Result<Self, SceneError> {
         let file = &scene.name;
         let out_of_range = |what: String, value: f64, also: &'static str| SceneError::OutOfRange {
             file: file.clone(),
@@ -261,7 +261,7 @@ impl Scene {
 
     /// The scene's view: the eye, its target, and the angle.
     #[must_use]
-    pub fn view(&self) -> &nff::View {
+    pub fn view(&self) -> &scenes::View {
         &self.view
     }
 
@@ -269,7 +269,7 @@ impl Scene {
     ///
     /// # Errors
     /// The view has no camera for this size.
-    pub fn camera(&self, width: u32, height: u32) -> Result<nff::Camera, SceneError> {
+    pub fn camera(&self, width: u32, height: u32) -> Result<scenes::Camera, SceneError> {
         let corners = self.render_options.corners;
         let one = u32::from(corners);
         let mut camera = self
@@ -328,7 +328,7 @@ impl Scene {
     }
 
     /// Moves the eye. Call [`Scene::write`] afterwards.
-    pub(crate) fn set_view(&mut self, view: &nff::View) {
+    pub(crate) fn set_view(&mut self, view: &scenes::View) {
         self.view.clone_from(view);
     }
 
@@ -389,7 +389,7 @@ impl Scene {
 /// are any: their numbers, relative to the eye, are too large for singles beside the others' sizes.
 /// Only Whitted's model has such rays.
 #[must_use]
-pub fn offset_note(scene: &nff::Scene, render_options: RenderOptions) -> Option<String> {
+pub fn offset_note(scene: &scenes::Scene, render_options: RenderOptions) -> Option<String> {
     let is_whitted = render_options.is_whitted(scene.lights.len());
     is_whitted.then(|| block::offset_note(scene)).flatten()
 }

@@ -67,7 +67,7 @@ fn image(source: &str) -> (tempfile::TempDir, std::path::PathBuf) {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let path = folder.path().join("program");
     let tools = spu_build::Tools::find().unwrap();
-    let programs = root.join("../spu-tool/tests/programs");
+    let programs = root.join("../emulator/spu-tool/tests/programs");
     spu_build::Image::from_folder(&sources, &programs.join("program.ld"))
         .unwrap()
         .include(&programs)
@@ -147,7 +147,7 @@ unsafe extern "C" fn counting(ls_base: *mut libc::c_void, ls_address: u32) -> i3
 
 /// C programs print by the process's own streams, in the order of both sides' calls.
 fn hello_world() {
-    let hello = include_str!("../../spu-tool/tests/programs/hello.s");
+    let hello = include_str!("../../emulator/spu-tool/tests/programs/hello.s");
     let output = printed(|| {
         say(c"before\n");
         let outcome = run(hello);

@@ -112,7 +112,8 @@ fn assemble(folder: &Path) -> PathBuf {
     let sources = folder.join("sources");
     fs::create_dir(&sources).unwrap();
     fs::write(sources.join("program.s"), PROGRAM).unwrap();
-    let programs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../spu-tool/tests/programs");
+    let programs =
+        Path::new(env!("CARGO_MANIFEST_DIR")).join("../emulator/spu-tool/tests/programs");
     let image = folder.join("program");
     let built = spu_build::Tools::find().and_then(|tools| {
         spu_build::Image::from_folder(&sources, &programs.join("program.ld"))?.build(

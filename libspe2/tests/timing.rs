@@ -392,7 +392,7 @@ fn assemble(folder: &Path, source: &str) -> std::path::PathBuf {
     let image = folder.join("program");
     let built = spu_build::Tools::find().and_then(|tools| {
         spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/tests/emulator/machine"))
+            .include(&root.join("../emulator/machine/tests/emulator/machine"))
             .build(&tools, &folder.join("objects"), &image)
     });
     if let Err(error) = built {

@@ -103,7 +103,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
         }
         Command::Show { picture } => show(picture),
         Command::Pages(pages) => {
-            pages::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
+            talk::manual::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
             Ok(Ending::Over)
         }
         Command::View(view) => {
@@ -132,7 +132,7 @@ fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
 }
 
 /// Loads a scene to look at, and whether its light comes with the eye. Prints what was left out.
-fn load(name: &Path) -> Result<(nff::Scene, bool), PlayError> {
+fn load(name: &Path) -> Result<(scenes::Scene, bool), PlayError> {
     let loaded = meshes::load(name)?;
     for note in &loaded.notes {
         say(format_args!("{note}"));

@@ -47,7 +47,7 @@ const CONTROLS: &[&str] = &[
 /// A viewer of one scene.
 pub struct Viewer {
     name: String,
-    scene: nff::Scene,
+    scene: scenes::Scene,
     render_options: RenderOptions,
     /// Whether the scene's light comes with the eye.
     has_headlight: bool,
@@ -66,7 +66,7 @@ pub struct Viewer {
 impl Viewer {
     /// A viewer of this scene. If `has_headlight`, the scene's first light comes with the eye.
     #[must_use]
-    pub fn new(scene: nff::Scene, render_options: RenderOptions, has_headlight: bool) -> Self {
+    pub fn new(scene: scenes::Scene, render_options: RenderOptions, has_headlight: bool) -> Self {
         let home = Orbit::of(&scene.view);
         Self {
             name: format!("{VIEW}{}", file_name(&scene.name)),
@@ -160,7 +160,7 @@ impl Game for Viewer {
 /// the file names if that is in the scene and not before what one sees there, such as the centre of
 /// a sphere. Otherwise it is what one sees in the middle, and if that is nothing, the point on the
 /// line of sight that is nearest to the middle of the scene.
-fn aimed(scene: &nff::Scene, world: &World) -> View {
+fn aimed(scene: &scenes::Scene, world: &World) -> View {
     let view = &scene.view;
     let sight = view.at - view.from;
     let named = sight.length();
@@ -184,7 +184,7 @@ fn aimed(scene: &nff::Scene, world: &World) -> View {
 }
 
 /// The lower and upper corner of a box around the scene's corners and spheres.
-fn bounds(scene: &nff::Scene) -> (DVec3, DVec3) {
+fn bounds(scene: &scenes::Scene) -> (DVec3, DVec3) {
     let nothing = (DVec3::INFINITY, DVec3::NEG_INFINITY);
     let of = |places: &[DVec3], radius: f64| {
         let places = places.iter();
@@ -345,10 +345,10 @@ mod tests {
     use super::*;
     use cellray::game::{Input, InputEvent};
 
-    fn scene() -> nff::Scene {
+    fn scene() -> scenes::Scene {
         let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 64 36\n\
                     l 5 -5 5\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
-        nff::parse(text.as_bytes(), "a scene", &nff::Limits::default()).expect("a scene")
+        scenes::parse(text.as_bytes(), "a scene", &scenes::Limits::default()).expect("a scene")
     }
 
     struct Player {
@@ -364,7 +364,7 @@ mod tests {
             Self::of(scene(), false)
         }
 
-        fn of(scene: nff::Scene, has_headlight: bool) -> Self {
+        fn of(scene: scenes::Scene, has_headlight: bool) -> Self {
             let viewer = Viewer::new(scene, RenderOptions::default(), has_headlight);
             let (mut viewer, mut world) = (viewer, World::new());
             let start = Start { seed: 0, size: (64, 36) };
@@ -458,7 +458,7 @@ mod tests {
     }
 
     /// The scene, seen along a line from the eye.
-    fn seen(from: DVec3, at: DVec3) -> nff::Scene {
+    fn seen(from: DVec3, at: DVec3) -> scenes::Scene {
         let mut scene = scene();
         scene.view = View { from, at, ..scene.view };
         scene
@@ -563,7 +563,7 @@ mod tests {
     #[test]
     fn a_scene_has_one_name_by_all_its_paths() {
         for path in ["x.nff", "./x.nff", "/there/../x.nff"] {
-            let scene = nff::Scene { name: path.into(), ..scene() };
+            let scene = scenes::Scene { name: path.into(), ..scene() };
             assert_eq!(Viewer::new(scene, RenderOptions::default(), false).name(), "view x.nff");
         }
     }

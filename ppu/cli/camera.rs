@@ -22,8 +22,8 @@ pub struct Camera {
 
 impl Camera {
     /// Changes a view.
-    pub fn place(&self, view: &mut nff::View) {
-        let nff::View { from, at, up, angle, .. } = view;
+    pub fn place(&self, view: &mut scenes::View) {
+        let scenes::View { from, at, up, angle, .. } = view;
         *from = self.from.unwrap_or(*from);
         *at = self.look_at.unwrap_or(*at);
         *up = self.up.unwrap_or(*up);

@@ -32,7 +32,7 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
 pub fn frame(
     options: &Options,
     recording: &Recording,
-    (scene, source): (&Scene, &nff::Scene),
+    (scene, source): (&Scene, &scenes::Scene),
     geometry: Geometry,
     out: Option<(&Path, Labels)>,
     to: &Path,

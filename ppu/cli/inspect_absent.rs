@@ -20,7 +20,7 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
 pub fn frame(
     _: &Options,
     recording: &Recording,
-    _: (&Scene, &nff::Scene),
+    _: (&Scene, &scenes::Scene),
     _: Geometry,
     _: Option<(&Path, Labels)>,
     _: &Path,

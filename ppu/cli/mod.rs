@@ -69,7 +69,7 @@ enum Command {
     Shader(shader::Arguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(pages::Arguments),
+    Pages(talk::manual::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
@@ -115,7 +115,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Shader(arguments) => shader::run(arguments),
-        Command::Pages(arguments) => Ok(pages::write(Arguments::command(), arguments)?),
+        Command::Pages(arguments) => Ok(talk::manual::write(Arguments::command(), arguments)?),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

@@ -117,7 +117,7 @@ pub struct Options {
 
 impl Options {
     /// The model and its settings. With `corners`, primary rays go through the corners of pixels.
-    pub fn render_options(&self, scene: &nff::Scene, corners: bool) -> RenderOptions {
+    pub fn render_options(&self, scene: &scenes::Scene, corners: bool) -> RenderOptions {
         let options = RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
@@ -142,7 +142,7 @@ impl Options {
 
     /// What a picture's file says of how it was made of a scene that had this view: the options of
     /// `cellray render` that determine it, including those that are not given.
-    pub fn labels(&self, scene: &Scene, own_view: &nff::View) -> Labels {
+    pub fn labels(&self, scene: &Scene, own_view: &scenes::View) -> Labels {
         let mut labels = Labels::default();
         labels.set("scene", self.scene.display());
         labels.set_view(scene.view(), own_view);
@@ -244,8 +244,8 @@ impl Options {
 
 /// A scene, and the view that it has by itself.
 pub struct Loaded {
-    pub scene: nff::Scene,
-    pub own_view: nff::View,
+    pub scene: scenes::Scene,
+    pub own_view: scenes::View,
 }
 
 /// Loads the scene, and prints notes about what was left out of it.
@@ -262,7 +262,7 @@ pub fn load(options: &Options) -> Result<Loaded, meshes::Error> {
 /// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
 pub fn scene(
     options: &Options,
-    source: &nff::Scene,
+    source: &scenes::Scene,
     render_options: RenderOptions,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {

@@ -14,6 +14,6 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let scene = nff::sphereflake::generate(arguments.level)?;
+    let scene = scenes::sphereflake::generate(arguments.level)?;
     Ok(talk::print_with(|out| write!(out, "{scene}"))?)
 }

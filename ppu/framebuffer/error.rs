@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 pub enum FramebufferError {
     /// A side of the picture is zero or too long.
     #[error(transparent)]
-    BadSize(nff::ViewError),
+    BadSize(scenes::ViewError),
     /// A text is not of the form `WIDTHxHEIGHT`.
     #[error("{text:?} is not a size: expected WIDTHxHEIGHT, as in 1280x720")]
     MalformedSize {

@@ -9,8 +9,8 @@ use std::io::{BufReader, Write};
 use std::path::Path;
 
 use glam::DVec3;
-use nff::View;
 use png::EncodingError;
+use scenes::View;
 
 /// The keyword of the program that made a picture, which PNG defines.
 const SOFTWARE: &str = "Software";

@@ -79,8 +79,8 @@ impl Geometry {
     /// The largest width and height, which the SPUs accept too. With it every byte offset fits 32
     /// bits, with room for padding.
     pub const MAX_SIDE: u32 = {
-        assert!(nff::MAX_SIDE == protocol::layout::MAX_SIDE);
-        nff::MAX_SIDE
+        assert!(scenes::MAX_SIDE == protocol::layout::MAX_SIDE);
+        scenes::MAX_SIDE
     };
 
     /// A checked geometry.
@@ -98,7 +98,7 @@ impl Geometry {
     /// # Errors
     /// [`FramebufferError::BadSize`] if a side isn't 1 to [`Geometry::MAX_SIDE`].
     pub fn check(self) -> Result<(), FramebufferError> {
-        nff::check_size(self.width, self.height).map_err(FramebufferError::BadSize)
+        scenes::check_size(self.width, self.height).map_err(FramebufferError::BadSize)
     }
 
     /// The bytes of a row as an SPU writes it, in whole groups of four pixels.
@@ -131,7 +131,7 @@ impl FromStr for Geometry {
             return Err(malformed());
         }
         let number = |digits: &str| {
-            let too_large = |_| FramebufferError::BadSize(nff::ViewError::Size(text.to_owned()));
+            let too_large = |_| FramebufferError::BadSize(scenes::ViewError::Size(text.to_owned()));
             digits.parse().map_err(too_large)
         };
         Geometry::new(number(width)?, number(height)?)

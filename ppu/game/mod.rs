@@ -15,8 +15,8 @@ mod turntable;
 mod world;
 
 pub use glam::{DAffine3, DVec3};
-pub use nff::depth::DepthShading;
-pub use nff::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
+pub use scenes::depth::DepthShading;
+pub use scenes::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
 
 pub use camera::{OrbitCamera, WalkCamera};
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};

@@ -4,7 +4,7 @@
 //! `libm`'s sines are.
 
 use glam::DVec3;
-use nff::View;
+use scenes::View;
 
 use super::{Frame, Game, Start, World, WorldError};
 use crate::scene::RenderOptions;
@@ -12,7 +12,7 @@ use crate::scene::RenderOptions;
 /// A scene whose eye goes around its target, at constant height and distance.
 #[derive(Clone, Debug)]
 pub struct Turntable {
-    scene: nff::Scene,
+    scene: scenes::Scene,
     render_options: RenderOptions,
     frames: u32,
 }
@@ -21,7 +21,7 @@ impl Turntable {
     /// A turntable of a scene that takes `frames` frames to go once around. With 0 the eye stands
     /// still.
     #[must_use]
-    pub fn new(scene: nff::Scene, render_options: RenderOptions, frames: u32) -> Self {
+    pub fn new(scene: scenes::Scene, render_options: RenderOptions, frames: u32) -> Self {
         Self { scene, render_options, frames }
     }
 
@@ -64,7 +64,8 @@ mod tests {
     #[test]
     fn the_eye_goes_around_at_its_height_and_distance() {
         let text = "v\nfrom 3 -4 2\nat 0 0 1\nup 0 0 2\nangle 40\nhither 1\nresolution 4 4\nf 1 1 1 1 0 0 0 1\ns 0 0 1 1\n";
-        let scene = nff::parse(text.as_bytes(), "s", &nff::Limits::default()).expect("a scene");
+        let scene =
+            scenes::parse(text.as_bytes(), "s", &scenes::Limits::default()).expect("a scene");
         let View { from, at, .. } = scene.view;
         let turntable = Turntable::new(scene, RenderOptions::default(), 8);
         let eyes: Vec<_> = (0..16).map(|frame| turntable.eye(frame)).collect();

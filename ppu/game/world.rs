@@ -26,8 +26,8 @@ pub use pick::{Pick, Target};
 use std::borrow::Cow;
 
 use glam::{DAffine3, DVec3};
-use nff::depth::DepthShading;
-use nff::{Sky, View, daylight};
+use scenes::depth::DepthShading;
+use scenes::{Sky, View, daylight};
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
@@ -39,10 +39,10 @@ use crate::scene::{Look, Model, RenderOptions};
 
 /// The light of a world that has none: the sun of a day, where it stands for the first view of a
 /// [`World::new`].
-fn default_light() -> nff::Light {
-    nff::Light {
+fn default_light() -> scenes::Light {
+    scenes::Light {
         line: 0,
-        kind: nff::LightKind::Directional { to_light: DVec3::new(1.0, 2.0, 1.5) },
+        kind: scenes::LightKind::Directional { to_light: DVec3::new(1.0, 2.0, 1.5) },
         colour: Some(daylight::SUN),
     }
 }
@@ -146,7 +146,10 @@ impl World {
     /// The scene's content breaks a rule of the world; see [`WorldError`]. The error names the file
     /// and the line of an object, material or light.
     #[track_caller]
-    pub fn from_nff(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, WorldError> {
+    pub fn from_nff(
+        scene: &scenes::Scene,
+        render_options: RenderOptions,
+    ) -> Result<Self, WorldError> {
         let scene = match render_options.is_whitted(scene.lights.len()) {
             true => gathered(scene),
             false => Cow::Borrowed(scene),
@@ -167,7 +170,7 @@ impl World {
         world.set_background(scene.background)?;
         world.set_sky(scene.sky)?;
         world.set_ambient(scene.ambient)?;
-        for &nff::Light { line, kind, colour } in &scene.lights {
+        for &scenes::Light { line, kind, colour } in &scene.lights {
             let id = world.add_light(Light { kind, colour }).map_err(at(line))?;
             world.lights[id].line = Some(line);
         }
@@ -192,16 +195,16 @@ impl World {
 
     /// The world's content as a scene, without the hidden objects.
     #[must_use]
-    pub fn to_nff(&self) -> nff::Scene {
+    pub fn to_nff(&self) -> scenes::Scene {
         self.content(|object| object.visible)
     }
 
-    fn content(&self, wanted: impl Fn(&Object) -> bool) -> nff::Scene {
+    fn content(&self, wanted: impl Fn(&Object) -> bool) -> scenes::Scene {
         let mut place = SecondaryMap::new();
         place.extend(self.materials.keys().zip(0..));
         let objects = self.objects.values().filter(|object| wanted(object));
         let (background, sky) = self.backdrop();
-        nff::Scene {
+        scenes::Scene {
             name: self.name.clone(),
             view: self.view.clone(),
             background,
@@ -212,20 +215,20 @@ impl World {
                 .map(|(line, entry)| {
                     let Light { kind, colour } = entry.light;
                     let line = entry.line.unwrap_or(line);
-                    nff::Light { line, kind, colour }
+                    scenes::Light { line, kind, colour }
                 })
                 .chain(self.needs_light().then(default_light))
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
-                .map(|(line, entry)| nff::Material {
+                .map(|(line, entry)| scenes::Material {
                     line: entry.line.unwrap_or(line),
                     ..entry.material.clone()
                 })
                 .collect(),
             objects: (1..)
                 .zip(objects)
-                .map(|(line, object)| nff::Object {
+                .map(|(line, object)| scenes::Object {
                     line: object.line.unwrap_or(line),
                     material: place.get(object.material).copied().unwrap_or_default(),
                     shape: object.shape.clone(),

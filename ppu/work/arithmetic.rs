@@ -2,9 +2,9 @@
 //! kernels compute them, and random cameras and spheres.
 
 use glam::DVec3;
-use nff::{Camera, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+use scenes::{Camera, View};
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
 use twins::sphere::{Axis, Constants, Eye as _, Perpendicular};

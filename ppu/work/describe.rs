@@ -1,6 +1,6 @@
 //! Makes a frame's record of a scene, a camera and a framebuffer.
 
-use nff::Camera;
+use scenes::Camera;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 

@@ -4,7 +4,7 @@
 //! SPUs may write to it until the frame is done, nothing is assumed about it. After that it shows
 //! the frame, except in the tiles that were left out.
 
-use nff::Camera;
+use scenes::Camera;
 
 use super::projection::Projection;
 use super::snapshot::Snapshot;

@@ -3,7 +3,7 @@
 //! Owns everything that is kept from one frame to the next: the pages' contents and the tiles'
 //! costs. Its buffers are reused for every frame.
 
-use nff::Camera;
+use scenes::Camera;
 
 use super::pages::{Contents, Pages};
 use super::policy::Policy;

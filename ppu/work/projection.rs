@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use glam::DVec3;
-use nff::Camera;
+use scenes::Camera;
 
 use crate::framebuffer::Geometry;
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};

@@ -6,7 +6,7 @@
 //! rounding of the SPU's shadow rays.
 
 use glam::DVec3;
-use nff::{LightKind, unit};
+use scenes::{LightKind, unit};
 
 use super::projection::{Projection, Rectangle};
 use crate::scene::block::BoundingSphere;
@@ -129,9 +129,9 @@ impl Shadow {
 
 #[cfg(test)]
 mod tests {
-    use nff::Camera;
     use rand::{Rng as _, SeedableRng as _};
     use rand_chacha::ChaCha8Rng;
+    use scenes::Camera;
 
     use super::*;
     use crate::framebuffer::Geometry;

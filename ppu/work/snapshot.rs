@@ -13,8 +13,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::depth::DepthShading;
-use nff::{Camera, Sky};
+use scenes::depth::DepthShading;
+use scenes::{Camera, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 

@@ -1,4 +1,5 @@
-//! What programs print: messages on standard error, and data on standard output.
+//! What programs tell their users: messages on standard error, data on standard output, and with
+//! the feature `manual` their manual pages and completions.
 //!
 //! Invariants:
 //! - A message that can't be printed is lost, and nothing else: the work that it is about goes on.
@@ -9,6 +10,9 @@
 
 use std::fmt;
 use std::io::{self, BufWriter, Write};
+
+#[cfg(feature = "manual")]
+pub mod manual;
 
 /// Prints a line on standard error, as `eprintln!` does, but never panics.
 #[macro_export]

@@ -48,13 +48,13 @@ impl Framebuffer for Recorder {
 }
 
 /// Reads one of the scenes that come with the program.
-pub fn nff_scene(name: &str) -> nff::Scene {
+pub fn nff_scene(name: &str) -> scenes::Scene {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name);
-    nff::load(&path).unwrap()
+    scenes::load(&path).unwrap()
 }
 
 /// Renders a frame of a scene.
-pub fn render(scene: &nff::Scene, width: u32, height: u32, settings: Settings) -> RgbImage {
+pub fn render(scene: &scenes::Scene, width: u32, height: u32, settings: Settings) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);
     let mut engine = Engine::start(settings, framebuffer).unwrap();
     engine.render(&Scene::from_nff(scene).unwrap(), &mut |_| ()).unwrap();

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(())
     };
     if is_file {
-        let mut world = World::from_nff(&nff::load(file)?, RenderOptions::default())?;
+        let mut world = World::from_nff(&scenes::load(file)?, RenderOptions::default())?;
         (0..frames).try_for_each(|_| show(&mut world))?;
     } else {
         let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;

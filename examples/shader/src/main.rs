@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = arguments.next().map(PathBuf::from).ok_or(USAGE)?;
     let size = arguments.next();
     let program = Program::from_image(IMAGE)?;
-    let scene = nff::parse(SCENE, "still_life.nff", &nff::Limits::default())?;
+    let scene = scenes::parse(SCENE, "still_life.nff", &scenes::Limits::default())?;
     let scene = Scene::new(&scene, RenderOptions::default(), &program)?;
     let settings = Settings { program, ..Settings::default() };
     let geometry = match size {

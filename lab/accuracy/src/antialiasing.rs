@@ -86,7 +86,7 @@ impl Way {
     fn pixels(
         self,
         subject: &Subject,
-        scene: &nff::Scene,
+        scene: &scenes::Scene,
     ) -> Result<(Vec<DVec3>, Traced), PictureError> {
         let side = self.side();
         let (samples, contrast) = match self {
@@ -121,7 +121,7 @@ enum Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    fn of(subject: &Subject, scene: &'a nff::Scene) -> Result<Self, PictureError> {
+    fn of(subject: &Subject, scene: &'a scenes::Scene) -> Result<Self, PictureError> {
         let (width, height) = SIZE;
         Ok(if subject.is_by_depth() {
             Self::Depth(DepthProbe::new(scene, width, height)?)

@@ -144,15 +144,19 @@ impl Subject {
     }
 
     /// The scene itself.
-    pub(crate) fn scene(&self) -> Result<nff::Scene, nff::Error> {
-        nff::parse(self.text.as_bytes(), self.name, &nff::Limits::default())
+    pub(crate) fn scene(&self) -> Result<scenes::Scene, scenes::Error> {
+        scenes::parse(self.text.as_bytes(), self.name, &scenes::Limits::default())
     }
 
     pub(crate) fn render_options(&self) -> RenderOptions {
         RenderOptions { model: self.model, ..RenderOptions::default() }
     }
 
-    fn reference(&self, scene: &nff::Scene, size: (u32, u32)) -> Result<Reference, oracle::Error> {
+    fn reference(
+        &self,
+        scene: &scenes::Scene,
+        size: (u32, u32),
+    ) -> Result<Reference, oracle::Error> {
         match self.form() {
             Form::Eye => oracle::trace(scene, size.0, size.1),
             Form::General => {
@@ -222,7 +226,7 @@ pub(crate) struct Traced {
 /// one counts.
 pub(crate) fn trace(
     name: &str,
-    scene: &nff::Scene,
+    scene: &scenes::Scene,
     options: RenderOptions,
     (width, height): (u32, u32),
     program: Program,

@@ -138,7 +138,7 @@ mod tests {
     }
 
     /// Only primary rays are compared, because the other form has the same bits in Whitted's model
-    /// (oracle/tests/forms.rs).
+    /// (lab/oracle/tests/forms.rs).
     #[test]
     fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {
         let standard = Formulations::standard();

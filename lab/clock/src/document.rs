@@ -33,7 +33,7 @@ A test measures all rows. It fails if a row leaves its band, or if it gives anot
 const CHOICES: &str = "
 ## What is fitted, and what is not known
 
-- *Constants.* The model's constants, each with its source, are in `emulator/src/simulated/figures.rs`. The constants of
+- *Constants.* The model's constants, each with its source, are in `emulator/machine/src/simulated/figures.rs`. The constants of
   lines, puts, rings and atomic commands were chosen so that the rows above come out. They are therefore no independent
   confirmation; the rows of the pipelines are.
 - *Rings.* The four rings are one resource, at 3.6 cycles a line, which is what six flows between three pairs got. One

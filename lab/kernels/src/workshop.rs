@@ -94,7 +94,7 @@ pub struct Workshop {
 }
 
 /// The folders of the repository that hold the scheduler's code.
-const SCHEDULER: [&str; 2] = ["isa/src", "scheduler/src"];
+const SCHEDULER: [&str; 2] = ["emulator/isa/src", "emulator/scheduler/src"];
 
 impl Workshop {
     /// A workshop for the sources of the repository in folder `root`. Files made from them go to

@@ -2,7 +2,7 @@
 //! filter of Mitchell and Netravali.
 //!
 //! A picture's top and bottom row of pixels are at the same angle at every resolution (see
-//! [`nff::View::angle`]), so a coarse picture is put where its rays went, and not where its pixels
+//! [`scenes::View::angle`]), so a coarse picture is put where its rays went, and not where its pixels
 //! would be if each were a rectangle. Otherwise it would be off by half of its pixels at the edges,
 //! and everything would move when the picture becomes finer.
 //!
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_ray_is_where_it_is_in_the_larger_picture() {
-        let view = nff::View {
+        let view = scenes::View {
             from: DVec3::ZERO,
             at: DVec3::NEG_Z,
             up: DVec3::Y,
@@ -215,7 +215,7 @@ mod tests {
         let [coarse, fine] =
             [small, large].map(|(width, height)| view.camera(width, height).expect("a camera"));
         // Pictures that show where each ray goes.
-        let shown = |camera: &nff::Camera, size: (u32, u32)| {
+        let shown = |camera: &scenes::Camera, size: (u32, u32)| {
             RgbImage::from_fn(size.0, size.1, |x, y| {
                 let ray = camera.direction(x, y);
                 image::Rgb([127.5 + 180.0 * ray.x, 127.5 + 250.0 * ray.y, 0.0].map(|it| it as u8))

@@ -55,7 +55,7 @@ impl Display for Screen {
         let inner = self
             .framebuffer
             .take()
-            .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))?;
+            .ok_or_else(|| FramebufferError::BadSize(scenes::ViewError::Size(size.to_string())))?;
         Ok(Box::new(Printed::new(inner, Arc::clone(&self.overlay))))
     }
 

@@ -76,7 +76,7 @@ pub fn of_tiles(
 /// they can't be told.
 pub fn of_samples(
     settings: Settings,
-    scene: &nff::Scene,
+    scene: &scenes::Scene,
     render_options: RenderOptions,
     (program, geometry): (&Program, Geometry),
     samples: u64,

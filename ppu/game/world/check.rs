@@ -5,7 +5,7 @@
 //! cone.
 
 use glam::{DAffine3, DMat3, DVec3};
-use nff::{LightKind, Mesh, Shader, Shape};
+use scenes::{LightKind, Mesh, Shader, Shape};
 
 use super::error::WorldErrorKind;
 use super::material::{Light, Material};

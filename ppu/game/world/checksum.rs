@@ -1,7 +1,7 @@
 //! A checksum of a world's content, the same on every machine.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Mesh, Shader, Shape};
+use scenes::{LightKind, Material, Mesh, Shader, Shape};
 
 use super::Light;
 

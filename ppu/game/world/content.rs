@@ -1,6 +1,6 @@
 //! The entries of a world, each stored under its handle.
 
-use nff::Shape;
+use scenes::Shape;
 
 use super::edits::SceneEntry;
 use super::ids::MaterialId;
@@ -19,7 +19,7 @@ pub(super) struct Object {
 pub(super) struct WorldMaterial {
     /// Its line in the file that it comes from.
     pub line: Option<u32>,
-    pub material: nff::Material,
+    pub material: scenes::Material,
     /// How many objects and meshes are made of it.
     pub users: u32,
     pub traced: SceneEntry,

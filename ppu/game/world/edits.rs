@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use nff::Mesh;
+use scenes::Mesh;
 
 use super::ids::{LightId, MaterialId, ObjectId};
 use crate::scene::Scene;

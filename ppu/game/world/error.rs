@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::panic::Location;
 
-use nff::ViewError;
+use scenes::ViewError;
 
 use crate::scene::SceneError;
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{LightKind, Shader, Texture};
+use scenes::{LightKind, Shader, Texture};
 
 /// How an object looks. The fields are those of NFF's `f` and `#cellray shader`.
 ///
@@ -91,8 +91,8 @@ impl Material {
 
 impl Material {
     /// The same material in a scene; error messages name `line`.
-    pub(super) fn into_nff(self, line: u32) -> nff::Material {
-        nff::Material {
+    pub(super) fn into_nff(self, line: u32) -> scenes::Material {
+        scenes::Material {
             line,
             colour: self.colour,
             diffuse: self.diffuse,
@@ -107,8 +107,8 @@ impl Material {
     }
 }
 
-impl From<&nff::Material> for Material {
-    fn from(material: &nff::Material) -> Self {
+impl From<&scenes::Material> for Material {
+    fn from(material: &scenes::Material) -> Self {
         Self {
             colour: material.colour,
             diffuse: material.diffuse,
@@ -129,7 +129,7 @@ pub struct Light {
     /// The light's position or direction.
     pub kind: LightKind,
     /// The light's colour. Without one it is a grey that depends on the number of lights (see
-    /// [`nff::Scene::brightness`]).
+    /// [`scenes::Scene::brightness`]).
     pub colour: Option<DVec3>,
 }
 

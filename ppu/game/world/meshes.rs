@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
-use nff::{Mesh, unit};
+use scenes::{Mesh, unit};
 use slotmap::SecondaryMap;
 
 use super::checksum::Checksum;
@@ -163,7 +163,11 @@ impl World {
     /// # Errors
     /// As for [`World::add_mesh`] and [`World::add_material`], or the scene has no mesh.
     #[track_caller]
-    pub fn add_model(&mut self, model: &nff::Scene, place: DAffine3) -> Result<MeshId, WorldError> {
+    pub fn add_model(
+        &mut self,
+        model: &scenes::Scene,
+        place: DAffine3,
+    ) -> Result<MeshId, WorldError> {
         let mesh = model.mesh.clone();
         let mesh = mesh.ok_or(WorldErrorKind::NoSurface("the model has no triangles"))?;
         let mut materials = Vec::new();

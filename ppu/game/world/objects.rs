@@ -1,7 +1,7 @@
 //! The objects of a world.
 
 use glam::DVec3;
-use nff::{Shape, unit};
+use scenes::{Shape, unit};
 
 use super::content::Object;
 use super::edits::SceneEntry;
@@ -88,7 +88,7 @@ impl World {
     }
 
     /// Adds a box between two opposite corners, as six polygons.
-    /// [`Mesh::cuboid`](nff::Mesh::cuboid) is a box that can be turned.
+    /// [`Mesh::cuboid`](scenes::Mesh::cuboid) is a box that can be turned.
     ///
     /// # Errors
     /// As for [`World::add`], or the box has no volume.
@@ -107,7 +107,7 @@ impl World {
             return Err(WorldErrorKind::NoSurface("a box has no volume").into());
         }
         let mut sides = [ObjectId::default(); 6];
-        for (side, corners) in sides.iter_mut().zip(nff::cuboid(low, high)) {
+        for (side, corners) in sides.iter_mut().zip(scenes::cuboid(low, high)) {
             *side = self.add_polygon(&corners, material)?;
         }
         Ok(sides)

@@ -5,7 +5,7 @@
 //! finds the same objects on every machine.
 
 use glam::{DVec2, DVec3};
-use nff::{Shape, unit};
+use scenes::{Shape, unit};
 
 use super::content::Object;
 use super::{MaterialId, MeshId, ObjectId, World};
@@ -267,9 +267,9 @@ mod tests {
     use std::sync::Arc;
 
     use glam::{DAffine3, DMat3};
-    use nff::{Mesh, Scene};
     use rand::{Rng as _, SeedableRng as _};
     use rand_chacha::ChaCha8Rng;
+    use scenes::{Mesh, Scene};
 
     use super::*;
     use crate::game::Material;
@@ -343,7 +343,7 @@ mod tests {
                 _ => format!("c\n{} 0.4\n{} 0.4\n", p(a), p(b)),
             };
         }
-        let scene = nff::parse(text.as_bytes(), "picked", &nff::Limits::default()).unwrap();
+        let scene = scenes::parse(text.as_bytes(), "picked", &scenes::Limits::default()).unwrap();
         let (picture, world) = (reference(&scene), world_of(&scene));
         let mut differ = 0;
         for (place, pixel) in (0..).zip(picture.pixels()) {

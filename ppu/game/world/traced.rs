@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use nff::{Mesh, Shape};
+use scenes::{Mesh, Shape};
 
 use super::content::{Object, WorldMaterial};
 use super::edits::Traced;

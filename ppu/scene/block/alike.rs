@@ -4,7 +4,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use nff::{Material, Shader, Texture};
+use scenes::{Material, Shader, Texture};
 
 /// What makes a material: everything but its line. Numbers are compared as bits, textures by their
 /// place in memory.
@@ -96,7 +96,7 @@ mod tests {
     fn every_field_makes_a_difference() {
         let texture = || {
             let texels = vec![[1, 2, 3]];
-            Texture::new(1, texels, [nff::Wrap::Clamp; 2]).map(Arc::new)
+            Texture::new(1, texels, [scenes::Wrap::Clamp; 2]).map(Arc::new)
         };
         let changes: [fn(&mut Material); 13] = [
             |it| it.colour.z = 0.4,

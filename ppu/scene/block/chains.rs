@@ -11,7 +11,7 @@
 //! the shader adds. Nothing is bounded either if rays are counted as in the Standard Procedural
 //! Databases, which have no weights.
 
-use nff::{Material, Shader};
+use scenes::{Material, Shader};
 use zerocopy::big_endian::F32;
 
 use super::options::BlockOptions;

@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{LightKind, Material, Mesh, Scene, Shape, Sky};
+use scenes::{LightKind, Material, Mesh, Scene, Shape, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 

@@ -3,7 +3,7 @@
 //! Invariant: if a material's shares can have an effect, its flags tell so.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Shader, Sky, unit};
+use scenes::{LightKind, Material, Shader, Sky, unit};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::chains::greatest;

@@ -1,6 +1,6 @@
 //! How much local store each part of a scene takes, and how much of the scene would fit.
 
-use nff::{Scene, Shape};
+use scenes::{Scene, Shape};
 
 use super::bvh::{self, Volumes};
 use super::primitive::{PATCH_SIZE, PrimitiveKind};

@@ -39,7 +39,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{Scene, Sky, Texture};
+use scenes::{Scene, Sky, Texture};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
@@ -530,7 +530,7 @@ impl SceneBlock {
 }
 
 /// What the streamed mesh has for a material.
-fn surfacing(streamed: Option<&Streamed>, material: &nff::Material) -> Surfacing {
+fn surfacing(streamed: Option<&Streamed>, material: &scenes::Material) -> Surfacing {
     let Some(streamed) = streamed else {
         return Surfacing::default();
     };
@@ -592,7 +592,7 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
     if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
         return Err(BlockError::TooManyLights { file: scene.name.clone(), line: light.line });
     }
-    let light = |light: &nff::Light| {
+    let light = |light: &scenes::Light| {
         let place = SourceLocation { file: &scene.name, line: Some(light.line) };
         Light::of(light.kind, scene.brightness(light), place)
     };
@@ -600,7 +600,7 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
 }
 
 /// A mesh's triangles as shapes, each with its material, and whether it is seen from both sides.
-fn of_mesh(mesh: &Arc<nff::Mesh>) -> impl Iterator<Item = (nff::Shape, u32, bool)> {
+fn of_mesh(mesh: &Arc<scenes::Mesh>) -> impl Iterator<Item = (scenes::Shape, u32, bool)> {
     let triangles = mesh.materials.iter().enumerate();
     triangles.map(|(triangle, &material)| (mesh.shape(triangle), material, mesh.two_sided))
 }
@@ -619,7 +619,7 @@ impl Found {
     /// What is in main memory is left out here.
     fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
         let in_main_memory = streamed.map(|it| it.kinds).unwrap_or_default();
-        let is_streamed = |shape: &nff::Shape| in_main_memory.holds(shape);
+        let is_streamed = |shape: &scenes::Shape| in_main_memory.holds(shape);
         let Self { mut found, mut objects, mut parts } = Self::default();
         let eye = scene.view.from;
         let most = MAX_OBJECTS as usize;

@@ -4,7 +4,7 @@
 //! the eye, and rounded once.
 
 use glam::DVec3;
-use nff::{Material, Shape, unit};
+use scenes::{Material, Shape, unit};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 

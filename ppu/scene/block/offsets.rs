@@ -6,7 +6,7 @@
 //! what stands on it shows none of its shadows. All numbers are in range there, and every ray is
 //! right for where it starts.
 
-use nff::{Scene, Shape};
+use scenes::{Scene, Shape};
 
 use super::bounds::Bounds;
 use super::error::BlockError;
@@ -71,7 +71,7 @@ fn rounded(value: f64) -> f64 {
 }
 
 /// `None` if it has no surface.
-fn extent(scene: &Scene, object: &nff::Object) -> Option<Extent> {
+fn extent(scene: &Scene, object: &scenes::Object) -> Option<Extent> {
     let material = scene.materials.get(object.material as usize)?;
     let place = SourceLocation { file: &scene.name, line: Some(object.line) };
     let (mut bounds, mut leave) = (None::<Bounds>, 0.0_f64);
@@ -101,7 +101,7 @@ fn extent(scene: &Scene, object: &nff::Object) -> Option<Extent> {
 mod tests {
     use std::path::Path;
 
-    use nff::Limits;
+    use scenes::Limits;
 
     use super::*;
 
@@ -125,7 +125,7 @@ mod tests {
         let generated = ["sphereflake:0", "sphereflake:4", "tetra:1", "tetra:6"];
         scenes.extend(generated.map(Into::into));
         for name in scenes {
-            let scene = nff::load(&name).unwrap();
+            let scene = scenes::load(&name).unwrap();
             let ratio = ratio(&scene);
             assert!(ratio < 0.75 * MOST, "{}: {ratio}", name.display());
             assert_eq!(offset_note(&scene), None, "{}", name.display());
@@ -137,7 +137,7 @@ mod tests {
 
     fn with(object: &str) -> Scene {
         let text = format!("{BALLS}{object}\n");
-        nff::parse(text.as_bytes(), "balls.nff", &Limits::default()).unwrap()
+        scenes::parse(text.as_bytes(), "balls.nff", &Limits::default()).unwrap()
     }
 
     #[test]
@@ -166,7 +166,7 @@ mod tests {
     #[test]
     fn objects_far_from_the_eye_are_named() {
         let text = BALLS.replace("from 0 3 9", "from 0 3 1000000");
-        let scene = nff::parse(text.as_bytes(), "balls.nff", &Limits::default()).unwrap();
+        let scene = scenes::parse(text.as_bytes(), "balls.nff", &Limits::default()).unwrap();
         let note = offset_note(&scene).unwrap();
         assert!(note.contains("1 more object(s)"), "{note}");
     }

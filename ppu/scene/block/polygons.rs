@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
-use nff::{area_vector, unit};
+use scenes::{area_vector, unit};
 
 use super::error::BlockError;
 use super::primitive::{FLAT, Primitive};
@@ -109,12 +109,12 @@ pub(super) fn triangles(
         // Without allocating memory, because a moving object may be a triangle.
         [_, _, _] => Some(&[[0, 1, 2]][..]),
         _ => {
-            cut = nff::triangles(vertices);
+            cut = scenes::triangles(vertices);
             cut.as_deref()
         }
     };
     let Some(corners) = corners else {
-        let crossing = nff::even_odd(vertices, MAX_OBJECTS as usize);
+        let crossing = scenes::even_odd(vertices, MAX_OBJECTS as usize);
         let crossing = crossing.ok_or_else(too_large)?;
         return crossing.into_iter().try_for_each(|triangle| found(triangle, None));
     };

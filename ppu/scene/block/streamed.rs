@@ -5,11 +5,11 @@ use std::collections::HashSet;
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{Mesh, Scene, Shape, Texture};
 use protocol::layout::{
     self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
     SCENE_ROOM, TEXTURE_CODE,
 };
+use scenes::{Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
 
 use super::Source;

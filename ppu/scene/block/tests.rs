@@ -18,7 +18,7 @@ const VIEW: &str =
 /// A scene whose `rest` begins on line 9, after a material.
 fn scene(rest: &str) -> Scene {
     let text = format!("{VIEW}{rest}");
-    nff::parse(text.as_bytes(), "t.nff", &nff::Limits::default()).expect("a scene")
+    scenes::parse(text.as_bytes(), "t.nff", &scenes::Limits::default()).expect("a scene")
 }
 
 fn block(rest: &str) -> SceneBlock {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::DVec3;
-use nff::{Mesh, Object, Scene, Shape, triangles, unit};
+use scenes::{Mesh, Object, Scene, Shape, triangles, unit};
 
 /// The most triangles that stay in local store. Records and bounding volumes of more don't fit it.
 pub(crate) const RESIDENT: usize = 512;
@@ -178,7 +178,7 @@ mod tests {
     use super::*;
 
     fn scene(name: &str) -> Scene {
-        nff::load(Path::new(name)).expect("a scene")
+        scenes::load(Path::new(name)).expect("a scene")
     }
 
     #[test]

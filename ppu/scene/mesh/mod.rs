@@ -28,11 +28,11 @@ mod tree;
 mod write;
 
 use glam::DVec3;
-use nff::{Material, Mesh};
 use protocol::layout::{
     MESH_BLOCK, MESH_BLOCKS, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH, SIDES_TEXTURED,
     STREAMED_MATERIALS,
 };
+use scenes::{Material, Mesh};
 
 use self::colour::packed;
 use self::tree::{Bounds, Kind, Piece, Tree};

@@ -2,11 +2,11 @@
 //! around the new positions.
 
 use glam::{DVec3, Vec3};
-use nff::Mesh;
 use protocol::layout::{
     Boxes, MESH_CONES, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX,
     SIDES_SMOOTH,
 };
+use scenes::Mesh;
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 

@@ -11,11 +11,11 @@ use super::NumberWidth;
 use super::leaf::WIDTH;
 use super::sweep::sweep;
 use glam::Vec3;
-use nff::Mesh;
 use protocol::layout::{
     Boxes, MESH_BLOCK, MESH_FACES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader,
     MeshVertex, SIDES_TEXTURED,
 };
+use scenes::Mesh;
 
 /// Bins of an axis.
 const BINS: usize = 16;

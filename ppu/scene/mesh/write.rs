@@ -3,12 +3,12 @@
 use std::collections::VecDeque;
 use std::ops::Range;
 
-use nff::Mesh;
 use protocol::layout::{
     Boxes, Cone, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN,
     MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
     NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
 };
+use scenes::Mesh;
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 

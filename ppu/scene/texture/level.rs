@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use nff::Texture;
+use scenes::Texture;
 
 /// The light of each byte of a screen's values (sRGB).
 static LIGHT: LazyLock<[f32; 256]> = LazyLock::new(|| {

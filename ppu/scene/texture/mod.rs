@@ -10,11 +10,11 @@ mod tests;
 
 use std::sync::Arc;
 
-use nff::{Texture, Wrap};
 use protocol::layout::{
     self, TEXTURE_SIDE, TEXTURE_TILE, TextureLevel, WRAP_ACROSS, WRAP_DOWN, WRAP_MIRRORED_ACROSS,
     WRAP_MIRRORED_DOWN,
 };
+use scenes::{Texture, Wrap};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 

@@ -16,7 +16,7 @@ const HEAD: &str = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nres
 const SPHERES: &str = "s -2 -5 0 0.1\ns 0 0 0 0.1\ns 5 5 0 0.1\n";
 
 fn scene(text: &str) -> Scene {
-    let scene = nff::parse(text.as_bytes(), "test", &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(text.as_bytes(), "test", &scenes::Limits::default()).unwrap();
     Scene::from_nff(&scene).unwrap()
 }
 

@@ -8,7 +8,7 @@ use super::*;
 use crate::framebuffer::Geometry;
 use crate::scene::random::{across, magnitude, unit};
 use glam::DVec3;
-use nff::Camera;
+use scenes::Camera;
 
 const SIZE: Geometry = Geometry { width: 320, height: 200 };
 
@@ -263,7 +263,7 @@ fn extreme_numbers_stay_singles() {
 
 #[test]
 fn records_come_nearest_first_and_only_of_what_can_be_seen() {
-    let view = nff::View {
+    let view = scenes::View {
         from: DVec3::ZERO,
         at: DVec3::Z,
         up: DVec3::Y,

@@ -1,4 +1,4 @@
-//! `cellray render --inspect`: what the page says. How it looks in a browser is for `ci/pages`.
+//! `cellray render --inspect`: what the page says. How it looks in a browser is for `ci/browser`.
 
 use std::fs;
 

@@ -342,6 +342,6 @@ fn help_has_examples() {
 #[test]
 fn a_sphereflake_is_written_as_a_scene() {
     let (out, _) = good(&["sphereflake", "2"]);
-    let scene = nff::parse(out.as_bytes(), "balls", &nff::Limits::default()).unwrap();
-    assert_eq!(scene, nff::sphereflake::generate(2).unwrap());
+    let scene = scenes::parse(out.as_bytes(), "balls", &scenes::Limits::default()).unwrap();
+    assert_eq!(scene, scenes::sphereflake::generate(2).unwrap());
 }

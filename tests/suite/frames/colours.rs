@@ -10,11 +10,11 @@ use zerocopy::FromBytes as _;
 use crate::frames::fixture::{Fixture, Spoil};
 
 /// A sheet of 800 triangles, each vertex of another colour.
-fn scene() -> nff::Scene {
+fn scene() -> scenes::Scene {
     let text = "v\nfrom 0 1 6\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\nf 1 1 1 0.8 0.2 30 0 1\n";
-    let mut scene = nff::parse(text.as_bytes(), "sheet", &nff::Limits::default()).unwrap();
-    let mut mesh = nff::Mesh { two_sided: true, ..nff::Mesh::default() };
+    let mut scene = scenes::parse(text.as_bytes(), "sheet", &scenes::Limits::default()).unwrap();
+    let mut mesh = scenes::Mesh { two_sided: true, ..scenes::Mesh::default() };
     for (row, column) in (0..=20_u16).flat_map(|row| (0..=20_u16).map(move |column| (row, column)))
     {
         let [x, y] = [column, row].map(|it| f32::from(it) * 0.2 - 2.0);

@@ -34,7 +34,7 @@ pub struct Descriptor {
 }
 
 impl Descriptor {
-    pub fn of(scene: &nff::Scene, spus: u32) -> Self {
+    pub fn of(scene: &scenes::Scene, spus: u32) -> Self {
         let scene = Scene::from_nff(scene).unwrap();
         let (width, height) = SIZE;
         let mut framebuffer = Memory::new(Geometry { width, height }).unwrap();

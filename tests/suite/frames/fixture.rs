@@ -30,7 +30,7 @@ pub struct Fixture {
 }
 
 impl Fixture {
-    pub fn of(scene: &nff::Scene, spus: u32) -> Self {
+    pub fn of(scene: &scenes::Scene, spus: u32) -> Self {
         let Descriptor {
             mut frame,
             spheres,

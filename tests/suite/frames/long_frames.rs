@@ -53,7 +53,7 @@ impl Clock for Leaping {
 }
 
 /// One SPU's statistics of a frame, the cost of its first unit, and the total time.
-fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
+fn traced(scene: &scenes::Scene) -> (Statistics, UnitCost, u64) {
     let Descriptor { mut frame, spheres, block, units, .. } = Descriptor::of(scene, 1);
     frame.spheres = SPHERES.into();
     frame.scene = SCENE.into();
@@ -111,7 +111,7 @@ fn phases(line: &Statistics) -> u64 {
         .sum()
 }
 
-fn holds(scene: &nff::Scene) {
+fn holds(scene: &scenes::Scene) {
     let (line, cost, total) = traced(scene);
     let [busy, dma_wait, idled] = [line.busy, line.dma_wait, line.idle].map(|ticks| ticks.get());
     assert!(busy > PERIOD, "the frame is too short to tell: {busy}");

@@ -17,7 +17,7 @@ const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresol
                     b 0.3 0.4 0.6\nl 4 6 9 0.9 0.9 0.9\n";
 
 /// 1,500 triangles or spheres with a material each.
-fn scene(is_of_spheres: bool) -> nff::Scene {
+fn scene(is_of_spheres: bool) -> scenes::Scene {
     let mut text = VIEW.to_owned();
     for number in 0..1500 {
         let (x, y) = (f64::from(number % 50) * 0.2 - 5.0, f64::from(number / 50) * 0.2 - 3.0);
@@ -29,7 +29,7 @@ fn scene(is_of_spheres: bool) -> nff::Scene {
             writeln!(text, "p 3\n{x} {y} 0\n{} {y} 0\n{x} {} 0", x + 0.3, y + 0.3).unwrap();
         }
     }
-    nff::parse(text.as_bytes(), "fills", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "fills", &scenes::Limits::default()).unwrap()
 }
 
 /// The first block of a kind, and its header.

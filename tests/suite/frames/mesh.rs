@@ -28,13 +28,13 @@ const FIRST: usize = 8;
 const CHILDREN: usize = FIRST + 24;
 
 /// A ball of 1,800 smooth triangles that reflects, on a floor.
-fn scene() -> nff::Scene {
+fn scene() -> scenes::Scene {
     let text = "v\nfrom 1 2.5 6\nat 0 -0.1 0\nup 0 1 0\nangle 30\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n\
         f 0.9 0.3 0.2 0.7 0.3 30 0 1\n\
         p 4\n-9 -1 9\n9 -1 9\n9 -1 -9\n-9 -1 -9\n";
-    let mut scene = nff::parse(text.as_bytes(), "ball", &nff::Limits::default()).unwrap();
-    let mut mesh = nff::Mesh::default();
+    let mut scene = scenes::parse(text.as_bytes(), "ball", &scenes::Limits::default()).unwrap();
+    let mut mesh = scenes::Mesh::default();
     let (rows, columns) = (30_u32, 30_u32);
     for row in 0..=rows {
         for column in 0..columns {
@@ -60,7 +60,7 @@ fn scene() -> nff::Scene {
 }
 
 /// 1,500 spheres, some of which reflect.
-fn spheres() -> nff::Scene {
+fn spheres() -> scenes::Scene {
     let mut text = String::from(
         "v\nfrom 0 0 30\nat 0 0 0\nup 0 1 0\nangle 30\nhither 0\nresolution 8 8\n\
          b 0.3 0.4 0.6\nl 20 30 40\n",
@@ -73,11 +73,11 @@ fn spheres() -> nff::Scene {
         let [x, y, z] = std::array::from_fn(|_| random.random_range(-10.0..10.0));
         text += &format!("s {x} {y} {z} 0.4\n");
     }
-    nff::parse(text.as_bytes(), "spheres", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "spheres", &scenes::Limits::default()).unwrap()
 }
 
 /// 1,200 cones and 1,100 spheres, some of which reflect.
-fn cones() -> nff::Scene {
+fn cones() -> scenes::Scene {
     let mut scene = spheres();
     let mut random = ChaCha8Rng::seed_from_u64(6);
     scene.name = "cones".into();
@@ -85,7 +85,7 @@ fn cones() -> nff::Scene {
         let [x, y, z]: [f64; 3] = std::array::from_fn(|_| random.random_range(-10.0..10.0));
         let [u, v, w]: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.2..1.2));
         let apex_radius = [0.0, 0.4, 0.2, -0.1][number % 4];
-        object.shape = nff::Shape::Cone {
+        object.shape = scenes::Shape::Cone {
             base: [x, y, z].into(),
             base_radius: if apex_radius < 0.0 { -0.4 } else { 0.4 },
             apex: [x + u, y + v, z + w].into(),
@@ -112,7 +112,7 @@ impl Blocks {
         Self::of(&scene(), spus)
     }
 
-    fn of(scene: &nff::Scene, spus: u32) -> Self {
+    fn of(scene: &scenes::Scene, spus: u32) -> Self {
         let fixture = Fixture::of(scene, spus);
         let mut good = vec![0; fixture.frame.mesh_blocks.get() as usize * MESH_BLOCK as usize];
         fixture.mesh.read(0, &mut good);
@@ -319,7 +319,7 @@ fn blocks_of_cones_that_are_not_as_they_should_be() {
 }
 
 /// Damages a leaf of objects whose records have this size.
-fn objects_are_refused(scene: &nff::Scene, kind: u32, size: u32) {
+fn objects_are_refused(scene: &scenes::Scene, kind: u32, size: u32) {
     let mut blocks = Blocks::of(scene, 2);
     let leaf = blocks.first_needed(kind);
     let header = |index: usize| word(leaf, index);
@@ -353,7 +353,7 @@ fn any_block_is_drawn_or_refused() {
     }
 }
 
-fn any_block_of(scene: &nff::Scene) {
+fn any_block_of(scene: &scenes::Scene) {
     let mut blocks = Blocks::of(scene, 1);
     let mut random = ChaCha8Rng::seed_from_u64(20);
     let picture = blocks.traced_with(&[]).unwrap();

@@ -112,7 +112,7 @@ const SCENES: [&str; 8] = [
 ];
 
 /// Renders with and without skipping. The bytes must be equal.
-fn skipping_changes_nothing(scene: &nff::Scene, width: u32, height: u32) -> RgbImage {
+fn skipping_changes_nothing(scene: &scenes::Scene, width: u32, height: u32) -> RgbImage {
     let skipping = render(scene, width, height, Settings::default());
     let settings = Settings { skip: Skip::Nothing, ..Settings::default() };
     let without = render(scene, width, height, settings);
@@ -127,7 +127,7 @@ fn skipping_changes_no_scene() {
             skipping_changes_nothing(&nff_scene(name), width, height);
         }
     }
-    skipping_changes_nothing(&nff::sphereflake::generate(2).unwrap(), 160, 120);
+    skipping_changes_nothing(&scenes::sphereflake::generate(2).unwrap(), 160, 120);
 }
 
 #[test]
@@ -153,7 +153,7 @@ fn skipping_changes_no_random_scene() {
 
 /// Compares with f64: every pixel is within 1/255 away from silhouettes, and at most 0.05 % of all
 /// pixels are off.
-fn like_the_reference(scene: &nff::Scene, width: u32, height: u32) {
+fn like_the_reference(scene: &scenes::Scene, width: u32, height: u32) {
     let rendered = render(scene, width, height, Settings::default());
     let mut picture = oracle::Picture::black(width, height).unwrap();
     for (to, from) in picture.pixels_mut().iter_mut().zip(rendered.pixels()) {
@@ -179,7 +179,7 @@ fn the_scenes_are_like_the_reference() {
 
 #[test]
 fn a_sphereflake_is_like_the_reference() {
-    let mut scene = nff::sphereflake::generate(2).unwrap();
+    let mut scene = scenes::sphereflake::generate(2).unwrap();
     // With depth shading, as for all scenes without lights.
     scene.lights.clear();
     like_the_reference(&scene, 512, 512);
@@ -188,7 +188,7 @@ fn a_sphereflake_is_like_the_reference() {
 #[test]
 fn an_empty_scene_is_its_background() {
     let scene = nff_scene("empty.nff");
-    let expected = nff::depth::bytes(scene.background);
+    let expected = scenes::depth::bytes(scene.background);
     for spus in [1, 2, 6] {
         let settings = Settings { spus, ..Settings::default() };
         let picture = render(&scene, 70, 20, settings);
@@ -202,7 +202,7 @@ fn hits_are_counted_within_the_picture_only() {
     // picture.
     let text = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 10\nhither 1\nresolution 64 64\n\
                 f 1 1 1 1 0 0 0 1\ns 0 0 0 5\n";
-    let scene = nff::parse(text.as_bytes(), "near", &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(text.as_bytes(), "near", &scenes::Limits::default()).unwrap();
     for (width, height) in [(61, 37), (4, 4), (65, 17)] {
         let (framebuffer, _) = Recorder::pair(width, height);
         let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();

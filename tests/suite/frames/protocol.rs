@@ -40,7 +40,7 @@ fn fixture(spus: u32) -> Fixture {
 
 /// A frame of Whitted's model with spheres, parallelograms, triangles and a cone.
 fn whitted_fixture(spus: u32) -> Fixture {
-    let scene = nff::parse(WHITTED, "all shapes", &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(WHITTED, "all shapes", &scenes::Limits::default()).unwrap();
     Fixture::of(&scene, spus)
 }
 

@@ -1,9 +1,9 @@
 //! Random scenes.
 
 use glam::DVec3;
-use nff::{Material, Object, Scene, Shader, Shape, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+use scenes::{Material, Object, Scene, Shader, Shape, View};
 
 /// A vector with coordinates between -`most` and `most`.
 pub fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {

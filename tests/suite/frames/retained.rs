@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex};
 
 use glam::DVec3;
 use image::RgbImage;
-use nff::{Object, Shape};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Object, Shape};
 
 use crate::frames::random::{random_scene, sphere, vector};
 use crate::recorder::{Recorder, Snapshot, nff_scene, render};
@@ -38,7 +38,7 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
 }
 
 /// A change of a scene.
-type Change = fn(&mut nff::Scene);
+type Change = fn(&mut scenes::Scene);
 
 /// With Whitted's model too, a change is traced wherever it is visible.
 #[test]
@@ -47,9 +47,10 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
     let changes: [(&str, Change); 11] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),
         ("a share", |scene| scene.materials[3].diffuse = 0.5),
-        ("a shader", |scene| scene.materials[4].shader = nff::Shader::Flat),
+        ("a shader", |scene| scene.materials[4].shader = scenes::Shader::Flat),
         ("a light's place", |scene| {
-            scene.lights[1].kind = nff::LightKind::Point { position: DVec3::new(30.0, -30.0, 24.0) }
+            scene.lights[1].kind =
+                scenes::LightKind::Point { position: DVec3::new(30.0, -30.0, 24.0) }
         }),
         ("a light's colour", |scene| scene.lights[0].colour = Some(DVec3::ONE)),
         ("a light less", |scene| scene.lights.truncate(1)),
@@ -98,14 +99,14 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
     }
 }
 
-fn move_sphere(scene: &mut nff::Scene, number: usize) {
+fn move_sphere(scene: &mut scenes::Scene, number: usize) {
     if let Shape::Sphere { centre, .. } = &mut scene.objects[number].shape {
         centre.x += 0.25;
     }
 }
 
 /// Turns the parallelogram into the triangle of its first three vertices.
-fn halve_the_ground(scene: &mut nff::Scene) {
+fn halve_the_ground(scene: &mut scenes::Scene) {
     if let Shape::Polygon { vertices } = &mut scene.objects[0].shape {
         vertices.truncate(3);
     }
@@ -160,7 +161,7 @@ fn a_framebuffer_that_was_asked_for_counts_as_drawn_to() {
 }
 
 /// One step of a game: an object moves, changes, appears or disappears, or the view changes.
-fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
+fn change(random: &mut ChaCha8Rng, scene: &mut scenes::Scene) {
     // The first two stay: see frame_of_depth.
     let count = scene.objects.len();
     let any = random.random_range(2..count);
@@ -194,7 +195,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
 }
 
 /// Two spheres that set the range of depth shading, so that other objects do not change it.
-fn frame_of_depth(scene: &mut nff::Scene) {
+fn frame_of_depth(scene: &mut scenes::Scene) {
     let place =
         |centre, radius| Object { line: 0, material: 0, shape: Shape::Sphere { centre, radius } };
     scene.objects.insert(0, place(DVec3::new(3.0, -13.0, 0.0), 3.1));

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
-use nff::{Texture, Wrap};
 use protocol::layout::{
     EYE_CODE_ROOM, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Texture, Wrap};
 
 use crate::frames::fixture::{Fixture, Spoil};
 
@@ -21,11 +21,11 @@ const ACROSS: usize = 2;
 const FIRST: usize = 3;
 
 /// A floor of 18 triangles with a texture of numbers, repeated, and a wall with another one.
-fn scene() -> nff::Scene {
+fn scene() -> scenes::Scene {
     let text = "v\nfrom 1 2.5 6\nat 0 -0.1 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n\
         f 0.9 0.9 0.9 0.7 0.3 30 0 1\nf 1 1 1 1 0 0 0 1\nf 0.3 0.9 0.2 1 0 0 0 1\n";
-    let mut scene = nff::parse(text.as_bytes(), "floor", &nff::Limits::default()).unwrap();
+    let mut scene = scenes::parse(text.as_bytes(), "floor", &scenes::Limits::default()).unwrap();
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let mut texture = |width: u32, height: u32, wrap: [Wrap; 2]| {
         let texels = (0..width * height).map(|_| random.random());
@@ -33,7 +33,7 @@ fn scene() -> nff::Scene {
     };
     scene.materials[0].texture = texture(50, 30, [Wrap::Repeat, Wrap::Mirror]);
     scene.materials[1].texture = texture(17, 40, [Wrap::Clamp, Wrap::Repeat]);
-    let mut mesh = nff::Mesh { two_sided: true, ..nff::Mesh::default() };
+    let mut mesh = scenes::Mesh { two_sided: true, ..scenes::Mesh::default() };
     let at = |row: u32, column: u32| row * 4 + column;
     for (row, column) in (0..8).flat_map(|row| (0..4).map(move |column| (row, column))) {
         let (x, z) = (f64::from(column) - 1.5, f64::from(row % 4) - 1.5);

@@ -313,7 +313,7 @@ fn a_scene_comes_back_as_it_was() {
 fn what_a_file_has_is_called_by_its_line() {
     let parse = |text: &str| {
         let text = format!("{VIEW}{text}");
-        nff::parse(text.as_bytes(), "dir/s.nff", &nff::Limits::default()).unwrap()
+        scenes::parse(text.as_bytes(), "dir/s.nff", &scenes::Limits::default()).unwrap()
     };
     let world = |text: &str| World::from_nff(&parse(text), RenderOptions::default());
     let refused = |text: &str| world(text).err().expect("an error").to_string();

@@ -383,8 +383,8 @@ fn more_spheres_than_local_store_has_room_for() {
     }
 }
 
-fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> nff::Shape {
-    nff::Shape::Cone { base, base_radius: 0.08, apex, apex_radius }
+fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> scenes::Shape {
+    scenes::Shape::Cone { base, base_radius: 0.08, apex, apex_radius }
 }
 
 #[test]
@@ -442,7 +442,7 @@ fn polygons_beside_cones_in_main_memory() {
 
 #[test]
 fn more_triangles_than_local_store_has_room_for() {
-    let scene = nff::load("tetra:5".as_ref()).unwrap();
+    let scene = scenes::load("tetra:5".as_ref()).unwrap();
     let mut world = World::from_nff(&scene, RenderOptions::default()).unwrap();
     assert_eq!((world.object_count(), world.meshes().count()), (0, 1));
     Compared::new().picture(&mut world);

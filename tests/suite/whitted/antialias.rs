@@ -78,7 +78,7 @@ fn off(picture: &RgbImage, pixels: &[(u32, u32)], light: &Light, side: u32) -> u
 
 /// Compares pictures of a scene with several samples a pixel with one that has one sample, and
 /// with the reference.
-fn samples_are_those_of_the_reference(scene: &nff::Scene, one: RenderOptions, light: &Light) {
+fn samples_are_those_of_the_reference(scene: &scenes::Scene, one: RenderOptions, light: &Light) {
     let all: Vec<_> = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))).collect();
     let plain = Frame::of(scene, one, SIZE, Settings::default());
     let chosen = differing(&plain.picture, LEAST);

@@ -13,7 +13,7 @@ const SIZE: (u32, u32) = (40, 40);
 
 #[test]
 fn nested_glass_sends_fewer_rays_for_the_same_picture() {
-    let scene = nff::load(Path::new("scenes/nested-glass.nff")).unwrap();
+    let scene = scenes::load(Path::new("scenes/nested-glass.nff")).unwrap();
     let [least, all] =
         [false, true].map(|spd_rays| RenderOptions { ray_depth: 11, spd_rays, ..WHITTED });
     let [found, every] = [least, all]
@@ -42,7 +42,7 @@ fn nested_glass_sends_fewer_rays_for_the_same_picture() {
 
 #[test]
 fn a_depth_that_no_ray_reaches_changes_nothing() {
-    let mut scene = nff::load(Path::new("scenes/whitted16.nff")).unwrap();
+    let mut scene = scenes::load(Path::new("scenes/whitted16.nff")).unwrap();
     for material in &mut scene.materials {
         (material.specular, material.transmittance) = (0.0, 0.0);
     }

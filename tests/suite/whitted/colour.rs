@@ -37,7 +37,7 @@ fn byte(options: RenderOptions, light: f64) -> u8 {
 type Light<'a> = Box<dyn Fn(f64, f64) -> DVec3 + 'a>;
 
 /// Compares pictures with what the reference sees of the scene's colours in this sense.
-fn check<'a>(scene: &nff::Scene, model: Model, reference: &dyn Fn(RenderOptions) -> Light<'a>) {
+fn check<'a>(scene: &scenes::Scene, model: Model, reference: &dyn Fn(RenderOptions) -> Light<'a>) {
     for (colour, roll_off, samples) in [
         (Colour::Srgb, false, Samples::One),
         (Colour::Linear, true, Samples::One),

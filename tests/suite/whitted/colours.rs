@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use cellray::Settings;
 use cellray::scene::{Colour, RenderOptions};
-use nff::{Mesh, Shader, Texture, Wrap};
 use oracle::whitted::trace;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Mesh, Shader, Texture, Wrap};
 
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
@@ -15,12 +15,12 @@ const SIZE: (u32, u32) = (160, 120);
 const SRGB: RenderOptions = RenderOptions { colour: Colour::Srgb, ..WHITTED };
 
 /// A ball on a mirror, without a mesh.
-fn scene() -> nff::Scene {
+fn scene() -> scenes::Scene {
     let text = "v\nfrom 0.5 2.5 6\nat 0 -0.1 0\nup 0 1 0\nangle 45\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n#cellray ambient 0.3 0.3 0.3\n\
         f 1 0.9 0.8 1 0 0 0 1\nf 0.9 0.5 0.5 0.4 0.5 30 0 1\n\
         s 0.8 0.3 1 0.5\n";
-    nff::parse(text.as_bytes(), "colours", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "colours", &scenes::Limits::default()).unwrap()
 }
 
 /// A bumpy sheet of 2 `side`^2 smooth triangles, whose vertices have colours at random.
@@ -53,7 +53,7 @@ fn textured(mesh: &mut Mesh) -> Option<Arc<Texture>> {
 }
 
 /// Compares a mesh's picture with the reference, and returns it.
-fn checked(scene: &nff::Scene, render_options: RenderOptions, what: &str) -> image::RgbImage {
+fn checked(scene: &scenes::Scene, render_options: RenderOptions, what: &str) -> image::RgbImage {
     let found = Frame::of(scene, render_options, SIZE, Settings::default()).picture;
     let (reference, _) = trace(scene, SIZE.0, SIZE.1, &options(render_options)).unwrap();
     let off = oracle::compare(&picture(&found), &reference).unwrap();
@@ -142,7 +142,7 @@ fn colours_and_many_materials() {
     let texture = textured(&mut mesh);
     let plain = scene.materials[0].clone();
     mesh.materials = (0..800).collect();
-    let material = |number: u32| nff::Material {
+    let material = |number: u32| scenes::Material {
         colour: [f64::from(number) / 800.0, 0.7, 1.0].into(),
         texture: texture.clone().filter(|_| number.is_multiple_of(3)),
         ..plain.clone()

@@ -34,7 +34,7 @@ fn averaged(corners: &RgbImage) -> RgbImage {
 }
 
 fn corner_rays_are_counted_as_by_the_reference(
-    scene: &nff::Scene,
+    scene: &scenes::Scene,
     render_options: RenderOptions,
     side: u32,
     wrong: f64,
@@ -71,7 +71,7 @@ fn corner_rays_are_counted_as_by_the_reference(
 
 #[test]
 fn balls() {
-    let scene = nff::load(Path::new("sphereflake:2")).unwrap();
+    let scene = scenes::load(Path::new("sphereflake:2")).unwrap();
     corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE, WRONG);
 }
 
@@ -79,7 +79,7 @@ fn balls() {
 fn tetra() {
     // The second one's triangles are streamed from main memory.
     for name in ["tetra:3", "tetra:5"] {
-        let scene = nff::load(Path::new(name)).unwrap();
+        let scene = scenes::load(Path::new(name)).unwrap();
         corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE, WRONG);
     }
 }
@@ -112,7 +112,7 @@ fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
 
 /// Glass without reflection, like that of the gears in the Standard Procedural Databases, and
 /// glass that is not even lit.
-fn gears() -> nff::Scene {
+fn gears() -> scenes::Scene {
     let text = format!(
         "b 0.078 0.361 0.753\nv\nfrom -1.1 -2.1 2.6\nat 0 0 0.4\nup 0 0 1\nangle 45\nhither 0\n\
          resolution 512 512\nl 2 4 4\nl 2 -2.5 2.5\nl -1 -4 2\n\
@@ -121,7 +121,7 @@ fn gears() -> nff::Scene {
         cogwheel([-0.4, 0.0], 0.7),
         cogwheel([0.7, 0.6], 0.4),
     );
-    nff::parse(text.as_bytes(), "gears", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "gears", &scenes::Limits::default()).unwrap()
 }
 
 /// Light that is left out makes a pixel darker by at most a step, and few pixels.
@@ -179,7 +179,7 @@ const SPD: [(&str, u32, f64); 9] = [
 #[test]
 fn the_scenes_of_spd_by_its_rules() {
     for (name, side, wrong) in SPD {
-        let scene = nff::load(Path::new(name)).unwrap();
+        let scene = scenes::load(Path::new(name)).unwrap();
         let by_spd = RenderOptions { spd_rays: true, ..WHITTED };
         corner_rays_are_counted_as_by_the_reference(&scene, by_spd, side, wrong);
     }

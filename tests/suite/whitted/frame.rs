@@ -37,7 +37,7 @@ pub struct Frame {
 impl Frame {
     /// Traces a scene.
     pub fn of(
-        scene: &nff::Scene,
+        scene: &scenes::Scene,
         render_options: RenderOptions,
         size: (u32, u32),
         settings: Settings,
@@ -99,7 +99,11 @@ pub fn picture(image: &RgbImage) -> Picture {
 }
 
 /// Traces a scene on SPUs and with the reference.
-pub fn compared(scene: &nff::Scene, render_options: RenderOptions, size: (u32, u32)) -> Comparison {
+pub fn compared(
+    scene: &scenes::Scene,
+    render_options: RenderOptions,
+    size: (u32, u32),
+) -> Comparison {
     let frame = Frame::of(scene, render_options, size, Settings::default());
     let (reference, _) = trace(scene, size.0, size.1, &options(render_options)).unwrap();
     oracle::compare(&picture(&frame.picture), &reference).unwrap()

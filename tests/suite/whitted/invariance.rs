@@ -9,7 +9,7 @@ use crate::whitted::frame::{Frame, WHITTED};
 
 const SIZE: (u32, u32) = (160, 90);
 
-fn frame(scene: &nff::Scene, spus: u32, split: Split, skip: Skip) -> Frame {
+fn frame(scene: &scenes::Scene, spus: u32, split: Split, skip: Skip) -> Frame {
     let settings = Settings { spus, split, skip, ..Settings::default() };
     Frame::of(scene, WHITTED, SIZE, settings)
 }

@@ -13,12 +13,12 @@ const SIZE: (u32, u32) = (96, 72);
 const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
                     b 0.1 0.2 0.3\nl 5 5 9\n";
 
-fn parsed(text: &str) -> nff::Scene {
-    nff::parse(text.as_bytes(), "fills", &nff::Limits::default()).unwrap()
+fn parsed(text: &str) -> scenes::Scene {
+    scenes::parse(text.as_bytes(), "fills", &scenes::Limits::default()).unwrap()
 }
 
 /// Spheres, each after a fill: all different, or one of so many.
-fn spheres(count: u32, kinds: u32) -> nff::Scene {
+fn spheres(count: u32, kinds: u32) -> scenes::Scene {
     let mut text = VIEW.to_owned();
     for number in 0..count {
         let kind = number % kinds;
@@ -33,7 +33,7 @@ fn spheres(count: u32, kinds: u32) -> nff::Scene {
 }
 
 /// As many triangles, each with a material of its own.
-fn triangles(count: u32) -> nff::Scene {
+fn triangles(count: u32) -> scenes::Scene {
     let mut text = VIEW.to_owned();
     for number in 0..count {
         let [red, green, blue] = [7, 13, 29].map(|step| f64::from(number * step % 101) / 100.0);
@@ -50,7 +50,7 @@ fn blocks_used(frame: &Frame) -> u64 {
     spus.map(|spu| spu.blocks.used).sum()
 }
 
-fn checked(scene: &nff::Scene) -> Frame {
+fn checked(scene: &scenes::Scene) -> Frame {
     let found = Frame::of(scene, WHITTED, SIZE, Settings::default());
     assert!(blocks_used(&found) > 0);
     let (reference, _) = trace(scene, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
@@ -79,19 +79,19 @@ fn triangles_that_all_have_materials_of_their_own() {
     // The same with normals at the vertices, and a floor in local store.
     let mut scene = triangles(5000);
     for object in &mut scene.objects {
-        let nff::Shape::Polygon { vertices } = &object.shape else {
+        let scenes::Shape::Polygon { vertices } = &object.shape else {
             continue;
         };
         let normals = vertices.iter().map(|it| it.with_z(4.0)).collect();
         let vertices = vertices.clone();
-        object.shape = nff::Shape::Patch { vertices, normals };
+        object.shape = scenes::Shape::Patch { vertices, normals };
     }
     let floor = [[-9, -3, 9], [9, -3, 9], [9, -3, -9], [-9, -3, -9]];
     let vertices = floor.map(|corner| corner.map(f64::from).into()).to_vec();
-    scene.objects.push(nff::Object {
+    scene.objects.push(scenes::Object {
         line: 0,
         material: 77,
-        shape: nff::Shape::Polygon { vertices },
+        shape: scenes::Shape::Polygon { vertices },
     });
     checked(&scene);
 }
@@ -131,22 +131,25 @@ fn repeated_fills_in_local_store() {
 #[test]
 fn where_materials_are_makes_no_difference() {
     let few = triangles(600);
-    let mut few = nff::Scene { materials: few.materials[..6].to_vec(), ..few };
+    let mut few = scenes::Scene { materials: few.materials[..6].to_vec(), ..few };
     for object in &mut few.objects {
         object.material %= 6;
     }
     // 300 more materials, of which each has a triangle behind the eye.
     let mut many = few.clone();
     for number in 0..300_u32 {
-        let material =
-            nff::Material { shine: f64::from(number), specular: 0.2, ..many.materials[0].clone() };
+        let material = scenes::Material {
+            shine: f64::from(number),
+            specular: 0.2,
+            ..many.materials[0].clone()
+        };
         many.materials.push(material);
         let y = f64::from(number);
         let vertices = [[0.0, y, 90.0], [1.0, y, 90.0], [0.0, y, 91.0]];
-        many.objects.push(nff::Object {
+        many.objects.push(scenes::Object {
             line: 0,
             material: 6 + number,
-            shape: nff::Shape::Polygon { vertices: vertices.map(Into::into).to_vec() },
+            shape: scenes::Shape::Polygon { vertices: vertices.map(Into::into).to_vec() },
         });
     }
     let [few, many] =
@@ -161,10 +164,10 @@ fn many_materials_with_textures() {
     let texture = |width: u32, height: u32| {
         let texel = |number: u32| [number * 37, number * 11, !number].map(|it| it as u8);
         let texels = (0..width * height).map(texel).collect();
-        nff::Texture::new(width, texels, [nff::Wrap::Repeat; 2]).map(Arc::new)
+        scenes::Texture::new(width, texels, [scenes::Wrap::Repeat; 2]).map(Arc::new)
     };
     let textures = [texture(16, 16), texture(9, 30), None];
-    let mut mesh = nff::Mesh::default();
+    let mut mesh = scenes::Mesh::default();
     for (row, column) in (0..=20_u16).flat_map(|row| (0..=20_u16).map(move |column| (row, column)))
     {
         let [x, y] = [column, row].map(|it| f32::from(it) * 0.25 - 2.5);
@@ -182,7 +185,7 @@ fn many_materials_with_textures() {
             let number = scene.materials.len() as u32;
             mesh.triangles.push(triangle);
             mesh.materials.push(number);
-            scene.materials.push(nff::Material {
+            scene.materials.push(scenes::Material {
                 colour: DVec3::new(1.0, f64::from(number) / 800.0, 0.6),
                 texture: textures[number as usize % 3].clone(),
                 ..plain.clone()

@@ -7,10 +7,10 @@ use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Scene, Settings};
 use glam::DVec3;
-use nff::Mesh;
 use oracle::whitted::trace;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::Mesh;
 
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
@@ -47,12 +47,12 @@ fn bowl(rows: u32, normals: bool) -> Mesh {
     mesh
 }
 
-fn scene(mesh: Mesh) -> nff::Scene {
+fn scene(mesh: Mesh) -> scenes::Scene {
     let text = "v\nfrom 1 2.5 4\nat 0 -0.4 0\nup 0 1 0\nangle 35\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n\
         f 0.9 0.3 0.2 0.9 0 0 0 1\nf 0.2 0.5 0.9 0.6 0.3 30 0 1\n\
         p 4\n-9 -1 9\n9 -1 9\n9 -1 -9\n-9 -1 -9\ns 0.2 -0.2 0.1 0.3\n";
-    let mut scene = nff::parse(text.as_bytes(), "bowl", &nff::Limits::default()).unwrap();
+    let mut scene = scenes::parse(text.as_bytes(), "bowl", &scenes::Limits::default()).unwrap();
     scene.mesh = Some(Arc::new(mesh));
     scene
 }
@@ -82,7 +82,7 @@ fn a_closed_mesh_has_no_cracks() {
 
 #[test]
 fn spheres_that_local_store_has_no_room_for() {
-    let scene = nff::load(std::path::Path::new("sphereflake:4")).unwrap();
+    let scene = scenes::load(std::path::Path::new("sphereflake:4")).unwrap();
     let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
     let blocks = found.statistics.spus.iter().map(|spu| spu.blocks.used);
     assert!(blocks.sum::<u64>() > 0);
@@ -94,23 +94,23 @@ fn spheres_that_local_store_has_no_room_for() {
 }
 
 /// A scene whose parts and view are all moved. Only a mesh's origin moves, not its positions.
-fn moved(scene: &nff::Scene, by: DVec3) -> nff::Scene {
+fn moved(scene: &scenes::Scene, by: DVec3) -> scenes::Scene {
     let mut moved = scene.clone();
     moved.view.from += by;
     moved.view.at += by;
     for light in &mut moved.lights {
-        if let nff::LightKind::Point { position } = &mut light.kind {
+        if let scenes::LightKind::Point { position } = &mut light.kind {
             *position += by;
         }
     }
     for object in &mut moved.objects {
         match &mut object.shape {
-            nff::Shape::Sphere { centre, .. } => *centre += by,
-            nff::Shape::Cone { base, apex, .. } => {
+            scenes::Shape::Sphere { centre, .. } => *centre += by,
+            scenes::Shape::Cone { base, apex, .. } => {
                 *base += by;
                 *apex += by;
             }
-            nff::Shape::Polygon { vertices } | nff::Shape::Patch { vertices, .. } => {
+            scenes::Shape::Polygon { vertices } | scenes::Shape::Patch { vertices, .. } => {
                 vertices.iter_mut().for_each(|vertex| *vertex += by);
             }
         }
@@ -127,20 +127,20 @@ fn far_from_the_origin_pictures_are_the_same() {
     let by = DVec3::new(458_752.0, 5_428_000.25, 100.5);
     let mut small = scene(bowl(8, true));
     small.view.at.y = -0.5;
-    small.objects.retain(|it| matches!(it.shape, nff::Shape::Polygon { .. }));
-    let large = nff::Scene { mesh: Some(Arc::new(bowl(24, true))), ..small.clone() };
+    small.objects.retain(|it| matches!(it.shape, scenes::Shape::Polygon { .. }));
+    let large = scenes::Scene { mesh: Some(Arc::new(bowl(24, true))), ..small.clone() };
     // More spheres and polygons than local store has room for, at numbers of few digits.
-    let grid = |count: i32, shape: &dyn Fn(DVec3) -> nff::Shape| {
+    let grid = |count: i32, shape: &dyn Fn(DVec3) -> scenes::Shape| {
         let mut many = small.clone();
         many.mesh = None;
         for index in 0..count {
             let place = DVec3::new((index % 32 - 16).into(), 0.0, (index / 32 - 16).into());
-            many.objects.push(nff::Object { line: 0, material: 1, shape: shape(place / 8.0) });
+            many.objects.push(scenes::Object { line: 0, material: 1, shape: shape(place / 8.0) });
         }
         many
     };
-    let spheres = grid(1024, &|centre| nff::Shape::Sphere { centre, radius: 0.0625 });
-    let polygons = grid(1024, &|place| nff::Shape::Polygon {
+    let spheres = grid(1024, &|centre| scenes::Shape::Sphere { centre, radius: 0.0625 });
+    let polygons = grid(1024, &|place| scenes::Shape::Polygon {
         vertices: [DVec3::X, DVec3::Y, DVec3::Z].map(|it| place + it / 16.0).to_vec(),
     });
     for (name, near) in [
@@ -149,7 +149,7 @@ fn far_from_the_origin_pictures_are_the_same() {
         ("spheres", spheres),
         ("polygons", polygons),
     ] {
-        let draw = |scene: &nff::Scene| Frame::of(scene, WHITTED, SIZE, Settings::default());
+        let draw = |scene: &scenes::Scene| Frame::of(scene, WHITTED, SIZE, Settings::default());
         let (here, there) = (draw(&near), draw(&moved(&near, by)));
         let hits = here.rays().eye_hit;
         assert!(hits > 1000, "{name}: {hits}");
@@ -158,7 +158,7 @@ fn far_from_the_origin_pictures_are_the_same() {
 }
 
 /// Cones and spheres of all forms, in a cube, above a floor.
-fn crowd(cones: u32, spheres: u32) -> nff::Scene {
+fn crowd(cones: u32, spheres: u32) -> scenes::Scene {
     const FILLS: [&str; 4] = [
         "f 0.8 0.5 0.3 0.7 0.3 30 0 0\n",
         "f 0.4 0.7 0.4 1 0 0 0 0\n",
@@ -200,7 +200,7 @@ fn crowd(cones: u32, spheres: u32) -> nff::Scene {
             text += &format!("s {x} {y} {z} {radius}\n");
         }
     }
-    nff::parse(text.as_bytes(), "crowd", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "crowd", &scenes::Limits::default()).unwrap()
 }
 
 /// How much a picture of a crowd differs from the reference.
@@ -255,7 +255,7 @@ fn a_mesh_is_drawn_as_the_reference_draws_it() {
         assert!(compared.max_error_off_silhouette <= 2, "{compared:?}");
         assert!(compared.wrong_fraction < 0.01, "{compared:?}");
 
-        let without = nff::Scene { mesh: None, ..scene.clone() };
+        let without = scenes::Scene { mesh: None, ..scene.clone() };
         let (bare, _) = trace(&without, SIZE.0, SIZE.1, &options(WHITTED)).unwrap();
         let compared = oracle::compare(&picture(&found.picture), &bare).unwrap();
         assert!(compared.wrong_fraction > 0.1, "the mesh is not in the picture");

@@ -16,7 +16,7 @@ const OPAQUE: &str = "f 0.2 0.9 0.2 0.7 0.3 9 0 1";
 const GLASS: &str = "f 1 1 1 0.05 0.1 9 0.9 1.5";
 
 /// Ground, balls before and behind the eye, and a sphere around or beside it.
-fn scene(from: &str, at: &str, material: &str, sphere: &str) -> nff::Scene {
+fn scene(from: &str, at: &str, material: &str, sphere: &str) -> scenes::Scene {
     let text = format!(
         "v\nfrom {from}\nat {at}\nup 0 1 0\nangle 60\nhither 0.01\nresolution 96 96\n\
          b 0.2 0.3 0.5\nl 3 5 4\nf 0.3 0.3 0.3 0.8 0.2 0 0 1\n\
@@ -24,7 +24,7 @@ fn scene(from: &str, at: &str, material: &str, sphere: &str) -> nff::Scene {
          f 0.9 0.2 0.2 0.8 0.2 10 0 1\ns -0.6 0.2 -3 0.7\ns 0.9 -0.5 4 0.8\ns 1.2 0.6 -4 0.6\n\
          {material}\ns {sphere}\n"
     );
-    nff::parse(text.as_bytes(), "on.nff", &nff::Limits::default()).unwrap()
+    scenes::parse(text.as_bytes(), "on.nff", &scenes::Limits::default()).unwrap()
 }
 
 fn assert_right(what: &str, result: Comparison) {
@@ -64,7 +64,7 @@ fn an_eye_on_a_sphere_sees_what_the_reference_sees() {
 }
 
 /// The picture of a world that was traced from elsewhere before.
-fn moved(from: &nff::Scene, to: &nff::Scene) -> RgbImage {
+fn moved(from: &scenes::Scene, to: &scenes::Scene) -> RgbImage {
     let program = Program::tracer();
     let mut world = World::from_nff(from, WHITTED).unwrap();
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);

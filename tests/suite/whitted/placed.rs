@@ -1,7 +1,7 @@
 //! Scenes that are moved and scaled.
 
 use glam::DVec3;
-use nff::{LightKind, Scene, Shader, Shape};
+use scenes::{LightKind, Scene, Shader, Shape};
 
 /// Moves a whole scene, and then scales it about the origin.
 pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {

@@ -26,7 +26,7 @@ fn is_as_the_reference_has_it(what: &str, material: &str, shapes: &str) {
          l 1 1 2\nl -3 1 4\nf 0.5 0.5 0.5 0.7 0.3 20 0 1\np 4\n-9 -9 -1\n9 -9 -1\n9 9 -1\n-9 9 -1\n\
          {material}\n{shapes}"
     );
-    let scene = nff::parse(text.as_bytes(), what, &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(text.as_bytes(), what, &scenes::Limits::default()).unwrap();
     let result = compared(&scene, WHITTED, (200, 150));
     println!("{what}, {material}: {result:?}");
     assert!(result.max_error_off_silhouette <= 2, "{what}: {result:?}");

@@ -5,9 +5,9 @@
 use std::f64::consts::TAU;
 
 use glam::{DQuat, DVec3, Vec3Swizzles as _};
-use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+use scenes::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 use crate::whitted::placed::place;
 
@@ -155,7 +155,7 @@ fn shape(random: &mut ChaCha8Rng) -> Shape {
         12..17 => Shape::Polygon { vertices: polygon(random) },
         _ => {
             let vertices = polygon(random);
-            let up = nff::unit(nff::area_vector(&vertices)).unwrap_or(DVec3::Z);
+            let up = scenes::unit(scenes::area_vector(&vertices)).unwrap_or(DVec3::Z);
             let normals = vertices.iter().map(|_| up + vector(random, 0.3)).collect();
             Shape::Patch { vertices, normals }
         }

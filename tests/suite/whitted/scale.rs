@@ -14,7 +14,7 @@ const FAR: f64 = 1e4;
 const WRONG: f64 = 0.001;
 
 /// The size of a scene: twice the distance from the eye to the middle of the picture.
-fn size(scene: &nff::Scene) -> f64 {
+fn size(scene: &scenes::Scene) -> f64 {
     2.0 * scene.view.from.distance(scene.view.at)
 }
 

@@ -4,10 +4,10 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cellray::Settings;
-use nff::{Mesh, Texture, Wrap};
 use oracle::whitted::trace;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Mesh, Texture, Wrap};
 
 use crate::whitted::frame::{Frame, WHITTED, compared, options, picture};
 
@@ -27,12 +27,12 @@ fn texture(width: u32, height: u32, wrap: [Wrap; 2]) -> Arc<Texture> {
 }
 
 /// A large floor and a wall that reflects it, each of two triangles.
-fn scene(texture: Arc<Texture>) -> nff::Scene {
+fn scene(texture: Arc<Texture>) -> scenes::Scene {
     let text = "v\nfrom 0.5 1.5 6\nat 0 -0.1 0\nup 0 1 0\nangle 45\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n#cellray ambient 0.3 0.3 0.3\n\
         f 1 0.9 0.8 1 0 0 0 1\nf 0.5 0.5 0.5 0.4 0.5 30 0 1\n\
         s 0.8 -0.3 1 0.5\n";
-    let mut scene = nff::parse(text.as_bytes(), "floor", &nff::Limits::default()).unwrap();
+    let mut scene = scenes::parse(text.as_bytes(), "floor", &scenes::Limits::default()).unwrap();
     scene.materials[0].texture = Some(texture);
     scene.mesh = Some(Arc::new(Mesh {
         positions: vec![
@@ -63,7 +63,7 @@ fn scene(texture: Arc<Texture>) -> nff::Scene {
 }
 
 /// The scene with a texture so dark that its light, in bytes, has only 11 values.
-pub fn dark_scene() -> nff::Scene {
+pub fn dark_scene() -> scenes::Scene {
     let texels = (0..64 * 64).map(|at| {
         let [x, y] = [at % 64, at / 64];
         [x, y, (x + y) / 2]

@@ -53,7 +53,7 @@ fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<It
 
 /// The pixels that no ray near their centres explains.
 fn unexplained(
-    scene: &nff::Scene,
+    scene: &scenes::Scene,
     render_options: RenderOptions,
     picture: &RgbImage,
 ) -> Vec<(u32, u32)> {

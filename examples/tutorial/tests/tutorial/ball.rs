@@ -17,7 +17,7 @@ fn it_is_where_the_formula_has_it() {
              #cellray daylight\n\
              f 0.9 0.2 0.1 1 0 0 0 0\ns 0 {height} 0 1\n"
         );
-        let scene = nff::parse(scene.as_bytes(), "ball", &nff::Limits::default()).unwrap();
+        let scene = scenes::parse(scene.as_bytes(), "ball", &scenes::Limits::default()).unwrap();
         let options = oracle::whitted::Options::default();
         let (reference, _) = oracle::whitted::trace(&scene, SIZE.0, SIZE.1, &options).unwrap();
         let picture = Picture::read_png(&path(folder.path(), frame)).unwrap();

@@ -32,7 +32,7 @@ fn compare(picture: &Path, ball: [f64; 3], colour: &str, pearls: &[usize]) -> Co
         let ([x, z], colour) = PEARLS[number];
         writeln!(text, "f {colour} 0.7 0.3 20 0 1\ns {x} 0.5 {z} 0.5").unwrap();
     }
-    let scene = nff::parse(text.as_bytes(), "steer", &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(text.as_bytes(), "steer", &scenes::Limits::default()).unwrap();
     let (reference, _) = trace(&scene, SIZE.0, SIZE.1, &Options::default()).unwrap();
     let picture = Picture::read_png(picture).unwrap();
     oracle::compare(&picture, &reference).unwrap()

@@ -285,7 +285,7 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
         return String::new();
     }
     let mut text = "\n## Whole pictures\n\nTraced by six SPUs in simulated time, and compared with the reference in \
-                    double precision (`oracle/`).\nA pixel is wrong if a channel is off by more than 1/255.\n"
+                    double precision (`lab/oracle/`).\nA pixel is wrong if a channel is off by more than 1/255.\n"
         .to_owned();
     for scene in SCENES {
         let of = |row: &&PictureRow| row.scene == scene.name;

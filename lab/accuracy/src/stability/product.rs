@@ -4,8 +4,8 @@
 use cellray::work::{BlockOptions, SceneBlock};
 use glam::DVec3;
 use kernels::single::bits;
-use nff::{LightKind, Shape};
 use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
+use scenes::{LightKind, Shape};
 use spu_emulator::float::single::to_f64;
 use twins::Single;
 use zerocopy::FromBytes as _;
@@ -94,9 +94,9 @@ impl Product {
     /// The records that the PPU sends for a shape, with the eye at the origin. `None` if it does
     /// not send the shape as this kind.
     pub fn of(kind: Kind, shape: Shape, stuff: Stuff) -> Option<Self> {
-        let scene = nff::Scene {
+        let scene = scenes::Scene {
             name: String::new(),
-            view: nff::View {
+            view: scenes::View {
                 from: DVec3::ZERO,
                 at: DVec3::NEG_Z,
                 up: DVec3::Y,
@@ -107,12 +107,12 @@ impl Product {
             background: DVec3::ZERO,
             sky: None,
             ambient: DVec3::ZERO,
-            lights: vec![nff::Light {
+            lights: vec![scenes::Light {
                 line: 0,
                 kind: LightKind::Directional { to_light: DVec3::Z },
                 colour: None,
             }],
-            materials: vec![nff::Material {
+            materials: vec![scenes::Material {
                 line: 0,
                 colour: DVec3::ONE,
                 diffuse: 0.5,
@@ -121,10 +121,10 @@ impl Product {
                 transmittance: stuff.transmittance,
                 refraction_index: stuff.index,
                 emission: DVec3::ZERO,
-                shader: nff::Shader::Phong,
+                shader: scenes::Shader::Phong,
                 texture: None,
             }],
-            objects: vec![nff::Object { line: 0, material: 0, shape }],
+            objects: vec![scenes::Object { line: 0, material: 0, shape }],
             mesh: None,
         };
         let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;

@@ -18,7 +18,7 @@ fn picture(scene: &str, formulations: Formulations) -> RgbImage {
     let program = Program::from_image(&image).unwrap();
     assert_eq!(program.formulations().unwrap(), formulations);
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
-    let scene = nff::load(&root.join(scene)).unwrap();
+    let scene = scenes::load(&root.join(scene)).unwrap();
     let scene = Scene::new(&scene, RenderOptions::default(), &program).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("p.png");

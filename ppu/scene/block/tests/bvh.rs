@@ -161,7 +161,7 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
                         std::mem::discriminant(before) == std::mem::discriminant(shape)
                     });
                     let is_whole =
-                        matches!(shape, nff::Shape::Sphere { .. } | nff::Shape::Cone { .. });
+                        matches!(shape, scenes::Shape::Sphere { .. } | scenes::Shape::Cone { .. });
                     if same && is_whole {
                         there[number] =
                             block.set_object(number, shape, material, &shaders).expect("in range");
@@ -286,7 +286,7 @@ fn boxes_are_chosen_for_the_scenes_that_gain() {
         ("daylight", 0),
     ] {
         let path = format!("{}/scenes/{name}.nff", env!("CARGO_MANIFEST_DIR"));
-        let scene = nff::load(std::path::Path::new(&path)).expect("a scene");
+        let scene = scenes::load(std::path::Path::new(&path)).expect("a scene");
         let found = SceneBlock::new(&scene, BlockOptions::default(), &|_| Some(0));
         assert_eq!(found.expect("a block").box_trees(), trees, "{name}");
     }

@@ -1,6 +1,6 @@
 //! The bounds of chains in scenes, and in scenes that change.
 
-use nff::{Material as NffMaterial, Shader};
+use scenes::{Material as NffMaterial, Shader};
 
 use super::*;
 use crate::scene::block::ShaderEntries;

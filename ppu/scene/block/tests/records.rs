@@ -419,7 +419,7 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
 
 #[test]
 fn a_block_is_that_of_its_last_eye() {
-    let scene = nff::sphereflake::generate(2).expect("a scene");
+    let scene = scenes::sphereflake::generate(2).expect("a scene");
     let mut block = of(&scene, BlockOptions::default());
     let first = block.bytes().to_vec();
     block.write_for(DVec3::new(-3.0, 4.0, 1.0)).expect("an eye");

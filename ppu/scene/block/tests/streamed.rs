@@ -1,7 +1,7 @@
 //! Scenes with a mesh: what is in local store, and what in main memory.
 
-use nff::Mesh;
 use protocol::layout::{EYE_CODE, MATERIAL_STRIDE, MESH_BLOCK, SIDES_BOTH};
+use scenes::Mesh;
 use zerocopy::FromBytes as _;
 
 use super::*;
@@ -82,10 +82,13 @@ fn a_mesh_that_can_t_be_converted_names_its_file() {
 #[test]
 fn a_mesh_leaves_less_room_for_objects() {
     let mut scene = square(2000);
-    let sphere = |number: u32| nff::Object {
+    let sphere = |number: u32| scenes::Object {
         line: number,
         material: 0,
-        shape: nff::Shape::Sphere { centre: DVec3::new(f64::from(number), 0.0, -9.0), radius: 0.5 },
+        shape: scenes::Shape::Sphere {
+            centre: DVec3::new(f64::from(number), 0.0, -9.0),
+            radius: 0.5,
+        },
     };
     scene.objects.extend((0..700).map(sphere));
     let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
@@ -160,7 +163,7 @@ fn materials_of_what_changes_have_records_of_their_own() {
     let scene = fills(40, 2);
     let options = BlockOptions::default();
     let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
-    let changed = nff::Material { colour: DVec3::ONE, ..scene.materials[3].clone() };
+    let changed = scenes::Material { colour: DVec3::ONE, ..scene.materials[3].clone() };
     assert!(block.set_material(3, &changed, &shaders).expect("a record"));
     let white = |block: &SceneBlock| {
         let objects = block.leaves(PrimitiveKind::Sphere).into_iter();
@@ -188,7 +191,7 @@ fn a_material_in_main_memory_is_changed_in_place() {
     let number = numbers.iter().position(|&it| it == 700).unwrap();
     let read = |block: &SceneBlock| block.mesh().unwrap().table.unwrap().bytes().to_vec();
     let before = read(&block);
-    let changed = nff::Material { colour: DVec3::ONE, ..scene.materials[700].clone() };
+    let changed = scenes::Material { colour: DVec3::ONE, ..scene.materials[700].clone() };
     assert!(block.set_material(700, &changed, &shaders).unwrap());
     let after = read(&block);
     let stride = MATERIAL_STRIDE as usize;
@@ -254,7 +257,7 @@ fn polygons_make_room_for_nothing_else() {
 #[test]
 fn a_cone_in_main_memory_that_is_out_of_range_is_refused() {
     let mut scene = crowd(0, 1500, 0);
-    let nff::Shape::Cone { apex_radius, .. } = &mut scene.objects[1400].shape else {
+    let scenes::Shape::Cone { apex_radius, .. } = &mut scene.objects[1400].shape else {
         panic!("a cone");
     };
     *apex_radius = 1e30;

@@ -3,10 +3,10 @@
 
 use std::path::Path;
 
-use nff::{Material as NffMaterial, Shader};
 use oracle::whitted::{Options, trace};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Material as NffMaterial, Shader};
 
 use super::bvh::any_object;
 use super::*;
@@ -148,7 +148,7 @@ fn compare(scene: &Scene, side: u32) -> usize {
         let name = &scene.name;
         for block in &blocks {
             let found = block.seen(camera.direction(x, y).normalize());
-            assert_eq!(nff::depth::bytes(found), *expected, "{name} at ({x}, {y})");
+            assert_eq!(scenes::depth::bytes(found), *expected, "{name} at ({x}, {y})");
         }
         covered += usize::from(*expected != [0; 3]);
     }
@@ -159,11 +159,11 @@ fn compare(scene: &Scene, side: u32) -> usize {
 fn the_projects_own_scenes() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     for name in ["shapes", "glass", "mirrors", "whitted16", "spheres64"] {
-        let scene = nff::read(&folder.join(format!("{name}.nff"))).expect("a scene");
+        let scene = scenes::read(&folder.join(format!("{name}.nff"))).expect("a scene");
         assert!(compare(&coloured(scene), 64) > 100, "{name}");
     }
     for name in ["sphereflake:2", "tetra:1"] {
-        let scene = nff::load(Path::new(name)).expect("a scene");
+        let scene = scenes::load(Path::new(name)).expect("a scene");
         assert!(compare(&coloured(scene), 64) > 100, "{name}");
     }
 }

@@ -93,7 +93,7 @@ fn every_cone_is_in_one_leaf() {
                 .collect(),
         };
         let mesh = match triangles {
-            0 => nff::Mesh::default(),
+            0 => scenes::Mesh::default(),
             _ => soup(triangles, 0.1, 1),
         };
         let blocks = MeshBlocks::new(&mesh, &objects, &materials()).unwrap();

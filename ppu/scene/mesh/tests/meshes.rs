@@ -1,9 +1,9 @@
 //! Meshes for the tests.
 
 use glam::{DVec3, Vec3};
-use nff::{Material, Mesh, Shader};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::{Material, Mesh, Shader};
 
 use crate::scene::random::unit;
 

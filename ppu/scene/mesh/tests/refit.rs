@@ -1,7 +1,7 @@
 //! Refitted blocks are right in every field, and are those of the tree if nothing has moved.
 
 use glam::{DAffine3, DVec3};
-use nff::Mesh;
+use scenes::Mesh;
 
 use super::super::{MeshBlocks, MeshObjects};
 use super::meshes::{ball, materials, soup};

@@ -3,7 +3,7 @@
 use super::super::{MeshBlocks, MeshError, MeshObjects};
 use super::meshes::{materials, mesh, soup};
 
-fn refused(mesh: &nff::Mesh, materials: &[nff::Material]) -> String {
+fn refused(mesh: &scenes::Mesh, materials: &[scenes::Material]) -> String {
     MeshBlocks::new(mesh, &MeshObjects::default(), materials).unwrap_err().to_string()
 }
 

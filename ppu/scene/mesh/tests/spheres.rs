@@ -46,7 +46,7 @@ fn every_sphere_is_in_one_leaf() {
     for (count, triangles) in [(1, 0), (4, 0), (5, 0), (17, 0), (3000, 0), (700, 500)] {
         let spheres = spheres(count, u64::from(count));
         let mesh = match triangles {
-            0 => nff::Mesh::default(),
+            0 => scenes::Mesh::default(),
             _ => soup(triangles, 0.1, 1),
         };
         let objects = MeshObjects { spheres: spheres.clone(), ..MeshObjects::default() };

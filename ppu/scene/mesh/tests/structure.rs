@@ -6,7 +6,7 @@ use super::super::{Colour, MeshBlocks, MeshObjects, NumberWidth, Numbers};
 use super::meshes::{ball, materials, mesh, soup};
 use super::valid::check;
 
-fn checked(mesh: &nff::Mesh) -> MeshBlocks {
+fn checked(mesh: &scenes::Mesh) -> MeshBlocks {
     let materials = materials();
     let blocks = MeshBlocks::new(mesh, &MeshObjects::default(), &materials).unwrap();
     check(mesh, &materials, &blocks);
@@ -83,7 +83,7 @@ fn blocks_don_t_mix_sides() {
 
 #[test]
 fn texture_coordinates_are_where_a_material_has_a_texture() {
-    let texture = nff::Texture::new(1, vec![[1, 2, 3]], [nff::Wrap::Clamp; 2]);
+    let texture = scenes::Texture::new(1, vec![[1, 2, 3]], [scenes::Wrap::Clamp; 2]);
     let mut materials = materials();
     materials[0].texture = texture.map(Arc::new);
     for rows in [2, 5, 40] {
@@ -137,7 +137,7 @@ fn materials_that_share_a_number() {
 
 #[test]
 fn colours_are_beside_vertices() {
-    let texture = nff::Texture::new(1, vec![[1, 2, 3]], [nff::Wrap::Clamp; 2]);
+    let texture = scenes::Texture::new(1, vec![[1, 2, 3]], [scenes::Wrap::Clamp; 2]);
     let mut materials = materials();
     materials[0].texture = texture.map(Arc::new);
     for rows in [2, 5, 40] {

@@ -1,9 +1,9 @@
 //! Rays find the same triangle in the blocks as among all triangles, in `f64`.
 
 use glam::{DVec3, Vec3};
-use nff::Mesh;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
+use scenes::Mesh;
 
 use super::super::{MeshBlocks, MeshObjects, tree::Bounds};
 use super::meshes::{ball, materials, soup};

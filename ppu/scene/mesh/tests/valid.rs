@@ -3,13 +3,13 @@
 use std::collections::HashMap;
 
 use glam::Vec3;
-use nff::{Material, Mesh};
 use protocol::layout::{
     Boxes, Cone, MESH_BLOCK, MESH_CONES, MESH_FACES, MESH_INNER, MESH_LEAF, MESH_LEVELS,
     MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MESH_VERTICES, MeshColour, MeshCoordinates,
     MeshFace, MeshHeader, MeshVertex, NO_BOX, Object, SIDES_BOTH, SIDES_COLOURED, SIDES_SMOOTH,
     SIDES_TEXTURED, SIDES_WIDE,
 };
+use scenes::{Material, Mesh};
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 

@@ -25,7 +25,7 @@ fn scene(shader: &str) -> String {
 
 fn parsed(shader: &str) -> Scene {
     let scene = scene(shader);
-    let scene = nff::parse(scene.as_bytes(), "sphere", &nff::Limits::default()).unwrap();
+    let scene = scenes::parse(scene.as_bytes(), "sphere", &scenes::Limits::default()).unwrap();
     let render_options = RenderOptions { model: Model::Whitted, ..RenderOptions::default() };
     Scene::new(&scene, render_options, &program()).unwrap()
 }

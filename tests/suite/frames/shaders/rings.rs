@@ -39,7 +39,7 @@ p 4
 
 #[test]
 fn rings_are_where_the_formula_has_them() {
-    let nff = nff::parse(GROUND.as_bytes(), "ground", &nff::Limits::default()).unwrap();
+    let nff = scenes::parse(GROUND.as_bytes(), "ground", &scenes::Limits::default()).unwrap();
     let render_options = RenderOptions { model: Model::Whitted, ..RenderOptions::default() };
     let scene = Scene::new(&nff, render_options, &program()).unwrap();
     let size = nff.view.resolution;
@@ -64,7 +64,7 @@ fn rings_are_where_the_formula_has_them() {
 
 #[test]
 fn the_check_changes_no_byte_of_the_still_life() {
-    let scene = nff::load(&file("examples/shader/still_life.nff")).unwrap();
+    let scene = scenes::load(&file("examples/shader/still_life.nff")).unwrap();
     let scene = Scene::new(&scene, RenderOptions::default(), &program()).unwrap();
     let size = (160, 120);
     assert!(render(&scene, size, false) == render(&scene, size, true));

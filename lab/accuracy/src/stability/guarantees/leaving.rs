@@ -12,8 +12,8 @@
 use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
-use nff::Shape;
 use rand::Rng as _;
+use scenes::Shape;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
 use twins::sphere_ray::Ray;

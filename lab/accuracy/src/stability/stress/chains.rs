@@ -15,8 +15,8 @@
 use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
-use nff::Shape;
 use rand::Rng as _;
+use scenes::Shape;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use crate::space::{along, direction, dot, fresh, length, less, unit};

@@ -10,11 +10,11 @@ use kernels::cases::eye::call::{self, address, list, list_room, put, put_packets
 use kernels::cases::eye::error::NO_HITS;
 use kernels::eye_records::{self, Vectors};
 use kernels::single::{bits, single};
-use nff::{Camera, View};
 use protocol::formulation::EyeRecord;
 use protocol::layout::{Frustum, Packet, Pair, Sphere, TILE_HEIGHT, TILE_WIDTH};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+use scenes::{Camera, View};
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};
 use twins::Single;
 use twins::isect_pairs::isect_pair;

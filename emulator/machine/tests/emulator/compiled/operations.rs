@@ -1,0 +1,240 @@
+//! Tests every instruction that a trace can contain, alone and after another, on random operands
+//! and on edge cases, in all float modes.
+
+use super::units::{Compiled, State, compiler, trace};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::interp::Quad;
+use spu_emulator::local_store::{LocalStore, SIZE};
+use spu_isa::{Class, Instruction, Machine, Op};
+use spu_jit::{Exit, FloatMode, Steps, can_compile};
+
+/// The fixed modes. The tests add a fourth, random mode: some instructions in doubles, the others
+/// in singles.
+const MODES: [FloatMode; 3] = [FloatMode::SINGLES, FloatMode::DOUBLES, FloatMode::EXACT_DOUBLES];
+
+fn mixed(rng: &mut ChaCha8Rng, length: usize) -> FloatMode {
+    let mut in_doubles = Steps::NONE;
+    for step in 0..length {
+        if rng.random() {
+            in_doubles.add(step);
+        }
+    }
+    FloatMode { in_doubles, exact_sums: rng.random() }
+}
+
+/// Words at the edges of floats, integers, counts and controls.
+const EDGES: [u32; 36] = [
+    0,
+    1,
+    2,
+    7,
+    15,
+    16,
+    31,
+    32,
+    63,
+    64,
+    0x7f,
+    0x80,
+    0xff,
+    0x8000,
+    0xffff,
+    0x1_0000,
+    0x0001_0203,
+    0x1011_1213,
+    0x007f_ffff,
+    0x0080_0000,
+    0x0080_0001,
+    0x3f80_0000,
+    0x3f7f_ffff,
+    0x4f00_0000,
+    0x4f80_0000,
+    0x7e80_0000,
+    0x7f00_0000,
+    0x7f7f_ffff,
+    0x7f80_0000,
+    0x7fff_ffff,
+    0x8000_0000,
+    0x8000_0001,
+    0x8080_0000,
+    0xbf80_0000,
+    0xff7f_ffff,
+    0xffff_ffff,
+];
+
+/// Operands whose sums are the largest number, or just above or below it.
+const LARGE: [u32; 8] =
+    [0x7fff_ffff, 0xffff_ffff, 0x7fff_fffe, 0, 0x0080_0000, 0x8080_0000, 0x3f80_0000, 0x7380_0000];
+
+pub(super) fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
+    match kind {
+        4 => LARGE[rng.random_range(0..LARGE.len())],
+        0 => rng.random(),
+        1 => EDGES[rng.random_range(0..EDGES.len())],
+        // Numbers around one, so that results stay within IEEE's range.
+        2 => rng.random_range(100..154) << 23 | rng.random::<u32>() & 0x807f_ffff,
+        _ => EDGES[rng.random_range(0..EDGES.len())] ^ 1 << rng.random_range(0..32),
+    }
+}
+
+fn quad(rng: &mut ChaCha8Rng) -> Quad {
+    let kind = rng.random_range(0..5);
+    Quad(std::array::from_fn(|_| word(rng, kind)))
+}
+
+fn state(rng: &mut ChaCha8Rng, ordinary: bool) -> State {
+    let registers = std::array::from_fn(|_| {
+        if ordinary { Quad(std::array::from_fn(|_| word(rng, 2))) } else { quad(rng) }
+    });
+    let fpscr = std::array::from_fn(|_| if rng.random() { 0 } else { rng.random::<u32>() & 0xf07 });
+    let local_store = LocalStore::new();
+    for address in (0..SIZE).step_by(16) {
+        local_store.store_quadword(address, [address, rng.random(), rng.random(), !address]);
+    }
+    State { registers, fpscr, local_store }
+}
+
+/// A random instruction with this operation, one of few registers and any immediate.
+pub(super) fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
+    let row = op.row();
+    let word = u32::from(row.opcode) << 21 | rng.random::<u32>() & 0x1fff_ffff >> 3;
+    let mut i = Instruction::decode(word).filter(|i| i.op == op)?;
+    for register in [&mut i.rt, &mut i.ra, &mut i.rb, &mut i.rc] {
+        *register = 3 + *register % 6;
+    }
+    if row.class == Class::Br || row.operands.is_empty() {
+        // An indirect branch takes its target from a register, the others take it from here.
+        i.immediate &= 0xfff8;
+    }
+    let i = Instruction::decode(i.encode())?;
+    can_compile(i).then_some(i)
+}
+
+fn operations() -> impl Iterator<Item = Op> {
+    Op::rows().iter().filter(|row| row.machine == Machine::Every).map(|row| row.op)
+}
+
+/// Compares compiled code with the interpreter on every sequence of instructions that `make`
+/// returns. Returns the number of failures in each mode.
+pub(super) fn compare_all(
+    rng: &mut ChaCha8Rng,
+    rounds: usize,
+    states: &[State],
+    mut make: impl FnMut(&mut ChaCha8Rng) -> Option<Vec<Instruction>>,
+) -> [u32; 4] {
+    let mut compiler = compiler();
+    let mut failures = [0; 4];
+    for _ in 0..rounds {
+        let Some(code) = make(rng) else { continue };
+        let made = rng.random_range(0..states.len());
+        let trace = trace(&code, &states[made]);
+        let mixed = mixed(rng, code.len());
+        for (mode, failures) in MODES.into_iter().chain([mixed]).zip(&mut failures) {
+            let mut compiled = Compiled::new(&mut compiler, &trace, mode);
+            for state in states {
+                let exit = compiled.compare(&code, state);
+                *failures += u32::from(matches!(exit, Exit::Failed(_)));
+                assert!(!matches!(exit, Exit::Stale(_)), "{code:?}");
+            }
+        }
+    }
+    failures
+}
+
+#[test]
+fn each_alone() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let states: Vec<_> = (0..12).map(|_| state(&mut rng, false)).collect();
+    let mut compiled = 0;
+    for op in operations() {
+        let some = (0..64).any(|_| instruction(&mut rng, op).is_some());
+        compiled += u32::from(some);
+        compare_all(&mut rng, 10, &states, |rng| Some(vec![instruction(rng, op)?]));
+    }
+    assert!(compiled > 160, "only {compiled} instructions are compiled");
+}
+
+#[test]
+fn each_after_another() {
+    let mut rng = ChaCha8Rng::seed_from_u64(2);
+    let states: Vec<_> = (0..8).map(|_| state(&mut rng, false)).collect();
+    let operations: Vec<_> = operations().filter(|op| op.row().class != Class::Br).collect();
+    for &op in &operations {
+        compare_all(&mut rng, 8, &states, |rng| {
+            let before = operations[rng.random_range(0..operations.len())];
+            let after = operations[rng.random_range(0..operations.len())];
+            [before, op, op, after].map(|op| instruction(rng, op)).into_iter().collect()
+        });
+    }
+}
+
+#[test]
+fn long_straight_code() {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    let states: Vec<_> = (0..6).map(|_| state(&mut rng, false)).collect();
+    let operations: Vec<_> = operations().filter(|op| op.row().class != Class::Br).collect();
+    compare_all(&mut rng, 150, &states, |rng| {
+        let length = rng.random_range(10..60);
+        let mut code = Vec::new();
+        while code.len() < length {
+            let op = operations[rng.random_range(0..operations.len())];
+            code.extend(instruction(rng, op));
+        }
+        Some(code)
+    });
+}
+
+/// On ordinary numbers no mode fails; otherwise the compiler would be of no use.
+#[test]
+fn ordinary_arithmetic_does_not_fail() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let states: Vec<_> = (0..20).map(|_| state(&mut rng, true)).collect();
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma, Op::Fms, Op::Fnms, Op::Fcgt, Op::Csflt];
+    let failures = compare_all(&mut rng, 60, &states, |rng| {
+        let op = arithmetic[rng.random_range(0..arithmetic.len())];
+        Some(vec![instruction(rng, op)?])
+    });
+    assert_eq!(failures, [0; 4]);
+}
+
+/// In doubles, only sums that may be the largest number are left to the interpreter. With exact
+/// sums nothing is.
+#[test]
+fn specials_do_not_fail_in_doubles() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let states: Vec<_> = (0..20).map(|_| state(&mut rng, false)).collect();
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma, Op::Fms, Op::Fnms, Op::Frest, Op::Fi];
+    let [singles, doubles, exact, _] = compare_all(&mut rng, 60, &states, |rng| {
+        let op = arithmetic[rng.random_range(0..arithmetic.len())];
+        Some(vec![instruction(rng, op)?])
+    });
+    assert!(singles > 100, "the operands are not special: {singles} failures");
+    assert!(doubles < singles / 10, "{doubles} of {singles}");
+    assert_eq!(exact, 0);
+}
+
+/// A selection keeps the bits of denormals and of -0, also where arithmetic has read them.
+#[test]
+fn selections_between_operands_and_results() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let states: Vec<_> = (0..20).map(|_| state(&mut rng, false)).collect();
+    let instruction = |op, [rt, ra, rb, rc]: [u8; 4]| Instruction {
+        op,
+        rt,
+        ra,
+        rb,
+        rc,
+        branch_distance: 0,
+        immediate: 0,
+    };
+    let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma];
+    compare_all(&mut rng, 40, &states, |rng| {
+        let op = arithmetic[rng.random_range(0..arithmetic.len())];
+        let compared = instruction(Op::Fcgt, [10, 5, 6, 0]);
+        let computed = instruction(op, [11, 3, 4, 5]);
+        let selected = [[12, 3, 11, 10], [13, 11, 4, 10], [14, 3, 4, 10]];
+        let selected = selected.map(|operands| instruction(Op::Selb, operands));
+        Some([&[compared, computed], &selected[..]].concat())
+    });
+}
