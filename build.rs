@@ -43,8 +43,6 @@ fn build(script: &mut Script) -> Outcome<()> {
 type Images = Vec<(Formulations, PathBuf)>;
 
 fn spu_programs(tools: &Tools, out: &Path, script: &mut Script) -> Outcome<Images> {
-    // Also for a scheduled version that comes to a kernel.
-    script.watch(Path::new("spu"));
     let program = tracer()?;
     script.watch_image(&program)?;
     let work = out.join("objects");

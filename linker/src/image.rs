@@ -1,5 +1,7 @@
 //! Builds one SPU ELF image from `.s` files.
 
+use std::cmp::Reverse;
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,13 +9,14 @@ use std::path::{Path, PathBuf};
 use protocol::assembler;
 use protocol::formulation::Formulations;
 
-use crate::{Error, Tools, file_error, run, write};
+use crate::{Error, Schedules, Tools, each, file_error, run, write};
 
 /// An SPU program to be built.
 #[derive(Clone, Debug)]
 pub struct Image {
     folders: Vec<PathBuf>,
     sources: Vec<PathBuf>,
+    kernels: BTreeSet<PathBuf>,
     includes: Vec<PathBuf>,
     constants: bool,
     script: PathBuf,
@@ -33,6 +36,7 @@ impl Image {
         Self {
             folders: Vec::new(),
             sources: Vec::new(),
+            kernels: BTreeSet::new(),
             includes: Vec::new(),
             constants: false,
             script: script.to_path_buf(),
@@ -59,21 +63,20 @@ impl Image {
         Ok(self)
     }
 
-    /// Adds the kernels of `folder`. If `scheduled` has a file with the same path, it replaces the
-    /// plain version.
-    pub fn kernels(self, folder: &Path, scheduled: &Path) -> Result<Self, Error> {
+    /// Adds all `.s` files in `folder` and its sub-folders as kernels: the image contains their
+    /// schedules.
+    pub fn kernels(self, folder: &Path) -> Result<Self, Error> {
         let before = self.sources.len();
         let mut image = self.folder(folder)?;
-        for source in &mut image.sources[before..] {
-            let path = source.strip_prefix(folder).map(|path| scheduled.join(path));
-            if let Ok(file) = path
-                && file.is_file()
-            {
-                *source = file;
-            }
-        }
-        image.folders.push(scheduled.to_path_buf());
+        image.kernels.extend(image.sources[before..].iter().cloned());
         Ok(image)
+    }
+
+    /// Adds one `.s` file as a kernel.
+    #[must_use]
+    pub fn kernel(mut self, file: &Path) -> Self {
+        self.kernels.insert(file.to_path_buf());
+        self.source(file)
     }
 
     /// Leaves out the line tables, so that the image depends only on its sources and not on their
@@ -146,14 +149,23 @@ impl Image {
             write(&work.join(assembler::FILE), &assembler::constants())?;
             includes.push(work.to_path_buf());
         }
-        let mut objects = Vec::new();
-        for (number, source) in self.sources.iter().enumerate() {
+        let kernels = !self.kernels.is_empty();
+        let schedules = kernels.then(|| Schedules::new(tools, &includes)).transpose()?;
+        let mut numbered: Vec<(usize, &PathBuf)> = self.sources.iter().enumerate().collect();
+        // Long kernels take longest, and would keep one processor busy alone at the end.
+        let length = |source: &PathBuf| fs::metadata(source).map_or(0, |file| file.len());
+        numbered.sort_by_cached_key(|(_, source)| Reverse(length(source)));
+        let mut objects = each(&numbered, |&(number, source)| {
             let stem = source.file_stem().unwrap_or_default().to_string_lossy();
             let object = work.join(format!("{number:02}-{stem}.o"));
+            let schedules = schedules.as_ref().filter(|_| self.kernels.contains(source));
+            let scheduled = schedules.map(|schedules| schedules.file(source)).transpose()?;
+            let source = scheduled.as_ref().unwrap_or(source);
             tools.assemble(&includes, &["--strip-local-absolute"], &object, source)?;
-            objects.push(object);
-        }
-        Ok(objects)
+            Ok((number, object))
+        })?;
+        objects.sort();
+        Ok(objects.into_iter().map(|(_, object)| object).collect())
     }
 
     /// Links the objects that [`Image::assemble`] made of the same sources. Images that differ

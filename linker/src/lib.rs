@@ -2,13 +2,15 @@
 //!
 //! [`embed`] is a complete build script, and [`prebuilt`] has the tracer's images for machines
 //! without an SPU assembler. [`Tools::find`] finds the SPU assembler and linker. [`Image`] turns
-//! `.s` files into one SPU ELF image. [`stub`] makes a shared library that contains only names, so
+//! `.s` files into one SPU ELF image, and [`Schedules`] makes the forms of kernels that it contains.
+//! [`stub`] makes a shared library that contains only names, so
 //! that programs can be linked where the real library is not installed. [`tracer`] is the tracer's
 //! own program, to which another crate's build script may add shaders. The other modules do not
 //! depend on what the programs do.
 
 mod image;
 pub mod prebuilt;
+mod schedules;
 mod script;
 pub mod stub;
 mod tools;
@@ -17,8 +19,11 @@ mod tracer;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 pub use image::Image;
+pub use schedules::Schedules;
 pub use script::{Script, embed, script};
 pub use tools::Tools;
 pub use tracer::{assemble_shader, tracer, tracer_with};
@@ -69,6 +74,14 @@ pub enum Error {
         /// The system's error.
         source: std::io::Error,
     },
+    /// A kernel can't be scheduled.
+    #[error("{}: {source}", path.display())]
+    Scheduler {
+        /// The kernel's source.
+        path: PathBuf,
+        /// The reason.
+        source: spu_scheduler::ScheduleError,
+    },
     /// No source files.
     #[error("{0}: the folder has no .s files")]
     NoSources(PathBuf),
@@ -81,6 +94,31 @@ pub enum Error {
     /// The C library to be linked against can't be read.
     #[error("{0}")]
     Library(String),
+}
+
+/// Makes something of each item, with as many threads as there are processors. The results are in
+/// the items' order; the error is that of the first item that has one.
+pub fn each<I: Sync, T: Send, E: Send>(
+    items: &[I],
+    make: impl Fn(&I) -> Result<T, E> + Sync,
+) -> Result<Vec<T>, E> {
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut made = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(at) else { return made };
+            made.push((at, make(item)));
+        }
+    };
+    let workers = thread::available_parallelism().map_or(1, usize::from);
+    let mut made: Vec<_> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
+        let made = workers.into_iter().flat_map(|worker| worker.join().expect("no item panics"));
+        made.collect()
+    });
+    made.sort_by_key(|(at, _)| *at);
+    made.into_iter().map(|(_, made)| made).collect()
 }
 
 /// Runs a command to its end. If it fails, its output is part of the error.

@@ -51,14 +51,35 @@ impl Tools {
         object: &Path,
         source: &Path,
     ) -> Result<(), Error> {
-        let mut options: Vec<OsString> = ["--fatal-warnings", "-g"].map(OsString::from).to_vec();
+        run(&mut self.assembling(includes, &[&["-g"], further].concat(), object, source))
+    }
+
+    /// Assembles one source without line tables and names of constants, so that objects are the
+    /// same if their code is.
+    pub(crate) fn assemble_code(
+        &self,
+        includes: &[PathBuf],
+        object: &Path,
+        source: &Path,
+    ) -> Result<(), Error> {
+        run(&mut self.assembling(includes, &["--strip-local-absolute"], object, source))
+    }
+
+    fn assembling(
+        &self,
+        includes: &[PathBuf],
+        further: &[&str],
+        object: &Path,
+        source: &Path,
+    ) -> Command {
+        let mut options: Vec<OsString> = vec!["--fatal-warnings".into()];
         options.extend(further.iter().map(OsString::from));
         for folder in includes {
             options.extend(["-I".into(), folder.into()]);
         }
         let mut command = self.assembler.command("-c", "-Wa,", &options);
         command.arg("-o").arg(object).arg(source);
-        run(&mut command)
+        command
     }
 
     /// Links objects. `options` are options of the linker.
@@ -124,8 +145,11 @@ fn on_path(name: impl AsRef<Path>) -> Option<PathBuf> {
 
 /// The path at which `ci/setup` installs a tool that it builds.
 fn cached(name: &str) -> Option<PathBuf> {
-    let cache = env::var_os("XDG_CACHE_HOME")
-        .map(PathBuf::from)
-        .or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cache")))?;
-    Some(cache.join("cellray/spu-binutils/bin").join(format!("spu-elf-{name}")))
+    Some(cache()?.join("cellray/spu-binutils/bin").join(format!("spu-elf-{name}")))
+}
+
+/// The user's cache folder.
+pub(crate) fn cache() -> Option<PathBuf> {
+    let named = env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
+    named.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cache")))
 }

@@ -11,7 +11,7 @@ use crate::{Error, Image, Tools, file_error, write};
 /// Folders below `spu/` that hold kernels.
 const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
 
-/// The tracer's program: its driver, its scheduled kernels, and its own shaders. It uses the
+/// The tracer's program: its driver, its kernels, and its own shaders. It uses the
 /// standard formulations, unless [`Image::formulations`] chooses others.
 ///
 /// A build script adds a folder of shaders and builds the image, as [`embed`](crate::embed) shows.
@@ -21,7 +21,7 @@ pub fn tracer() -> Result<Image, Error> {
     let spu = root.join("spu");
     let mut image = Image::new(&root.join("spu.ld")).folder(&spu.join("main"))?;
     for kernels in KERNELS {
-        image = image.kernels(&spu.join(kernels), &spu.join("scheduled").join(kernels))?;
+        image = image.kernels(&spu.join(kernels))?;
     }
     let image = image
         .only_used()

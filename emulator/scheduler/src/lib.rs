@@ -13,3 +13,6 @@ mod schedule;
 pub use schedule::{
     Figures, LoopReport, Outcome, ScheduleError, Scheduled, Unschedulable, schedule,
 };
+
+/// A hash of the scheduler's sources. Schedules that were made by another scheduler may differ.
+pub const SOURCES: &str = env!("SPU_SCHEDULER_SOURCES");

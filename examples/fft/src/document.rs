@@ -17,8 +17,7 @@ Brokenshire's large FFT for the Cell. The code is this project's own.
 
 | file | what it has |
 |---|---|
-| [`plain/transform.s`](plain/transform.s) | the loops, as people write them: two kinds of stages of radix 4, and the transposition |
-| [`spu/transform.s`](spu/transform.s) | the same after `spu schedule`, with the cycle and pipe of each instruction |
+| [`kernels/transform.s`](kernels/transform.s) | the loops, as people write them: two kinds of stages of radix 4, and the transposition; the build schedules them |
 | [`spu/main.s`](spu/main.s) | the order of stages, lists and transfers, and the barrier of the SPUs |
 | [`src/twin.rs`](src/twin.rs) | the same operations in Rust; the test compares the bits |
 

@@ -29,7 +29,7 @@ impl Butterfly {
         Self { square: pair(2 * number), first: pair(number) }
     }
 
-    /// A record of `plain/transform.s`.
+    /// A record of `kernels/transform.s`.
     pub(crate) fn bytes(&self) -> Vec<u8> {
         let words = [self.square, self.first].concat();
         let quadwords = words.iter().map(|word| word.to_be_bytes().repeat(4));

@@ -1,6 +1,6 @@
-//! The transforms compared with their twin, with f64, and with the page that has their speed; and
-//! the scheduled loops with the plain ones. It sets the whole process's environment, so it is a
-//! program of its own. `MAKE_REF=1` writes the scheduled file and the page instead of comparing.
+//! The transforms compared with their twin, with f64, and with the page that has their speed. It
+//! sets the whole process's environment, so it is a program of its own. `MAKE_REF=1` writes the page
+//! instead of comparing.
 
 #![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
@@ -9,7 +9,6 @@ use std::path::Path;
 
 use fft::document::{errors, page, reference, rows};
 use fft::{Complex, Size, example, transform, twin};
-use spu_scheduler::schedule;
 
 const HERE: &str = env!("CARGO_MANIFEST_DIR");
 /// Largest errors allowed: of the root of the mean square, and of any number.
@@ -27,7 +26,6 @@ fn main() {
         assert!(row.cycles > row.bound, "{row:?}");
     }
     compare(&Path::new(HERE).join("README.md"), &page(&rows));
-    the_loops_are_what_the_scheduler_makes();
     an_impulse_gives_the_roots_of_unity();
     for (size, spus) in [(Size::Small, 1), (Size::Large, 1), (Size::Large, 6), (Size::Large, 16)] {
         agrees_with_twin_and_f64(size, spus);
@@ -42,31 +40,6 @@ fn compare(path: &Path, text: &str) {
     let found = fs::read_to_string(path).expect("the file is there");
     let path = path.display();
     assert!(found == text, "{path} is stale: MAKE_REF=1 cargo test -p fft");
-}
-
-fn the_loops_are_what_the_scheduler_makes() {
-    let plain = Path::new(HERE).join("plain/transform.s");
-    let text = fs::read_to_string(&plain).expect("the file is there");
-    let work = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fft");
-    let script = Path::new(HERE).join("../../linker/spu.ld");
-    let tools = match spu_build::Tools::find() {
-        Ok(tools) => tools,
-        Err(error) => panic!("{error}"),
-    };
-    let object = |source: &Path| -> Result<Vec<u8>, Box<dyn std::error::Error + Send + Sync>> {
-        let image = spu_build::Image::new(&script).source(source);
-        let objects = image.assemble(&tools, &work)?;
-        Ok(fs::read(&objects[0])?)
-    };
-    let assemble = |text: &str| {
-        let copy = work.join("scheduled.s");
-        fs::write(&copy, text)?;
-        object(&copy)
-    };
-    let first = object(&plain).expect("the assembler takes it");
-    let made = schedule(&first, &plain.to_string_lossy(), &text, assemble);
-    let made = made.expect("the scheduler takes it");
-    compare(&Path::new(HERE).join("spu/transform.s"), &made.text);
 }
 
 fn agrees_with_twin_and_f64(size: Size, spus: u32) {

@@ -6,6 +6,7 @@ use std::process::Command;
 
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
+use spu_scheduler::Outcome;
 use thiserror::Error;
 
 use crate::bench::{Bench, SEED};
@@ -18,7 +19,7 @@ use crate::workshop::{Workshop, WorkshopError};
 /// The fault that was found in a kernel.
 #[derive(Debug, Error)]
 pub enum CheckError {
-    /// The kernel can't be built, or its schedule in the repository is stale.
+    /// The kernel can't be assembled or scheduled.
     #[error(transparent)]
     Workshop(#[from] WorkshopError),
     /// Notes in the schedule differ from the model.
@@ -95,16 +96,18 @@ pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError
 }
 
 fn schedule(workshop: &Workshop, source: &Source, out: &mut impl Write) -> Result<(), CheckError> {
-    workshop.check(&[*source])?;
     let schedule = workshop.schedule(source)?;
-    for (label, outcome) in &schedule.loops {
-        match outcome {
-            Ok(cycles) => writeln!(
+    for report in &schedule.loops {
+        let label = &report.name;
+        match &report.outcome {
+            Outcome::Pipelined(figures) => writeln!(
                 out,
                 "  loop      {label}: {} cycles a pass, no less than {} possible",
-                cycles.interval, cycles.bound
+                figures.interval, figures.minimum
             )?,
-            Err(why) => writeln!(out, "  loop      {label}: passes do not overlap: {why}")?,
+            Outcome::Plain(why) => {
+                writeln!(out, "  loop      {label}: passes do not overlap: {why}")?
+            }
         }
     }
     let outcome = workshop.notes(source)?;
@@ -115,7 +118,7 @@ fn schedule(workshop: &Workshop, source: &Source, out: &mut impl Write) -> Resul
             differences: lines.collect::<Vec<_>>().join("\n"),
         });
     }
-    writeln!(out, "  schedule  up to date; {} notes agree with the model", outcome.notes)?;
+    writeln!(out, "  schedule  its {} notes agree with the model", outcome.notes)?;
     Ok(())
 }
 

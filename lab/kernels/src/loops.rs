@@ -1,12 +1,11 @@
 //! The loops of a kernel, and how close their schedules come to the limits of the pipes.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use spu_isa::timing::{self, Rules, find_loops};
-use spu_scheduler::Figures;
 use spu_scheduler::code::Code;
+use spu_scheduler::{Figures, Outcome, Scheduled};
 
 use crate::set::Kernels;
-use crate::workshop::Schedule;
 
 /// A loop of a scheduled kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -46,7 +45,7 @@ impl Form {
 }
 
 /// The cycles of a pass.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Cycles {
     /// Cycles in which the plain pass uses the even pipe.
     pub even: u64,
@@ -85,13 +84,13 @@ impl From<&Figures> for Cycles {
 
 /// The loops in a kernel's schedule.
 #[must_use]
-pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Schedule) -> Vec<Loop> {
+pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Scheduled) -> Vec<Loop> {
     let mut straight = straight_cycles(kernels, kernel, schedule.loops.len()).into_iter();
-    let found = schedule.loops.iter().map(|(name, outcome)| Loop {
-        name: name.clone(),
-        form: match outcome {
-            Ok(cycles) => Form::Pipelined(*cycles),
-            Err(why) => Form::Straight { why: why.clone(), cycles: straight.next() },
+    let found = schedule.loops.iter().map(|report| Loop {
+        name: report.name.clone(),
+        form: match &report.outcome {
+            Outcome::Pipelined(figures) => Form::Pipelined(figures.into()),
+            Outcome::Plain(why) => Form::Straight { why: why.clone(), cycles: straight.next() },
         },
     });
     found.collect()

@@ -1,4 +1,4 @@
-//! Times and checks the kernels of the SPU program, makes their schedules, and maintains their
+//! Times and checks the kernels of the SPU program, shows their schedules, and maintains their
 //! table in the document.
 
 use std::io;
@@ -13,13 +13,12 @@ use kernels::document::{self, DocumentError};
 use kernels::images;
 use kernels::measure::{MeasureError, measure_all};
 use kernels::set::{self, Kernels};
-use kernels::source::Source;
 use kernels::table::markdown;
 use kernels::workshop::{Workshop, WorkshopError};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use thiserror::Error;
 
-/// Measures, checks and schedules the kernels of the SPU program
+/// Measures, checks and shows the kernels of the SPU program
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Arguments {
@@ -31,14 +30,10 @@ struct Arguments {
 enum Command {
     /// Time kernels with the emulator's pipelines and measure their errors
     Measure(Measure),
-    /// Schedule the kernels that cellray ships, and write the schedules to spu/scheduled
-    Schedule {
-        /// Kernels to schedule; the default is all
-        #[arg(value_name = "NAME")]
-        names: Vec<String>,
-        /// Write nothing, and fail if a file is stale
-        #[arg(long)]
-        check: bool,
+    /// Print a kernel's schedule, with the cycle and pipe of each instruction
+    Show {
+        /// The kernel
+        name: String,
     },
     /// Check everything about a kernel: schedule, ABI, error, time, and its tests against its twin
     Check {
@@ -121,12 +116,13 @@ fn main() -> ExitCode {
 fn run(command: Command) -> Result<(), Failure> {
     match command {
         Command::Measure(arguments) => measure(&arguments),
-        Command::Schedule { names, check } => {
+        Command::Show { name } => {
             let workshop = Workshop::here()?;
-            let mut shipped = workshop.sources()?;
-            shipped.retain(Source::shipped);
-            let sources = named(&names, &shipped)?;
-            if check { Ok(workshop.check(&sources)?) } else { Ok(workshop.write(&sources)?) }
+            let sources = workshop.sources()?;
+            let found = sources.iter().find(|source| source.name == name);
+            let known = || sources.iter().map(|source| source.name).collect();
+            let source = found.ok_or_else(|| unknown(&name, known()))?;
+            Ok(talk::print(workshop.schedule(source)?.text)?)
         }
         Command::Check { names } => {
             let kernels = chosen(&names)?;
@@ -169,19 +165,6 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Kernel>, Failure> {
         catalogue::kernels()
             .find(|kernel| kernel.name == name)
             .ok_or_else(|| unknown(name, known()))
-    };
-    names.iter().map(find).collect()
-}
-
-/// The sources with these names, or all.
-fn named(names: &[String], sources: &[Source]) -> Result<Vec<Source>, Failure> {
-    if names.is_empty() {
-        return Ok(sources.to_vec());
-    }
-    let find = |name: &String| {
-        let known = || sources.iter().map(|source| source.name).collect();
-        let found = sources.iter().find(|source| source.name == name);
-        found.copied().ok_or_else(|| unknown(name, known()))
     };
     names.iter().map(find).collect()
 }

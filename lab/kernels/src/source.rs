@@ -60,17 +60,10 @@ impl Source {
         Ok(sources)
     }
 
-    /// Whether programs of `cellray` contain it. If so, its schedule is in the repository.
+    /// Whether programs of `cellray` contain it.
     #[must_use]
     pub fn shipped(&self) -> bool {
         self.file.starts_with("spu/")
-    }
-
-    /// The path of the schedule from the repository's root, if the kernel is shipped.
-    #[must_use]
-    pub fn scheduled_file(&self) -> Option<String> {
-        let path = self.file.strip_prefix("spu/")?;
-        Some(format!("spu/scheduled/{path}"))
     }
 
     /// The header, or `None` if it does not have the project's format.

@@ -67,11 +67,14 @@ fn finds_a_document_stale() {
 }
 
 #[test]
-fn refuses_to_schedule_what_there_is_not() {
-    let output = kernels(&["schedule", "--check", "isect_cube_r16"]);
+fn shows_schedules_of_the_kernels_that_there_are() {
+    let output = kernels(&["show", "isect_cube_r16"]);
     assert!(!output.status.success());
     assert!(text(&output.stderr).contains("no kernel isect_cube_r16"));
-    assert!(kernels(&["schedule", "--check", "pack_r16"]).status.success());
+    let output = kernels(&["show", "pack_r16"]);
+    assert!(output.status.success());
+    assert!(text(&output.stdout).contains("function pack_r16"));
+    assert!(text(&output.stdout).contains("# 0e "), "the notes of cycles and pipes");
 }
 
 #[test]

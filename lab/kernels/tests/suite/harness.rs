@@ -29,9 +29,14 @@ fn image(versions: &str) -> &'static [u8] {
     let harness = here.join("tests/suite/harness");
     let work = tempfile::tempdir().expect("a folder");
     let elf = work.path().join("kernels.elf");
-    Image::new(&here.join("../../linker/spu.ld"))
-        .folder(&here.join("image"))
-        .and_then(|image| image.kernels(&harness.join("plain"), &harness.join(versions)))
+    let image = Image::new(&here.join("../../linker/spu.ld")).folder(&here.join("image"));
+    let versions = SOURCES.map(|source| {
+        let [plain, version] = ["plain", versions]
+            .map(|folder| harness.join(folder).join(format!("{}.s", source.name)));
+        if version.is_file() { version } else { plain }
+    });
+    image
+        .map(|image| versions.iter().fold(image, |image, version| image.source(version)))
         .and_then(|image| image.build(&Tools::find()?, work.path(), &elf))
         .unwrap_or_else(|error| panic!("{error}"));
     fs::read(elf).expect("the image").leak()

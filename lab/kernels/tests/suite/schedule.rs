@@ -1,5 +1,5 @@
-//! Every kernel that is shipped has a schedule in the repository. It equals the scheduler's
-//! present output, and its notes and its header are right.
+//! The schedules of kernels: their notes and their headers are right, and an edit costs no more than
+//! the kernels that it concerns.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -8,32 +8,9 @@ use std::path::Path;
 use kernels::set::Kernels;
 use kernels::source::Source;
 use kernels::workshop::{Workshop, WorkshopError};
+use spu_build::{Error, Schedules};
 use spu_isa::{Instruction, Target};
 use spu_scheduler::code::Code;
-
-#[test]
-fn scheduled_versions_are_up_to_date() {
-    let workshop = Workshop::here().unwrap_or_else(|error| panic!("{error}"));
-    let sources = workshop.sources().expect("kernels");
-    workshop.check(&sources).unwrap_or_else(|error| panic!("{error}"));
-}
-
-#[test]
-fn every_schedule_is_that_of_a_kernel() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
-    let known = kernels.sources.iter().filter_map(Source::scheduled_file);
-    let known: BTreeSet<String> = known.collect();
-    let mut found = BTreeSet::new();
-    for room in fs::read_dir(root.join("spu/scheduled")).expect("a folder") {
-        for file in fs::read_dir(room.expect("a room").path()).expect("a room") {
-            let path = file.expect("a file").path();
-            let path = path.strip_prefix(&root).expect("below the root");
-            found.insert(path.display().to_string());
-        }
-    }
-    assert_eq!(found, known);
-}
 
 #[test]
 fn notes_agree_with_the_model() {
@@ -90,40 +67,6 @@ fn used(source: &str) -> BTreeSet<u8> {
 }
 
 #[test]
-fn missing_and_changed_versions_are_stale() {
-    let folder = with_includes();
-    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let names = ["list_pairs_p64", "mask_pairs_p64", "pack_r16"];
-    let kernels = names.map(|name| *Source::find(name).expect("a kernel"));
-    let scheduled_file = |kernel: &Source| kernel.scheduled_file().expect("it is shipped");
-    for kernel in &kernels {
-        for file in [kernel.file.to_owned(), scheduled_file(kernel)] {
-            let to = folder.path().join(&file);
-            fs::create_dir_all(to.parent().expect("a folder")).expect("made");
-            fs::copy(here.join(&file), to).expect("copied");
-        }
-    }
-    let workshop = Workshop::new(folder.path(), &folder.path().join("made")).expect("a workshop");
-    workshop.check(&kernels).expect("all as they are here");
-
-    let [gone, changed, _] = kernels.map(|kernel| folder.path().join(scheduled_file(&kernel)));
-    let text = fs::read_to_string(&changed).expect("a kernel");
-    fs::remove_file(gone).expect("removed");
-    fs::write(&changed, text.replacen("# 1e", "# 2e", 1)).expect("written");
-    let error = workshop.check(&kernels).expect_err("two are stale");
-    let WorkshopError::Stale(files) = &error else {
-        panic!("{error}");
-    };
-    assert_eq!(*files, kernels[..2].iter().map(scheduled_file).collect::<Vec<_>>());
-    let notes = workshop.notes(&kernels[1]).expect("notes");
-    assert_eq!(notes.differences.len(), 1, "{:?}", notes.differences);
-
-    workshop.write(&kernels).expect("written anew");
-    workshop.check(&kernels).expect("up to date");
-    assert_eq!(fs::read_to_string(&changed).expect("a kernel"), text);
-}
-
-#[test]
 fn a_plain_source_with_a_fault_is_named() {
     let folder = tempfile::tempdir().expect("a folder");
     let kernel = *Source::find("pack_r16").expect("a kernel");
@@ -132,17 +75,17 @@ fn a_plain_source_with_a_fault_is_named() {
         fs::create_dir_all(folder.path().join(includes)).expect("made");
     }
     let made = folder.path().join("made");
-    let workshop = Workshop::new(folder.path(), &made).expect("a workshop");
+    let workshop = workshop(folder.path(), &made);
     let missing = workshop.schedule(&kernel).expect_err("there is none");
-    assert!(matches!(missing, WorkshopError::File { .. }), "{missing}");
+    assert!(matches!(missing, WorkshopError::Build(Error::File { .. })), "{missing}");
     fs::create_dir_all(file.parent().expect("a folder")).expect("made");
     fs::write(&file, "        ai      $3,$3,5000\n").expect("written");
     let refused = workshop.schedule(&kernel).expect_err("out of range");
-    assert!(matches!(refused, WorkshopError::Build(_)), "{refused}");
+    assert!(matches!(refused, WorkshopError::Build(Error::Failed { .. })), "{refused}");
     assert!(refused.to_string().contains("pack_r16.s"), "{refused}");
     fs::write(&file, "        ai      $3,$3,5\n").expect("written");
     let refused = workshop.schedule(&kernel).expect_err("no function");
-    assert!(matches!(refused, WorkshopError::Scheduler { .. }), "{refused}");
+    assert!(matches!(refused, WorkshopError::Build(Error::Scheduler { .. })), "{refused}");
 }
 
 #[test]
@@ -162,17 +105,27 @@ fn a_changed_include_costs_those_that_include_it() {
 
     let made = folder.path().join("made");
     let kept = |name: &str| {
-        let folders =
-            fs::read_dir(&made).expect("a folder").map(|entry| entry.expect("a folder").path());
+        let entries = fs::read_dir(&made).expect("a folder");
+        let folders = entries.map(|entry| entry.expect("a folder").path());
         folders.filter(|folder| folder.join(name).is_file()).count()
     };
-    for (text, times) in [("# one\n", 1), ("# another\n", 2), ("# one\n", 2)] {
-        fs::write(includes.join("further.inc"), text).expect("written");
-        let workshop = Workshop::new(folder.path(), &made).expect("a workshop");
-        workshop.schedules(&kernels).expect("schedules");
-        let found = ["list_pairs_p64.json", "pack_r16.json"].map(kept);
+    let register = |number| format!(".set further_register,{number}  # its number is {number}\n");
+    let again = register(5).replace("# its", "# a comment: its");
+    for (text, times) in [(register(5), 1), (register(6), 2), (again, 2)] {
+        fs::write(includes.join("further.inc"), &text).expect("written");
+        let workshop = workshop(folder.path(), &made);
+        for kernel in &kernels {
+            workshop.schedule(kernel).expect("a schedule");
+        }
+        let found = ["list_pairs_p64.s", "pack_r16.s"].map(kept);
         assert_eq!(found, [times, 1], "{text}");
     }
+}
+
+/// A workshop that keeps its schedules in a folder of its own.
+fn workshop(root: &Path, made: &Path) -> Workshop {
+    let keep = |tools: &_, includes: &[_]| Ok(Schedules::kept_in(made, tools, includes));
+    Workshop::new(root, &made.join("constants"), keep).expect("a workshop")
 }
 
 /// A folder of a repository with only the files that sources include.
