@@ -59,6 +59,9 @@ put() {
     say "written to $document: $name"
 }
 
+# Whether checks that take long and seldom find anything are run, too: ci/full asks for them.
+full() { [ -n "${CELLRAY_FULL:-}" ]; }
+
 # Runs a step and reports how long it took.
 step() {
     local what=$1 start=$SECONDS

@@ -2,8 +2,8 @@
 //! stays a test on every machine, without a fuzzer.
 
 use std::fs;
+use std::ops::Range;
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -42,16 +42,15 @@ fn both_engines() {
     });
 }
 
-/// Random inputs: for a second, or for `SPU_FUZZ_SECONDS`, from `SPU_FUZZ_SEED` on.
-fn random_inputs(oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
+/// The seeds of so many random inputs, times `CELLRAY_TEST_ROUNDS`, from `SPU_FUZZ_SEED` on.
+fn seeds(count: u64) -> Range<u64> {
     let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
-    let end = Instant::now() + Duration::from_secs(number("SPU_FUZZ_SECONDS", 1));
-    let first: u64 = number("SPU_FUZZ_SEED", 0);
-    for seed in first.. {
-        if Instant::now() > end {
-            println!("{} inputs", seed - first);
-            break;
-        }
+    let first = number("SPU_FUZZ_SEED", 0);
+    first..first + count * number("CELLRAY_TEST_ROUNDS", 1)
+}
+
+fn random_inputs(count: u64, oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
+    for seed in seeds(count) {
         let input = input(&mut ChaCha8Rng::seed_from_u64(seed));
         let run = std::panic::catch_unwind(|| oracle(&input));
         assert!(run.is_ok(), "SPU_FUZZ_SEED={seed} panics");
@@ -61,7 +60,7 @@ fn random_inputs(oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
 /// Most packets are well-formed, and one input in eight is arbitrary bytes.
 #[test]
 fn debuggers() {
-    random_inputs(crate::gdb, |random| {
+    random_inputs(100, crate::gdb, |random| {
         let mut input = vec![0; random.random_range(1..400)];
         random.fill(&mut input[..]);
         input[0] = random.random_ratio(7, 8).into();
@@ -72,7 +71,7 @@ fn debuggers() {
 /// Most words are small, so that they point to the input, or are the numbers of streams.
 #[test]
 fn library_calls() {
-    random_inputs(crate::calls, |random| {
+    random_inputs(1500, crate::calls, |random| {
         let mut input: Vec<u8> = Vec::new();
         for _ in 0..64 {
             input.push(random.random());
@@ -89,19 +88,11 @@ fn library_calls() {
     });
 }
 
-/// Programs that nobody has kept: for some seconds, or for `SPU_FUZZ_SECONDS`, from
-/// `SPU_FUZZ_SEED` on.
+/// Programs that nobody has kept.
 #[test]
 fn both_engines_on_random_programs() {
-    let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
-    let end = Instant::now() + Duration::from_secs(number("SPU_FUZZ_SECONDS", 5));
-    let first = number("SPU_FUZZ_SEED", 0);
     let (mut executed, mut compiled) = (0, 0);
-    for seed in first.. {
-        if Instant::now() > end {
-            println!("{} programs, {executed} instructions, {compiled} compiled", seed - first);
-            break;
-        }
+    for seed in seeds(300) {
         let input = seed.to_be_bytes();
         let run = std::panic::catch_unwind(|| crate::engines(&input));
         let (all, some) = run.unwrap_or_else(|_| panic!("SPU_FUZZ_SEED={seed} differs"));
