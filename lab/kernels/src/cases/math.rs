@@ -121,6 +121,7 @@ const fn row<const NUMBER: usize>() -> Kernel {
             },
         }],
         error: Some(|bench, random| error::largest(bench, random, &FUNCTIONS[NUMBER])),
+        equal: None,
     }
 }
 

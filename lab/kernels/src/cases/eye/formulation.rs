@@ -130,6 +130,7 @@ pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
             ]
         },
         error: Some(error::<F>),
+        equal: None,
     }
 }
 

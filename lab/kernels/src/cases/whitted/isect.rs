@@ -56,6 +56,7 @@ const fn row<S: Shape>() -> Kernel {
             ]
         },
         error: Some(error::nearest::<S>),
+        equal: None,
     }
 }
 
@@ -85,6 +86,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(error::shear_packets),
+        equal: None,
     },
     row::<TriangleObject>(),
     row::<MoellerTrumbore>(),
