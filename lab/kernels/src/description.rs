@@ -62,7 +62,7 @@ pub trait Description: Debug + Sized {
         self.call_placed(bench).1
     }
 
-    /// The same, and where the buffers were.
+    /// The same, and where the buffers are.
     fn call_placed(&self, bench: &mut Bench) -> (Self::Placed, Self::Found) {
         bench.reset();
         let (placed, arguments) = self.place(bench);
@@ -72,11 +72,11 @@ pub trait Description: Debug + Sized {
     }
 
     /// Calls the kernel, and compares with its twin.
-    fn compare(&self, bench: &mut Bench) -> Result<Self::Found, Unequal> {
+    fn compare(&self, bench: &mut Bench) -> Result<(Self::Placed, Self::Found), Unequal> {
         let (placed, found) = self.call_placed(bench);
         let expected = self.twin(&placed);
         if found == expected {
-            return Ok(found);
+            return Ok((placed, found));
         }
         Err(Unequal(format!(
             "{}: {found:x?} is not what its twin makes of {self:x?}: {expected:x?}",
@@ -90,6 +90,15 @@ pub trait Description: Debug + Sized {
     ///
     /// Panics if it does not.
     fn check(&self, bench: &mut Bench) -> Self::Found {
+        self.check_placed(bench).1
+    }
+
+    /// The same, and where the buffers are.
+    ///
+    /// # Panics
+    ///
+    /// As [`Self::check`].
+    fn check_placed(&self, bench: &mut Bench) -> (Self::Placed, Self::Found) {
         self.compare(bench).unwrap_or_else(|error| panic!("{error}"))
     }
 }
@@ -121,7 +130,7 @@ fn series<D: Description>(
     let [mut calls, mut part, mut whole] = [0; 3];
     for count in lengths {
         let inputs = inputs(count);
-        let found = inputs.compare(bench)?;
+        let (_, found) = inputs.compare(bench)?;
         let [more, of] = inputs.part(&found);
         (calls, part, whole) = (calls + 1, part + more, whole + of);
     }

@@ -77,6 +77,12 @@ impl Mesh {
     /// The origin and direction of a ray to a vertex or to a point on an edge, or within about an
     /// ulp of these.
     pub fn aimed(&self, random: &mut impl Rng) -> [Point; 2] {
+        let towards = self.towards_edge(random);
+        self.nearly(unit(towards), random)
+    }
+
+    /// From the point inside to a vertex or to a point on an edge.
+    pub fn towards_edge(&self, random: &mut impl Rng) -> Vector {
         let face = self.faces[random.random_range(0..self.faces.len() as u32) as usize];
         let from = random.random_range(0..3_usize);
         let ends = [face[from], face[(from + 1) % 3]];
@@ -88,10 +94,15 @@ impl Mesh {
             _ => random.random_range(0.0..1.0),
         };
         let target = std::array::from_fn(|axis| a[axis] + share * (b[axis] - a[axis]));
-        let mut direction = unit(less(target, self.inside.map(to_f64))).map(from_f64);
+        less(target, self.inside.map(to_f64))
+    }
+
+    /// The origin and direction of a ray from inside in this direction, or within an ulp of it.
+    pub fn nearly(&self, towards: Vector, random: &mut impl Rng) -> [Point; 2] {
+        let mut direction = towards.map(from_f64);
         if random.random() {
             let axis = random.random_range(0..3_usize);
-            if direction[axis] != 0 {
+            if to_f64(direction[axis]) != 0.0 {
                 direction[axis] = direction[axis].wrapping_add_signed(random.random_range(-1..=1));
             }
         }

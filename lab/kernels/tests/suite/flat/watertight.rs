@@ -5,11 +5,11 @@ use super::rays::sheared;
 use kernels::cases::flat::put_triangles;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
 use kernels::flat_records::{Ray, Rays, point};
-use kernels::vector::{cross, dot, in_cube, less, magnitude};
+use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
 use kernels::{Bench, random};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use spu_emulator::float::single::to_f64;
 use zerocopy::IntoBytes as _;
 
 /// The ways in which meshes are made: of any size and not far from the origin; thin in one or two
@@ -31,18 +31,26 @@ pub const KINDS: [fn(&mut ChaCha8Rng) -> Mesh; 4] = [
     on_lattice,
 ];
 
-/// An aimed ray, whose direction may have any length.
+/// An aimed ray. Half of the directions have any length, so that those on a lattice are exact.
 pub fn aimed(mesh: &Mesh, random: &mut ChaCha8Rng) -> Ray {
-    let [origin, direction] = mesh.aimed(random);
-    let length = if random.random() { magnitude(1e-3..1e3, random) } else { 1.0 };
-    Ray::new(origin, direction.map(|component| from_f64(to_f64(component) * length)))
+    let towards = mesh.towards_edge(random);
+    let towards = if random.random() { unit(towards) } else { towards };
+    let [origin, direction] = mesh.nearly(towards, random);
+    Ray::new(origin, direction)
 }
 
 /// Vertices on a lattice with so few points that many edges are in line, faces are seen
 /// edge-on, and some have no area. The surface encloses `inside`, however it is folded.
 fn on_lattice(random: &mut ChaCha8Rng) -> Mesh {
     // Odd numbers, so that products have more digits than a single.
-    let faces = Mesh::icosahedron([0.0; 3], 1.0, [1.0; 3], random).faces;
+    let Mesh { vertices, mut faces, .. } = Mesh::icosahedron([0.0; 3], 1.0, [1.0; 3], random);
+    for face in &mut faces {
+        let [a, b, c] = face.map(|vertex| vertices[vertex].map(to_f64));
+        // Turns are counted by faces of one orientation.
+        if dot(a, cross(b, c)) < 0.0 {
+            face.swap(0, 1);
+        }
+    }
     let steps: [f64; 3] =
         std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
     loop {
