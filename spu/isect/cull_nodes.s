@@ -26,8 +26,9 @@
 # because the bound's cosine is smaller by as much.
 #
 # The slack is 32 ulp, and the roundings add up to 24. Most of them truncate to the safe side: with
-# a slack of only 2 ulp of R, none of the spheres in kernels/tests/rays/conservative.rs was lost.
-# The first ones were lost with a slack of minus 2 ulp of |c| + R.
+# a slack of only 2 ulp of R, none of the spheres in
+# lab/kernels/tests/suite/rays/conservative.rs was lost. The first ones were lost with a slack of
+# minus 2 ulp of |c| + R.
 
         .include "cull_tmpl.inc"
 

@@ -4,6 +4,7 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{eye, flat, math, sphere_ray, whitted};
+use crate::description::{Description, Equal, equal};
 
 /// A kernel's entry in the catalogue.
 pub struct Kernel {
@@ -16,6 +17,18 @@ pub struct Kernel {
     /// Measures the largest error of many calls with random inputs from its domain against f64, in
     /// the header's unit.
     pub error: Option<fn(&mut Bench, &mut ChaCha8Rng) -> f64>,
+    /// Compares it with its twin, if it has a [`Description`]. Otherwise, only its family's tests
+    /// do.
+    pub equal: Option<Equal>,
+}
+
+impl Kernel {
+    /// A described kernel for packets, without cases and without an error.
+    #[must_use]
+    pub const fn of<D: Description>() -> Self {
+        let equal: Equal = equal::<D>;
+        Self { name: D::KERNEL, rays: 16, cases: &[], error: None, equal: Some(equal) }
+    }
 }
 
 /// A case in which a kernel is called.

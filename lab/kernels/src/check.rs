@@ -1,5 +1,5 @@
 //! Checks a kernel after an edit, in seconds: its schedule, the rules of the ABI, its error, its
-//! time, and the tests that compare it with its twin.
+//! time, and that it equals its twin.
 
 use std::io::{self, Write};
 use std::process::Command;
@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use crate::bench::{Bench, SEED};
 use crate::catalogue::{self, Kernel};
+use crate::description::Unequal;
 use crate::measure::time;
 use crate::set::Kernels;
 use crate::source::Source;
@@ -43,6 +44,9 @@ pub enum CheckError {
     /// The header states no error, although one is measured.
     #[error("{0}: its header states no error")]
     Unstated(&'static str),
+    /// It differs from its twin.
+    #[error(transparent)]
+    Unequal(#[from] Unequal),
     /// A test failed.
     #[error("{kernel}: a test failed: {command}")]
     Tests {
@@ -90,7 +94,13 @@ pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError
                 timed.objects,
             )?;
         }
-        tests(kernel, out)?;
+        match kernel.equal {
+            Some(equal) => {
+                let calls = equal(&mut bench, &mut ChaCha8Rng::seed_from_u64(SEED))?;
+                writeln!(out, "  twin      {calls} calls give its bits")?;
+            }
+            None => tests(kernel, out)?,
+        }
     }
     Ok(())
 }
@@ -141,8 +151,7 @@ fn error(
     Ok(())
 }
 
-/// Runs the tests of the kernel's family. The tests that compare kernels with twins are in
-/// separate files.
+/// Runs the tests of the family of a kernel without a description.
 fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
     let tests = catalogue::tests(kernel.name);
     out.flush()?;

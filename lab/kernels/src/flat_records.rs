@@ -29,7 +29,7 @@ pub fn quad([x, y, z]: Point, anything: u32) -> [F32; 4] {
 }
 
 /// A ray and its hit so far.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Ray {
     /// The ray's origin.
     pub origin: Point,
@@ -47,20 +47,6 @@ impl Ray {
     #[must_use]
     pub fn new(origin: Point, direction: Point) -> Self {
         Self { origin, direction, hit: NO_HIT }
-    }
-
-    /// A ray of random bits.
-    pub fn junk(random: &mut impl Rng) -> Self {
-        Self {
-            origin: random.random(),
-            direction: random.random(),
-            hit: FlatHit {
-                t: random.random(),
-                object: random.random(),
-                u: random.random(),
-                v: random.random(),
-            },
-        }
     }
 }
 

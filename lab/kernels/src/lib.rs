@@ -10,6 +10,7 @@ pub mod bench;
 pub mod cases;
 pub mod catalogue;
 pub mod check;
+pub mod description;
 pub mod document;
 pub mod eye_records;
 pub mod flat_records;

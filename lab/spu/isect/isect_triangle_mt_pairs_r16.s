@@ -19,7 +19,7 @@
 # It is not watertight: each triangle computes a shared edge from its own vertex and its own edges,
 # and a ray may be rounded out of both triangles. Of rays from inside a closed mesh that are aimed
 # at its edges and vertices, one in 10 leaks. If vertices are on a lattice, whose products are
-# exact more often, one in 40 does (kernels/tests/flat/leaks.rs, where none passes
+# exact more often, one in 40 does (lab/kernels/tests/suite/flat/leaks.rs, where none passes
 # isect_triangle_pairs_r16).
 
         .include "work_unit.inc"

@@ -3,12 +3,13 @@
 use spu_emulator::float::single::{fcgt, fm, fma, fnms};
 
 use super::{HALF, Single};
+use zerocopy::FromBytes;
 
 /// The single 3/2.
 const THREE_HALVES: Single = 0x3fc0_0000;
 
 /// A hit, and the ray that made it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Bounce {
     /// Unit direction of the ray.
     pub direction: [Single; 3],
@@ -54,7 +55,7 @@ impl Limits {
 }
 
 /// A ray that waits to be traced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Queued {
     /// Where it begins.
     pub origin: [Single; 3],

@@ -7,6 +7,7 @@ use super::flat::SIGN;
 use super::math::{reciprocal, rsqrt, sqrt};
 use super::primary_rays::Ray;
 use super::{ONE, Single, ZERO, below_zero};
+use zerocopy::FromBytes;
 
 /// 2 - 2 (3/16): the square of the longest chord of a cone.
 const WIDE: Single = 0x3fd0_0000;
@@ -24,7 +25,7 @@ const SHRUNK: [Single; 2] = [0x3f7f_f000, 0x3eff_f000];
 pub const NOTHING: Single = 0xffff_ffff;
 
 /// A sphere moved along a cone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Bound {
     /// Middle of the rays' origins.
     pub apex: [Single; 3],

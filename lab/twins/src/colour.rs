@@ -7,12 +7,13 @@ use spu_emulator::float::single::{fm, fma, fs};
 use super::texture::shares;
 use super::triangle::Triangle;
 use super::{ONE, Single};
+use zerocopy::FromBytes;
 
 /// The single next to 1 / 1023 above.
 const SCALE: Single = 0x3a80_2009;
 
 /// A hit on a triangle with colours at its vertices.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Hit {
     /// The triangle's vertices.
     pub vertices: Triangle,

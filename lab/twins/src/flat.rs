@@ -2,12 +2,13 @@
 
 use super::Single;
 use super::math::{recip_interpolated, recip_step};
+use zerocopy::FromBytes;
 
 /// The sign of a word.
 pub(super) const SIGN: u32 = 0x8000_0000;
 
 /// What a ray has hit so far, and where on the object.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct FlatHit {
     /// Distance.
     pub t: Single,

@@ -3,9 +3,10 @@
 
 use super::sphere::Eye;
 use super::{Single, below_zero};
+use zerocopy::FromBytes;
 
 /// What a ray has hit so far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Hit {
     /// Distance.
     pub t: Single,

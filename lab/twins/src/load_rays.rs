@@ -2,9 +2,10 @@
 
 use super::primary_rays::{ABSENT, Ray};
 use super::{FARTHEST, Single, ZERO};
+use zerocopy::FromBytes;
 
 /// A ray that waits to be traced.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Queued {
     /// Where it starts.
     pub origin: [Single; 3],

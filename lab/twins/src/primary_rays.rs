@@ -2,6 +2,7 @@
 
 use super::ray_setup::{Basis, ray_setup};
 use super::{FARTHEST, ONE, Single, ZERO};
+use zerocopy::FromBytes;
 
 /// The single -1: the distance of a ray that is not there.
 pub const ABSENT: Single = 0xbf80_0000;
@@ -12,7 +13,7 @@ const SUM_SIZE: u32 = 16;
 const PITCH: u32 = SUM_SIZE * 64;
 
 /// One lane of a packet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Ray {
     /// Where it starts.
     pub origin: [Single; 3],
@@ -29,7 +30,7 @@ pub struct Ray {
 }
 
 /// What the primary rays of a frame share.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct View {
     /// The camera.
     pub basis: Basis,

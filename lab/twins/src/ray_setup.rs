@@ -5,9 +5,10 @@ use spu_emulator::float::single::{fm, fma};
 
 use super::Single;
 use super::math::rsqrt;
+use zerocopy::FromBytes;
 
 /// Camera of a frame: directions of x, y, z.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Basis {
     /// Through the centre of pixel (0, 0).
     pub corner: [Single; 3],

@@ -2,13 +2,14 @@
 //! rays, parallelograms and planes.
 
 use spu_emulator::float::single::{fm, fma, fnms, fs};
+use zerocopy::FromBytes;
 
 use super::flat::{FlatHit, Meeting};
 use super::math::reciprocal;
 use super::{ONE, Single};
 
 /// A parallelogram, or the plane through it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Rectangle {
     /// Where u and v are 0.
     pub point: [Single; 3],

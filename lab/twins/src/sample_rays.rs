@@ -6,6 +6,7 @@ use spu_emulator::float::single::{fa, from_f64};
 use super::primary_rays::{ABSENT, Ray};
 use super::ray_setup::{Basis, ray_through};
 use super::{FARTHEST, ONE, ZERO};
+use zerocopy::FromBytes;
 
 /// A sample, from the pixel's centre: of `across` squared, the one in this column and row.
 #[must_use]
@@ -18,7 +19,7 @@ pub fn sample(across: u32, [column, row]: [u32; 2]) -> [f64; 2] {
 }
 
 /// What a packet's row of rays is of: a pixel, by the address of its sum, its column and its row.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Pixel {
     /// The address of its sum.
     pub sum: u32,

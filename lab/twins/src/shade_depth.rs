@@ -3,9 +3,10 @@
 use spu_emulator::float::single::{fcgt, fm, fs};
 
 use super::{ONE, Single, ZERO, select};
+use zerocopy::FromBytes;
 
 /// Depth shading of a frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Depth {
     /// Distance at which everything is black.
     pub far: Single,

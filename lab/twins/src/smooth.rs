@@ -6,9 +6,10 @@ use super::math::rsqrt;
 use super::rectangle::dot;
 use super::triangle::Triangle;
 use super::{Single, below_zero};
+use zerocopy::FromBytes;
 
 /// A triangle with normals at its vertices.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Patch {
     /// Its vertices.
     pub vertices: Triangle,

@@ -6,12 +6,13 @@ use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fcgt, fm, fma, fms, fnms, fs};
 
 use super::{HALF, ONE, Single, ZERO, below_zero};
+use zerocopy::FromBytes;
 
 /// The sign bit.
 pub(super) const SIGN: u32 = 1 << 31;
 
 /// A sphere.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct BareSphere {
     /// Centre.
     pub centre: [Single; 3],
@@ -20,7 +21,7 @@ pub struct BareSphere {
 }
 
 /// A ray, and what it has hit so far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Ray {
     /// Where it starts.
     pub origin: [Single; 3],

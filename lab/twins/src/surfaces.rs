@@ -5,6 +5,7 @@ use spu_emulator::float::single::{fa, fm, fma, fms, fnms, fs};
 
 use super::math::rsqrt;
 use super::{Single, below_zero, select};
+use zerocopy::FromBytes;
 
 /// What a distance of coordinates from 0, or of an object's own numbers, adds to `leave`: 2^-20.
 pub const LEAVE: Single = 0x3580_0000;
@@ -13,7 +14,7 @@ pub const LEAVE: Single = 0x3580_0000;
 const SIGN: u32 = 0x8000_0000;
 
 /// A ray that has hit.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Ray {
     /// Origin.
     pub origin: [Single; 3],
@@ -24,7 +25,7 @@ pub struct Ray {
 }
 
 /// An object's surface near any of its points, as `OBJECT` has it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Object {
     /// Centre, base, or a point of the plane.
     pub centre: [Single; 3],
@@ -43,7 +44,7 @@ pub struct Object {
 }
 
 /// What a surface is made of, as `MATERIAL` has it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Material {
     /// Red, green, blue.
     pub colour: [Single; 3],
@@ -72,7 +73,7 @@ pub struct Material {
 }
 
 /// A lane of `SURFACES`; the normal that shades is the plane's.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Surface {
     /// Where it is hit.
     pub point: [Single; 3],

@@ -8,6 +8,7 @@ use super::math::{reciprocal, sqrt};
 use super::rectangle::dot;
 use super::triangle::Triangle;
 use super::{HALF, ONE, Single, below_zero, select};
+use zerocopy::FromBytes;
 
 /// A single without its sign.
 const MAGNITUDE: u32 = 0x7fff_ffff;
@@ -18,7 +19,7 @@ const STEP: u32 = 8;
 const SIDE: u32 = 9;
 
 /// A hit on a triangle with texture coordinates.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Hit {
     /// The triangle's vertices.
     pub vertices: Triangle,

@@ -35,6 +35,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(error::shear),
+        equal: None,
     },
     Kernel {
         name: "isect_triangles_r16",
@@ -52,6 +53,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(error::isect_triangles),
+        equal: None,
     },
     Kernel {
         name: "isect_triangle_r1",
@@ -69,6 +71,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "any_triangles_r16",
@@ -86,6 +89,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "isect_rectangle_r16",
@@ -103,6 +107,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(error::isect_rectangle),
+        equal: None,
     },
     Kernel {
         name: "any_rectangle_r16",
@@ -120,6 +125,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "isect_plane_r16",
@@ -130,6 +136,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, _| with_rectangle(bench, 9.0, &[OBJECT]),
         }],
         error: Some(error::isect_plane),
+        equal: None,
     },
 ];
 

@@ -14,6 +14,7 @@ use zerocopy::big_endian::U32;
 use crate::bench::{Bench, Place, SEED};
 use crate::cases::eye::call::put;
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::Description;
 
 /// Short arrays of quadwords, and long ones.
 const QUADWORDS: Objects = Objects::List(32, 128);
@@ -108,7 +109,6 @@ pub const FUNCTIONS: [Function; 12] = {
 
 const fn row<const NUMBER: usize>() -> Kernel {
     Kernel {
-        name: FUNCTIONS[NUMBER].kernel,
         rays: 4,
         cases: &[Case {
             name: "any operands",
@@ -121,6 +121,7 @@ const fn row<const NUMBER: usize>() -> Kernel {
             },
         }],
         error: Some(|bench, random| error::largest(bench, random, &FUNCTIONS[NUMBER])),
+        ..Kernel::of::<Operands<NUMBER>>()
     }
 }
 
@@ -140,6 +141,63 @@ pub const KERNELS: &[Kernel] = &[
     row::<11>(),
 ];
 
+/// Operands of one of the [`FUNCTIONS`].
+#[derive(Clone, Debug)]
+pub struct Operands<const NUMBER: usize> {
+    /// The operands.
+    pub operands: Vec<[Single; 4]>,
+    /// The operands in the rest of the last pass.
+    pub anything: Single,
+    /// Whether the results overwrite the operands.
+    pub in_place: bool,
+}
+
+impl<const NUMBER: usize> Description for Operands<NUMBER> {
+    const KERNEL: &'static str = FUNCTIONS[NUMBER].kernel;
+    const ROUNDS: [usize; 2] = [4, 100];
+    const LENGTH_OF_ANY: usize = 200;
+    type Placed = Place;
+    type Found = Vec<[Single; 4]>;
+
+    /// Numbers of quadwords: those around a pass, and some more.
+    fn lengths() -> impl Iterator<Item = usize> {
+        [0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100].into_iter()
+    }
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let mut operand = || operand(random, &FUNCTIONS[NUMBER]);
+        let operands = (0..count).map(|_| [(); 4].map(|()| operand())).collect();
+        Self { operands, anything: random.random(), in_place: random.random() }
+    }
+
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let operands = (0..count).map(|_| random.random()).collect();
+        Self { operands, anything: random.random(), in_place: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let [from, apart] = put_operands(bench, &self.operands, self.anything);
+        let to = if self.in_place { from } else { apart };
+        (to, vec![from.address, to.address, self.operands.len() as u32])
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Self::Found {
+        results(bench, *placed)
+    }
+
+    fn twin(&self, _: &Place) -> Self::Found {
+        let mut results = self.operands.clone();
+        results.resize(results.len().next_multiple_of(PASS), [self.anything; 4]);
+        results.into_iter().map(|quadword| quadword.map(FUNCTIONS[NUMBER].twin)).collect()
+    }
+}
+
+/// The quadwords in a buffer.
+fn results(bench: &Bench, place: Place) -> Vec<[Single; 4]> {
+    let results: Vec<[U32; 4]> = bench.read_all(place);
+    results.into_iter().map(|quadword| quadword.map(U32::get)).collect()
+}
+
 /// Puts operands into local store, with `anything` in the rest of the last pass, and room for the
 /// results.
 fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -> [Place; 2] {
@@ -152,20 +210,12 @@ fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -
 }
 
 /// Returns a kernel's results, including those for the rest of the last pass, where the operands
-/// are `anything`. With `in_place`, the results overwrite the operands.
-pub fn call(
-    bench: &mut Bench,
-    kernel: &str,
-    operands: &[[Single; 4]],
-    anything: Single,
-    in_place: bool,
-) -> Vec<[Single; 4]> {
+/// are 0.
+pub fn call(bench: &mut Bench, kernel: &str, operands: &[[Single; 4]]) -> Vec<[Single; 4]> {
     bench.reset();
-    let [from, to] = put_operands(bench, operands, anything);
-    let to = if in_place { from } else { to };
+    let [from, to] = put_operands(bench, operands, 0);
     bench.call(kernel, &[from.address, to.address, operands.len() as u32]);
-    let results: Vec<[U32; 4]> = bench.read_all(to);
-    results.into_iter().map(|quadword| quadword.map(U32::get)).collect()
+    results(bench, to)
 }
 
 /// A random operand of the domain. All exponents and fractions are equally likely.

@@ -41,6 +41,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, one_by_one)),
+        equal: None,
     },
     Kernel {
         name: "isect_sphere_r16",
@@ -58,6 +59,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, together)),
+        equal: None,
     },
     Kernel {
         name: "isect_spheres16_r16",
@@ -75,6 +77,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, among_sixteen)),
+        equal: None,
     },
     Kernel {
         name: "any_sphere_r16",
@@ -92,6 +95,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| any_error(bench, random, "any_sphere_r16", &[])),
+        equal: None,
     },
     Kernel {
         name: "any_spheres_r16",
@@ -109,6 +113,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| any_error(bench, random, "any_spheres_r16", &[1])),
+        equal: None,
     },
 ];
 

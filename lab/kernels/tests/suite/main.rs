@@ -7,6 +7,7 @@ mod bounce;
 mod catalogue;
 mod command_line;
 mod document;
+mod equality;
 mod eye;
 mod flat;
 mod harness;

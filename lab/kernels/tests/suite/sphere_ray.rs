@@ -6,9 +6,9 @@ use kernels::cases::sphere_ray::{
     among_sixteen, any_direction, around_a_sphere, bare_sphere, case_rays, one_by_one, ray,
     together, truth, unit,
 };
+use kernels::description::any_bits;
 use kernels::records;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::FARTHEST;
 use twins::sphere_ray::{self as twin, BareSphere, Ray};
@@ -74,19 +74,6 @@ fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u3
     (found.value, found.instructions)
 }
 
-fn any_bits(random: &mut ChaCha8Rng) -> Ray {
-    Ray {
-        origin: random.random(),
-        direction: random.random(),
-        t: random.random(),
-        object: random.random(),
-    }
-}
-
-fn any_sphere(random: &mut ChaCha8Rng) -> BareSphere {
-    BareSphere { centre: random.random(), radius_squared: random.random() }
-}
-
 #[test]
 fn sensible_rays_equal_the_twin() {
     let mut random = random();
@@ -120,8 +107,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let rays = std::array::from_fn(|_| any_bits(&mut random));
-        let spheres: [BareSphere; 16] = std::array::from_fn(|_| any_sphere(&mut random));
+        let rays = any_bits(&mut random);
+        let spheres: [BareSphere; 16] = any_bits(&mut random);
         check_nearest(&mut bench, &rays, &spheres[0]);
         check_sixteen(&mut bench, &rays, &spheres, random.random());
         check_any(&mut bench, &rays, &spheres[..3]);

@@ -1,11 +1,12 @@
 //! Twin of `spu/include/sphere_constants.inc`: spheres by constants in double precision.
 
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
+use zerocopy::FromBytes;
 
 use super::{Crossing, Eye, HALF, ONE, Single, Vector, along, root_by_newton};
 
 /// A sphere by its direction and distance.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Axis {
     /// The centre's direction, at length 1.
     pub axis: [Single; 3],

@@ -54,7 +54,7 @@ fn operand(random: &mut Generator) -> Single {
 impl Estimates {
     fn try_operands(&self, bench: &mut Bench, operands: &[[Single; 4]], tally: &mut Tally) {
         let Self(function) = self;
-        let results = math::call(bench, function.kernel, operands, 0, false);
+        let results = math::call(bench, function.kernel, operands);
         for (x, found) in operands.as_flattened().iter().zip(results.as_flattened()) {
             let input = || vec![*x];
             let magnitude = x & 0x7fff_ffff;

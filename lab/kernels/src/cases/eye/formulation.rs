@@ -14,6 +14,8 @@ use twins::sphere_ray::BareSphere;
 
 use super::error::NO_HITS;
 use super::{PACKETS, call, isect_pairs};
+use zerocopy::FromBytes;
+
 use crate::bench::Bench;
 use crate::cases::formulation::ForTheEye;
 use crate::cases::sphere_ray::{any_direction, bare_sphere, ulp};
@@ -28,15 +30,13 @@ use protocol::layout::Sphere;
 const TANGENT: f64 = 1e-3;
 
 /// The data that a formulation uses of a sphere for primary rays.
-pub trait Seen: Copy + Debug {
+pub trait Seen: Copy + Debug + FromBytes {
     /// A sphere with this centre.
     fn at(centre: Vector, radius: f64) -> Self;
     /// The centre and the squared radius of the exact sphere that the data describe.
     fn exact(&self) -> (Vector, f64);
     /// The words in the record.
     fn words(&self) -> EyeSphere;
-    /// Random bits.
-    fn junk(random: &mut ChaCha8Rng) -> Self;
 
     /// The record.
     fn record(&self) -> Sphere {
@@ -55,10 +55,6 @@ impl Seen for BareSphere {
 
     fn words(&self) -> EyeSphere {
         EyeSphere::Centre { centre: self.centre, radius_squared: self.radius_squared }
-    }
-
-    fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self { centre: random.random(), radius_squared: random.random() }
     }
 }
 
@@ -82,10 +78,6 @@ impl Seen for Axis {
 
     fn words(&self) -> EyeSphere {
         EyeSphere::Axis { axis: self.axis, k: self.k, distance: self.distance }
-    }
-
-    fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self { axis: random.random(), k: random.random(), distance: random.random() }
     }
 }
 
@@ -130,6 +122,7 @@ pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
             ]
         },
         error: Some(error::<F>),
+        equal: None,
     }
 }
 

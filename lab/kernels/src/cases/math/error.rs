@@ -67,7 +67,7 @@ pub fn largest(bench: &mut Bench, random: &mut ChaCha8Rng, function: &Function) 
     for _ in 0..CALLS {
         let operands: Vec<[Single; 4]> =
             (0..QUADWORDS).map(|_| std::array::from_fn(|_| operand(random, function))).collect();
-        let results = call(bench, function.kernel, &operands, 0, false);
+        let results = call(bench, function.kernel, &operands);
         for (operand, result) in operands.iter().zip(&results) {
             for (operand, result) in operand.iter().zip(result) {
                 worst = worst.max(ulps(function, *operand, *result));

@@ -46,6 +46,7 @@ pub const KERNELS: &[Kernel] = &[Kernel {
         },
     }],
     error: Some(error),
+    equal: None,
 }];
 
 /// The patch of each lane: they are anywhere among those of a batch.

@@ -36,8 +36,6 @@ const PACKETS: Objects = Objects::List(8, 24);
 /// The row of a shape's kernel, with objects that are missed and objects that are hit.
 const fn row<S: Shape>() -> Kernel {
     Kernel {
-        name: S::KERNEL,
-        rays: 16,
         cases: const {
             &[
                 Case {
@@ -56,6 +54,7 @@ const fn row<S: Shape>() -> Kernel {
             ]
         },
         error: Some(error::nearest::<S>),
+        ..Kernel::of::<call::Pairs<S>>()
     }
 }
 
@@ -85,6 +84,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(error::shear_packets),
+        equal: None,
     },
     row::<TriangleObject>(),
     row::<MoellerTrumbore>(),

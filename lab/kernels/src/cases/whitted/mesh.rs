@@ -46,6 +46,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| bounds(bench, count),
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_farthest_r16",
@@ -56,6 +57,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| bounds(bench, count)[..3].to_vec(),
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_rays_r16",
@@ -66,6 +68,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| call::put_for_rays(bench, &vec![rays(); count as usize]).1,
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_alive_r16",
@@ -78,6 +81,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_filter_rays",
@@ -95,6 +99,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_few_rays",
@@ -105,6 +110,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| few(bench, count),
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_candidates",
@@ -115,6 +121,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| visits(bench, count),
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_prepare",
@@ -142,6 +149,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     nodes("cull_boxes"),
     nodes("filter_boxes_r16"),
@@ -161,6 +169,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
+        equal: None,
     },
     Kernel {
         name: "mesh_eye_bounds_r16",
@@ -174,6 +183,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "filter_triangles_r16",
@@ -191,6 +201,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "isect_mesh_rows_r4",
@@ -208,6 +219,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| error(bench, random, from_the_eye, relative_to_the_eye)),
+        equal: None,
     },
     Kernel {
         name: "mesh_list_hits_r16",
@@ -221,6 +233,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "mesh_flat_patches",
@@ -234,6 +247,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(patch_error),
+        equal: None,
     },
 ];
 
@@ -255,6 +269,7 @@ const fn nodes(name: &'static str) -> Kernel {
             },
         ],
         error: None,
+        equal: None,
     }
 }
 

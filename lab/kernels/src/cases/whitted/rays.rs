@@ -1,14 +1,17 @@
 //! The kernels that make packets of rays, and those that cull objects that no ray of a packet can
 //! hit.
 
+pub mod bounds;
 pub mod call;
 pub mod faces;
 pub mod fans;
+pub mod makers;
+pub mod nodes;
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
-use twins::bound::{Bound, bound};
+use twins::bound::bound;
 use twins::cull_faces::Face;
 use twins::load_rays::Queued;
 use twins::primary_rays::{Ray, View};
@@ -20,7 +23,11 @@ use crate::bench::Bench;
 use crate::cases::eye::error::{camera, error_of_directions, error_of_directions_through};
 use crate::cases::sphere_ray::unit;
 use crate::catalogue::{Case, Kernel, Objects};
-use call::{BareBox, BareSphere, Child, Point, Volume};
+use crate::description::Description;
+use bounds::{Fans, Origins, Point};
+use faces::CullFaces;
+use makers::{LoadRays, PrimaryRays, SampleRays};
+use nodes::{BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume};
 
 /// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -30,153 +37,107 @@ const NODES: Objects = Objects::List(16, 64);
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "primary_rays_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let corners: Vec<[u32; 2]> = (0..count).map(|packet| [4 * packet, 0]).collect();
-                call::put_primary_rays(bench, &view(), &corners, 0).1
+                let corners = (0..count).map(|packet| [4 * packet, 0]).collect();
+                PrimaryRays { view: view(), corners, pixels: 0 }.place(bench).1
             },
         }],
         error: Some(primary_rays_error),
+        ..Kernel::of::<PrimaryRays>()
     },
     Kernel {
-        name: "sample_rays_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let pixels: Vec<_> = (0..4 * count).map(|at| pixel([at, 0])).collect();
-                call::put_sample_rays(bench, &view().basis, 0, &pixels, 2).1
+                let pixels = (0..4 * count).map(|at| pixel([at, 0])).collect();
+                samples(view().basis, pixels, 2).place(bench).1
             },
         }],
         error: Some(sample_rays_error),
+        ..Kernel::of::<SampleRays>()
     },
     Kernel {
-        name: "load_rays_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let queue = vec![QUEUED; 16 * count as usize];
-                call::put_queue(bench, &queue, 16 * count, 0, 0).1
+                let count = 16 * count as usize;
+                let queue = vec![QUEUED; count];
+                LoadRays { queue, count, background: 0, dummy: 0 }.place(bench).1
             },
         }],
-        error: None,
+        ..Kernel::of::<LoadRays>()
     },
     Kernel {
-        name: "bound_origins_r16",
-        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| Origins { packets: vec![rays(); count as usize] }.place(bench).1,
+        }],
+        ..Kernel::of::<Origins>()
+    },
+    Kernel {
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let bounds = vec![bound(&rays()); count as usize];
-                call::put_for_bounds(bench, &vec![rays(); count as usize], &bounds).1
+                Fans { packets: vec![rays(); count as usize], point: Point::EYE }.place(bench).1
             },
         }],
-        error: None,
+        ..Kernel::of::<Fans>()
     },
     Kernel {
-        name: "bound_fan_r16",
-        rays: 16,
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| call::put_for_fans(bench, &vec![rays(); count as usize], &EYE).1,
-        }],
-        error: None,
-    },
-    Kernel {
-        name: "cull_faces",
-        rays: 16,
         cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| cull_faces(bench, -1.0, count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| cull_faces(bench, 1.0, count),
-            },
+            left_out(|bench, count| cull_faces(bench, -1.0, count)),
+            kept(|bench, count| cull_faces(bench, 1.0, count)),
         ],
-        error: None,
+        ..Kernel::of::<CullFaces>()
     },
     Kernel {
-        name: "cull_nodes",
-        rays: 16,
         cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| cull_nodes(bench, sphere([0.0, 50.0, -50.0]), count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| cull_nodes(bench, sphere([0.0, 0.0, -50.0]), count),
-            },
+            left_out(|bench, count| cull_nodes(bench, sphere(BESIDE), count)),
+            kept(|bench, count| cull_nodes(bench, sphere(AHEAD), count)),
         ],
-        error: None,
+        ..Kernel::of::<CullNodes<BareSphere>>()
     },
     Kernel {
-        name: "filter_children_r16",
-        rays: 16,
         cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| filter_children(bench, sphere([0.0, 50.0, -50.0]), count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| filter_children(bench, sphere([0.0, 0.0, -50.0]), count),
-            },
+            left_out(|bench, count| filter_children(bench, sphere(BESIDE), count)),
+            kept(|bench, count| filter_children(bench, sphere(AHEAD), count)),
         ],
-        error: None,
+        ..Kernel::of::<FilterChildren<BareSphere>>()
     },
     Kernel {
-        name: "cull_box_nodes",
-        rays: 16,
         cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| cull_nodes(bench, cube([0.0, 50.0, -50.0]), count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| cull_nodes(bench, cube([0.0, 0.0, -50.0]), count),
-            },
+            left_out(|bench, count| cull_nodes(bench, cube(BESIDE), count)),
+            kept(|bench, count| cull_nodes(bench, cube(AHEAD), count)),
         ],
-        error: None,
+        ..Kernel::of::<CullNodes<BareBox>>()
     },
     Kernel {
-        name: "filter_box_children_r16",
-        rays: 16,
         cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| filter_children(bench, cube([0.0, 50.0, -50.0]), count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| filter_children(bench, cube([0.0, 0.0, -50.0]), count),
-            },
+            left_out(|bench, count| filter_children(bench, cube(BESIDE), count)),
+            kept(|bench, count| filter_children(bench, cube(AHEAD), count)),
         ],
-        error: None,
+        ..Kernel::of::<FilterChildren<BareBox>>()
     },
 ];
+
+/// Where volumes are that no ray of the cases meets, and that all meet.
+const BESIDE: [f64; 3] = [0.0, 50.0, -50.0];
+const AHEAD: [f64; 3] = [0.0, 0.0, -50.0];
+
+const fn left_out(place: fn(&mut Bench, u32) -> Vec<u32>) -> Case {
+    Case { name: "all left out", objects: NODES, place }
+}
+
+const fn kept(place: fn(&mut Bench, u32) -> Vec<u32>) -> Case {
+    Case { name: "all kept", objects: NODES, place }
+}
 
 /// The camera of the cases, which looks along -z.
 fn view() -> View {
@@ -196,9 +157,6 @@ fn view() -> View {
 const QUEUED: Queued =
     Queued { origin: [ONE; 3], weight: ONE, direction: [ZERO, ZERO, ONE], pixel: 0 };
 
-/// The origin of the cases' rays.
-const EYE: Point = Point { place: [ZERO; 3], near: ZERO, along: ONE };
-
 /// Rays close to -z.
 fn rays() -> [Ray; 16] {
     std::array::from_fn(|lane| {
@@ -217,17 +175,15 @@ fn rays() -> [Ray; 16] {
 /// Candidates of one packet and nodes with four equal children.
 fn cull_nodes(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
     let pairs = vec![[0, 0]; count as usize];
-    let bounds: [Bound; 1] = [bound(&rays())];
-    call::put_candidates(bench, &[[child(volume); 4]], &bounds, None, &pairs).arguments
+    let (nodes, bounds) = (vec![[child(volume); 4]], vec![bound(&rays())]);
+    CullNodes { nodes, bounds, pairs, what: Listed::Address }.place(bench).1
 }
 
 /// Candidates of one packet and the four equal children of nodes.
 fn filter_children(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
     let pairs = vec![[0, 0]; count as usize / 4];
-    let packets = [rays()];
-    let bounds: [Bound; 1] = [bound(&rays())];
-    let nodes = [[child(volume); 4]];
-    call::put_candidates(bench, &nodes, &bounds, Some(&packets), &pairs).arguments
+    let (nodes, bounds) = (vec![[child(volume); 4]], vec![bound(&rays())]);
+    FilterChildren { nodes, bounds, packets: vec![rays()], pairs, in_place: false }.place(bench).1
 }
 
 /// A child whose address doesn't matter.
@@ -253,9 +209,14 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
         leave: ZERO,
         both: false,
     };
-    let bounds: [Bound; 1] = [bound(&rays())];
     let pairs = vec![[0, 0]; count as usize];
-    faces::put(bench, &[face], &bounds, &pairs, ONE).arguments
+    let (faces, bounds) = (vec![face], vec![bound(&rays())]);
+    CullFaces { faces, bounds, pairs, along: ONE }.place(bench).1
+}
+
+/// Samples of pixels, before a background that doesn't matter.
+fn samples(basis: Basis, pixels: Vec<Pixel>, across: u32) -> SampleRays {
+    SampleRays { basis, background: 0, pixels, across }
 }
 
 /// A pixel whose sum doesn't matter.
@@ -268,7 +229,7 @@ fn sample_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let errors = (0..1000).map(|_| {
         let basis = camera(random);
         let at = [0; 2].map(|_: u32| random.random_range(0..8192));
-        let packets = call::sample_rays(bench, &basis, 0, &[pixel(at); 4], 4);
+        let packets = samples(basis, vec![pixel(at); 4], 4).call(bench);
         let points = std::array::from_fn(|lane| {
             let offset = sample(4, [lane as u32 % 4, lane as u32 / 4]);
             [0, 1].map(|axis| f64::from(at[axis]) + offset[axis])
@@ -283,7 +244,8 @@ fn primary_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let errors = (0..1000).map(|_| {
         let basis = camera(random);
         let corner = [0; 2].map(|_: u32| random.random_range(0..2048) * 4);
-        let packets = call::primary_rays(bench, &View { basis, ..view() }, &[corner], 0);
+        let view = View { basis, ..view() };
+        let packets = PrimaryRays { view, corners: vec![corner], pixels: 0 }.call(bench);
         let directions = packets[0].map(|ray| ray.direction);
         error_of_directions(&basis, corner, &directions)
     });

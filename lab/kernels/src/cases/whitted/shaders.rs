@@ -26,6 +26,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, _| case(bench),
         }],
         error: None,
+        equal: None,
     },
     Kernel {
         name: "shader_depth",
@@ -36,6 +37,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, _| case(bench),
         }],
         error: Some(depth_error),
+        equal: None,
     },
     Kernel {
         name: "shader_sky",
@@ -46,6 +48,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, _| case(bench),
         }],
         error: Some(sky_error),
+        equal: None,
     },
 ];
 

@@ -43,6 +43,7 @@ pub const KERNELS: &[Kernel] = &[Kernel {
         },
     }],
     error: Some(error),
+    equal: None,
 }];
 
 /// A hit on a triangle.

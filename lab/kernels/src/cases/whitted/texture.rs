@@ -49,6 +49,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(place_error),
+        equal: None,
     },
     Kernel {
         name: "texture_filter_r16",
@@ -63,6 +64,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         error: Some(filter_error),
+        equal: None,
     },
 ];
 

@@ -7,6 +7,7 @@ use kernels::cases::eye::formulation::{Seen, around_a_sphere};
 use kernels::cases::eye::{call, error};
 use kernels::cases::formulation::ForTheEye;
 use kernels::cases::sphere_ray::unit;
+use kernels::description::any_bits;
 use kernels::eye_records::{self, Hits, Vectors};
 use protocol::layout::{Packet, Sphere};
 use rand::Rng as _;
@@ -206,15 +207,9 @@ fn any_bits_at_all_equal_the_twin<F: ForTheEye<Sphere: Seen>>() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let packets: Vec<Packet> = (0..2)
-            .map(|_| {
-                let rays = std::array::from_fn(|_| random.random());
-                let hits =
-                    std::array::from_fn(|_| Hit { t: random.random(), object: random.random() });
-                eye_records::packet(&rays, &hits)
-            })
-            .collect();
-        let spheres: Vec<F::Sphere> = (0..4).map(|_| F::Sphere::junk(&mut random)).collect();
+        let packets: Vec<Packet> =
+            (0..2).map(|_| eye_records::packet(&random.random(), &any_bits(&mut random))).collect();
+        let spheres: Vec<F::Sphere> = (0..4).map(|_| any_bits(&mut random)).collect();
         let pairs: Vec<[usize; 2]> = (0..8).map(|pair| [pair % 4, pair / 4]).collect();
         check::<F>(&mut bench, &packets, &spheres, &pairs);
     }

@@ -2,6 +2,7 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::eye::{call, error};
+use kernels::description::any_bits;
 use kernels::eye_records;
 use kernels::source::Source;
 use rand::Rng as _;
@@ -47,8 +48,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let basis =
-            Basis { corner: random.random(), right: random.random(), down: random.random() };
+        let basis = any_bits(&mut random);
         let pixels = [0; 2].map(|_: u32| random.random_range(0..PIXELS_END - 4));
         check(&mut bench, &basis, &[pixels], random.random());
     }

@@ -2,6 +2,7 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::eye::{call, error};
+use kernels::description::any_bits;
 use kernels::eye_records::{Hits, Vectors};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -71,7 +72,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     for _ in 0..1000 {
         let colours: [[Single; 3]; 20] = random.random();
-        let depth = Depth { far: random.random(), scale: random.random() };
+        let depth = any_bits(&mut random);
         let hits = [[(); 16]; 2].map(|packet| {
             packet.map(|()| Hit { t: random.random(), object: random.random_range(0..20) })
         });

@@ -3,6 +3,7 @@
 
 use super::rays::{code, keeps_stated_errors};
 use kernels::cases::flat::{around_rectangle, on_plane, put_rectangle, rectangle};
+use kernels::description::any_bits;
 use kernels::flat_records::{Ray, Rays, point};
 use kernels::vector::ulps;
 use kernels::{Bench, random};
@@ -126,13 +127,8 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     let mut hits = [0; 2];
     for _ in 0..3000 {
-        let rays: [Ray; 16] = std::array::from_fn(|_| Ray::junk(&mut random));
-        let rectangle = Rectangle {
-            point: random.random(),
-            normal: random.random(),
-            dual_u: random.random(),
-            dual_v: random.random(),
-        };
+        let rays: [Ray; 16] = any_bits(&mut random);
+        let rectangle = any_bits(&mut random);
         let found = check(&mut bench, &mut random, &rays, &rectangle);
         for (hits, found) in hits.iter_mut().zip(found) {
             *hits += rays.iter().zip(found).filter(|(ray, found)| ray.hit != *found).count();

@@ -4,6 +4,7 @@
 use super::rays::{code, keeps_stated_errors, sheared};
 use kernels::cases::flat::error::error_of_shear;
 use kernels::cases::flat::{aimed_at_triangle, on_triangle, put_triangles};
+use kernels::description::any_bits;
 use kernels::flat_records::{self, OneRay, Point, Ray, Rays, point};
 use kernels::vector::{in_cube, ulps, unit};
 use kernels::{Bench, random};
@@ -229,7 +230,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut bench = Bench::new();
     let mut hits = 0;
     for _ in 0..3000 {
-        let rays = std::array::from_fn(|_| Ray::junk(&mut random));
+        let rays = any_bits(&mut random);
         let triangles: Vec<Triangle> =
             (0..random.random_range(1..20)).map(|_| -> [Point; 3] { random.random() }).collect();
         let found = check(&mut bench, &mut random, &rays, &triangles, 1);

@@ -5,47 +5,12 @@ use kernels::bench::{Bench, random};
 use kernels::cases::math::error::{accuracy, ulps};
 use kernels::cases::math::{FUNCTIONS, Function, Quantity, call, operand};
 use kernels::source::Source;
-use rand::Rng as _;
 use spu_emulator::float::single::{LARGEST, SMALLEST, from_f64, to_f64};
 use twins::Single;
 use twins::math::{reciprocal, rsqrt};
 
-/// Numbers of quadwords: those around a pass, and some more, because a scheduled loop takes other
-/// paths for few passes.
-const COUNTS: [usize; 12] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100];
-
 /// The sign bit of a word.
 const SIGN: u32 = 1 << 31;
-
-/// Runs a kernel and compares it with its twin, including the rest of the last pass.
-fn check(
-    bench: &mut Bench,
-    function: &Function,
-    operands: &[[Single; 4]],
-    anything: Single,
-    in_place: bool,
-) {
-    let kernel = function.kernel;
-    let results = call(bench, kernel, operands, anything, in_place);
-    assert_eq!(results.len(), operands.len().next_multiple_of(4));
-    let anything = [anything; 4];
-    let rest = std::iter::repeat(&anything);
-    for (quadword, found) in operands.iter().chain(rest).zip(&results) {
-        let expected = quadword.map(function.twin);
-        assert_eq!(*found, expected, "{kernel} of {quadword:x?}");
-    }
-}
-
-/// The same for any number of operands.
-fn check_all(bench: &mut Bench, function: &Function, operands: &[Single]) {
-    let (whole, rest) = operands.as_chunks();
-    for quadwords in whole.chunks(1000) {
-        check(bench, function, quadwords, 0, false);
-    }
-    for operand in rest {
-        check(bench, function, &[[*operand; 4]], 0, false);
-    }
-}
 
 /// The largest error and the operand that has it, as the header states them.
 fn stated(function: &Function) -> (f64, Single) {
@@ -55,35 +20,6 @@ fn stated(function: &Function) -> (f64, Single) {
     let worst = header.error.split_once("0x").expect("a worst operand").1;
     let worst = Single::from_str_radix(&worst[..8], 16).expect("a worst operand");
     (largest, worst)
-}
-
-#[test]
-fn arrays_of_any_length_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for function in &FUNCTIONS {
-        for count in COUNTS {
-            for in_place in [false, true] {
-                let operands: Vec<[Single; 4]> = (0..count)
-                    .map(|_| std::array::from_fn(|_| operand(&mut random, function)))
-                    .collect();
-                let anything = random.random();
-                check(&mut bench, function, &operands, anything, in_place);
-            }
-        }
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for function in &FUNCTIONS {
-        for _ in 0..100 {
-            let operands: Vec<[Single; 4]> = (0..200).map(|_| random.random()).collect();
-            check(&mut bench, function, &operands, 0, false);
-        }
-    }
 }
 
 /// Operands where the estimate changes to another entry of its table or to another exponent.
@@ -100,8 +36,14 @@ fn borders_of_the_estimates_tables_equal_the_twin() {
             }
         }
     }
+    let (operands, rest) = operands.as_chunks();
+    assert!(rest.is_empty(), "a number of quadwords");
     for function in &FUNCTIONS {
-        check_all(&mut bench, function, &operands);
+        let found = call(&mut bench, function.kernel, operands);
+        for (quadword, found) in operands.iter().zip(found) {
+            let expected = quadword.map(function.twin);
+            assert_eq!(found, expected, "{} of {quadword:x?}", function.kernel);
+        }
     }
 }
 
@@ -118,7 +60,7 @@ fn errors_over_all_fractions_are_those_that_headers_state() {
         let near = largest * 0.999 - 0.01;
         assert!(found.largest > near, "{} is better", function.kernel);
         assert_eq!(found.worst, worst, "{}: {worst:x}", function.kernel);
-        let result = call(&mut bench, function.kernel, &[[worst; 4]], 0, false)[0][0];
+        let result = call(&mut bench, function.kernel, &[[worst; 4]])[0][0];
         let error = ulps(function, worst, result);
         assert!((error - found.largest).abs() < 1e-9, "{}", function.kernel);
         assert!(found.mean < found.most && found.most <= found.largest);

@@ -3,6 +3,7 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call;
 use kernels::cases::whitted::rays::fans::{self, FANS, SCALES};
+use kernels::description::any_bits;
 use kernels::vector::magnitude;
 use protocol::layout::Shear;
 use rand::Rng as _;
@@ -50,8 +51,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let [packet, later] =
-            std::array::from_fn(|_| std::array::from_fn(|_| fans::junk(&mut random)));
+        let [packet, later] = [(); 2].map(|()| any_bits(&mut random));
         check(&mut bench, &[packet], &[later], random.random_range(0..1 << 30));
     }
 }

@@ -3,6 +3,7 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call::{self, Node};
 use kernels::cases::whitted::rays::fans::{self, FANS};
+use kernels::description::any_bits;
 use kernels::vector::{in_cube, magnitude};
 use protocol::layout::NO_BOX;
 use rand::Rng as _;
@@ -124,7 +125,7 @@ fn any_bits_at_all_equal_the_twin() {
                 slack: random.random::<u32>() & 0xfffc_0000,
                 farthest: random.random(),
             };
-            (std::array::from_fn(|_| fans::junk(&mut random)), bound)
+            (any_bits(&mut random), bound)
         });
         let pairs = pairs(7, &mut random);
         let found = check(&mut bench, &nodes, &packets, &pairs, random.random());

@@ -4,6 +4,7 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call::{self, Node};
 use kernels::cases::whitted::rays::fans::{self, FANS, SCALES};
+use kernels::description::any_bits;
 use kernels::vector::{in_cube, magnitude};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -25,7 +26,7 @@ fn batch(count: usize, scale: f64, random: &mut ChaCha8Rng) -> Vec<[Ray; 16]> {
 }
 
 fn junk(count: usize, random: &mut ChaCha8Rng) -> Vec<[Ray; 16]> {
-    (0..count).map(|_| std::array::from_fn(|_| fans::junk(random))).collect()
+    (0..count).map(|_| any_bits(random)).collect()
 }
 
 fn records(packets: &[[Ray; 16]]) -> Vec<MeshRay> {

@@ -6,6 +6,7 @@ use std::ops::Range;
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect;
 use kernels::cases::whitted::mesh::call::{self, Rows};
+use kernels::description::any_bits;
 use kernels::vector::unit;
 use protocol::layout::{MESH_FACES, MESH_RUN, RayPacket, Shear};
 use rand::Rng as _;
@@ -26,15 +27,6 @@ const ABSENT: u32 = 0xbf80_0000;
 
 type Packet = [Ray; 16];
 type Runs = Vec<(Range<usize>, usize)>;
-
-fn junk(random: &mut ChaCha8Rng) -> Packet {
-    std::array::from_fn(|_| Ray {
-        origin: random.random(),
-        direction: random.random(),
-        t: random.random(),
-        object: random.random(),
-    })
-}
 
 fn junk_block(random: &mut ChaCha8Rng) -> MeshBlock {
     MeshBlock {
@@ -172,7 +164,7 @@ fn bounds_and_windows_equal_the_twins() {
     let mut wide = 0;
     for at in 0..400 {
         let packets: Vec<Packet> = match at % 4 {
-            0 => (0..at % 9).map(|_| junk(&mut random)).collect(),
+            0 => (0..at % 9).map(|_| any_bits(&mut random)).collect(),
             _ => aimed(&mut random).1[..at % 9].to_vec(),
         };
         let (bounds, windows) = call::eye_bounds(&mut bench, &packets, 0x3_0000);
@@ -259,7 +251,7 @@ fn any_bits_at_all_equal_the_twins() {
     let mut bench = Bench::new();
     for _ in 0..300 {
         let block = junk_block(&mut random);
-        let packets: Vec<Packet> = (0..4).map(|_| junk(&mut random)).collect();
+        let packets: Vec<Packet> = (0..4).map(|_| any_bits(&mut random)).collect();
         let windows: Vec<_> = (0..4).map(|_| mesh_window(&aimed(&mut random).1[0])).collect();
         let runs = runs(7, packets.len(), block.faces.len(), &mut random);
         let rows = check_filter(&mut bench, &windows, &block, &runs, random.random());

@@ -5,6 +5,7 @@ use kernels::cases::whitted::isect;
 use kernels::cases::whitted::isect::shape::Shape as _;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::mesh::call;
+use kernels::description::any_bits;
 use protocol::layout::{MESH_FACES, MESH_RUN, RayPacket};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -90,14 +91,7 @@ fn any_bits_at_all_equal_the_twin() {
             vertices: (0..40).map(|_| random.random()).collect(),
             faces: (0..MESH_FACES).map(|_| [(); 3].map(|()| random.random_range(0..40))).collect(),
         };
-        let junk = |random: &mut ChaCha8Rng| Ray {
-            origin: random.random(),
-            direction: random.random(),
-            t: random.random(),
-            object: random.random(),
-        };
-        let packets: Vec<[Ray; 16]> =
-            (0..4).map(|_| std::array::from_fn(|_| junk(&mut random))).collect();
+        let packets: Vec<[Ray; 16]> = (0..4).map(|_| any_bits(&mut random)).collect();
         let runs = runs(7, packets.len(), block.faces.len(), &mut random);
         check(&mut bench, &packets, &block, &runs, random.random());
     }

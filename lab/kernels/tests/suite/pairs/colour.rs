@@ -4,6 +4,7 @@ use kernels::bench::{Bench, random};
 use kernels::cases::whitted::colour::{any_hit, coloured, surfaces};
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::texture::set_colour;
+use kernels::description::any_bits;
 use rand::Rng as _;
 use spu_emulator::float::single::from_f64;
 use twins::colour::{Hit, interpolated as twin};
@@ -40,15 +41,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let hits = std::array::from_fn(|_| {
-            Some(Hit {
-                vertices: random.random(),
-                colours: random.random(),
-                point: random.random(),
-                plane: random.random(),
-                colour: random.random(),
-            })
-        });
+        let hits = [(); 16].map(|()| Some(any_bits(&mut random)));
         check(&mut bench, &hits, random.random(), random.random());
     }
 }

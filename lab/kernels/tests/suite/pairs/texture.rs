@@ -5,6 +5,7 @@ use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::texture::{
     Table, any_filtered, any_hit, coloured, filtered, places, set_colour, table, truth,
 };
+use kernels::description::any_bits;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::texture::{Hit, filter as filter_twin, texel as twin};
@@ -59,17 +60,7 @@ fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for round in 0..1000 {
-        let hits = std::array::from_fn(|_| {
-            Some(Hit {
-                vertices: random.random(),
-                coordinates: random.random(),
-                point: random.random(),
-                plane: random.random(),
-                origin: random.random(),
-                direction: random.random(),
-                t: random.random(),
-            })
-        });
+        let hits = [(); 16].map(|()| Some(any_bits(&mut random)));
         let table = levels(round % 16);
         let last = &table.levels[5];
         for tile in check(&mut bench, &hits, &table, random.random()) {

@@ -1,17 +1,13 @@
 //! `bound_fan_r16` and `bound_origins_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::rays::call::{self, Point};
-use kernels::cases::whitted::rays::fans::{self, FANS, SCALES};
-use kernels::vector::{Vector, cross, dot, less, magnitude, unit};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
+use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point, any_fan};
+use kernels::description::{Description as _, any_bits};
+use kernels::vector::{Vector, cross, dot, less, unit};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bound::{Bound, NOTHING, bound, bound_fan};
+use twins::bound::NOTHING;
 use twins::primary_rays::{ABSENT, Ray};
 
-/// The number of packets in a batch: one, and more.
-const COUNTS: [usize; 6] = [1, 2, 3, 7, 8, 40];
 /// How much larger than that of the rays a length or a sine may be.
 const LOOSE: f64 = 1.0 / (1 << 16) as f64;
 /// How much smaller a cosine may be.
@@ -19,77 +15,21 @@ const LOOSE_COSINE: f64 = 1.0 / (1 << 11) as f64;
 /// The smallest cosine for which a cone is required.
 const WIDE: f64 = 0.19;
 
-fn check(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
-    let found = call::bounds(bench, packets);
-    for (packet, found) in packets.iter().zip(&found) {
-        assert_eq!(*found, bound(packet), "{packet:x?}");
-    }
-    found
-}
-
-fn check_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bound> {
-    let found = call::fans(bench, packets, point);
-    for (packet, found) in packets.iter().zip(&found) {
-        let Point { place, near, along } = *point;
-        let expected = bound_fan(packet, place, near, along);
-        assert_eq!(*found, expected, "{packet:x?} {point:x?}");
-    }
-    found
-}
-
-/// A random point from which or to which rays go.
-fn point(random: &mut ChaCha8Rng) -> Point {
-    Point {
-        place: random.random(),
-        near: random.random(),
-        along: from_f64(if random.random() { 1.0 } else { -1.0 }),
-    }
-}
-
-fn fan(random: &mut ChaCha8Rng) -> [Ray; 16] {
-    let scale = magnitude(SCALES, random);
-    fans::packet(FANS[random.random_range(0..FANS.len())], scale, random)
-}
-
-#[test]
-fn packets_equal_the_twin_in_lists_of_any_length() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..40 {
-        for count in COUNTS {
-            let packets: Vec<_> = (0..count).map(|_| fan(&mut random)).collect();
-            check(&mut bench, &packets);
-            check_fans(&mut bench, &packets, &point(&mut random));
-        }
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..1000 {
-        let packet = std::array::from_fn(|_| fans::junk(&mut random));
-        check(&mut bench, &[packet]);
-        check_fans(&mut bench, &[packet], &point(&mut random));
-    }
-}
-
 /// The cone of rays that end at a point equals that of the reversed rays.
 #[test]
 fn rays_turned_round_have_the_same_cone() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
-        let packet = fan(&mut random);
+        let packet = any_fan(&mut random);
         let turned = packet.map(|ray| Ray {
             direction: ray.direction.map(|component| component ^ 0x8000_0000),
             ..ray
         });
-        let from = Point { along: from_f64(1.0), ..point(&mut random) };
+        let from = Point { along: from_f64(1.0), ..Point::any(&mut random) };
         let to = Point { along: from_f64(-1.0), ..from };
-        let turned = check_fans(&mut bench, &[turned], &to);
-        assert_eq!(check_fans(&mut bench, &[packet], &from), turned);
+        let turned = Fans { packets: vec![turned], point: to }.check(&mut bench);
+        assert_eq!(Fans { packets: vec![packet], point: from }.check(&mut bench), turned);
     }
 }
 
@@ -98,9 +38,11 @@ fn without_a_ray_the_radius_is_far_below_0() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..200 {
-        let packet = std::array::from_fn(|_| Ray { t: ABSENT, ..fans::junk(&mut random) });
-        assert_eq!(check(&mut bench, &[packet])[0].radius, NOTHING);
-        let fan = check_fans(&mut bench, &[packet], &point(&mut random))[0];
+        let packet = [(); 16].map(|()| Ray { t: ABSENT, ..any_bits(&mut random) });
+        let packets = vec![packet];
+        let origins = Origins { packets: packets.clone() };
+        assert_eq!(origins.check(&mut bench)[0].radius, NOTHING);
+        let fan = Fans { packets, point: Point::any(&mut random) }.check(&mut bench)[0];
         assert_eq!([fan.radius, fan.sine], [NOTHING; 2]);
     }
 }
@@ -111,12 +53,12 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
     let mut bench = Bench::new();
     let mut cones = 0;
     for _ in 0..20_000 {
-        let packet = fan(&mut random);
+        let packet = any_fan(&mut random);
         let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
         if rays.is_empty() {
             continue;
         }
-        let found = call::bounds(&mut bench, &[packet])[0];
+        let found = Origins { packets: vec![packet] }.check(&mut bench)[0];
         let at = format!("{packet:x?}, {found:x?}");
         let [apex, axis]: [Vector; 2] = [found.apex, found.axis].map(|v| v.map(to_f64));
         let [cosine, sine, radius, farthest] =

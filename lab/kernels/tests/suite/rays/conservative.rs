@@ -3,17 +3,18 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;
-use kernels::cases::whitted::rays::call::{
-    self, BareBox, BareSphere, Child, Listed, Point, Volume,
-};
+use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
+use kernels::cases::whitted::rays::nodes::{
+    BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
+};
+use kernels::description::Description as _;
 use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::Bound;
 use twins::primary_rays::Ray;
-use twins::{ONE, ZERO};
 
 /// By how much a child's radius must exceed its sphere's, as a share of |c| + R.
 const SLACK: f64 = 1.0 / (1 << 18) as f64;
@@ -174,21 +175,20 @@ type Source<'a> = &'a dyn Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded;
 fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
     move |bench, scale, random| {
         let packet = fans::packet(fan, scale, random);
-        (packet, call::bounds(bench, &[packet]))
+        (packet, Origins { packets: vec![packet] }.call(bench))
     }
 }
 
 /// Rays from the eye.
 fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     let packet = fans::packet(Fan::Eye, scale, random);
-    let eye = Point { place: [ZERO; 3], near: ZERO, along: ONE };
-    (packet, call::fans(bench, &[packet], &eye))
+    (packet, Fans { packets: vec![packet], point: Point::EYE }.call(bench))
 }
 
 /// Rays to a light.
 fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     let (packet, light) = fans::to_light(scale, random);
-    (packet, call::fans(bench, &[packet], &light))
+    (packet, Fans { packets: vec![packet], point: light }.call(bench))
 }
 
 fn outcome<V: Near>(
@@ -199,24 +199,24 @@ fn outcome<V: Near>(
     random: &mut ChaCha8Rng,
 ) -> Outcome {
     let scale = magnitude(SCALES, random);
-    let (packet, bound) = source(bench, scale, random);
+    let (packet, bounds) = source(bench, scale, random);
     let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
     let mut outcome = Outcome::default();
     if rays.is_empty() {
         return outcome;
     }
     let mut met = Vec::new();
-    let nodes: [[Child<V>; 4]; NODES] = std::array::from_fn(|_| {
-        std::array::from_fn(|_| {
-            let (volume, is_met) = V::near(&rays, scale, slack, random);
-            met.push(is_met);
-            Child { volume, address: met.len() as u32 - 1 }
-        })
-    });
-    let pairs: [[usize; 2]; NODES] = std::array::from_fn(|node| [node, 0]);
-    let (_, found) = match test {
-        Test::Bounds => call::cull_nodes(bench, &nodes, &bound, &pairs, Listed::Address),
-        Test::Rays => call::filter_children_r16(bench, &nodes, &bound, &[packet], &pairs),
+    let mut child = || {
+        let (volume, is_met) = V::near(&rays, scale, slack, random);
+        met.push(is_met);
+        Child { volume, address: met.len() as u32 - 1 }
+    };
+    let nodes = (0..NODES).map(|_| [(); 4].map(|()| child())).collect();
+    let pairs = (0..NODES).map(|node| [node, 0]).collect();
+    let packets = vec![packet];
+    let found = match test {
+        Test::Bounds => CullNodes { nodes, bounds, pairs, what: Listed::Address }.call(bench),
+        Test::Rays => FilterChildren { nodes, bounds, packets, pairs, in_place: true }.call(bench),
     };
     let mut kept = [false; 4 * NODES];
     for [child, ..] in &found {

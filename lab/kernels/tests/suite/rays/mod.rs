@@ -7,9 +7,5 @@ mod bound;
 mod conservative;
 mod cull_faces;
 mod cull_nodes;
-mod load_rays;
 mod primary_rays;
 mod sample_rays;
-
-/// Lengths of lists. A scheduled loop takes other paths for the short ones.
-const COUNTS: [usize; 6] = [1, 2, 3, 7, 16, 40];

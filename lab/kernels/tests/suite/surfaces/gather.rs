@@ -5,6 +5,7 @@ use kernels::cases::whitted::shade::call::{self, Hit};
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::records;
 use kernels::cases::whitted::shade::shapes::Shape;
+use kernels::description::any_bits;
 use kernels::vector::{dot, less};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -104,52 +105,16 @@ fn packets_of_one_object_are_told_from_others() {
     }
 }
 
-fn any_object(random: &mut ChaCha8Rng) -> Object {
-    Object {
-        centre: random.random(),
-        gain: random.random(),
-        axis: random.random(),
-        slope: random.random(),
-        offset: random.random(),
-        leave: random.random(),
-        sides: random.random(),
-    }
-}
-
-fn any_bits_of_a_material(random: &mut ChaCha8Rng) -> Material {
-    Material {
-        colour: random.random(),
-        diffuse: random.random(),
-        highlight: random.random(),
-        exponent: random.random(),
-        mirror: random.random(),
-        transmittance: random.random(),
-        inverse_index: random.random(),
-        index: random.random(),
-        schlick: random.random(),
-        grazing: random.random(),
-        emission: random.random(),
-        flags: random.random(),
-    }
-}
-
 #[test]
 fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..1000 {
-        let materials: [Material; 3] = [(); 3].map(|()| any_bits_of_a_material(&mut random));
+        let materials: [Material; 3] = [(); 3].map(|()| any_bits(&mut random));
         let objects: Vec<(Object, usize)> =
-            (0..6).map(|number| (any_object(&mut random), number % 3)).collect();
+            (0..6).map(|number| (any_bits(&mut random), number % 3)).collect();
         let hits = [[(); 16]; 2].map(|packet| {
-            packet.map(|()| Hit {
-                ray: Ray {
-                    origin: random.random(),
-                    direction: random.random(),
-                    t: random.random(),
-                },
-                object: random.random_range(0..6),
-            })
+            packet.map(|()| Hit { ray: any_bits(&mut random), object: random.random_range(0..6) })
         });
         check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
         let same = hits.map(|packet| {

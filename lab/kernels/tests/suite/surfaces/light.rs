@@ -4,6 +4,7 @@ use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shade::call::{self, Site};
 use kernels::cases::whitted::shade::error::{any_light, any_shining_site, any_site, light_up_to};
 use kernels::cases::whitted::shade::records;
+use kernels::description::any_bits;
 use protocol::layout::Surfaces;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -13,7 +14,7 @@ use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
 use twins::surfaces::{Ray, Surface};
 use twins::{FARTHEST, ONE, Single};
 
-use super::{COUNTS, any_bits_of_a_surface, assert_same};
+use super::{COUNTS, assert_same};
 
 /// The material addresses that the calls pass.
 const MATERIALS: [u32; 16] = [0x5555_5555; 16];
@@ -128,16 +129,12 @@ fn sites_equal_the_twins_in_lists_of_any_length() {
 
 fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
     Site {
-        surfaces: std::array::from_fn(|_| any_bits_of_a_surface(random)),
+        surfaces: any_bits(random),
         normals: random.random(),
         directions: random.random(),
         weights: random.random(),
         shines: random.random(),
-        shadow: std::array::from_fn(|_| {
-            let ray =
-                Ray { origin: random.random(), direction: random.random(), t: random.random() };
-            (ray, random.random())
-        }),
+        shadow: [(); 16].map(|()| (any_bits(random), random.random())),
     }
 }
 

@@ -9,11 +9,8 @@ mod sums;
 
 use kernels::vector::Vector;
 use protocol::layout::Surfaces;
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
 use twins::Single;
-use twins::surfaces::Surface;
 use zerocopy::IntoBytes as _;
 
 /// Lengths of lists. A scheduled loop takes other paths for the short ones.
@@ -29,25 +26,6 @@ fn assert_same(found: &Surfaces, expected: &Surfaces, of: &str) {
             "{} of {of}",
             field.name
         );
-    }
-}
-
-fn any_bits_of_a_surface(random: &mut ChaCha8Rng) -> Surface {
-    Surface {
-        point: random.random(),
-        plane: random.random(),
-        leave: random.random(),
-        colour: random.random(),
-        diffuse: random.random(),
-        highlight: random.random(),
-        exponent: random.random(),
-        mirror: random.random(),
-        transmittance: random.random(),
-        ratio: random.random(),
-        schlick: random.random(),
-        grazing: random.random(),
-        lit: random.random(),
-        flags: random.random(),
     }
 }
 

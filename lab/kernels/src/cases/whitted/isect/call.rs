@@ -1,12 +1,21 @@
 //! Calls the kernels that intersect candidates with the inputs of their twins.
 
+use std::ops::Range;
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::from_f64;
+use twins::primary_rays::Ray as WholeRay;
 use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
+use super::error::SCALES;
 use super::shape::Shape;
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
+use crate::cases::whitted::rays::call::rays as whole_rays;
+use crate::description::{ANY_SHARE, Description, any_bits};
 use crate::single::{bits, single};
 use protocol::layout::{Candidate, RayPacket, Shear};
 
@@ -96,4 +105,100 @@ pub fn pairs<S: Shape>(
     let placed = place(bench, packets, objects, list, anything);
     bench.call(S::KERNEL, &[placed.candidates, list.len() as u32]);
     (bench.read_all(placed.packets), placed.objects)
+}
+
+/// Packets and objects, and candidates of both by their numbers.
+#[derive(Clone, Debug)]
+pub struct Pairs<S> {
+    /// The packets.
+    pub packets: Vec<[Ray; 16]>,
+    /// The objects.
+    pub objects: Vec<S>,
+    /// An object and a packet.
+    pub list: Vec<[usize; 2]>,
+    /// Fills the fields that have no meaning here.
+    pub anything: u32,
+}
+
+impl<S: Shape> Pairs<S> {
+    fn whole(&self, packets: &[[Ray; 16]]) -> Vec<[WholeRay; 16]> {
+        packets.iter().map(|rays| whole_rays(&packet(rays, self.anything))).collect()
+    }
+}
+
+impl<S: Shape> Description for Pairs<S> {
+    const KERNEL: &'static str = S::KERNEL;
+    const ROUNDS: [usize; 2] = [60, 1000];
+    const LENGTH_OF_ANY: usize = 8;
+    const SHARES: [Range<f64>; 2] = [1.0 / 32.0..0.9, ANY_SHARE];
+    type Placed = Placed;
+    /// All fields of the packets, of which only the hits may change.
+    type Found = Vec<[WholeRay; 16]>;
+
+    fn lengths() -> impl Iterator<Item = usize> {
+        [0, 1, 2, 3, 7, 16, 40].into_iter()
+    }
+
+    /// Rays around objects of each scale, some with limits before or after their hits.
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let (mut objects, mut packets) = (Vec::new(), Vec::new());
+        for scale in SCALES.into_iter().chain(SCALES) {
+            let (object, mut rays) = S::around(random, scale);
+            for ray in rays.iter_mut().step_by(2) {
+                if let Some(t) = object.truth(ray).t {
+                    ray.t = from_f64(t * random.random_range(0.5..1.5));
+                }
+            }
+            objects.push(object);
+            packets.push(rays);
+        }
+        let mut candidate = || {
+            let object = random.random_range(0..objects.len());
+            // Most objects with the packet that is aimed at them.
+            let own = random.random_ratio(3, 4);
+            [object, if own { object } else { random.random_range(0..packets.len()) }]
+        };
+        let list = (0..count).map(|_| candidate()).collect();
+        Self { packets, objects, list, anything: random.random() }
+    }
+
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self {
+            packets: vec![any_bits(random), any_bits(random)],
+            objects: (0..4).map(|_| S::junk(random)).collect(),
+            list: (0..count).map(|pair| [pair % 4, pair / 4 % 2]).collect(),
+            anything: random.random(),
+        }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Placed, Vec<u32>) {
+        let Self { packets, objects, list, anything } = self;
+        let packets: Vec<_> = packets.iter().map(|rays| packet(rays, *anything)).collect();
+        let placed = place(bench, &packets, objects, list, *anything);
+        let arguments = vec![placed.candidates, list.len() as u32];
+        (placed, arguments)
+    }
+
+    fn found(&self, bench: &Bench, placed: &Placed, _: u32) -> Self::Found {
+        bench.read_all(placed.packets).iter().map(whole_rays).collect()
+    }
+
+    fn twin(&self, placed: &Placed) -> Self::Found {
+        let mut packets = self.packets.clone();
+        for &[object, packet] in &self.list {
+            for ray in &mut packets[packet] {
+                *ray = self.objects[object].twin(*ray, placed.objects[object]);
+            }
+        }
+        self.whole(&packets)
+    }
+
+    /// How many rays of the listed packets hit something.
+    fn part(&self, found: &Self::Found) -> [usize; 2] {
+        let before = self.whole(&self.packets);
+        let listed = |packet: &usize| self.list.iter().any(|pair| pair[1] == *packet);
+        let listed: Vec<usize> = (0..found.len()).filter(listed).collect();
+        let rays = listed.iter().flat_map(|&packet| before[packet].iter().zip(&found[packet]));
+        [rays.filter(|(before, after)| before != after).count(), 16 * listed.len()]
+    }
 }

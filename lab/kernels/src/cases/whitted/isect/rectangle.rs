@@ -11,6 +11,7 @@ use twins::sphere_ray::Ray;
 
 use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::cases::flat::{around_rectangle, on_plane, rectangle};
+use crate::description::any_bits;
 use crate::flat_records::{self, quad};
 use crate::vector::{dot, less};
 use protocol::layout;
@@ -79,14 +80,6 @@ impl Shape for RectangleObject {
     }
 
     fn junk(random: &mut ChaCha8Rng) -> Self {
-        Self {
-            rectangle: Rectangle {
-                point: random.random(),
-                normal: random.random(),
-                dual_u: random.random(),
-                dual_v: random.random(),
-            },
-            both: random.random(),
-        }
+        Self { rectangle: any_bits(random), both: random.random() }
     }
 }

@@ -6,8 +6,9 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::primary_rays::{ABSENT, Ray};
 use twins::{FARTHEST, ONE, Single, ZERO};
 
-use super::call::Point;
+use super::bounds::Point;
 use crate::cases::sphere_ray::any_direction;
+use crate::description::any_bits;
 use crate::vector::{Vector, dot, in_cube, less, magnitude, unit};
 
 /// How the rays of a packet are related.
@@ -50,18 +51,6 @@ fn moved(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// A ray of random bits.
-pub fn junk(random: &mut ChaCha8Rng) -> Ray {
-    Ray {
-        origin: random.random(),
-        direction: random.random(),
-        t: random.random(),
-        object: random.random(),
-        weight: random.random(),
-        pixel: random.random(),
-    }
-}
-
 /// A packet of a scene of this scale. Lanes without a ray contain junk.
 pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     let far = if random.random() { 1.0 } else { 100.0 };
@@ -84,7 +73,7 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
         };
         if !is_there {
             let t = if random.random() { ABSENT } else { 0x8000_0000 };
-            return Ray { t, ..junk(random) };
+            return Ray { t, ..any_bits(random) };
         }
         let origin = match fan {
             Fan::Eye => place,
