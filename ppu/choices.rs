@@ -1,121 +1,15 @@
-//! The library's choices as words of command lines, and the options that several command lines
-//! have: cellray's, and those of games. Their help is written here because it addresses the users of
-//! command lines.
+//! The options that several command lines have: cellray's, and those of games. Their help is
+//! written here because it addresses the users of command lines. The words of a choice are the
+//! variants of the library's own types.
 
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 
-use crate::scene::{CONTRAST, Look, RenderOptions, Samples};
+use crate::scene::{CONTRAST, Colour, Look, Model, RenderOptions, Samples};
 use crate::spe::{Program, ProgramError};
-use crate::{quality, scene, work};
-
-/// `--antialias`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Antialias {
-    /// No antialiasing: one ray through the pixel's centre.
-    #[value(name = "1")]
-    One,
-    /// Four samples.
-    #[value(name = "4")]
-    Four,
-    /// Sixteen samples.
-    #[value(name = "16")]
-    Sixteen,
-}
-
-impl From<Antialias> for scene::Samples {
-    fn from(antialias: Antialias) -> Self {
-        match antialias {
-            Antialias::One => Self::One,
-            Antialias::Four => Self::Four,
-            Antialias::Sixteen => Self::Sixteen,
-        }
-    }
-}
-
-/// `--colour`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum Colour {
-    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
-    Linear,
-    /// They have sRGB's values, which viewers of pictures expect.
-    Srgb,
-}
-
-impl From<Colour> for scene::Colour {
-    fn from(colour: Colour) -> Self {
-        match colour {
-            Colour::Linear => Self::Linear,
-            Colour::Srgb => Self::Srgb,
-        }
-    }
-}
-
-/// `--model`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Model {
-    /// Whitted's model if the scene has lights, otherwise depth shading.
-    #[default]
-    Scene,
-    /// The paper's model: spheres that fade to black with their distance.
-    Depth,
-    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
-    Whitted,
-}
-
-impl From<Model> for scene::Model {
-    fn from(model: Model) -> Self {
-        match model {
-            Model::Scene => Self::Scene,
-            Model::Depth => Self::Depth,
-            Model::Whitted => Self::Whitted,
-        }
-    }
-}
-
-/// `--split`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Split {
-    /// An SPU that has finished a work unit takes the next one.
-    #[default]
-    Units,
-    /// Each SPU has its own consecutive part of the picture, as in the paper.
-    Slices,
-}
-
-impl From<Split> for work::Split {
-    fn from(split: Split) -> Self {
-        match split {
-            Split::Units => Self::Units,
-            Split::Slices => Self::Slices,
-        }
-    }
-}
-
-/// `--quality`.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Quality {
-    /// The fastest formulations with pictures that are right to a step of a colour.
-    Fast,
-    /// The fastest formulations with distances that are right to 2 units in the last place.
-    #[default]
-    Default,
-    /// The formulations with the least error, in double precision.
-    Exact,
-}
-
-impl From<Quality> for quality::Quality {
-    fn from(quality: Quality) -> Self {
-        match quality {
-            Quality::Fast => Self::Fast,
-            Quality::Default => Self::Default,
-            Quality::Exact => Self::Exact,
-        }
-    }
-}
 
 /// A scene, and how light is traced in it.
 #[derive(Args, Debug)]
@@ -143,7 +37,7 @@ impl SceneChoices {
     #[must_use]
     pub fn render_options(&self) -> RenderOptions {
         RenderOptions {
-            model: self.model.into(),
+            model: self.model,
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             shadows: !self.no_shadows,
@@ -159,7 +53,7 @@ pub struct LookChoices {
     /// as soon as the picture is at rest [default: 4; 1 with render's --corners, and to play or view
     /// on a framebuffer]
     #[arg(long, value_enum, value_name = "N")]
-    antialias: Option<Antialias>,
+    antialias: Option<Samples>,
     /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
     #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u8>(0..=255))]
     contrast: u8,
@@ -175,11 +69,11 @@ pub struct LookChoices {
 impl LookChoices {
     /// The look; `samples` and `colour` are what it has without the options.
     #[must_use]
-    pub fn look(&self, samples: Samples, colour: Option<scene::Colour>) -> Look {
+    pub fn look(&self, samples: Samples, colour: Option<Colour>) -> Look {
         Look {
-            samples: self.antialias.map_or(samples, Into::into),
+            samples: self.antialias.unwrap_or(samples),
             contrast: self.contrast,
-            colour: self.colour.map(Into::into).or(colour),
+            colour: self.colour.or(colour),
             roll_off: self.roll_off,
         }
     }

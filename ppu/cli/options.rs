@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use cellray::choices::{LookChoices, ProgramChoices, Quality, SceneChoices, Split, whole};
+use cellray::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
 use cellray::framebuffer::Labels;
 use cellray::scene::{Colour, RenderOptions, Samples};
 use cellray::spe::Program;
-use cellray::work::Skip;
-use cellray::{Scene, Settings};
+use cellray::work::{Skip, Split};
+use cellray::{Quality, Scene, Settings};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum as _};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
@@ -156,7 +156,7 @@ impl Options {
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
             spus: self.spus,
-            split: self.split.into(),
+            split: self.split,
             skip: if self.no_skip { Skip::Nothing } else { Skip::Misses },
             retain: !self.retrace,
             check_shaders: self.program.check_shaders,
@@ -170,8 +170,7 @@ impl Options {
         if let Some(program) = self.program.program()? {
             return Ok(program);
         }
-        let mut formulations =
-            cellray::Quality::from(self.quality.unwrap_or_default()).formulations();
+        let mut formulations = self.quality.unwrap_or_default().formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
             formulations = Formulations::of(sphere, formulations.triangle);
         }

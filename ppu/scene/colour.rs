@@ -6,8 +6,9 @@ use glam::DVec3;
 /// those of pixels. The shares of what mirrors and glass show follow the colours, so that a share
 /// of a colour looks like that. Lights, ambient light, Kd and highlights are linear in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Colour {
-    /// They are proportional to it.
+    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
     #[default]
     Linear,
     /// They have sRGB's values, which displays and viewers of pictures expect.

@@ -6,11 +6,12 @@ use super::colour::Colour;
 
 /// The model that a scene is rendered with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Model {
     /// Whitted's model if the scene has lights, otherwise depth shading.
     #[default]
     Scene,
-    /// Depth shading, the paper's model: spheres that fade to black with their distance.
+    /// The paper's model, depth shading: spheres that fade to black with their distance.
     Depth,
     /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
     Whitted,
@@ -31,13 +32,17 @@ pub enum NodeVolumes {
 
 /// How many samples, evenly spread, an antialiased pixel is the mean of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Samples {
     /// Its centre alone: no antialiasing.
     #[default]
+    #[cfg_attr(feature = "choices", value(name = "1"))]
     One = 1,
-    /// Four.
+    /// Four samples.
+    #[cfg_attr(feature = "choices", value(name = "4"))]
     Four = 4,
-    /// Sixteen.
+    /// Sixteen samples.
+    #[cfg_attr(feature = "choices", value(name = "16"))]
     Sixteen = 16,
 }
 
