@@ -5,6 +5,7 @@ use protocol::formulation::Formulations;
 
 /// A trade-off between run time and error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Quality {
     /// The fastest formulations with pictures that are right to a step of a colour.
     Fast,

@@ -4,6 +4,7 @@
 //! Invariant: every number that depth shading uses is in the domain that the kernels state.
 
 pub(crate) mod block;
+mod colour;
 pub(crate) mod eye_side;
 pub mod mesh;
 #[cfg(test)]
@@ -17,11 +18,10 @@ use scenes::Sky;
 use scenes::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
-pub use self::block::{BlockError, BlockOptions, MaterialTable, MeshPlace, SceneBlock};
+pub use self::block::{BlockError, MaterialTable, MeshPlace, SceneBlock};
+pub use self::colour::Colour;
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics, NumberWidth};
-pub use self::render_options::{
-    CONTRAST, Colour, Look, Model, NodeVolumes, RenderOptions, Samples,
-};
+pub use self::render_options::{CONTRAST, Look, Model, NodeVolumes, RenderOptions, Samples};
 use self::single::{LARGEST, SMALLEST};
 pub use self::texture::Textures;
 use crate::spe::Program;
@@ -180,7 +180,7 @@ impl Scene {
         if !render_options.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, render_options);
         }
-        let block = SceneBlock::with_room(scene, options(render_options), shaders)?;
+        let block = SceneBlock::with_room(scene, render_options, shaders)?;
         Ok(Self::by_whitted(scene, render_options, block))
     }
 
@@ -189,7 +189,7 @@ impl Scene {
         render_options: RenderOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, SceneError> {
-        let block = SceneBlock::unchanging(scene, options(render_options), shader)?;
+        let block = SceneBlock::new(scene, render_options, shader)?;
         Ok(Self::by_whitted(scene, render_options, block))
     }
 
@@ -392,17 +392,4 @@ impl Scene {
 pub fn offset_note(scene: &scenes::Scene, render_options: RenderOptions) -> Option<String> {
     let is_whitted = render_options.is_whitted(scene.lights.len());
     is_whitted.then(|| block::offset_note(scene)).flatten()
-}
-
-/// The options of the block for these render options.
-fn options(render_options: RenderOptions) -> BlockOptions {
-    BlockOptions {
-        ray_depth: render_options.ray_depth,
-        fresnel: render_options.fresnel,
-        spd_rays: render_options.spd_rays,
-        colour: render_options.colour,
-        mesh_cache: render_options.mesh_cache,
-        refit_pictures: render_options.refit_pictures,
-        volumes: render_options.volumes,
-    }
 }

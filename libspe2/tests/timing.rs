@@ -27,9 +27,9 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
+use spu_reports::views::View;
 use spu_reports::{ProfileFile, TimelineFile};
 use spu_scheduler::code::Code;
-use spu_tool::profile::View;
 
 const SPES: usize = 6;
 const FRAMES: u32 = 3;

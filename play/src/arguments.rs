@@ -4,10 +4,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cellray::Settings;
-use cellray::choices::{Antialias, Colour, Model};
+use cellray::choices::{LookChoices, ProgramChoices, SceneChoices};
 use cellray::framebuffer::{Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{CONTRAST, Look, RenderOptions, Samples};
+use cellray::scene::{Look, Samples};
 use cellray::spe::Program;
 use clap::builder::{OsStringValueParser, TypedValueParser as _};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -88,42 +88,15 @@ pub struct GameOptions {
 /// `view`.
 #[derive(Debug, Args)]
 pub struct ViewArguments {
-    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or a generated one: sphereflake:LEVEL,
-    /// tetra:LEVEL, terrain:LEVEL, or gears, mount, rings, teapot, tree, lattice, jacks, shells or
-    /// sombrero, with :SIZE if it is not to have SPD's
-    pub scene: PathBuf,
-    /// Model that the scene is rendered with
-    #[arg(long, value_enum, default_value_t)]
-    model: Model,
-    /// Longest chain of reflected and refracted rays, including the primary ray, 1 to 16
-    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
-    ray_depth: u32,
-    /// Let glass reflect by Schlick's approximation, in addition to its Ks
-    #[arg(long)]
-    fresnel: bool,
-    /// Trace no shadows
-    #[arg(long)]
-    no_shadows: bool,
+    /// The scene.
+    #[command(flatten)]
+    pub scene: SceneChoices,
     /// Load the scene, the SPU program and its shaders again whenever their files change
     #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
     pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
-}
-
-impl ViewArguments {
-    /// The model and its settings.
-    #[must_use]
-    pub fn render_options(&self) -> RenderOptions {
-        RenderOptions {
-            model: self.model.into(),
-            ray_depth: self.ray_depth,
-            fresnel: self.fresnel,
-            shadows: !self.no_shadows,
-            ..RenderOptions::default()
-        }
-    }
 }
 
 /// The kind of display.
@@ -173,20 +146,8 @@ pub struct Options {
     /// Folder for the pictures that F12 takes
     #[arg(long, default_value = ".", value_name = "FOLDER")]
     pub screenshots: PathBuf,
-    /// Trace this many samples of a pixel that differs from a neighbour; in a window and a terminal
-    /// as soon as the picture is at rest [default: 4; 1 on a framebuffer]
-    #[arg(long, value_enum, value_name = "N")]
-    antialias: Option<Antialias>,
-    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
-    #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true)]
-    contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
-    /// linear by depth shading, whose shades are distances]
-    #[arg(long, value_enum)]
-    colour: Option<Colour>,
-    /// Limit light that is nearly white or brighter without a step
-    #[arg(long)]
-    roll_off: bool,
+    #[command(flatten)]
+    look: LookChoices,
     /// Start without text on the screen; F1 shows it, and then statistics
     #[arg(long)]
     pub no_overlay: bool,
@@ -197,32 +158,12 @@ pub struct Options {
     /// console or time is simulated]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     spus: Option<u32>,
-    /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
-    #[arg(long, value_name = "F.elf")]
-    program: Option<PathBuf>,
-    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
-    #[arg(long = "shader", value_name = "F.s", conflicts_with = "program")]
-    shaders: Vec<PathBuf>,
-    /// Check at every call of a shader that it keeps the rules for shaders
-    #[arg(long)]
-    check_shaders: bool,
-    /// Seconds after which SPUs count as lost if none takes work, finishes any or answers
-    #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
-    timeout: u64,
+    /// The SPU program.
+    #[command(flatten)]
+    pub program: ProgramChoices,
 }
 
 impl Options {
-    /// Whether `--program` selects an SPU program.
-    #[must_use]
-    pub fn has_program(&self) -> bool {
-        self.program.is_some() || !self.shaders.is_empty()
-    }
-
-    /// The files that the SPU program is made of, if it is not the built-in one.
-    pub fn program_files(&self) -> impl Iterator<Item = PathBuf> {
-        self.program.iter().chain(&self.shaders).cloned()
-    }
-
     /// The engine's settings.
     ///
     /// # Errors
@@ -230,13 +171,9 @@ impl Options {
     pub fn settings(&self) -> Result<Settings, PlayError> {
         Ok(Settings {
             spus: self.spus.unwrap_or_else(|| SpuClock::here().usual_spus()),
-            check_shaders: self.check_shaders,
-            timeout: Duration::from_secs(self.timeout),
-            program: match &self.program {
-                Some(file) => Program::from_file(file)?,
-                None if self.shaders.is_empty() => Program::tracer(),
-                None => Program::from_image(&spu_build::tracer_with(&self.shaders)?)?,
-            },
+            check_shaders: self.program.check_shaders,
+            timeout: self.program.timeout(),
+            program: self.program.program()?.unwrap_or_else(Program::tracer),
             ..Settings::default()
         })
     }
@@ -249,12 +186,7 @@ impl Options {
             DisplayKind::Fb => Samples::One,
             _ => Samples::Four,
         };
-        Look {
-            samples: self.antialias.map_or(usual, Into::into),
-            contrast: self.contrast,
-            colour: self.colour.map(Into::into),
-            roll_off: self.roll_off,
-        }
+        self.look.look(usual, None)
     }
 
     /// The game's time from one picture to the next.

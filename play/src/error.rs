@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use cellray::EngineError;
+use cellray::choices::ProgramChoiceError;
 use cellray::framebuffer::FramebufferError;
 use cellray::game::{RecordingError, SessionError};
 use cellray::scene::SceneError;
@@ -30,9 +31,9 @@ pub enum PlayError {
     /// The SPU program can't be read, or is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),
-    /// A shader can't be assembled or linked.
+    /// The SPU program that was chosen can't be used.
     #[error(transparent)]
-    Build(#[from] spu_build::Error),
+    Choice(#[from] ProgramChoiceError),
     /// A picture can't be read.
     #[error("{}: {source}", path.display())]
     Picture {

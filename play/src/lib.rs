@@ -107,11 +107,11 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             Ok(Ending::Over)
         }
         Command::View(view) => {
-            let (scene, has_headlight) = load(&view.scene)?;
+            let (scene, has_headlight) = load(&view.scene.scene)?;
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
-            let render_options = view.render_options();
+            let render_options = view.scene.render_options();
             if let Some(note) = offset_note(&scene, render_options) {
                 say(note);
             }
@@ -184,7 +184,7 @@ fn session(
     options: &Options,
     reload: Option<Reload<'_>>,
 ) -> Result<Ending, PlayError> {
-    if options.has_program() && game.program()?.is_some() {
+    if options.program.files().next().is_some() && game.program()?.is_some() {
         return Err(PlayError::Options("--program: the game has an SPU program of its own"));
     }
     // Done before a display is opened, so that a signal meanwhile is a request too.

@@ -18,8 +18,8 @@ pub struct Reload<'a> {
 impl<'a> Reload<'a> {
     /// Watches the files of a scene that is viewed with `--watch`; nothing without.
     pub fn new(arguments: &'a ViewArguments) -> Option<Self> {
-        let files = [arguments.scene.clone()].into_iter();
-        let files = files.chain(arguments.options.program_files());
+        let files = [arguments.scene.scene.clone()].into_iter();
+        let files = files.chain(arguments.options.program.files());
         arguments.watch.then(|| Self { arguments, watch: Watch::new(files) })
     }
 
@@ -30,9 +30,9 @@ impl<'a> Reload<'a> {
     /// A scene or a shader that is wrong: the one before it is still good to look at.
     pub fn viewer(&mut self, view: &View) -> Option<Result<Viewer, PlayError>> {
         self.watch.has_changed().then(|| {
-            let loaded = meshes::load(&self.arguments.scene)?;
+            let loaded = meshes::load(&self.arguments.scene.scene)?;
             let scene = gathered(&loaded.scene).into_owned();
-            let render_options = self.arguments.render_options();
+            let render_options = self.arguments.scene.render_options();
             let program = self.arguments.options.settings()?.program;
             Scene::new(&scene, render_options, &program)?;
             Ok(Viewer::new(scene, render_options, loaded.added_light).seen_from(view))

@@ -4,16 +4,18 @@ use std::fs;
 use std::os::unix::fs::FileTypeExt as _;
 use std::path::{Path, PathBuf};
 
+use cellray::choices::whole;
 use cellray::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
 use clap::{Args, ValueEnum};
 
-use super::{Outcome, run, whole};
+use super::options::Options;
+use super::{Outcome, run};
 
 /// Trace a scene into a framebuffer, or into a file instead.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
-    options: run::Options,
+    options: Options,
     /// Framebuffer device, or a regular file that is written like one
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
@@ -71,11 +73,7 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let options = &arguments.options;
-    let program = options.program()?;
-    let scene = run::load(options)?.scene;
-    let render_options = options.render_options(&scene, false);
-    let scene = run::scene(options, &scene, render_options, &program)?;
+    let prepared = run::prepare(&arguments.options, false)?;
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;
@@ -85,7 +83,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         interrupted.signal().is_some() || frames.is_some_and(|frames| traced >= frames as usize)
     };
     let what = arguments.device.display().to_string();
-    run::frames(options, program, &scene, (framebuffer, &what), enough)
+    run::frames(&arguments.options, &prepared, (framebuffer, &what), enough)
 }
 
 fn is_device(path: &Path) -> bool {

@@ -5,17 +5,17 @@ mod maps;
 use std::fs;
 use std::path::Path;
 
+use cellray::Report;
 use cellray::engine::TracedTile;
-use cellray::framebuffer::{Geometry, Labels, Memory, PictureFile, write_labelled};
-use cellray::{Engine, LoopTime, Report, Scene};
+use cellray::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
 use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _, RgbImage};
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
 use super::Outcome;
-use super::progress::Progress;
-use super::run::{Options, tell};
+use super::options::Options;
+use super::run::{Prepared, tell, traced};
 
 /// What libspe2 records of this run. Without that, runs this program again with what makes libspe2
 /// record, and ends as that ends: it has told all errors.
@@ -27,45 +27,36 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     std::process::exit(status.code().unwrap_or(1))
 }
 
-/// Traces a frame, writes its picture to `out` with labels if there is one, and the page to `to`.
-/// `source` is what the scene was made of.
+/// Traces a frame, writes its picture to `out` if there is one, and the page to `to`.
 pub fn frame(
     options: &Options,
     recording: &Recording,
-    (scene, source): (&Scene, &scenes::Scene),
+    prepared: &Prepared,
     geometry: Geometry,
-    out: Option<(&Path, Labels)>,
+    out: Option<&Path>,
     to: &Path,
 ) -> Outcome {
-    let program = options.program()?;
-    if let Some((out, _)) = &out {
+    let Prepared { program, source, scene, labels, .. } = prepared;
+    if let Some(out) = out {
         PictureFile::new(out, geometry)?;
     }
-    let mut engine = Engine::start(options.settings(program), Box::new(Memory::new(geometry)?))?;
-    let size = (geometry.width, geometry.height);
-    let formulations = program.formulations().ok();
-    let mut report = Report::new(scene.file(), size, options.spus).intersected(scene, formulations);
-    let mut progress = Progress::start();
-    let began = LoopTime::now();
-    let statistics = engine.render(scene, &mut |part| progress.show(1, part))?;
-    report.add(statistics);
-    report.add_time_since(began);
-    progress.end();
+    let framebuffer = Box::new(Memory::new(geometry)?);
+    let (engine, report) = traced(options, prepared, framebuffer, |traced| traced > 0)?;
     let picture = engine.picture().ok_or("the picture can't be read back")?;
     let traced = engine.traced_units().ok_or("the SPUs were lost")?;
     // libspe2 writes the last figures when the contexts are destroyed.
     drop(engine);
     let (timeline, profile) = (recording.timeline()?, recording.profile()?);
-    if let Some((out, labels)) = &out {
+    if let Some(out) = out {
         write_labelled(out, &picture, labels)?;
     }
 
-    let settings = options.settings(program);
+    let settings = options.settings(*program);
     let samples = maps::of_samples(
         settings,
         source,
         scene.render_options(),
-        (&program, geometry),
+        (program, geometry),
         report.rays.samples,
     )?;
     // Without skipping, no tile is traced alone.
@@ -79,7 +70,7 @@ pub fn frame(
     let text = page(&Inspection {
         scene: scene.file(),
         picture: &png(&picture)?,
-        size,
+        size: (geometry.width, geometry.height),
         tile_size: (TILE_WIDTH, TILE_HEIGHT),
         units: &units.collect::<Vec<_>>(),
         costs: (traced.costs, traced.distance),

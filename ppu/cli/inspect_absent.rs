@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use cellray::Scene;
-use cellray::framebuffer::{Geometry, Labels};
+use cellray::framebuffer::Geometry;
 
 use super::Outcome;
-use super::run::Options;
+use super::options::Options;
+use super::run::Prepared;
 
 /// What a PC records; never made here.
 pub enum Recording {}
@@ -20,9 +20,9 @@ pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
 pub fn frame(
     _: &Options,
     recording: &Recording,
-    _: (&Scene, &scenes::Scene),
+    _: &Prepared,
     _: Geometry,
-    _: Option<(&Path, Labels)>,
+    _: Option<&Path>,
     _: &Path,
 ) -> Outcome {
     match *recording {}

@@ -7,6 +7,7 @@ mod info;
 #[cfg_attr(target_arch = "powerpc64", path = "inspect_absent.rs")]
 mod inspect;
 mod new;
+mod options;
 mod progress;
 mod render;
 mod run;
@@ -14,7 +15,6 @@ mod sequence;
 mod shader;
 mod sphereflake;
 
-use std::ops::RangeInclusive;
 use std::process::ExitCode;
 
 use cellray::framebuffer;
@@ -74,24 +74,6 @@ enum Command {
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
     Info(info::Arguments),
-}
-
-/// A parser of an option's whole numbers.
-fn whole<N: TryFrom<u64>>(
-    range: RangeInclusive<u64>,
-) -> impl Fn(&str) -> Result<N, String> + Clone {
-    move |text| {
-        let number = text.parse().ok().filter(|number| range.contains(number));
-        number.and_then(|number| N::try_from(number).ok()).ok_or_else(|| {
-            let least = range.start();
-            match *range.end() {
-                most if most >= u64::from(u32::MAX) => {
-                    format!("it is not a whole number from {least}")
-                }
-                most => format!("it is not a whole number from {least} to {most}"),
-            }
-        })
-    }
 }
 
 pub fn main() -> ExitCode {

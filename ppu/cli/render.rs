@@ -6,6 +6,7 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use cellray::choices::whole;
 use cellray::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Labels, Memory, NumberedPath, PictureFile,
 };
@@ -14,7 +15,8 @@ use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 use clap::Args;
 
-use super::{Outcome, inspect, run, sequence, whole};
+use super::options::Options;
+use super::{Outcome, inspect, run, sequence};
 
 /// The value of `--out` with which no picture is written.
 const NONE: &str = "none";
@@ -46,7 +48,7 @@ impl Frames {
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
-    options: run::Options,
+    options: Options,
     /// Width and height in pixels [default: the scene's own]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
@@ -94,7 +96,7 @@ impl Arguments {
 
     /// The name without its extension that a picture of the scene has by default.
     fn stem(&self) -> OsString {
-        let scene = &self.options.scene;
+        let scene = &self.options.scene.scene;
         // A generated scene's name may have a colon, which other systems' files can't have.
         match scene.to_str().filter(|_| !scene.is_file()) {
             Some(name) => name.replace([':', '/'], "-").into(),
@@ -165,15 +167,12 @@ impl Arguments {
         if self.corners {
             return Err("--corners can't be used with numbered pictures".into());
         }
-        let program = self.options.program()?;
-        let run::Loaded { scene, own_view } = run::load(&self.options)?;
-        let render_options = self.options.render_options(&scene, false);
         // Notes on what can't be drawn come before the first frame.
-        let prepared = run::scene(&self.options, &scene, render_options, &program)?;
-        let labels = self.options.labels(&prepared, &own_view);
-        let size = self.geometry(&scene.view)?;
-        let scene = gathered(&scene).into_owned();
-        let turntable = Turntable::new(scene, render_options, self.turn);
+        let prepared = run::prepare(&self.options, false)?;
+        let run::Prepared { program, source, scene, own_view, labels } = prepared;
+        let size = self.geometry(scene.view())?;
+        let turntable =
+            Turntable::new(gathered(&source).into_owned(), scene.render_options(), self.turn);
         let pictures = Pictures::new(paths).labelled(labels, own_view);
         sequence::run(&self.options, program, turntable, &pictures, self.frames.range, size)
     }
@@ -207,14 +206,9 @@ fn once(arguments: &Arguments) -> Outcome {
         return arguments.sequence(paths);
     }
     arguments.check_numbers()?;
-    let options = &arguments.options;
     let picture = arguments.picture()?;
-    let program = options.program()?;
-    let run::Loaded { scene, own_view } = run::load(options)?;
-    let render_options = options.render_options(&scene, arguments.corners);
-    let scene = run::scene(options, &scene, render_options, &program)?;
-    let geometry = arguments.geometry(scene.view())?;
-    let labels = options.labels(&scene, &own_view);
+    let prepared = run::prepare(&arguments.options, arguments.corners)?;
+    let geometry = arguments.geometry(prepared.scene.view())?;
     let what = match &picture {
         None => "no picture".to_owned(),
         Some(path) if path == Path::new("-") => "picture on standard output".to_owned(),
@@ -222,12 +216,14 @@ fn once(arguments: &Arguments) -> Outcome {
         Some(path) => path.display().to_string(),
     };
     let framebuffer: Box<dyn Framebuffer> = match picture.as_deref() {
-        out if arguments.corners => Box::new(Corners::new(out, geometry)?.labelled(labels)),
-        Some(path) => Box::new(PictureFile::new(path, geometry)?.labelled(labels)),
+        out if arguments.corners => {
+            Box::new(Corners::new(out, geometry)?.labelled(prepared.labels.clone()))
+        }
+        Some(path) => Box::new(PictureFile::new(path, geometry)?.labelled(prepared.labels.clone())),
         None => Box::new(Memory::new(geometry)?),
     };
     let enough = |traced| traced as u64 >= arguments.frames.range.end;
-    run::frames(options, program, &scene, (framebuffer, &what), enough)
+    run::frames(&arguments.options, &prepared, (framebuffer, &what), enough)
 }
 
 /// Traces one frame, and writes the page about it.
@@ -236,14 +232,8 @@ fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
         return Err("--inspect shows one frame: leave out --frames and the number in --out".into());
     }
     let recording = inspect::record()?;
-    let options = &arguments.options;
-    let run::Loaded { scene: source, own_view } = run::load(options)?;
-    let render_options = options.render_options(&source, false);
-    let scene = run::scene(options, &source, render_options, &options.program()?)?;
-    let geometry = arguments.geometry(scene.view())?;
-    let labels = options.labels(&scene, &own_view);
+    let prepared = run::prepare(&arguments.options, false)?;
+    let geometry = arguments.geometry(prepared.scene.view())?;
     let picture = arguments.picture()?;
-    let out = picture.as_deref().map(|path| (path, labels));
-    let scenes = (&scene, &source);
-    inspect::frame(options, &recording, scenes, geometry, out, page)
+    inspect::frame(&arguments.options, &recording, &prepared, geometry, picture.as_deref(), page)
 }

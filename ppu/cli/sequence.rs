@@ -7,11 +7,12 @@ use cellray::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
 use cellray::spe::Program;
 use signal_hook::low_level::emulate_default_handler;
 
+use super::options::Options;
 use super::{Outcome, run};
 
 /// Writes the pictures of a range of frames, except those that exist.
 pub fn run(
-    options: &run::Options,
+    options: &Options,
     program: Program,
     turntable: Turntable,
     pictures: &Pictures,

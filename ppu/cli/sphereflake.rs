@@ -1,8 +1,9 @@
 //! `cellray sphereflake`: writes a generated scene as a file.
 
+use cellray::choices::whole;
 use clap::Args;
 
-use super::{Outcome, whole};
+use super::Outcome;
 
 /// Write a sphereflake as an NFF scene to standard output.
 #[derive(Args)]

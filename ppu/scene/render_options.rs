@@ -1,15 +1,17 @@
 //! Render options: settings of a picture that scene files don't have.
 
-use glam::DVec3;
 use protocol::layout::MESH_MOST_SLOTS;
+
+use super::colour::Colour;
 
 /// The model that a scene is rendered with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Model {
     /// Whitted's model if the scene has lights, otherwise depth shading.
     #[default]
     Scene,
-    /// Depth shading, the paper's model: spheres that fade to black with their distance.
+    /// The paper's model, depth shading: spheres that fade to black with their distance.
     Depth,
     /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
     Whitted,
@@ -28,51 +30,19 @@ pub enum NodeVolumes {
     Boxes,
 }
 
-/// What the channels of colours say about light: those of a scene's materials and background, and
-/// those of pixels. The shares of what mirrors and glass show follow the colours, so that a share
-/// of a colour looks like that. Lights, ambient light, Kd and highlights are linear in any case.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Colour {
-    /// They are proportional to it.
-    #[default]
-    Linear,
-    /// They have sRGB's values, which displays and viewers of pictures expect.
-    Srgb,
-}
-
-impl Colour {
-    /// The light that a colour of a scene stands for.
-    pub(crate) fn light(self, colour: DVec3) -> DVec3 {
-        match self {
-            Self::Linear => colour,
-            Self::Srgb => DVec3::from_array(colour.to_array().map(decoded)),
-        }
-    }
-
-    /// The share of light with which a surface shows the colours that it reflects or lets through,
-    /// if the material says that it shows this share of them.
-    pub(crate) fn seen(self, share: f64) -> f64 {
-        match self {
-            Self::Linear => share,
-            Self::Srgb => decoded(share),
-        }
-    }
-}
-
-/// The linear light of an sRGB value.
-fn decoded(value: f64) -> f64 {
-    if value <= 0.04045 { value / 12.92 } else { libm::pow((value + 0.055) / 1.055, 2.4) }
-}
-
 /// How many samples, evenly spread, an antialiased pixel is the mean of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Samples {
     /// Its centre alone: no antialiasing.
     #[default]
+    #[cfg_attr(feature = "choices", value(name = "1"))]
     One = 1,
-    /// Four.
+    /// Four samples.
+    #[cfg_attr(feature = "choices", value(name = "4"))]
     Four = 4,
-    /// Sixteen.
+    /// Sixteen samples.
+    #[cfg_attr(feature = "choices", value(name = "16"))]
     Sixteen = 16,
 }
 
@@ -80,7 +50,7 @@ pub enum Samples {
 pub const CONTRAST: u8 = 32;
 
 /// The default of [`RenderOptions::refit_pictures`]. `docs/meshes.md` has the measurements.
-pub(super) const REFIT_PICTURES: u32 = 50;
+const REFIT_PICTURES: u32 = 50;
 
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

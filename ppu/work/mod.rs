@@ -25,4 +25,4 @@ pub use tiles::{tile_count, tile_pixels};
 pub use units::Units;
 
 // The block belongs to the scene, but SPUs fetch it as a part of the frame.
-pub use crate::scene::{BlockError, BlockOptions, SceneBlock};
+pub use crate::scene::{BlockError, SceneBlock};

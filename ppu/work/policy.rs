@@ -4,6 +4,7 @@ use protocol::formulation::EyeRecord;
 
 /// How a frame is split among SPUs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Split {
     /// An SPU that has finished a work unit takes the next one.
     #[default]

@@ -21,7 +21,7 @@ use zerocopy::big_endian::F32;
 use super::projection::{Projection, Rectangle};
 use super::shadow::Shadow;
 use super::tiles::TileSet;
-use crate::scene::block::{BlockOptions, BoundingSphere, Chains, Light, VisiblePrimitive, widened};
+use crate::scene::block::{BoundingSphere, Chains, Light, VisiblePrimitive, widened};
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::{RenderOptions, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
@@ -38,7 +38,7 @@ pub struct Snapshot {
     /// The spheres of depth shading.
     spheres: Vec<Sphere>,
     /// This and all further fields: Whitted's model.
-    options: Option<BlockOptions>,
+    options: Option<RenderOptions>,
     chains: Option<Chains>,
     ambient: [F32; 4],
     lights: Vec<Light>,

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use maud::{Markup, html};
 use spu_reports::ProfileFile;
+use spu_reports::views::{FunctionFigures, LineFigures, View};
 use spu_scheduler::code::{Code, Source};
-use spu_tool::profile::{FunctionFigures, LineFigures, View};
 
 use crate::timelines::grouped;
 use crate::{InspectError, Inspection};

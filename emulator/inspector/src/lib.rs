@@ -15,8 +15,8 @@ mod timelines;
 pub use recording::{Recording, RecordingError};
 
 use spu_reports::ProfileError;
+use spu_reports::views::ViewError;
 use spu_scheduler::code::CodeError;
-use spu_tool::profile::ViewError;
 use thiserror::Error;
 
 /// What is known about a frame.

@@ -1,7 +1,6 @@
-//! The library of the tool `spu`: [`report`]s about code, and [`profile`]s of runs of that code.
+//! The library of the tool `spu`: [`report`]s about code.
 //!
 //! The program itself is in `bin/spu`. Its subcommands are thin layers over this library, the
 //! [scheduler](spu_scheduler) and the [emulator](spu_emulator).
 
-pub mod profile;
 pub mod report;

@@ -11,7 +11,7 @@ mod scale;
 mod screen;
 mod terminal;
 mod text;
-#[cfg_attr(target_arch = "powerpc64", path = "no_window.rs")]
+#[cfg_attr(any(target_arch = "powerpc64", not(feature = "window")), path = "no_window.rs")]
 mod window;
 
 pub use fit::Fit;

@@ -1,4 +1,5 @@
-//! In the place of a window where there is no display server to open one.
+//! In the place of a window on a console, and in programs that are built without the feature
+//! `window`.
 
 use std::convert::Infallible;
 use std::io;
@@ -20,14 +21,14 @@ impl Window {
         false
     }
 
-    /// Says that there are none.
+    /// Says why there are none.
     pub fn open(_title: &str, _size: Geometry) -> Result<Self, DisplayError> {
-        Err(DisplayError::None {
-            kind: "window",
-            why: "this program is built for the console, which has none: take the framebuffer or the \
-                  terminal"
-                .to_owned(),
-        })
+        let built = match cfg!(target_arch = "powerpc64") {
+            true => "for the console, which has none",
+            false => "without the feature `window`",
+        };
+        let why = format!("this program is built {built}: take --display terminal or --display fb");
+        Err(DisplayError::None { kind: "window", why })
     }
 }
 

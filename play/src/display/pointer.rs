@@ -34,7 +34,7 @@ impl Pointer {
     }
 
     /// Records that the mouse has left the display. Terminals don't report this.
-    #[cfg(any(test, not(target_arch = "powerpc64")))]
+    #[cfg(any(test, all(feature = "window", not(target_arch = "powerpc64"))))]
     pub fn left(&mut self) -> InputEvent {
         self.is_stale = false;
         self.at = None;

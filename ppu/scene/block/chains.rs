@@ -14,8 +14,8 @@
 use scenes::{Material, Shader};
 use zerocopy::big_endian::F32;
 
-use super::options::BlockOptions;
-use crate::scene::Colour;
+use crate::scene::colour::Colour;
+use crate::scene::render_options::RenderOptions;
 use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray must be able to add to its pixel, or it is not sent.
@@ -87,7 +87,7 @@ impl Chains {
     /// The bounds of a scene with these materials. The array has the greatest channels of the
     /// background, of the ambient light, and of the sum of all lights.
     pub(super) fn of(
-        options: BlockOptions,
+        options: RenderOptions,
         materials: impl Iterator<Item = Sends> + Clone,
         [background, ambient, lights]: [f64; 3],
     ) -> Self {
@@ -127,8 +127,8 @@ mod tests {
         Sends { share, emission: 0.0, diffuse, highlight: 0.0, is_own: false }
     }
 
-    fn to(ray_depth: u32) -> BlockOptions {
-        BlockOptions { ray_depth, ..BlockOptions::default() }
+    fn to(ray_depth: u32) -> RenderOptions {
+        RenderOptions { ray_depth, ..RenderOptions::default() }
     }
 
     #[test]
@@ -149,7 +149,7 @@ mod tests {
 
     #[test]
     fn counting_as_in_spd_bounds_nothing() {
-        let options = BlockOptions { spd_rays: true, ..to(6) };
+        let options = RenderOptions { spd_rays: true, ..to(6) };
         let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
     }

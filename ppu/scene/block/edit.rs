@@ -7,87 +7,25 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::{LightKind, Material, Mesh, Scene, Shape, Sky};
+use scenes::{LightKind, Material, Mesh, Shape, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
 use super::chains::Sends;
 use super::error::BlockError;
-use super::materials::{self, Light};
+use super::materials::{self, Light, ambient, brightest};
 use super::objects::{self, Object, has_on_surface, sides_seen_from};
-use super::options::{BlockOptions, ShaderEntries};
-use super::primitive::PrimitiveKind;
+use super::primitive::{PrimitiveId, PrimitiveKind};
+use super::shaders::ShaderEntries;
 use super::source_location::SourceLocation;
 use super::streamed::InMainMemory;
-use super::{
-    PrimitiveId, SceneBlock, Source, Spare, Surface, alike, ambient, brightest, surfacing,
-};
-use crate::scene::mesh::MeshError;
+use super::{SceneBlock, Surface};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
 
-/// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
-/// many, a quarter, an eighth.
-const PARTS: [usize; 4] = [1, 2, 4, 8];
-/// Spare room that is added to each of these.
-const FEW: usize = 4;
 /// The most objects or materials. It includes removed ones, because their numbers are not reused.
 const MOST_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 
 impl SceneBlock {
-    /// [`SceneBlock::new`] with spare room for objects and materials: as much as makes the batches
-    /// no smaller or, if any would, as little as there is, if they stay small batches.
-    pub(crate) fn with_room(
-        scene: &Scene,
-        options: BlockOptions,
-        shaders: &ShaderEntries,
-    ) -> Result<Self, BlockError> {
-        let shader = |name: &str| shaders.entry(name);
-        // Each material has a record of its own, so that it can be changed alone, unless they take
-        // more than local store.
-        let own: Vec<u32> = (0..).take(scene.materials.len()).collect();
-        let firsts = alike::firsts(&scene.materials);
-        let mut source = Source { scene, options, shader: &shader, firsts: &own };
-        let mut outcome = Self::unchanging_of(source);
-        let is_large = match &outcome {
-            Ok(block) => block.streamed.as_ref().is_some_and(|it| it.table.is_some()),
-            Err(BlockError::TooLarge { .. } | BlockError::TooManyObjects { .. }) => true,
-            Err(BlockError::Mesh { source, .. }) => {
-                matches!(source, MeshError::TooManyMaterials(_))
-            }
-            Err(_) => false,
-        };
-        if is_large && firsts != own {
-            source.firsts = &firsts;
-            outcome = Self::unchanging_of(source);
-        }
-        let tight = outcome?;
-        if tight.streamed.is_some() {
-            // What would be spare is the mesh's cache.
-            return Ok(tight);
-        }
-        // Added objects may reflect, even if nothing does so far.
-        let deepest = options.ray_depth;
-        let mut least = None;
-        for part in PARTS {
-            let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
-            let spare = Spare {
-                materials: more(tight.materials.len()),
-                objects: tight.primitives.each_ref().map(|primitives| more(primitives.count())),
-            };
-            match Self::with_spare(source, spare, None) {
-                Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
-                    return Ok(roomy);
-                }
-                Ok(roomy) if roomy.small_batch_at(deepest) == tight.small_batch_at(deepest) => {
-                    least = Some(roomy)
-                }
-                Ok(_) | Err(BlockError::TooLarge { .. }) => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Ok(least.unwrap_or(tight))
-    }
-
     /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and
     /// normals. `false` if a new tree is needed.
     pub(crate) fn refit_mesh(&mut self, mesh: &Mesh) -> bool {
@@ -184,7 +122,8 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let surfacing = surfacing(self.streamed.as_ref(), material);
+        let streamed = self.streamed.as_ref();
+        let surfacing = streamed.map(|it| it.surfacing(material)).unwrap_or_default();
         let record = materials::record(&self.file, material, surfacing, self.options, &shader)?;
         if let Some(address) = address {
             let bytes = self.block.at(address, record.as_bytes().len());

@@ -3,19 +3,20 @@
 //! Invariant: if a material's shares can have an effect, its flags tell so.
 
 use glam::DVec3;
-use scenes::{LightKind, Material, Shader, Sky, unit};
+use scenes::{LightKind, Material, Scene, Shader, Sky, unit};
+use zerocopy::big_endian::F32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::chains::greatest;
 use super::error::BlockError;
 use super::objects::taxicab;
-use super::options::BlockOptions;
 use super::source_location::SourceLocation;
-use crate::scene::Colour;
+use crate::scene::colour::Colour;
+use crate::scene::render_options::RenderOptions;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
     self, MATERIAL_FLAT, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES,
-    MATERIAL_TEXTURED, MATERIAL_TRANSMITS,
+    MATERIAL_TEXTURED, MATERIAL_TRANSMITS, MAX_LIGHTS,
 };
 
 /// Blinn's exponent for a highlight, as a multiple of Phong's.
@@ -115,7 +116,7 @@ pub(super) fn record(
     file: &str,
     material: &Material,
     surface: Surfacing,
-    options: BlockOptions,
+    options: RenderOptions,
     entry: &dyn Fn(&str) -> Option<u32>,
 ) -> Result<layout::Material, BlockError> {
     let &Material {
@@ -281,4 +282,33 @@ impl Light {
             ..self.record
         }
     }
+}
+
+/// The greatest channel of light that a ray which hits nothing can see.
+pub(super) fn brightest(background: DVec3, sky: Option<Sky>, colour: Colour) -> f64 {
+    let zenith = sky.map_or(background, |sky| sky.zenith);
+    colour.light(background.max(zenith)).max_element()
+}
+
+/// The ambient light: red, green, blue, and 0.
+pub(super) fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
+    let place = SourceLocation { file, line: None };
+    place.vector("ambient light", brightness)?;
+    let [red, green, blue] = singles(brightness);
+    Ok([red, green, blue, F32::ZERO])
+}
+
+/// The lights of a scene.
+///
+/// # Errors
+/// There are more than the SPUs support, or a number is out of range.
+pub(super) fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
+    if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
+        return Err(BlockError::TooManyLights { file: scene.name.clone(), line: light.line });
+    }
+    let light = |light: &scenes::Light| {
+        let place = SourceLocation { file: &scene.name, line: Some(light.line) };
+        Light::of(light.kind, scene.brightness(light), place)
+    };
+    scene.lights.iter().map(light).collect()
 }

@@ -4,7 +4,10 @@ use scenes::{Scene, Shape};
 
 use super::bvh::{self, Volumes};
 use super::primitive::{PATCH_SIZE, PrimitiveKind};
-use protocol::layout;
+use protocol::layout::{self, QueuedRay, RayPacket, SCENE_ROOM, SMALL_BATCH, Shear};
+
+/// The number of rays in a packet.
+const PACKET: usize = 16;
 
 /// Bytes of the records that every scene has.
 const FIXED: usize = size_of::<layout::Object>() + size_of::<layout::Material>();
@@ -81,4 +84,25 @@ impl MemoryUse {
             _ => format!("about {} % of the scene fits", room * 100 / needed),
         }
     }
+}
+
+/// The bytes that the queue of rays leaves for a scene.
+pub(super) fn room(batch: u32, ray_depth: u32) -> usize {
+    (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
+}
+
+/// The bytes of the queue of rays in local store: three batches, if chains have more than one ray.
+pub(super) fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
+    let batches = if ray_depth > 1 { 3 } else { 0 };
+    PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
+}
+
+/// The bytes of a batch's buffers that are not in the arena: the rays and, if there are triangles,
+/// the shears of its packets.
+pub(super) fn large_batch_bytes(batch: u32, has_triangles: bool) -> usize {
+    if batch <= SMALL_BATCH {
+        return 0;
+    }
+    let shears = if has_triangles { size_of::<Shear>() } else { 0 };
+    (2 * size_of::<RayPacket>() + shears) * batch as usize
 }

@@ -15,21 +15,23 @@
 mod alike;
 mod bounding_sphere;
 mod bounds;
+mod build;
 mod bvh;
 mod bytes;
 mod chains;
 mod cost;
 mod edit;
 mod error;
+mod found;
 mod material_table;
 mod materials;
 mod memory_use;
 mod objects;
 mod offsets;
-mod options;
 mod polygons;
 mod primitive;
 mod primitives;
+mod shaders;
 mod source_location;
 mod streamed;
 mod visible;
@@ -39,29 +41,20 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::{Scene, Sky, Texture};
+use scenes::Texture;
 use zerocopy::IntoBytes as _;
-use zerocopy::big_endian::{F32, U32};
+use zerocopy::big_endian::F32;
 
-use self::bounds::Bounds;
 use self::bvh::Volumes;
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
-use self::materials::Surfacing;
-use self::memory_use::MemoryUse;
-use self::objects::{Object, sides_seen_from};
-use self::primitive::PrimitiveKind;
+use self::memory_use::{MemoryUse, large_batch_bytes, queue_bytes, room};
+use self::primitive::PrimitiveId;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
-use self::streamed::{InMainMemory, Streamed, may_stay};
-use crate::scene::Colour;
-use crate::scene::mesh::NumberWidth;
-use crate::scene::render_options::NodeVolumes;
-use crate::scene::single::singles;
-use protocol::layout::{
-    self, BOX_CODE_ROOM, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS,
-    MAX_OBJECTS, QueuedRay, RayPacket, SCENE_ADDRESS, SCENE_ROOM, SMALL_BATCH, Shear,
-};
+use self::streamed::Streamed;
+use crate::scene::render_options::RenderOptions;
+use protocol::layout::{self, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, SMALL_BATCH};
 
 pub(crate) use bounding_sphere::BoundingSphere;
 pub(crate) use bvh::widened;
@@ -70,19 +63,15 @@ pub use error::BlockError;
 pub use material_table::MaterialTable;
 pub(crate) use materials::Light;
 pub(crate) use offsets::offset_note;
-pub use options::BlockOptions;
-pub(crate) use options::ShaderEntries;
+pub(crate) use shaders::ShaderEntries;
 pub use streamed::MeshPlace;
 pub(crate) use visible::VisiblePrimitive;
-
-/// The number of rays in a packet.
-const PACKET: usize = 16;
 
 /// A scene's block of records. Its buffers are reused for every eye.
 #[derive(Clone, Debug)]
 pub struct SceneBlock {
     file: String,
-    options: BlockOptions,
+    options: RenderOptions,
     /// The greatest channel of the background's light.
     background: f64,
     ambient: [F32; 4],
@@ -118,263 +107,7 @@ struct Surface {
     texture: Option<Arc<Texture>>,
 }
 
-/// What a block is made of.
-#[derive(Clone, Copy)]
-struct Source<'a> {
-    scene: &'a Scene,
-    options: BlockOptions,
-    /// Looks up the entry of a shader of the SPU program by its name.
-    shader: &'a dyn Fn(&str) -> Option<u32>,
-    /// For each material of the scene the first one that shares its record.
-    firsts: &'a [u32],
-}
-
-/// A primitive: an object, or a part of one.
-#[derive(Clone, Copy, Debug)]
-struct PrimitiveId {
-    kind: PrimitiveKind,
-    /// Number of its slot in the [`Primitives`] of its kind.
-    slot: usize,
-}
-
-/// Room for materials and primitives that may be added.
-#[derive(Clone, Copy, Debug, Default)]
-struct Spare {
-    materials: usize,
-    objects: [usize; 4],
-}
-
 impl SceneBlock {
-    /// Makes the block of a scene, and writes it for the scene's own view. `shader` looks up the
-    /// entry of a shader of the SPU program by its name.
-    ///
-    /// # Errors
-    /// - The scene doesn't fit the local store, or has more lights, or more primitives of a kind,
-    ///   than the SPUs support.
-    /// - A number is out of the SPU's range.
-    /// - A transparent material has no index of refraction.
-    /// - The SPU program lacks a shader that a material names.
-    /// - The ray depth is out of range.
-    pub fn new(
-        scene: &Scene,
-        options: BlockOptions,
-        shader: &dyn Fn(&str) -> Option<u32>,
-    ) -> Result<Self, BlockError> {
-        Self::of(Source { scene, options, shader, firsts: &alike::firsts(&scene.materials) })
-    }
-
-    fn of(source: Source<'_>) -> Result<Self, BlockError> {
-        let scene = source.scene;
-        if may_stay(scene) {
-            match Self::with_spare(source, Spare::default(), None) {
-                Err(error) if error.is_lack_of_room() && scene.mesh.is_some() => {}
-                done => return done,
-            }
-        }
-        Self::streaming(source, InMainMemory::default())
-    }
-
-    /// A block whose mesh is in main memory, and so are its objects of these kinds. If local store
-    /// lacks room for the materials, these are in main memory, too.
-    fn streaming(source: Source<'_>, kinds: InMainMemory) -> Result<Self, BlockError> {
-        let with = |streamed| Self::with_spare(source, Spare::default(), streamed);
-        let streamed = Streamed::of(source, kinds, NumberWidth::Byte)?;
-        let materials = streamed.as_ref().map_or(0, Streamed::resident_materials);
-        let outcome = with(streamed);
-        match outcome {
-            Err(BlockError::TooLarge { needed, room, .. })
-                if needed - room <= materials * size_of::<layout::Material>() =>
-            {
-                with(Streamed::of(source, kinds, NumberWidth::TwoBytes)?)
-            }
-            outcome => outcome,
-        }
-    }
-
-    /// [`SceneBlock::new`] of a scene that stays as it is. Its spheres, its cones or both go to
-    /// main memory if local store has no room for them.
-    ///
-    /// # Errors
-    /// As for [`SceneBlock::new`].
-    pub fn unchanging(
-        scene: &Scene,
-        options: BlockOptions,
-        shader: &dyn Fn(&str) -> Option<u32>,
-    ) -> Result<Self, BlockError> {
-        Self::unchanging_of(Source {
-            scene,
-            options,
-            shader,
-            firsts: &alike::firsts(&scene.materials),
-        })
-    }
-
-    fn unchanging_of(source: Source<'_>) -> Result<Self, BlockError> {
-        let mut outcome = Self::of(source);
-        for kinds in InMainMemory::choices(source.scene) {
-            match &outcome {
-                Err(error) if error.is_lack_of_room() => {}
-                _ => break,
-            }
-            outcome = Self::streaming(source, kinds);
-        }
-        outcome
-    }
-
-    /// Without `streamed`, a mesh is in local store. The nodes of a tree become boxes if that is
-    /// worth it, and their code and larger nodes take no room that batches need.
-    fn with_spare(
-        source: Source<'_>,
-        spare: Spare,
-        streamed: Option<Streamed>,
-    ) -> Result<Self, BlockError> {
-        let options = source.options;
-        let is_streamed = streamed.is_some();
-        let spheres = [Volumes::Spheres; 4];
-        let plain = Self::with_volumes(source, spare, spheres, streamed)?;
-        if is_streamed {
-            return Ok(plain);
-        }
-        let bounds = plain.primitives.iter().map(Primitives::bounds);
-        let bounds = bounds.fold(Bounds::NOTHING, Bounds::with);
-        let primitives = plain.primitives.each_ref();
-        let volumes = match options.volumes {
-            NodeVolumes::Best => primitives.map(|it| it.better_volumes(&bounds)),
-            NodeVolumes::Spheres => spheres,
-            NodeVolumes::Boxes => primitives.map(Primitives::boxed_volumes),
-        };
-        if volumes == spheres {
-            return Ok(plain);
-        }
-        // Boxes gain more than a large batch does, but less than a small one loses.
-        let deepest = options.ray_depth;
-        match Self::with_volumes(source, spare, volumes, None) {
-            Ok(block) if block.small_batch_at(deepest) == plain.small_batch_at(deepest) => {
-                Ok(block)
-            }
-            Ok(_) | Err(BlockError::TooLarge { .. }) => Ok(plain),
-            Err(error) => Err(error),
-        }
-    }
-
-    /// [`SceneBlock::with_spare`] with these volumes in the trees' nodes.
-    fn with_volumes(
-        source: Source<'_>,
-        spare: Spare,
-        volumes: [Volumes; 4],
-        mut streamed: Option<Streamed>,
-    ) -> Result<Self, BlockError> {
-        let Source { scene, options, shader, firsts } = source;
-        if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
-            return Err(BlockError::RayDepth(options.ray_depth));
-        }
-        let mut block = Block::default();
-        add_background(scene, options.colour, shader, &mut block)?;
-        if volumes.contains(&Volumes::Boxes) {
-            // The code is the program's, which is not known here.
-            block.reserve(BOX_CODE_ROOM as usize);
-        }
-        let ambient = ambient(&scene.name, scene.ambient)?;
-        let lights = lights(scene)?;
-        let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
-
-        let Found { found, objects, mut parts } =
-            Found::of(scene, options.ray_depth, streamed.as_ref())?;
-        let mut materials: Vec<Option<Surface>> = vec![None; scene.materials.len()];
-        if let Some(streamed) = &mut streamed
-            && let Some(textures) = &streamed.textures
-        {
-            streamed.texture_records = block.append(&textures.records(block.end()));
-        }
-        let record = |index: usize| {
-            let material = &scene.materials[index];
-            let surfacing = surfacing(streamed.as_ref(), material);
-            let record = materials::record(&scene.name, material, surfacing, options, shader)?;
-            let surface = Surface {
-                address: None,
-                is_shared: false,
-                sends: Sends::of(&record, material, options.colour),
-                texture: material.texture.clone(),
-            };
-            Ok::<_, BlockError>((record, surface))
-        };
-        // Those of a mesh in main memory are in a row, in the order of its blocks' numbers: in
-        // local store, or in main memory, too.
-        let start = block.end();
-        let mut table = Vec::new();
-        if let Some(streamed) = &streamed {
-            for &index in streamed.blocks.materials() {
-                let (record, mut surface) = record(index as usize)?;
-                match streamed.blocks.width() {
-                    NumberWidth::Byte => surface.address = Some(block.append(record.as_bytes())),
-                    NumberWidth::TwoBytes => table.push(record),
-                }
-                materials[index as usize] = Some(surface);
-            }
-        }
-        for object in found.iter().flatten() {
-            let index = firsts[object.material as usize] as usize;
-            if materials[index].as_ref().is_none_or(|it| it.address.is_none()) {
-                let (record, mut surface) = record(index)?;
-                surface.address = Some(block.append(record.as_bytes()));
-                materials[index] = Some(surface);
-            }
-        }
-        if let Some(streamed) = &mut streamed {
-            streamed.place_materials(start, &table);
-        }
-        for (index, &first) in firsts.iter().enumerate() {
-            let first = first as usize;
-            if first != index
-                && let Some(surface) = &mut materials[first]
-            {
-                surface.is_shared = true;
-                materials[index] = materials[first].clone();
-            }
-        }
-        let material_room =
-            (0..spare.materials).map(|_| block.reserve(size_of::<layout::Material>())).collect();
-        let material = |object: &Object| {
-            let surface = materials[object.material as usize].as_ref();
-            U32::new(surface.and_then(|it| it.address).unwrap_or(SCENE_ADDRESS))
-        };
-        let mut slots = PrimitiveKind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
-        let primitives = PrimitiveKind::ALL.map(|kind| {
-            let (found, slots) = (&found[kind as usize], &mut slots[kind as usize]);
-            let number = |index: usize, slot: usize| slots[index] = slot;
-            let spare = spare.objects[kind as usize];
-            let volumes = volumes[kind as usize];
-            Primitives::new(kind, found, spare, volumes, material, number, &mut block)
-        });
-        for part in &mut parts {
-            part.slot = slots[part.kind as usize][part.slot];
-        }
-        block.finish();
-
-        let mut scene_block = Self {
-            file: scene.name.clone(),
-            options,
-            background: brightest(scene.background, scene.sky, options.colour),
-            ambient,
-            lights,
-            light_address,
-            materials,
-            material_room,
-            primitives,
-            objects,
-            parts,
-            chains: Chains::UNBOUNDED,
-            streamed,
-            block,
-            eye: None,
-            objects_eye: scene.view.from,
-        };
-        scene_block.bound_chains();
-        scene_block.check_room()?;
-        scene_block.write_for(scene.view.from)?;
-        Ok(scene_block)
-    }
-
     /// Writes the block for an eye: only the changes if the eye is the last one, otherwise all
     /// records with positions.
     ///
@@ -526,172 +259,6 @@ impl SceneBlock {
             consumers: memory_use.consumers(),
             fits: memory_use.fits(room),
         })
-    }
-}
-
-/// What the streamed mesh has for a material.
-fn surfacing(streamed: Option<&Streamed>, material: &scenes::Material) -> Surfacing {
-    let Some(streamed) = streamed else {
-        return Surfacing::default();
-    };
-    let texture = material.texture.as_ref();
-    let address = texture.and_then(|texture| streamed.texture_address(texture));
-    Surfacing { texture: address.unwrap_or_default(), is_coloured: streamed.blocks.is_coloured() }
-}
-
-/// The bytes that the queue of rays leaves for a scene.
-fn room(batch: u32, ray_depth: u32) -> usize {
-    (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
-}
-
-/// The bytes of the queue of rays in local store: three batches, if chains have more than one ray.
-fn queue_bytes(batch: u32, ray_depth: u32) -> usize {
-    let batches = if ray_depth > 1 { 3 } else { 0 };
-    PACKET * size_of::<QueuedRay>() * (batch * batches) as usize
-}
-
-/// The bytes of a batch's buffers that are not in the arena: the rays and, if there are triangles,
-/// the shears of its packets.
-fn large_batch_bytes(batch: u32, has_triangles: bool) -> usize {
-    if batch <= SMALL_BATCH {
-        return 0;
-    }
-    let shears = if has_triangles { size_of::<Shear>() } else { 0 };
-    (2 * size_of::<RayPacket>() + shears) * batch as usize
-}
-
-/// The greatest channel of light that a ray which hits nothing can see.
-fn brightest(background: DVec3, sky: Option<Sky>, colour: Colour) -> f64 {
-    let zenith = sky.map_or(background, |sky| sky.zenith);
-    colour.light(background.max(zenith)).max_element()
-}
-
-/// Begins a block with the background's object, for rays that hit nothing.
-fn add_background(
-    scene: &Scene,
-    colour: Colour,
-    shader: &dyn Fn(&str) -> Option<u32>,
-    block: &mut Block,
-) -> Result<(), BlockError> {
-    let material = materials::background(&scene.name, scene.background, scene.sky, colour, shader)?;
-    let size = size_of::<layout::Object>();
-    let address = block.reserve(size);
-    let object = objects::background(block.append(material.as_bytes()));
-    block.at(address, size).copy_from_slice(object.as_bytes());
-    Ok(())
-}
-
-fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
-    let place = SourceLocation { file, line: None };
-    place.vector("ambient light", brightness)?;
-    let [red, green, blue] = singles(brightness);
-    Ok([red, green, blue, F32::ZERO])
-}
-
-fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
-    if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
-        return Err(BlockError::TooManyLights { file: scene.name.clone(), line: light.line });
-    }
-    let light = |light: &scenes::Light| {
-        let place = SourceLocation { file: &scene.name, line: Some(light.line) };
-        Light::of(light.kind, scene.brightness(light), place)
-    };
-    scene.lights.iter().map(light).collect()
-}
-
-/// A mesh's triangles as shapes, each with its material, and whether it is seen from both sides.
-fn of_mesh(mesh: &Arc<scenes::Mesh>) -> impl Iterator<Item = (scenes::Shape, u32, bool)> {
-    let triangles = mesh.materials.iter().enumerate();
-    triangles.map(|(triangle, &material)| (mesh.shape(triangle), material, mesh.two_sided))
-}
-
-/// The primitives of a scene's objects.
-#[derive(Default)]
-struct Found {
-    /// The primitives of each kind.
-    found: [Vec<Object>; 4],
-    /// For each object the range of its primitives in `parts`. There `slot` is an index in `found`.
-    objects: Vec<Range<usize>>,
-    parts: Vec<PrimitiveId>,
-}
-
-impl Found {
-    /// What is in main memory is left out here.
-    fn of(scene: &Scene, ray_depth: u32, streamed: Option<&Streamed>) -> Result<Self, BlockError> {
-        let in_main_memory = streamed.map(|it| it.kinds).unwrap_or_default();
-        let is_streamed = |shape: &scenes::Shape| in_main_memory.holds(shape);
-        let Self { mut found, mut objects, mut parts } = Self::default();
-        let eye = scene.view.from;
-        let most = MAX_OBJECTS as usize;
-        let mut counts = [0; 4];
-        // The first object that exceeds the limit, and its kind.
-        let mut too_many = None;
-        for object in &scene.objects {
-            let first = parts.len();
-            let material = scene.materials.get(object.material as usize);
-            if let Some(material) = material.filter(|_| !is_streamed(&object.shape)) {
-                let place = SourceLocation { file: &scene.name, line: Some(object.line) };
-                let (kind, about) = objects::about(&object.shape);
-                // Above the limit, objects are still counted, but not split into triangles, which
-                // takes time.
-                if about > most || counts[kind as usize] > most {
-                    counts[kind as usize] += about;
-                    too_many.get_or_insert((place, kind));
-                    continue;
-                }
-                objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
-                    let kind = primitive.kind();
-                    let found = &mut found[kind as usize];
-                    for sides in sides_seen_from(eye, &primitive, sides) {
-                        counts[kind as usize] += 1;
-                        if found.len() == most {
-                            too_many.get_or_insert((place, kind));
-                            return Ok(());
-                        }
-                        parts.push(PrimitiveId { kind, slot: found.len() });
-                        found.push(Object {
-                            primitive: primitive.clone(),
-                            sides,
-                            material: object.material,
-                        });
-                    }
-                    Ok(())
-                })?;
-            }
-            objects.push(first..parts.len());
-        }
-        // A mesh in local store: its triangles are no objects of the scene, and come after them.
-        for triangle in scene.mesh.iter().filter(|_| streamed.is_none()).flat_map(of_mesh) {
-            let (shape, index, two_sided) = triangle;
-            let kind = PrimitiveKind::Triangle;
-            let place = SourceLocation { file: &scene.name, line: None };
-            let Some(material) = scene.materials.get(index as usize) else {
-                continue;
-            };
-            objects::of_shape(&shape, material, place, &mut |primitive, sides| {
-                counts[kind as usize] += 1;
-                if found[kind as usize].len() == most {
-                    too_many.get_or_insert((place, kind));
-                    return Ok(());
-                }
-                parts.push(PrimitiveId { kind, slot: found[kind as usize].len() });
-                found[kind as usize].push(Object {
-                    primitive,
-                    sides: if two_sided { sides | layout::SIDES_BOTH } else { sides },
-                    material: index,
-                });
-                Ok(())
-            })?;
-        }
-        if let Some((place, kind)) = too_many {
-            return Err(BlockError::TooManyObjects {
-                place: place.to_string(),
-                what: kind.name(),
-                count: counts[kind as usize],
-                fits: MemoryUse::of(scene, counts).fits(room(1, ray_depth)),
-            });
-        }
-        Ok(Self { found, objects, parts })
     }
 }
 

@@ -155,3 +155,11 @@ impl Primitive {
         off > FLAT * ab.length().max(ac.length())
     }
 }
+
+/// A primitive: an object, or a part of one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PrimitiveId {
+    pub kind: PrimitiveKind,
+    /// Number of its slot in the [`Primitives`](super::primitives::Primitives) of its kind.
+    pub slot: usize,
+}

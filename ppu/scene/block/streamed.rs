@@ -9,16 +9,17 @@ use protocol::layout::{
     self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
     SCENE_ROOM, TEXTURE_CODE,
 };
-use scenes::{Mesh, Scene, Shape, Texture};
+use scenes::{Material, Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
 
-use super::Source;
+use super::bytes::Block;
 use super::error::BlockError;
 use super::material_table::MaterialTable;
+use super::materials::Surfacing;
 use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
-use crate::scene::Colour;
+use crate::scene::colour::Colour;
 use crate::scene::mesh::{
     MeshBlocks, MeshCone, MeshObjects, MeshSphere, NumberWidth, Numbers, RESIDENT,
 };
@@ -92,9 +93,9 @@ pub(super) struct Streamed {
     /// Its materials, if they are in main memory.
     pub table: Option<Arc<MaterialTable>>,
     /// The textures of these, if there are any.
-    pub textures: Option<Arc<Textures>>,
+    textures: Option<Arc<Textures>>,
     /// The address of their records.
-    pub texture_records: u32,
+    texture_records: u32,
 }
 
 /// What a frame tells SPUs of a scene's mesh.
@@ -122,13 +123,13 @@ pub struct MeshPlace<'a> {
 
 impl Streamed {
     /// The blocks of a scene's mesh, and of its objects of these kinds; `None` if there is nothing
-    /// for these. Materials have numbers at least so wide.
+    /// for these.
     pub fn of(
-        source: Source<'_>,
+        scene: &Scene,
         kinds: InMainMemory,
-        least: NumberWidth,
+        numbers: Numbers<'_>,
+        colour: Colour,
     ) -> Result<Option<Self>, BlockError> {
-        let Source { scene, firsts, .. } = source;
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
             None => origin_of_objects(scene),
@@ -140,8 +141,6 @@ impl Streamed {
         let wrong = |source| BlockError::Mesh { file: scene.name.clone(), source };
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
-        let numbers = Numbers { firsts, least };
-        let colour = source.options.colour;
         let blocks = MeshBlocks::numbered(mesh, &objects, &scene.materials, numbers, colour);
         let blocks = blocks.map_err(wrong)?;
         let of_spheres = objects.spheres.iter().flat_map(|sphere| {
@@ -182,6 +181,20 @@ impl Streamed {
         self.materials = address;
         let has_table = self.blocks.width() == NumberWidth::TwoBytes;
         self.table = has_table.then(|| Arc::new(MaterialTable::new(table)));
+    }
+
+    /// Adds its textures' records to the scene's block.
+    pub fn add_textures(&mut self, block: &mut Block) {
+        if let Some(textures) = &self.textures {
+            self.texture_records = block.append(&textures.records(block.end()));
+        }
+    }
+
+    /// What it has for a material.
+    pub fn surfacing(&self, material: &Material) -> Surfacing {
+        let texture = material.texture.as_ref();
+        let address = texture.and_then(|texture| self.texture_address(texture));
+        Surfacing { texture: address.unwrap_or_default(), is_coloured: self.blocks.is_coloured() }
     }
 
     /// Replaces the record that main memory has of a material of the scene, if it has one.
@@ -235,7 +248,7 @@ impl Streamed {
     }
 
     /// The address of a texture's record, if it is one of the mesh's.
-    pub fn texture_address(&self, texture: &Arc<Texture>) -> Option<u32> {
+    fn texture_address(&self, texture: &Arc<Texture>) -> Option<u32> {
         let number = self.textures.as_ref()?.number_of(texture)?;
         let size = size_of::<protocol::layout::Texture>();
         Some(self.texture_records + (number * size) as u32)

@@ -7,10 +7,18 @@ mod refusals;
 mod streamed;
 mod traced;
 
+use scenes::Scene;
+use zerocopy::big_endian::U32;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
+use super::build::{Builder, Spare};
+use super::primitive::PrimitiveKind;
+use super::streamed::InMainMemory;
 use super::*;
-use protocol::layout::{BoxNode, FARTHEST, Node};
+use crate::scene::Colour;
+use crate::scene::render_options::NodeVolumes;
+use crate::scene::single::singles;
+use protocol::layout::{self, BoxNode, FARTHEST, Node, SCENE_ADDRESS, SCENE_ROOM};
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";
@@ -22,11 +30,16 @@ fn scene(rest: &str) -> Scene {
 }
 
 fn block(rest: &str) -> SceneBlock {
-    of(&scene(rest), BlockOptions::default())
+    of(&scene(rest), RenderOptions::default())
 }
 
-fn of(scene: &Scene, options: BlockOptions) -> SceneBlock {
+fn of(scene: &Scene, options: RenderOptions) -> SceneBlock {
     SceneBlock::new(scene, options, &entry).expect("a block")
+}
+
+/// The block of a scene that has no room for all, with everything in local store.
+fn in_local_store(scene: &Scene, options: RenderOptions) -> Result<SceneBlock, BlockError> {
+    Builder::new(scene, options, &entry).in_local_store(Spare::default())
 }
 
 /// A volume above an object, from the eye.

@@ -7,7 +7,7 @@ use super::bounding_sphere::{BoundingSphere, Hull};
 use super::bvh::widened;
 use super::chains::Chains;
 use super::materials::Light;
-use super::options::BlockOptions;
+use crate::scene::render_options::RenderOptions;
 
 /// A primitive that may be visible in a picture.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +29,7 @@ pub(crate) struct VisiblePrimitive {
 
 impl SceneBlock {
     /// The settings of the block.
-    pub(crate) fn options(&self) -> BlockOptions {
+    pub(crate) fn options(&self) -> RenderOptions {
         self.options
     }
 

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::scene::Colour;
+use crate::scene::colour::Colour;
 
 /// The largest number.
 const MOST: f64 = 1023.0;

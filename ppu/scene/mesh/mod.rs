@@ -36,7 +36,7 @@ use scenes::{Material, Mesh};
 
 use self::colour::packed;
 use self::tree::{Bounds, Kind, Piece, Tree};
-use super::Colour;
+use super::colour::Colour;
 use super::single::LARGEST;
 
 pub use self::cone::MeshCone;

@@ -19,7 +19,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
 use self::level::{Level, root};
-use super::Colour;
+use super::colour::Colour;
 use super::single::single;
 
 /// Texels from one tile to the next.

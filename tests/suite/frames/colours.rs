@@ -3,11 +3,10 @@
 
 use std::sync::Arc;
 
-use cellray::framebuffer::Framebuffer as _;
 use protocol::layout::{COLOUR_CODE, FEATURE_COLOURS, MESH_BLOCK, MeshHeader, SIDES_COLOURED};
 use zerocopy::FromBytes as _;
 
-use crate::frames::fixture::{Fixture, Spoil};
+use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
 
 /// A sheet of 800 triangles, each vertex of another colour.
 fn scene() -> scenes::Scene {
@@ -32,18 +31,7 @@ fn scene() -> scenes::Scene {
 
 #[test]
 fn the_picture_is_the_same_with_any_number_of_spus() {
-    let mut one = Fixture::of(&scene(), 1);
-    let frame = one.frame;
-    one.submit(&frame).unwrap();
-    let expected = one.framebuffer.picture().unwrap();
-    let colours: std::collections::HashSet<_> = expected.pixels().collect();
-    assert!(colours.len() > 200, "{} colours", colours.len());
-    for spus in [2, 5] {
-        let mut several = Fixture::of(&scene(), spus);
-        let frame = several.frame;
-        several.submit(&frame).unwrap();
-        assert!(several.framebuffer.picture().unwrap() == expected, "{spus}");
-    }
+    is_the_same_with_spus(&scene(), [2, 5], 200);
 }
 
 #[test]

@@ -1,12 +1,14 @@
 //! A frame descriptor that can be spoilt, and an engine to send it to.
 
+use std::collections::HashSet;
 use std::env;
 use std::time::Duration;
 
 use crate::frames::descriptor::Descriptor;
 use crate::recorder::Recorder;
-use cellray::framebuffer::Memory;
+use cellray::framebuffer::{Framebuffer as _, Memory};
 use cellray::{Engine, EngineError, Settings, SharedMemory, work};
+use image::RgbImage;
 use protocol::layout::{Frame, SCENE_ROOM, Statistics, UnitCounter, WAITING_SIZE};
 
 /// Changes one field of a descriptor to a wrong value.
@@ -106,6 +108,17 @@ impl Fixture {
         unsafe { self.engine.submit(frame, &mut |_| ()) }.map(|_| ())
     }
 
+    /// Traces the frame, which is valid.
+    pub fn traced(&mut self) -> RgbImage {
+        let frame = self.frame;
+        self.submit(&frame).unwrap();
+        self.picture()
+    }
+
+    pub fn picture(&self) -> RgbImage {
+        self.framebuffer.picture().unwrap()
+    }
+
     pub fn refused(&mut self, frame: &Frame) -> work::Refusal {
         match self.submit(frame) {
             Err(EngineError::Refused { refusal, .. }) => refusal,
@@ -127,6 +140,21 @@ impl Fixture {
             assert!(text.contains(part), "{field}: {text}");
             self.submit(&good).unwrap_or_else(|error| panic!("after {field}: {error}"));
         }
+    }
+}
+
+/// Checks that the picture of a scene has more than so many colours, and is the same with these
+/// numbers of SPUs as with one.
+pub fn is_the_same_with_spus(
+    scene: &scenes::Scene,
+    spus: impl IntoIterator<Item = u32>,
+    least_colours: usize,
+) {
+    let expected = Fixture::of(scene, 1).traced();
+    let colours: HashSet<_> = expected.pixels().collect();
+    assert!(colours.len() > least_colours, "{} colours", colours.len());
+    for spus in spus {
+        assert!(Fixture::of(scene, spus).traced() == expected, "{spus}");
     }
 }
 

@@ -4,14 +4,12 @@
 use std::fmt::Write as _;
 
 use cellray::EngineError;
-use cellray::framebuffer::Framebuffer as _;
-use image::RgbImage;
 use protocol::layout::{
     MESH_BLOCK, MESH_LEAF, MESH_SPHERES, MESH_UPPER, MeshHeader, Object, SIDES_WIDE,
 };
 use zerocopy::FromBytes as _;
 
-use crate::frames::fixture::{Fixture, Spoil};
+use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
 
 const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
                     b 0.3 0.4 0.6\nl 4 6 9 0.9 0.9 0.9\n";
@@ -45,26 +43,12 @@ fn first(fixture: &Fixture, kind: u32) -> (usize, MeshHeader) {
     found.expect("the scene has blocks of this kind")
 }
 
-fn picture(fixture: &Fixture) -> RgbImage {
-    fixture.framebuffer.picture().unwrap()
-}
-
 #[test]
 fn the_picture_is_the_same_with_any_number_of_spus() {
     for is_of_spheres in [false, true] {
-        let mut one = Fixture::of(&scene(is_of_spheres), 1);
-        let frame = one.frame;
-        assert!(frame.materials.get() != 0);
-        one.submit(&frame).unwrap();
-        let expected = picture(&one);
-        let colours: std::collections::HashSet<_> = expected.pixels().collect();
-        assert!(colours.len() > 100, "{} colours", colours.len());
-        for spus in [2, 6] {
-            let mut several = Fixture::of(&scene(is_of_spheres), spus);
-            let frame = several.frame;
-            several.submit(&frame).unwrap();
-            assert!(picture(&several) == expected, "{spus}");
-        }
+        let scene = scene(is_of_spheres);
+        assert!(Fixture::of(&scene, 1).frame.materials.get() != 0);
+        is_the_same_with_spus(&scene, [2, 6], 100);
     }
 }
 
@@ -136,12 +120,11 @@ fn numbers_that_no_material_has() {
 fn records_are_those_of_the_table() {
     let mut fixture = Fixture::of(&scene(false), 2);
     let frame = fixture.frame;
-    fixture.submit(&frame).unwrap();
-    let expected = picture(&fixture);
+    let expected = fixture.traced();
     let black = vec![0; 1536 * protocol::layout::MATERIAL_STRIDE as usize];
     fixture.materials.write(0, &black);
     fixture.submit(&frame).unwrap();
-    let dark = picture(&fixture);
+    let dark = fixture.picture();
     let black = dark.pixels().filter(|pixel| pixel.0 == [0; 3]).count();
     assert!(black * 3 > dark.pixels().len(), "{black} black pixels");
     assert!(dark != expected);

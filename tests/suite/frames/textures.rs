@@ -4,7 +4,6 @@
 use std::sync::Arc;
 
 use cellray::EngineError;
-use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
     EYE_CODE_ROOM, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
@@ -13,7 +12,7 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use scenes::{Texture, Wrap};
 
-use crate::frames::fixture::{Fixture, Spoil};
+use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
 
 /// Words of a texture's and a level's record.
 const LAST: usize = 1;
@@ -56,24 +55,9 @@ fn scene() -> scenes::Scene {
     scene
 }
 
-fn picture(fixture: &Fixture) -> RgbImage {
-    fixture.framebuffer.picture().unwrap()
-}
-
 #[test]
 fn the_picture_is_the_same_with_any_number_of_spus() {
-    let mut one = Fixture::of(&scene(), 1);
-    let frame = one.frame;
-    one.submit(&frame).unwrap();
-    let expected = picture(&one);
-    let colours: std::collections::HashSet<_> = expected.pixels().collect();
-    assert!(colours.len() > 300, "{} colours", colours.len());
-    for spus in 2..=6 {
-        let mut several = Fixture::of(&scene(), spus);
-        let frame = several.frame;
-        several.submit(&frame).unwrap();
-        assert!(picture(&several) == expected, "{spus}");
-    }
+    is_the_same_with_spus(&scene(), 2..=6, 300);
 }
 
 #[test]
@@ -142,7 +126,7 @@ impl Records {
         let frame = self.fixture.frame;
         let outcome = self.fixture.submit(&frame);
         self.fixture.scene.write(at, &good.to_be_bytes());
-        outcome.map(|()| picture(&self.fixture))
+        outcome.map(|()| self.fixture.picture())
     }
 }
 
@@ -198,7 +182,7 @@ fn records_of_textures_that_are_wrong() {
     let without = records.traced_with(material, 0).unwrap();
     let frame = records.fixture.frame;
     records.fixture.submit(&frame).unwrap();
-    assert!(without != picture(&records.fixture), "a material without its texture");
+    assert!(without != records.fixture.picture(), "a material without its texture");
 }
 
 /// Blocks may have texture coordinates only in frames with textures, and must have room for them.

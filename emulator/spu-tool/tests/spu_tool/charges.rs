@@ -18,8 +18,8 @@ use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::timing::Cause;
 use spu_reports::ProfileFile;
+use spu_reports::views::{FunctionFigures, View, ViewError};
 use spu_scheduler::code::Code;
-use spu_tool::profile::{FunctionFigures, View, ViewError};
 
 /// A dual pair, a dependence, a mispredicted branch, commands that the program waits for, atomic
 /// lines, and a decrementer whose event interrupts a loop.

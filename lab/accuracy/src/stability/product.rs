@@ -1,7 +1,8 @@
 //! Objects in the form in which the PPU sends them: the records that the rays of a frame are
 //! tested against.
 
-use cellray::work::{BlockOptions, SceneBlock};
+use cellray::scene::RenderOptions;
+use cellray::work::SceneBlock;
 use glam::DVec3;
 use kernels::single::bits;
 use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
@@ -127,7 +128,7 @@ impl Product {
             objects: vec![scenes::Object { line: 0, material: 0, shape }],
             mesh: None,
         };
-        let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;
+        let block = SceneBlock::new(&scene, RenderOptions::default(), &|_| None).ok()?;
         let (tree, size) = kind.record();
         let tree = &block.bvhs()[tree];
         if tree.objects.get() != 1 {

@@ -62,7 +62,7 @@ fn objects_are_inside(volumes: NodeVolumes) {
             rest += &any_object(&mut random, place);
         }
         let scene = scene(&rest);
-        let mut block = of(&scene, BlockOptions { ray_depth: 1, volumes, ..Default::default() });
+        let mut block = of(&scene, RenderOptions { ray_depth: 1, volumes, ..Default::default() });
         let boxed = |kind: PrimitiveKind| {
             volumes == NodeVolumes::Boxes
                 && kind != PrimitiveKind::Sphere
@@ -118,7 +118,7 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
         })
         .collect();
     let first = scene(&texts);
-    let options = BlockOptions { ray_depth: 1, volumes, ..Default::default() };
+    let options = RenderOptions { ray_depth: 1, volumes, ..Default::default() };
     let shaders = ShaderEntries::new(Vec::new());
     let mut block = SceneBlock::with_room(&first, options, &shaders).expect("a block");
     assert_eq!(block.box_trees() != 0, volumes == NodeVolumes::Boxes);
@@ -287,7 +287,7 @@ fn boxes_are_chosen_for_the_scenes_that_gain() {
     ] {
         let path = format!("{}/scenes/{name}.nff", env!("CARGO_MANIFEST_DIR"));
         let scene = scenes::load(std::path::Path::new(&path)).expect("a scene");
-        let found = SceneBlock::new(&scene, BlockOptions::default(), &|_| Some(0));
+        let found = SceneBlock::new(&scene, RenderOptions::default(), &|_| Some(0));
         assert_eq!(found.expect("a block").box_trees(), trees, "{name}");
     }
 }
@@ -301,7 +301,7 @@ fn without_room_for_boxes_nodes_are_spheres() {
             (0..count).map(|x| format!("p 3\n{x} 0 -5\n{x} 1 -5\n{x} 0 -6\n")).collect();
         let scene = scene(&triangles);
         let [plain, boxed] = [NodeVolumes::Spheres, NodeVolumes::Boxes].map(|volumes| {
-            let options = BlockOptions { volumes, ..Default::default() };
+            let options = RenderOptions { volumes, ..Default::default() };
             of(&scene, options)
         });
         let [few, many] = [&boxed, &plain].map(|block| block.batch().min(SMALL_BATCH));

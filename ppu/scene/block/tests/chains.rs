@@ -14,7 +14,7 @@ const MATERIAL: usize = 1;
 fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
     let scene = scene(&(MATT.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
     let shaders = ShaderEntries::new(vec!["rings".to_owned()]);
-    let block = SceneBlock::with_room(&scene, BlockOptions::default(), &shaders).unwrap();
+    let block = SceneBlock::with_room(&scene, RenderOptions::default(), &shaders).unwrap();
     (block, scene.materials[MATERIAL].clone(), shaders)
 }
 

@@ -63,7 +63,7 @@ fn a_sky_is_the_shader_of_the_background() {
     assert_eq!(up, [0.0, 0.6, -0.8, 0.0]);
 
     let scene = scene("#cellray sky 0 0 0\n");
-    let without = SceneBlock::new(&scene, BlockOptions::default(), &|_| None);
+    let without = SceneBlock::new(&scene, RenderOptions::default(), &|_| None);
     let message = without.expect_err("no shader").to_string();
     assert!(message.contains("no shader `sky`"), "{message}");
 }
@@ -73,7 +73,7 @@ fn colours_in_srgb_become_light() {
     let text = "b 0.5 0.5 0.5\n#cellray sky 0 0.5 1\nf 1 0.5 0 0.5 0.5 9 0.5 1\n\
                 #cellray shader checker 0 0.5 1 2\ns 0 0 9 1\n";
     let of = |colour| {
-        let options = BlockOptions { colour, ..BlockOptions::default() };
+        let options = RenderOptions { colour, ..RenderOptions::default() };
         let block = of(&scene(text), options);
         let background: &Head = block.at(U32::new(SCENE_ADDRESS));
         let sphere: &Head = block.at(only(&block, PrimitiveKind::Sphere));
@@ -267,7 +267,7 @@ fn cones() {
 fn materials() {
     let material = |text: &str, fresnel: bool| {
         let scene = scene(&format!("f {text}\ns 0 0 0 1\n"));
-        let block = of(&scene, BlockOptions { fresnel, ..Default::default() });
+        let block = of(&scene, RenderOptions { fresnel, ..Default::default() });
         let head: &Head = block.at(only(&block, PrimitiveKind::Sphere));
         *block.at::<Material>(head.material)
     };
@@ -420,7 +420,7 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
 #[test]
 fn a_block_is_that_of_its_last_eye() {
     let scene = scenes::sphereflake::generate(2).expect("a scene");
-    let mut block = of(&scene, BlockOptions::default());
+    let mut block = of(&scene, RenderOptions::default());
     let first = block.bytes().to_vec();
     block.write_for(DVec3::new(-3.0, 4.0, 1.0)).expect("an eye");
     assert_ne!(block.bytes(), first);

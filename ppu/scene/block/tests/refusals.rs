@@ -10,8 +10,8 @@ fn refusal(rest: &str) -> String {
 }
 
 fn refusal_at(rest: &str, ray_depth: u32) -> String {
-    let options = BlockOptions { ray_depth, ..Default::default() };
-    match SceneBlock::new(&scene(rest), options, &entry) {
+    let options = RenderOptions { ray_depth, ..Default::default() };
+    match in_local_store(&scene(rest), options) {
         Ok(_) => panic!("accepted"),
         Err(error) => error.to_string(),
     }
@@ -186,7 +186,7 @@ fn the_batch_is_as_large_as_fits() {
     for ray_depth in 1..=16 {
         for spheres in [0, 200, 400, 500, 600] {
             let scene = scene(&(MIRROR.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
-            let options = BlockOptions { ray_depth, ..Default::default() };
+            let options = RenderOptions { ray_depth, ..Default::default() };
             let block = of(&scene, options);
             let deepest = if spheres == 0 { 1 } else { ray_depth };
             assert_eq!(block.ray_depth(), deepest);

@@ -26,7 +26,7 @@ fn square(rows: u32) -> Scene {
 #[test]
 fn a_small_mesh_is_in_local_store() {
     let scene = square(10);
-    let block = of(&scene, BlockOptions::default());
+    let block = of(&scene, RenderOptions::default());
     assert!(block.mesh().is_none());
     let leaves = block.leaves(PrimitiveKind::Triangle);
     assert_eq!(leaves.len(), 20);
@@ -40,7 +40,7 @@ fn a_small_mesh_is_in_local_store() {
 fn a_large_mesh_is_in_main_memory() {
     let scene = square(2000);
     for ray_depth in [1, 2, 5] {
-        let options = BlockOptions { ray_depth, ..BlockOptions::default() };
+        let options = RenderOptions { ray_depth, ..RenderOptions::default() };
         let block = of(&scene, options);
         let mesh = block.mesh().unwrap();
         assert_eq!(mesh.blocks.statistics().triangles, 4000);
@@ -62,7 +62,7 @@ fn a_large_mesh_is_in_main_memory() {
 
 #[test]
 fn the_eye_moves_in_the_mesh_s_coordinates() {
-    let mut block = of(&square(2000), BlockOptions::default());
+    let mut block = of(&square(2000), RenderOptions::default());
     block.write_for(DVec3::new(1.0, 2.0, 3.0)).unwrap();
     let eye = block.mesh().unwrap().eye.map(F32::get);
     assert_eq!(eye, [1.0, 2.0, 3.0, 0.0]);
@@ -74,7 +74,7 @@ fn a_mesh_that_can_t_be_converted_names_its_file() {
     let mut mesh = Mesh::clone(scene.mesh.as_deref().unwrap());
     mesh.positions[5] = [1e30; 3];
     scene.mesh = Some(Arc::new(mesh));
-    let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
+    let error = SceneBlock::new(&scene, RenderOptions::default(), &entry).unwrap_err();
     let message = error.to_string();
     assert!(message.starts_with("t.nff: vertex 5 is at [1e30"), "{message}");
 }
@@ -91,10 +91,11 @@ fn a_mesh_leaves_less_room_for_objects() {
         },
     };
     scene.objects.extend((0..700).map(sphere));
-    let error = SceneBlock::new(&scene, BlockOptions::default(), &entry).unwrap_err();
+    let builder = Builder::new(&scene, RenderOptions::default(), &entry);
+    let error = builder.in_main_memory(InMainMemory::default()).unwrap_err();
     assert!(matches!(error, BlockError::TooLarge { .. }), "{error}");
     scene.mesh = None;
-    assert!(SceneBlock::new(&scene, BlockOptions::default(), &entry).is_ok());
+    assert!(SceneBlock::new(&scene, RenderOptions::default(), &entry).is_ok());
 }
 
 /// A scene of spheres, each after a fill of its own, of which `kinds` differ.
@@ -108,7 +109,7 @@ fn fills(spheres: u32, kinds: u32) -> Scene {
 }
 
 fn unchanging(scene: &Scene) -> SceneBlock {
-    SceneBlock::unchanging(scene, BlockOptions::default(), &entry).expect("a block")
+    SceneBlock::new(scene, RenderOptions::default(), &entry).expect("a block")
 }
 
 #[test]
@@ -161,7 +162,7 @@ fn a_few_materials_stay_in_local_store() {
 fn materials_of_what_changes_have_records_of_their_own() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(40, 2);
-    let options = BlockOptions::default();
+    let options = RenderOptions::default();
     let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
     let changed = scenes::Material { colour: DVec3::ONE, ..scene.materials[3].clone() };
     assert!(block.set_material(3, &changed, &shaders).expect("a record"));
@@ -186,7 +187,7 @@ fn materials_of_what_changes_have_records_of_their_own() {
 fn a_material_in_main_memory_is_changed_in_place() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(1300, 1300);
-    let mut block = SceneBlock::with_room(&scene, BlockOptions::default(), &shaders).unwrap();
+    let mut block = SceneBlock::with_room(&scene, RenderOptions::default(), &shaders).unwrap();
     let numbers = block.mesh().unwrap().blocks.materials().to_vec();
     let number = numbers.iter().position(|&it| it == 700).unwrap();
     let read = |block: &SceneBlock| block.mesh().unwrap().table.unwrap().bytes().to_vec();
@@ -217,8 +218,8 @@ fn crowd(spheres: u32, cones: u32, triangles: u32) -> Scene {
 
 /// How many spheres, cones and triangles are in main memory, and the same of local store.
 fn places(scene: &Scene) -> [[usize; 3]; 2] {
-    let options = BlockOptions::default();
-    let block = SceneBlock::unchanging(scene, options, &entry).expect("a block");
+    let options = RenderOptions::default();
+    let block = SceneBlock::new(scene, options, &entry).expect("a block");
     let statistics = block.mesh().map(|mesh| mesh.blocks.statistics());
     let statistics = statistics.unwrap_or_default();
     let here = [PrimitiveKind::Sphere, PrimitiveKind::Cone, PrimitiveKind::Triangle];
@@ -244,8 +245,8 @@ fn only_what_does_not_fit_goes_to_main_memory() {
 #[test]
 fn polygons_make_room_for_nothing_else() {
     let crowd = crowd(1500, 1500, 400);
-    let options = BlockOptions::default();
-    let error = SceneBlock::unchanging(&crowd, options, &entry).unwrap_err();
+    let options = RenderOptions::default();
+    let error = SceneBlock::new(&crowd, options, &entry).unwrap_err();
     assert!(error.is_lack_of_room(), "{error}");
     let all = crate::scene::mesh::gathered_all(&crowd).expect("polygons");
     assert_eq!(places(&all), [[1500, 1500, 400], [0; 3]]);
@@ -261,8 +262,8 @@ fn a_cone_in_main_memory_that_is_out_of_range_is_refused() {
         panic!("a cone");
     };
     *apex_radius = 1e30;
-    let options = BlockOptions::default();
-    let error = SceneBlock::unchanging(&scene, options, &entry).unwrap_err();
+    let options = RenderOptions::default();
+    let error = SceneBlock::new(&scene, options, &entry).unwrap_err();
     let message = error.to_string();
     let line = scene.objects[1400].line;
     assert!(

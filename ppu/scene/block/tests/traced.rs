@@ -134,7 +134,7 @@ fn coloured(mut scene: Scene) -> Scene {
 fn compare(scene: &Scene, side: u32) -> usize {
     let (reference, _) = trace(scene, side, side, &Options::default()).expect("a picture");
     let blocks = [NodeVolumes::Spheres, NodeVolumes::Boxes].map(|volumes| {
-        let options = BlockOptions { volumes, ..Default::default() };
+        let options = RenderOptions { volumes, ..Default::default() };
         of(scene, options)
     });
     let camera = scene.view.camera(side, side).expect("a camera");

@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
+use spu_reports::views::{View, ViewError};
 use spu_reports::{ProfileError, ProfileFile};
 use spu_scheduler::code::{Code, CodeError};
-use spu_tool::profile::{View, ViewError};
 use thiserror::Error;
 
 use crate::failure::Failure;

@@ -23,9 +23,9 @@ use spu_emulator::simulated::{CYCLES_PER_SECOND, Method, Simulation, SimulationO
 use spu_emulator::spe::{Config, Halted, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::{Instruction, LIMIT_MASK};
+use spu_reports::views::View;
 use spu_reports::{Figures, ProfileFile};
 use spu_scheduler::code::Code;
-use spu_tool::profile::View;
 
 use super::arguments;
 use super::bench::Bench;

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use spu_emulator::profile::{ProgramId, Tally};
-use spu_reports::ProfileFile;
 use spu_scheduler::code::{Code, Function};
 use thiserror::Error;
 
 use super::figures::{FunctionFigures, LineFigures};
 use super::{json, listing};
+use crate::ProfileFile;
 
 /// The name for instructions that are in no function of the file.
 const OUTSIDE: &str = "(outside the program's code)";

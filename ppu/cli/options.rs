@@ -1,0 +1,182 @@
+//! The options that `render` and `fb` share, and what the library gets for them.
+
+use std::path::PathBuf;
+
+use cellray::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
+use cellray::framebuffer::Labels;
+use cellray::scene::{Colour, RenderOptions, Samples};
+use cellray::spe::Program;
+use cellray::work::{Skip, Split};
+use cellray::{Quality, Scene, Settings};
+use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, ValueEnum as _};
+use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
+use protocol::layout::{MESH_LEAST_SLOTS, MESH_MOST_SLOTS};
+
+use super::camera::Camera;
+
+/// Options for the scene, the SPUs and the statistics.
+#[derive(Args)]
+pub struct Options {
+    #[command(flatten)]
+    pub scene: SceneChoices,
+    #[command(flatten)]
+    pub camera: Camera,
+    /// SPUs to use
+    #[arg(
+        long,
+        default_value_t = 6,
+        value_name = "N",
+        allow_negative_numbers = true,
+        value_parser = whole::<u32>(0..=u64::from(u32::MAX))
+    )]
+    pub spus: u32,
+    /// How the picture is split among the SPUs
+    #[arg(long, value_enum, default_value_t)]
+    pub split: Split,
+    /// Test every ray with every object, and trace every frame completely
+    #[arg(long)]
+    pub no_skip: bool,
+    /// Trace the same rays as the Standard Procedural Databases count, even those that add nothing
+    /// to the picture, such as reflected rays of glass with Ks 0
+    #[arg(long)]
+    pub spd_rays: bool,
+    #[command(flatten)]
+    look: LookChoices,
+    /// Most blocks of a mesh that an SPU caches, for measurements
+    #[arg(long, default_value_t = MESH_MOST_SLOTS, value_name = "N", hide = true, value_parser = whole::<u32>(u64::from(MESH_LEAST_SLOTS)..=u64::from(MESH_MOST_SLOTS)))]
+    pub mesh_cache: u32,
+    /// Trade run time for accuracy [default: default]
+    #[arg(long, value_enum, conflicts_with_all = ["program", "shaders"])]
+    pub quality: Option<Quality>,
+    /// Formulation for spheres, instead of the quality's; see docs/accuracy.md
+    #[arg(long, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
+    pub sphere: Option<String>,
+    /// Formulation for triangles, instead of the quality's; see docs/accuracy.md
+    #[arg(long, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
+    pub triangle: Option<String>,
+    #[command(flatten)]
+    program: ProgramChoices,
+    /// Trace every frame completely, even tiles that have not changed
+    #[arg(long)]
+    pub retrace: bool,
+    /// Print statistics: rays, tests, tiles, what each SPU did
+    #[arg(long, short)]
+    pub verbose: bool,
+    /// Write statistics as JSON to a file, or to standard output with -
+    #[arg(long, value_name = "S.json")]
+    pub stats: Option<PathBuf>,
+}
+
+impl Options {
+    /// The model and its settings. With `corners`, primary rays go through the corners of pixels.
+    pub fn render_options(&self, scene: &scenes::Scene, corners: bool) -> RenderOptions {
+        let options = RenderOptions {
+            spd_rays: self.spd_rays,
+            corners,
+            mesh_cache: self.mesh_cache,
+            ..self.scene.render_options()
+        };
+        // Corners are the databases' own antialiasing, whose mean is taken of bytes.
+        let look = match corners {
+            true => self.look.look(Samples::One, Some(Colour::Linear)),
+            false => self.look.look(Samples::Four, None),
+        };
+        look.of(options, scene.lights.len())
+    }
+
+    /// What a picture's file says of how it was made of a scene that had this view: the options of
+    /// `cellray render` that determine it, including those that are not given.
+    pub fn labels(&self, scene: &Scene, own_view: &scenes::View) -> Labels {
+        let mut labels = Labels::default();
+        labels.set("scene", self.scene.scene.display());
+        labels.set_view(scene.view(), own_view);
+        let is_whitted = scene.block().is_some();
+        labels.set("model", if is_whitted { "whitted" } else { "depth" });
+        let RenderOptions {
+            ray_depth,
+            fresnel,
+            spd_rays,
+            shadows,
+            samples,
+            contrast,
+            colour,
+            roll_off,
+            corners,
+            ..
+        } = scene.render_options();
+        labels.set("antialias", samples as u32);
+        if samples != Samples::One {
+            labels.set("contrast", contrast);
+        }
+        labels.set(
+            "colour",
+            match colour {
+                Colour::Linear => "linear",
+                Colour::Srgb => "srgb",
+            },
+        );
+        if is_whitted {
+            labels.set("ray-depth", ray_depth);
+        }
+        for (option, is_on) in [
+            ("fresnel", is_whitted && fresnel),
+            ("spd-rays", is_whitted && spd_rays),
+            ("no-shadows", is_whitted && !shadows),
+            ("roll-off", roll_off),
+            ("corners", corners),
+        ] {
+            if is_on {
+                labels.set(option, true);
+            }
+        }
+        if let Some(program) = &self.program.program {
+            labels.set("program", program.display());
+        } else if !self.program.shaders.is_empty() {
+            let names = self.program.shaders.iter().map(|shader| shader.display().to_string());
+            labels.set("shader", names.collect::<Vec<_>>().join(" "));
+        } else {
+            let quality = self.quality.unwrap_or_default().to_possible_value();
+            labels.set("quality", quality.as_ref().map_or("", PossibleValue::get_name));
+            for (option, formulation) in [("sphere", &self.sphere), ("triangle", &self.triangle)] {
+                if let Some(formulation) = formulation {
+                    labels.set(option, formulation);
+                }
+            }
+        }
+        labels
+    }
+
+    /// The files that a picture is made of.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        std::iter::once(self.scene.scene.clone()).chain(self.program.files())
+    }
+
+    /// The engine's settings.
+    pub fn settings(&self, program: Program) -> Settings {
+        Settings {
+            spus: self.spus,
+            split: self.split,
+            skip: if self.no_skip { Skip::Nothing } else { Skip::Misses },
+            retain: !self.retrace,
+            check_shaders: self.program.check_shaders,
+            timeout: self.program.timeout(),
+            program,
+        }
+    }
+
+    /// The SPU program, as the options select it.
+    pub fn program(&self) -> Result<Program, Box<dyn std::error::Error>> {
+        if let Some(program) = self.program.program()? {
+            return Ok(program);
+        }
+        let mut formulations = self.quality.unwrap_or_default().formulations();
+        if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
+            formulations = Formulations::of(sphere, formulations.triangle);
+        }
+        if let Some(triangle) = self.triangle.as_deref().and_then(formulation::triangle) {
+            formulations.triangle = triangle;
+        }
+        Ok(Program::of(&formulations)?)
+    }
+}
