@@ -134,7 +134,8 @@ fn series<D: Description>(
         let [more, of] = inputs.part(&found);
         (calls, part, whole) = (calls + 1, part + more, whole + of);
     }
-    if whole > 0 && !share.contains(&(part as f64 / whole as f64)) {
+    // A share of nothing is no number, and within no limits.
+    if *share != ANY_SHARE && !share.contains(&(part as f64 / whole as f64)) {
         let kernel = D::KERNEL;
         return Err(Unequal(format!("{kernel}: {part} of {whole}, not a share in {share:?}")));
     }
