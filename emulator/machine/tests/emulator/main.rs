@@ -5,6 +5,7 @@
 
 #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
 mod compiled;
+mod filetests;
 mod float;
 mod instructions;
 mod machine;
