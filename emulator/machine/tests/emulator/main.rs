@@ -10,7 +10,6 @@ mod float;
 mod instructions;
 mod machine;
 mod program;
-mod random;
 mod simulated;
 mod spu_calls;
 mod timer;
