@@ -5,11 +5,11 @@
 
 #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
 mod compiled;
+mod filetests;
 mod float;
 mod instructions;
 mod machine;
 mod program;
-mod random;
 mod simulated;
 mod spu_calls;
 mod timer;

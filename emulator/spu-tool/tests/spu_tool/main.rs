@@ -16,7 +16,6 @@ mod observe;
 mod page;
 mod profile;
 mod races;
-mod random;
 mod report;
 mod run;
 mod schedule;

@@ -43,13 +43,12 @@ fn both_engines() {
 }
 
 /// The seeds of so many random inputs, times `CELLRAY_TEST_ROUNDS`, from `SPU_FUZZ_SEED` on.
-fn seeds(count: u64) -> Range<u64> {
-    let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
-    let first = number("SPU_FUZZ_SEED", 0);
-    first..first + count * number("CELLRAY_TEST_ROUNDS", 1)
+fn seeds(count: u32) -> Range<u64> {
+    let first = std::env::var("SPU_FUZZ_SEED").map_or(0, |seed| seed.parse().unwrap());
+    first..first + u64::from(randomness::rounds(count))
 }
 
-fn random_inputs(count: u64, oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
+fn random_inputs(count: u32, oracle: fn(&[u8]), input: fn(&mut ChaCha8Rng) -> Vec<u8>) {
     for seed in seeds(count) {
         let input = input(&mut ChaCha8Rng::seed_from_u64(seed));
         let run = std::panic::catch_unwind(|| oracle(&input));

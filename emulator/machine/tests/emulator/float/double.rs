@@ -2,7 +2,7 @@
 //! arithmetic.
 
 use super::exact::Exact;
-use crate::random::Random;
+use randomness::{Random, rounds};
 use spu_emulator::float::double;
 use spu_emulator::float::fpscr::{Flags, Fpscr, Rounding};
 
@@ -10,7 +10,7 @@ const SIGN: u64 = 1 << 63;
 const INFINITY: u64 = 0x7ff0_0000_0000_0000;
 const NAN: u64 = 0x7ff8_0000_0000_0000;
 const SIGNALLING: u64 = 0x7ff0_0000_0000_0001;
-const RANDOM_OPERANDS: u64 = 2_000_000;
+const RANDOM_OPERANDS: u32 = 500_000;
 const MODES: [Rounding; 4] =
     [Rounding::NearestEven, Rounding::TowardZero, Rounding::Up, Rounding::Down];
 
@@ -189,7 +189,7 @@ fn edges_by_edges() {
 }
 
 fn random_operands(random: &mut Random) -> [u64; 3] {
-    let [a, b, c] = [random.next(), random.next(), random.next()];
+    let [a, b, c] = [random.bits(), random.bits(), random.bits()];
     let moderate = |x: u64| x & 0x801f_ffff_ffff_ffff | 0x3fe0_0000_0000_0000;
     // Sums and products of numbers of few digits are often exact.
     let short = |x: u64| moderate(x) & 0xffff_ffc0_0000_0000;
@@ -214,7 +214,7 @@ fn random_operands(random: &mut Random) -> [u64; 3] {
 #[test]
 fn random_operands_in_every_mode() {
     let mut random = Random::new("double");
-    for round in 0..RANDOM_OPERANDS {
+    for round in 0..rounds(RANDOM_OPERANDS) {
         let [a, b, t] = random_operands(&mut random);
         check(a, b, t, MODES[round as usize % 4]);
     }
@@ -225,7 +225,7 @@ fn random_operands_in_every_mode() {
 fn nearest_even_is_the_hosts() {
     let mut random = Random::new("host");
     let plain = |x: u64| (0x001..0x7ff).contains(&(x >> 52 & 0x7ff));
-    for _ in 0..RANDOM_OPERANDS {
+    for _ in 0..rounds(RANDOM_OPERANDS) {
         let [a, b, t] = random_operands(&mut random);
         if !(plain(a) && plain(b) && plain(t)) {
             continue;
@@ -245,7 +245,7 @@ fn conversions_between_the_precisions() {
     let mut random = Random::new("fesd frds");
     let singles =
         [0u32, 0x8000_0000, 0x0080_0000, 0x3f80_0000, 0x7f7f_ffff, 0x7f80_0000, 0xff80_0000];
-    for x in singles.into_iter().chain((0..100_000).map(|_| random.next() as u32)) {
+    for x in singles.into_iter().chain((0..rounds(25_000)).map(|_| random.bits() as u32)) {
         let value = f32::from_bits(x);
         let (expected, flags) = if value.is_nan() {
             let signalling = Flags::DOUBLE_INVALID.when(x >> 22 & 1 == 0);
@@ -257,8 +257,8 @@ fn conversions_between_the_precisions() {
         };
         assert_eq!(double::fesd(x), (expected, flags), "fesd {x:08x}");
     }
-    let near_singles = (0..400_000).map(|_| {
-        let x = random.next();
+    let near_singles = (0..rounds(100_000)).map(|_| {
+        let x = random.bits();
         x & 0x800f_ffff_ffff_ffff & !(u64::from(x >> 20 & 3 == 0) * 0x1fff_ffff)
             | (0x360 + (x >> 52) % 0x130) << 52
     });

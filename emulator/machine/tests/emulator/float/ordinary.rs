@@ -3,7 +3,7 @@
 //! others.
 
 use crate::instructions::machine::{Script, instruction, put};
-use crate::random::Random;
+use randomness::{Random, rounds};
 use spu_emulator::float::fpscr::{Flags, Fpscr};
 use spu_emulator::float::single::{self, Lanes};
 use spu_emulator::float::{convert, estimate, ordinary};
@@ -13,7 +13,7 @@ use spu_isa::Op;
 use std::array::from_fn;
 
 const SIGN: u32 = 0x8000_0000;
-const QUADS: u32 = 2_000_000;
+const QUADS: u32 = 500_000;
 
 type Operands = [[u32; 4]; 3];
 
@@ -128,8 +128,8 @@ fn short(bits: u32) -> u32 {
 }
 
 fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
-    let bits = random.next();
-    let [a, b, c] = [bits as u32, (bits >> 32) as u32, random.next() as u32];
+    let bits = random.bits();
+    let [a, b, c] = [bits as u32, (bits >> 32) as u32, random.bits() as u32];
     match kind {
         0 => [near(a, 127), near(b, 127), near(c, 127)],
         1 => [short(a), short(b), short(c)],
@@ -158,10 +158,11 @@ fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
 #[test]
 fn random_quads() {
     for case in &CASES {
+        let quads = rounds(QUADS);
         let mut random = Random::new(case.name);
         let mut answered = [0; 10];
         let borders = borders();
-        for round in 0..QUADS {
+        for round in 0..quads {
             let kind = random.below(10);
             let lanes: [_; 4] = from_fn(|_| lane(&mut random, kind));
             let mut operands = from_fn(|operand| lanes.map(|lane| lane[operand]));
@@ -175,7 +176,7 @@ fn random_quads() {
         // All cases of the kinds without special values must have a result.
         if case.name != "fi" {
             let share = f64::from(answered[0] + answered[1] + answered[8]) * 10.0 / 3.0;
-            let share = share / f64::from(QUADS);
+            let share = share / f64::from(quads);
             assert!(share > 0.98, "{}: {share}, {answered:?}", case.name);
         }
     }
@@ -235,7 +236,7 @@ fn conversions() {
             let shift = random.below(32) as u32;
             let x: [u32; 4] = match round {
                 0 => [0, 1, u32::MAX, SIGN],
-                _ => from_fn(|_| random.next() as u32 >> shift),
+                _ => from_fn(|_| random.bits() as u32 >> shift),
             };
             let check = |name, answer: Option<_>, full: fn(u32, i32) -> (u32, Flags)| {
                 let full = x.map(|x| full(x, scale));
@@ -284,7 +285,7 @@ fn instructions_mix_ordinary_and_special_lanes() {
         }
     }
     for round in 0..400 {
-        let a = from_fn(|_| random.next() as u32 & ((1 << 31 >> (round % 24)) - 1));
+        let a = from_fn(|_| random.bits() as u32 & ((1 << 31 >> (round % 24)) - 1));
         let scale = round % 128;
         let lanes = a.map(|a| convert::csflt_flagged(a, scale));
         let full = (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1));

@@ -2,13 +2,13 @@
 //! exponents, random operands.
 
 use super::exact::Exact;
-use crate::random::Random;
+use randomness::{Random, rounds};
 use spu_emulator::float::fpscr::Flags;
 use spu_emulator::float::single::{self, Lanes};
 use spu_emulator::float::{convert, estimate};
 
 const SIGN: u32 = 0x8000_0000;
-const RANDOM_OPERANDS: u64 = 2_000_000;
+const RANDOM_OPERANDS: u32 = 500_000;
 
 fn exact(x: u32) -> Exact {
     let exponent = x >> 23 & 255;
@@ -163,7 +163,7 @@ fn all_pairs_of_exponents() {
     let mut random = Random::new("all pairs of exponents");
     for a in 0..256u32 {
         for b in 0..256u32 {
-            let fraction = random.next() as u32;
+            let fraction = random.bits() as u32;
             for case in &CASES {
                 for fractions in [(0, 0), (0x7f_ffff, 1), (fraction & 0x7f_ffff, fraction >> 9)] {
                     let (a, b) = (a << 23 | fractions.0, b << 23 | fractions.1);
@@ -183,8 +183,8 @@ fn all_pairs_of_exponents() {
 
 /// Operands of several kinds: any bits, near each other, near 1, or the third near the product.
 fn random_operands(random: &mut Random) -> [u32; 3] {
-    let bits = random.next();
-    let [a, b, c] = [bits as u32, (bits >> 32) as u32, random.next() as u32];
+    let bits = random.bits();
+    let [a, b, c] = [bits as u32, (bits >> 32) as u32, random.bits() as u32];
     let moderate = |x: u32| x & 0x83ff_ffff | 0x3c00_0000;
     match random.below(5) {
         0 => [a, b, c],
@@ -203,7 +203,7 @@ fn random_operands(random: &mut Random) -> [u32; 3] {
 
 fn random(case: &Case) {
     let mut random = Random::new(case.name);
-    for _ in 0..RANDOM_OPERANDS {
+    for _ in 0..rounds(RANDOM_OPERANDS) {
         check(case, random_operands(&mut random));
     }
 }
@@ -236,7 +236,7 @@ fn fnms_random() {
 #[test]
 fn four_lanes_are_four_times_one() {
     let mut random = Random::new("lanes");
-    for _ in 0..100_000 {
+    for _ in 0..rounds(25_000) {
         let lanes: [[u32; 3]; 4] = std::array::from_fn(|_| random_operands(&mut random));
         let [a, b, c] = std::array::from_fn(|operand| lanes.map(|lane| lane[operand]));
         let (results, flags) = single::fma_lanes(a, b, c);
@@ -273,7 +273,7 @@ fn compares_order_as_values_do() {
 #[test]
 fn widening_is_exact_and_narrowing_truncates() {
     let mut random = Random::new("widening");
-    for x in edges().into_iter().chain((0..RANDOM_OPERANDS).map(|_| random.next() as u32)) {
+    for x in edges().into_iter().chain((0..rounds(RANDOM_OPERANDS)).map(|_| random.bits() as u32)) {
         let wide = single::to_f64(x);
         let value = exact(x);
         let expected = value.in_units(value.exponent).0 as f64 * 2f64.powi(value.exponent as i32);
@@ -295,9 +295,9 @@ fn widening_is_exact_and_narrowing_truncates() {
 #[test]
 fn conversions_match_the_model() {
     let mut random = Random::new("conversions");
-    for round in 0..400_000u64 {
+    for round in 0..u64::from(rounds(100_000)) {
         let scale = (round % 128) as i32;
-        let x = if round % 3 == 0 { edges()[round as usize % 56] } else { random.next() as u32 };
+        let x = if round % 3 == 0 { edges()[round as usize % 56] } else { random.bits() as u32 };
         // Exponents at which integers neither vanish nor saturate.
         let near = (x & 0x807f_ffff)
             | ((127 + 33 - scale).max(1) as u32
@@ -378,8 +378,8 @@ fn estimates_at_the_ends() {
 #[test]
 fn interpolation_is_exact_and_truncated() {
     let mut random = Random::new("fi");
-    for _ in 0..RANDOM_OPERANDS {
-        let bits = random.next();
+    for _ in 0..rounds(RANDOM_OPERANDS) {
+        let bits = random.bits();
         let (a, estimate_word) = (bits as u32, (bits >> 32) as u32);
         // 1.base - 0.000step * Y, with base and step in units of 2^-13 and Y in units of 2^-19.
         let one = Exact::new(false, 1 << 13 | u64::from(estimate_word >> 10 & 0x1fff), -13);

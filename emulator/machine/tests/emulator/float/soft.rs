@@ -1,6 +1,7 @@
 //! Compares double precision with LLVM's soft float in the crate `rustc_apfloat`: values and
 //! flags, in the four rounding modes.
 
+use randomness::{Random, rounds};
 use rustc_apfloat::ieee::{Double, Single};
 use rustc_apfloat::{Float as _, FloatConvert as _, Round, Status, StatusAnd};
 use spu_emulator::float::double;
@@ -14,7 +15,7 @@ const MODES: [(Rounding, Round); 4] = [
 ];
 const SIGN: u64 = 1 << 63;
 const DEFAULT_NAN: u64 = 0x7ff8_0000_0000_0000;
-const RANDOM_OPERANDS: u32 = 500_000;
+const RANDOM_OPERANDS: u32 = 125_000;
 
 /// On the SPU, a denormal operand is a zero with its sign.
 fn operand(bits: u64) -> Double {
@@ -76,50 +77,38 @@ fn same(
 const DOUBLE_ENDS: [u64; 2] = [0x0010_0000_0000_0000, 0x7fef_ffff_ffff_ffff];
 const SINGLE_ENDS: [u64; 2] = [0x0080_0000, 0x7f7f_ffff];
 
-/// SplitMix64, so that operands are the same on every host.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ x >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ x >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ x >> 31
-    }
-
-    /// Operands with any bits, with close exponents, or with few bits set, which lead to
-    /// cancellation and ties in sums.
-    fn operand(&mut self) -> u64 {
-        let (bits, choice) = (self.bits(), self.bits() % 4);
-        match choice {
-            0 => bits,
-            1 => bits & (SIGN | 0x000f_ffff_ffff_ffff) | (1000 + bits % 48) << 52,
-            2 => bits & (SIGN | 0x000f_f800_0000_0000) | (1000 + bits % 48) << 52,
-            _ => {
-                const EDGES: [u64; 10] = [
-                    0,
-                    1,
-                    0x000f_ffff_ffff_ffff,
-                    0x0010_0000_0000_0000,
-                    0x0010_0000_0000_0001,
-                    0x3ff0_0000_0000_0000,
-                    0x7fef_ffff_ffff_ffff,
-                    0x7ff0_0000_0000_0000,
-                    0x7ff0_0000_0000_0001,
-                    DEFAULT_NAN,
-                ];
-                EDGES[(bits % 10) as usize] | bits & SIGN
-            }
+/// Operands with any bits, with close exponents, or with few bits set, which lead to
+/// cancellation and ties in sums.
+fn random_operand(random: &mut Random) -> u64 {
+    let (bits, choice) = (random.bits(), random.bits() % 4);
+    match choice {
+        0 => bits,
+        1 => bits & (SIGN | 0x000f_ffff_ffff_ffff) | (1000 + bits % 48) << 52,
+        2 => bits & (SIGN | 0x000f_f800_0000_0000) | (1000 + bits % 48) << 52,
+        _ => {
+            const EDGES: [u64; 10] = [
+                0,
+                1,
+                0x000f_ffff_ffff_ffff,
+                0x0010_0000_0000_0000,
+                0x0010_0000_0000_0001,
+                0x3ff0_0000_0000_0000,
+                0x7fef_ffff_ffff_ffff,
+                0x7ff0_0000_0000_0000,
+                0x7ff0_0000_0000_0001,
+                DEFAULT_NAN,
+            ];
+            EDGES[(bits % 10) as usize] | bits & SIGN
         }
     }
 }
 
 #[test]
 fn sums_products_and_fused_forms() {
-    let mut random = Random(2026);
-    for _ in 0..RANDOM_OPERANDS {
-        let (a, b, t) = (random.operand(), random.operand(), random.operand());
+    let mut random = Random::new("soft float");
+    for _ in 0..rounds(RANDOM_OPERANDS) {
+        let (a, b, t) =
+            (random_operand(&mut random), random_operand(&mut random), random_operand(&mut random));
         let (x, y, z) = (operand(a), operand(b), operand(t));
         for (mode, round) in MODES {
             let check = |name, found: (u64, Flags), expected: (u64, Flags)| {
@@ -149,9 +138,9 @@ fn sums_products_and_fused_forms() {
 
 #[test]
 fn conversions() {
-    let mut random = Random(7);
-    for _ in 0..RANDOM_OPERANDS {
-        let bits = random.operand();
+    let mut random = Random::new("doubles to singles");
+    for _ in 0..rounds(RANDOM_OPERANDS) {
+        let bits = random_operand(&mut random);
         for (mode, round) in MODES {
             let mut loses_info = false;
             let narrow: StatusAnd<Single> = operand(bits).convert_r(round, &mut loses_info);

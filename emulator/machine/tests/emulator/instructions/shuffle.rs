@@ -2,7 +2,7 @@
 //! constants.
 
 use super::machine::{Script, instruction, put};
-use crate::random::Random;
+use randomness::{Random, rounds};
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::LocalStore;
 use spu_isa::Op;
@@ -24,12 +24,12 @@ fn shuffles_are_what_their_bytes_say() {
     let local_store = LocalStore::new();
     put(&local_store, 0, instruction(Op::Shufb, 0));
     let mut spu = Spu::new();
-    for round in 0..200_000u32 {
-        let [a, b]: [Quad; 2] = from_fn(|_| Quad(from_fn(|_| random.next() as u32)));
+    for round in 0..rounds(50_000) {
+        let [a, b]: [Quad; 2] = from_fn(|_| Quad(from_fn(|_| random.bits() as u32)));
         let whole = |n: u64| 0x0001_0203 + 0x0404_0404 * n as u32;
         let mut control = Quad(from_fn(|_| match round % 4 {
-            0 => random.next() as u32,
-            1 => random.next() as u32 & 0x1f1f_1f1f,
+            0 => random.bits() as u32,
+            1 => random.bits() as u32 & 0x1f1f_1f1f,
             _ => whole(random.below(8)),
         }));
         // A control that differs by one bit from one of whole words.

@@ -4,7 +4,7 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::Config;
 use spu_emulator::stop::{ChannelAccess, Stop};
 
-use super::support::{Machine, register, run, run_to_stop};
+use super::support::{Machine, run, run_to_stop};
 
 /// Channel number, whether it can be read, and its count when idle, as the architecture's manual
 /// has them.
@@ -73,18 +73,4 @@ fn channels_have_one_direction_and_others_do_not_exist() {
             assert_eq!(stopped.pc, 0);
         }
     }
-}
-
-#[test]
-fn srr0_keeps_a_word_address() {
-    let source = "
-        ilhu    $10,0xffff
-        iohl    $10,0xffff
-        wrch    $ch14,$10
-        rdch    $11,$ch15
-        stop    1
-";
-    let (spe, entry) = Machine::new().loaded(Policy::AtOnce, source);
-    assert_eq!(run_to_stop(&spe, entry), 1);
-    assert_eq!(register(&spe, 11), 0x3fffc);
 }

@@ -101,61 +101,6 @@ fn room_in_the_outbound_mailboxes_is_an_event() {
 }
 
 #[test]
-fn the_mfc_raises_its_events() {
-    // The events of tag status, of a stalled list, and of a multisource synchronisation.
-    let source = "
-        ilhu    $10,0x8000
-        stqa    $10,0x8000
-        ila     $4,0x8000
-        command GETL, 0x10000, $4, 8, 1
-        set_channel 1, 0x2
-        rdch    $10,$ch0
-        set_channel 26, 1
-        set_channel 22, 2
-        set_channel 1, 0x1
-        set_channel 23, 2
-        rdch    $11,$ch0
-        rdch    $12,$ch24
-        set_channel 9, 0
-        set_channel 1, 0x1000
-        rdch    $13,$ch0
-        stop    1
-";
-    for policy in [Policy::AtOnce, Policy::AtLast] {
-        let (spe, entry) = Machine::new().loaded(policy, source);
-        assert_eq!(run_to_stop(&spe, entry), 1);
-        let read = [10, 11, 12, 13].map(|n| register(&spe, n));
-        assert_eq!(read, [2, 1, 2, 0x1000], "{policy:?}");
-    }
-}
-
-#[test]
-fn room_in_the_queue_is_an_event() {
-    // The stalled list is alone. Fifteen fenced gets after it fill the queue.
-    let source = "
-        ilhu    $10,0x8000
-        stqa    $10,0x8000
-        ila     $4,0x8000
-        command GETL, 0x10000, $4, 8, 1
-        il      $20,15
-again:  command GETF, 0x10000, $3, 16, 1
-        ai      $20,$20,-1
-        brnz    $20,again
-        rchcnt  $10,$ch21
-        set_channel 1, 0x8
-        rchcnt  $11,$ch0
-        set_channel 26, 1
-        rdch    $12,$ch0
-        rchcnt  $13,$ch21
-        stop    1
-";
-    let (spe, entry) = Machine::new().loaded(Policy::AtOnce, source);
-    assert_eq!(run_to_stop(&spe, entry), 1);
-    let read = [10, 11, 12, 13].map(|n| register(&spe, n));
-    assert_eq!(read, [0, 0, 8, 16]);
-}
-
-#[test]
 fn an_event_interrupts_an_enabled_program() {
     // The interrupt goes to address 0, where the program starts with a branch to its handler.
     let source = "

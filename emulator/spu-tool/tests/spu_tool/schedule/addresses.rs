@@ -6,7 +6,7 @@
 use std::fs;
 
 use super::support::{DATA, Input, Workshop, compare};
-use crate::random::Random;
+use randomness::Random;
 
 /// The middle of the data, from which every displacement leads to memory that is compared.
 const MIDDLE: u32 = DATA + 0x8000;

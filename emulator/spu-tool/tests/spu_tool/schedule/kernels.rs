@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 use super::support::{DATA, Input, Program, Workshop, compare};
-use crate::random::Random;
+use randomness::Random;
 
 fn source(kernel: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schedule-kernels");

@@ -5,7 +5,7 @@
 use std::fmt::Write as _;
 
 use super::support::{DATA, Input, Workshop, compare};
-use crate::random::Random;
+use randomness::Random;
 
 const FUNCTIONS: usize = 40;
 /// The pointers: $3 to $5 to separate areas, $6 to that of $3, $7 to a list of records.
@@ -228,7 +228,7 @@ fn word(random: &mut Random) -> u32 {
         1 => random.below(16) as u32,
         // Single-precision values near 1.
         2..=4 => 0x3f00_0000 + random.below(0x0180_0000) as u32,
-        _ => random.next() as u32,
+        _ => random.bits() as u32,
     }
 }
 
