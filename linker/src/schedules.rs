@@ -181,8 +181,9 @@ impl Schedules {
                     Included::Text => (&name, &text).hash(hasher),
                     Included::Code if name == assembler::FILE => {}
                     Included::Code => {
-                        let code = text.lines().map(|line| line.split('#').next());
-                        code.for_each(|code| code.map(str::trim_end).hash(hasher));
+                        let code = text.lines().filter_map(|line| line.split('#').next());
+                        let code = code.map(str::trim_end).filter(|code| !code.is_empty());
+                        code.for_each(|code| code.hash(hasher));
                     }
                 }
                 open.extend(included(&text));

@@ -110,7 +110,7 @@ fn a_changed_include_costs_those_that_include_it() {
         folders.filter(|folder| folder.join(name).is_file()).count()
     };
     let register = |number| format!(".set further_register,{number}  # its number is {number}\n");
-    let again = register(5).replace("# its", "# a comment: its");
+    let again = format!("# More comments.\n\n{}", register(5).replace("its", "a comment: its"));
     for (text, times) in [(register(5), 1), (register(6), 2), (again, 2)] {
         fs::write(includes.join("further.inc"), &text).expect("written");
         let workshop = workshop(folder.path(), &made);
