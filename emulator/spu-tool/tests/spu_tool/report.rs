@@ -15,8 +15,8 @@ pub fn folder(program: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scheduler/tests/programs").join(program)
 }
 
-/// Builds the program of `emulator/scheduler/tests/programs/<program>` and returns the file in the work
-/// folder that `of` names.
+/// Builds the program of `emulator/scheduler/tests/programs/<program>` and returns the file in the
+/// work folder that `of` names.
 pub fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");
