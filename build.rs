@@ -1,7 +1,7 @@
 //! Embeds the SPU programs, one for each set of formulations that is shipped. They are built where
 //! there is an SPU assembler; elsewhere those that come with the sources are taken. For the
 //! console's target it also makes the libraries to link against, which have nothing but the names
-//! of libspe2 and of the C library. Every switch is listed in `docs/build-options.md`.
+//! of libspe2 and of the C library. Every switch is listed in `CONTRIBUTING.md`.
 
 use std::env;
 use std::fmt::Write as _;

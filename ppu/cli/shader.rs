@@ -42,7 +42,7 @@ enum Command {
     /// Schedule one shader for both pipes of the SPU, and tell its cycles before and after
     Schedule {
         /// Source in SPU assembly, its functions between `function` and `endfunction`, or with
-        /// `.type` and `.size`; docs/schedule.md has the rules
+        /// `.type` and `.size`; docs/spu-programming.md has the rules
         #[arg(value_name = "F.s")]
         source: PathBuf,
         /// Scheduled source to write [default: the source's name with .scheduled.s, in this folder]

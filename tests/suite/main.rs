@@ -11,4 +11,3 @@ mod measured_numbers;
 mod recorder;
 mod speed;
 mod whitted;
-mod work_unit_document;

@@ -10,10 +10,6 @@ const END: &str = "<!-- end of what is written -->";
 /// Numbers before "frames/s" that do not come from those tables, and their origin.
 const OTHERS: &[(&str, &str, &str)] = &[
     ("docs/frame.md", "52", "the paper's, on a console"),
-    ("docs/frame.md", "1615", "a step of this project's history"),
-    ("docs/meshes.md", "28", "a step of this project's history"),
-    ("docs/meshes.md", "60", "what was asked for"),
-    ("docs/overview.md", "60", "the rate of a display"),
     ("docs/ps3.md", "60", "the rate of a display"),
 ];
 

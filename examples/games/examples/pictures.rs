@@ -1,4 +1,4 @@
-//! The pictures of `docs/games.md`.
+//! The pictures of `docs/play.md`.
 //!
 //!     cargo run --release --example pictures -- FOLDER WIDTHxHEIGHT [NAME ...]
 

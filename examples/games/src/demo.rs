@@ -1,4 +1,4 @@
-//! The input of a player before the pictures of `docs/games.md` are taken and before frames are
+//! The input of a player before the pictures of `docs/play.md` are taken and before frames are
 //! measured.
 
 use cellray::game::{Entry, Frame, Input, InputEvent, Key, Start, World, WorldError};

@@ -1,5 +1,5 @@
 //! Measures every row in simulated time. It sets the environment of the whole process, so it is a
-//! program of its own. `MAKE_REF=1` writes docs/clock.md and model.json instead, as
+//! program of its own. `MAKE_REF=1` writes docs/timing.md and model.json instead, as
 //! `cellray-bench clock --write` does.
 
 #![allow(
@@ -10,7 +10,7 @@
 
 use std::process::ExitCode;
 
-use clock::document::{error, page};
+use clock::document::{error, renewed};
 use clock::results::{Value, model};
 use clock::rows::all;
 
@@ -35,12 +35,14 @@ fn main() -> ExitCode {
             }
         }
     }
-    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/clock.md");
+    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/timing.md");
     if std::env::var_os("MAKE_REF").is_some() {
         let figures = serde_json::to_string_pretty(&values).expect("figures are numbers") + "\n";
         let model = concat!(env!("CARGO_MANIFEST_DIR"), "/model.json");
         std::fs::write(model, figures).expect("the working copy can be written");
-        std::fs::write(document, page(&rows, &values)).expect("the working copy can be written");
+        let text = std::fs::read_to_string(document).expect("the working copy can be read");
+        let text = renewed(&text, &rows, &values).expect("the document has lines for the table");
+        std::fs::write(document, text).expect("the working copy can be written");
         return ExitCode::SUCCESS;
     }
     // Every run gives the same figures, to the bit.
@@ -50,7 +52,7 @@ fn main() -> ExitCode {
         }
     }
     match std::fs::read_to_string(document) {
-        Ok(text) if text == page(&rows, &values) => {}
+        Ok(text) if renewed(&text, &rows, &values).as_ref() == Some(&text) => {}
         Ok(_) => failures.push(format!("{document} is stale: cellray-bench clock --write")),
         Err(error) => failures.push(format!("{document}: {error}")),
     }

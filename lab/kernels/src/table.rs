@@ -1,4 +1,4 @@
-//! The table of `docs/kernels.md`, as Markdown with aligned columns.
+//! The tables of `lab/kernels/measured.txt`, as Markdown with aligned columns.
 
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -17,8 +17,6 @@ pub fn markdown(kernels: &[Measured]) -> String {
     loops(&mut text, kernels);
     text.push('\n');
     errors(&mut text, kernels);
-    text.push('\n');
-    prototypes(&mut text, kernels);
     text
 }
 
@@ -109,16 +107,6 @@ fn errors(text: &mut String, kernels: &[Measured]) {
         rows.push([kernel.kernel.into(), format!("{error:.2}"), kernel.stated_error.clone()]);
     }
     write_table(text, &rows, 1..2);
-}
-
-fn prototypes(text: &mut String, kernels: &[Measured]) {
-    for kernel in kernels {
-        let _ = writeln!(
-            text,
-            "- **`{}`** ([source](../{})): {}  \n  `{}`",
-            kernel.kernel, kernel.file, kernel.doc, kernel.prototype
-        );
-    }
 }
 
 /// Writes rows with aligned columns. The first row is the heading. The columns in `numbers` are

@@ -1,7 +1,7 @@
 //! The settings of a picture: those that its file carries, those of the command line, and what is
 //! assumed without them.
 //!
-//! Owns the names, which are those of the options of `cellray render`; `docs/overview.md` lists
+//! Owns the names, which are those of the options of `cellray render`; `docs/play.md` lists
 //! them. Invariant: what is assumed is what `cellray render` does without options.
 
 use std::collections::BTreeMap;

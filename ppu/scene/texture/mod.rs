@@ -2,7 +2,7 @@
 //! one before, cut into tiles of one DMA transfer each.
 //!
 //! A tile has the first texels of its neighbours, too, and the edges of a level are continued, so
-//! that the four texels of a filter are always in one tile (`docs/work-unit.md`).
+//! that the four texels of a filter are always in one tile (`protocol/src/layout/mesh.rs`).
 
 mod level;
 #[cfg(test)]

@@ -1,11 +1,10 @@
-//! The work-unit layout: the single definition for the PPU program, the SPU assembler and
-//! `docs/work-unit.md`.
+//! The work-unit layout: the single definition for the PPU program and the SPU assembler.
 //!
 //! All records are big-endian on any host; the field types have that byte order.
 //! [`crate::assembler`] writes every size, offset and constant to `work_unit.inc` for the SPU's
-//! sources. A test compares the document's tables with it.
+//! sources.
 
-/// The description of a record, for the assembler and the document.
+/// The description of a record, for the assembler.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
     /// The prefix of the assembler's names.

@@ -104,7 +104,7 @@ pub struct SimulationOptions {
 
 /// The latencies and rates of DMA.
 ///
-/// Where a doc comment says *measured*, the figure is that of a PlayStation 3; `docs/clock.md`
+/// Where a doc comment says *measured*, the figure is that of a PlayStation 3; `docs/timing.md`
 /// compares them all with the console. In a file the times of lines may have one decimal, as in
 /// `get_line = 17.0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

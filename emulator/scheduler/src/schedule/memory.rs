@@ -1,6 +1,6 @@
 //! Which loads and stores may access the same quadword.
 //!
-//! `docs/schedule.md` has the rules. Accesses through different base values do not overlap.
+//! `docs/spu-programming.md` has the rules. Accesses through different base values do not overlap.
 //! Accesses through the same base value overlap if their offsets do. A store marked `may alias`
 //! overlaps every access.
 

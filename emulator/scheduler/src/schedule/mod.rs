@@ -2,7 +2,7 @@
 //!
 //! It takes an object and the source that it was assembled from. It writes the source again with
 //! each function scheduled: blocks by list scheduling, counted loops by software pipelining. The
-//! output has the notes that `spu time --check` compares with the model. `docs/schedule.md` says
+//! output has the notes that `spu time --check` compares with the model. `docs/spu-programming.md` says
 //! what the scheduler assumes about memory and registers. It knows the instruction table and the
 //! pipelines, but not what the code computes. Invariant: the same input produces the same bytes.
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use clock::document::{page, table};
+use clock::document::{renewed, table};
 use clock::results::{Machine, Results};
 use clock::rows;
 
@@ -23,7 +23,7 @@ pub struct Arguments {
     /// Write the results and a description of the machine as JSON
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
-    /// Write docs/clock.md and lab/clock/model.json of a working copy; only for the emulator
+    /// Write docs/timing.md and lab/clock/model.json of a working copy; only for the emulator
     #[arg(long, conflicts_with = "only")]
     write: bool,
 }
@@ -39,7 +39,11 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if arguments.write {
         let model = serde_json::to_string_pretty(&values)? + "\n";
         save(Path::new("lab/clock/model.json"), &model)?;
-        save(Path::new("docs/clock.md"), &page(&rows, &values))?;
+        let path = Path::new("docs/timing.md");
+        let document = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let document = renewed(&document, &rows, &values)
+            .ok_or_else(|| format!("{}: it has no lines around the table", path.display()))?;
+        save(path, &document)?;
     }
     if let Some(path) = &arguments.out {
         let results = Results {
