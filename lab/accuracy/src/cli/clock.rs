@@ -40,7 +40,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         let model = serde_json::to_string_pretty(&values)? + "\n";
         save(Path::new("lab/clock/model.json"), &model)?;
         let path = Path::new("docs/timing.md");
-        let document = fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
+        let document =
+            fs::read_to_string(path).map_err(|error| format!("{}: {error}", path.display()))?;
         let document = renewed(&document, &rows, &values)
             .ok_or_else(|| format!("{}: it has no lines around the table", path.display()))?;
         save(path, &document)?;
