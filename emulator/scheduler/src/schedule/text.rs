@@ -79,10 +79,10 @@ pub(super) fn write(
             comment => comment,
         };
         let note = format!("{line:<NOTES$} # {}", word.slot).replacen("  #", " #", 1);
-        let room = WIDTH.saturating_sub(note.len() + 1);
+        let width = WIDTH.saturating_sub(note.len() + 1);
         let mut kept = String::new();
         for part in own.split_whitespace() {
-            if kept.len() + part.len() + usize::from(!kept.is_empty()) > room {
+            if kept.len() + part.len() + usize::from(!kept.is_empty()) > width {
                 break;
             }
             if !kept.is_empty() {
