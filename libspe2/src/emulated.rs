@@ -216,7 +216,7 @@ impl Backend for Emulated {
     }
 
     fn inbound_room(&self) -> Result<usize, Errno> {
-        Ok(self.spe.inbound_room())
+        Ok(self.spe.inbound_free())
     }
 
     fn read_outbound_interrupt(&self, wait: bool) -> Result<Option<u32>, Errno> {

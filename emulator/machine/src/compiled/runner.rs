@@ -237,7 +237,7 @@ impl Runner {
             Added::Ready(unit) => self.cpu.install(&unit),
             // The entries are counted from 0 again, and then the unit is looked for.
             Added::Later => {}
-            Added::NoRoom => self.entry_counts[start as usize / 4] = NEVER,
+            Added::CacheFull => self.entry_counts[start as usize / 4] = NEVER,
         }
     }
 
@@ -427,7 +427,7 @@ impl Runner {
                 self.cpu.remove(unit.start());
                 self.entry_counts[unit.start() as usize / 4] = 0;
             }
-            Some(Added::NoRoom) | None => self.give_up(unit.start()),
+            Some(Added::CacheFull) | None => self.give_up(unit.start()),
         }
     }
 

@@ -115,7 +115,7 @@ impl Members {
         })
     }
 
-    /// Ends the reservations on these bytes, and tells their units.
+    /// Ends the reservations on these bytes, and notifies their units.
     fn broken(&self, pieces: &[(u64, usize)], except: Option<&Reservation>) {
         let line = !(LINE as u64 - 1);
         self.break_where(except, |reservation| {

@@ -72,7 +72,7 @@ impl Memo {
         Self { rules, ..Self::default() }
     }
 
-    /// Whether there is no room for another state and another transition.
+    /// Whether the table can't hold another state and another transition.
     #[inline]
     pub fn is_full(&self) -> bool {
         self.states.len().max(self.transitions.len()) + 2 > ROOM
