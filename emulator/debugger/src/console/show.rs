@@ -1,4 +1,4 @@
-//! The text of the console's answers.
+//! The text that console commands print.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;

@@ -14,7 +14,7 @@ const HEAD: u64 = 32;
 /// Every how many cycles a number stands. `style.css` draws its grid at the same distance.
 pub(super) const NUMBERED: u64 = 4;
 
-/// What part of a schedule a picture shows.
+/// The part of a schedule that a picture shows.
 pub(super) struct Frame {
     /// The cycle of the first column.
     pub base: u64,
@@ -151,7 +151,7 @@ pub(super) fn bound(text: &mut String, frame: &Frame, cycles: u64) {
     let _ = write!(text, "<text class=\"bound\" x=\"{x}\" y=\"12\">bound {cycles}</text>");
 }
 
-/// Marks the cycles behind the last instruction in which nothing issues.
+/// Marks the cycles after the last instruction in which nothing issues.
 pub(super) fn miss(text: &mut String, frame: &Frame, from: u64, cycles: u64) {
     let mut miss = String::new();
     let y = frame.y(frame.rows - 1) + 2;
