@@ -130,7 +130,7 @@ fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
     let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();
     let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
-    // The first frame does not know the tiles' costs yet.
+    // The tiles' costs are not measured yet in the first frame.
     engine.render(scene, &mut |_| {})?;
     let mut report = Report::new("refit", SIZE, settings.spus);
     report.add(engine.render(scene, &mut |_| {})?);

@@ -21,7 +21,7 @@ the emulator and on a console alike:
 [ps3.md](ps3.md#the-clock) has the command for a console. The figures of the console below were not made by these
 programs but by benchmarks of others, SpuTest and cellmark among them, whose patterns these programs follow. *ran*: the
 source's own program was also run in the emulator and its printed figure compared. *read*: the figure, and the code that
-made it, were read; several of these programs were run as well, but our notes don't say which. Under the console's own
+made it, were read; several of these programs were run as well, but our notes don't name them. Under the console's own
 system six busy SPUs take 1.062 times as long, because it takes a share; the figures of six SPUs at main memory are
 without that share.
 
@@ -31,7 +31,7 @@ A test measures all rows. It fails if a row leaves its band, or if it gives anot
 ";
 
 const CHOICES: &str = "
-## What is fitted, and what is not known
+## Fitted and unknown figures
 
 - *Constants.* The model's constants, each with its source, are in `emulator/machine/src/simulated/figures.rs`. The constants of
   lines, puts, rings and atomic commands were chosen so that the rows above come out. They are therefore no independent
@@ -50,14 +50,14 @@ const CHOICES: &str = "
   line's own time stand in the model. About 10 GB/s for one SPE alone are remembered from the literature; that would
   need twice that latency or half the lines in flight.
 - *Signals.* A signal of another SPE is timed like a transfer to its local store. The numbers of SPUs are those of
-  contexts: which places on the rings they have is the kernel's choice, and the program doesn't know it.
+  contexts: which places on the rings they have is the kernel's choice, which the program can't determine.
 - *The PPE.* Its calls are estimates of Linux, and the only figure found is of another system.
 
 ## The PPE's share
 
-The PPE's own computations take no simulated time, so the clock does not say how busy it is.
+The PPE's own computations take no simulated time, so the clock does not show how busy it is.
 [ps3.md](ps3.md#the-ppes-share) has a bound by a count of instructions. Where the documents give the SPUs less time for a
-frame than the PPE needs to prepare one, a console would be slower than they say, unless the frame shows what the last
+frame than the PPE needs to prepare one, a console would be slower than predicted, unless the frame shows what the last
 one showed.
 
 ## Another machine

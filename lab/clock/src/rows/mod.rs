@@ -158,7 +158,7 @@ impl Stream {
         }
     }
 
-    /// GB/s of all SPEs together. `ea` says where the commands of an SPE go.
+    /// GB/s of all SPEs together. `ea` returns the effective address for an SPE's commands.
     fn rate(
         self,
         spes: usize,

@@ -1,4 +1,4 @@
-//! Shapes where geometry tells what is met, and rays that leave surfaces.
+//! Shapes whose hits follow from geometry, and rays that leave surfaces.
 
 use glam::DVec3;
 use scenes::Shape;
@@ -207,7 +207,7 @@ fn cube(turn: glam::DQuat, size: f64) -> Vec<Surface> {
 }
 
 #[test]
-fn nothing_leaks_through_edges_and_corners_of_a_closed_mesh() {
+fn closed_mesh_is_tight_at_edges_and_corners() {
     let mut random = Random(3);
     let mut misses = 0;
     for round in 0..40_000 {
