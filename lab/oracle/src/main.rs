@@ -22,8 +22,8 @@ SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEV
 for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons), or gears, mount, rings,
 teapot, tree, lattice, jacks, shells or sombrero, with :SIZE if it is not to have SPD's (gears:2).
 
-A picture by cellray carries the settings that it was made with. They are followed, unless an option
-says otherwise. What neither says is as cellray render has it without options.";
+A picture by cellray carries the settings that it was made with. They apply, unless an option
+overrides them. All other settings have the defaults of cellray render.";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]

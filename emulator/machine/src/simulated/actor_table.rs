@@ -104,7 +104,7 @@ impl Entry {
 #[derive(Default)]
 pub(super) struct ActorTable {
     pub actors: BTreeMap<Rank, Entry>,
-    /// Ordered by clock and rank. An SPU issues at most one command a cycle.
+    /// In the order of clock and rank. An SPU issues at most one command a cycle.
     pub deferred: BTreeMap<(u64, Rank), Deferred>,
     /// The time of the current act, or of the last one.
     pub now: u64,
