@@ -215,7 +215,7 @@ impl Backend for Emulated {
         Ok(self.spe.write_inbound(word, deadline(wait)))
     }
 
-    fn inbound_room(&self) -> Result<usize, Errno> {
+    fn inbound_free(&self) -> Result<usize, Errno> {
         Ok(self.spe.inbound_free())
     }
 
