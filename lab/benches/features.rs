@@ -21,7 +21,6 @@ const FRAMES: &str = "2";
 /// A feature to do without.
 struct Without {
     name: &'static str,
-    /// The change of the scene.
     change: fn(&mut Scene),
     options: &'static [&'static str],
     /// Most rays in a chain, as the options have it.

@@ -20,15 +20,12 @@ use cellray::{Engine, Report, Settings};
 const TIMING: &str = "LIBSPE2_TIMING";
 const SIZE: (u32, u32) = (640, 360);
 
-/// Meshes that move.
 struct Motion {
     name: &'static str,
-    /// How many there are.
     count: u32,
     mesh: fn() -> Mesh,
     /// The place of a mesh in a picture.
     place: fn(number: u32, picture: u32) -> DAffine3,
-    /// The pictures that are measured.
     pictures: &'static [u32],
 }
 

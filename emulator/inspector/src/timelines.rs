@@ -22,7 +22,6 @@ const LEFT: u64 = 60;
 struct State {
     /// Its class in the style sheet.
     class: &'static str,
-    /// Its name in the table.
     name: &'static str,
     meaning: &'static str,
     /// The causes; work has none.

@@ -381,7 +381,6 @@ fn load(name: &Path) -> Result<Scene, meshes::Error> {
     Ok(loaded.scene)
 }
 
-/// The help of `--diff`.
 fn difference_help() -> String {
     format!("Writes the absolute difference, {DIFFERENCE_SCALE} times amplified")
 }
@@ -402,7 +401,6 @@ fn share(text: &str) -> Result<f64, String> {
     share.ok_or_else(|| "a share of all pixels is a number from 0 to 1, such as 0.001".into())
 }
 
-/// Parses a ray depth.
 fn ray_depth() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(whitted::MAX_DEPTH))
 }

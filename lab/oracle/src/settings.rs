@@ -284,7 +284,6 @@ impl Settings {
     }
 }
 
-/// A finite number.
 fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|number: &f64| number.is_finite())
 }

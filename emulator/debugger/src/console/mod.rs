@@ -22,7 +22,6 @@ use command::{Command, Target, parse};
 
 pub use show::instruction_text;
 
-/// The prompt at a terminal.
 const PROMPT: &str = "(spu) ";
 
 /// What the SPE does until it halts again.

@@ -12,7 +12,6 @@ use spu_isa::{Instruction, LIMIT_MASK, Op, disassemble};
 
 use super::command::Wanted;
 
-/// Column of the instruction.
 const PLACE: usize = 28;
 /// Instructions that are shown before the program counter.
 const BEFORE: u32 = 4;

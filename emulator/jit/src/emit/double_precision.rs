@@ -113,7 +113,6 @@ impl Emitter<'_> {
         self.set(i.rt, singles);
     }
 
-    /// A register's slices as doubles.
     fn double_slices(&mut self, register: u8) -> Value {
         let id = self.get(register);
         if let Some(slices) = self.node(id).slices {

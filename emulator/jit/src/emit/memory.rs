@@ -113,7 +113,6 @@ impl Emitter<'_> {
         self.at(key, sum)
     }
 
-    /// A constant address.
     pub(super) fn fixed(&mut self, at: u32) -> Address {
         self.at(Key::Constant(at), self.registers)
     }

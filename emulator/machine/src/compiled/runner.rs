@@ -47,7 +47,6 @@ pub struct Runner {
     cpu: Cpu,
     /// For each word of local store, how often the SPU entered it without a unit there.
     entry_counts: Box<[u8]>,
-    /// The failures, by unit number.
     failures: Vec<Failures>,
     /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,

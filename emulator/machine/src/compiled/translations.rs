@@ -76,7 +76,6 @@ struct Units {
     /// The units by start address. The newest is last, and is tried first.
     by_address: HashMap<u32, Vec<Arc<Unit>>>,
     by_number: Vec<Arc<Unit>>,
-    /// By the units' numbers.
     paths: Vec<Option<Arc<Path>>>,
 }
 

@@ -48,13 +48,11 @@ fn result(value: f64, inexact: bool) -> (u64, Flags) {
     (value.to_bits(), Flags::DOUBLE_INEXACT.when(inexact))
 }
 
-/// `a + b`
 pub(super) fn sum(a: u64, b: u64) -> Option<(u64, Flags)> {
     let (sum, error) = two_sum(ordinary(a)?, ordinary(b)?);
     Some(result(sum, error != 0.0))
 }
 
-/// `a * b`
 pub(super) fn product(a: u64, b: u64) -> Option<(u64, Flags)> {
     let (product, error) = two_product(a, b)?;
     Some(result(product, error != 0.0))

@@ -150,7 +150,6 @@ impl Members {
     }
 }
 
-/// The interconnect of one machine.
 pub(crate) struct Interconnect {
     memory: Arc<dyn MainMemory>,
     /// Data in flight between local stores, in simulated time.
@@ -172,7 +171,6 @@ impl Interconnect {
         }
     }
 
-    /// The machine's main memory.
     pub(crate) fn memory(&self) -> &dyn MainMemory {
         &*self.memory
     }

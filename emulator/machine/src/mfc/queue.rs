@@ -270,7 +270,6 @@ impl Put {
         self.command.tag_bit()
     }
 
-    /// What it moves.
     pub(crate) fn movement(&self) -> Movement {
         let piece = |element: &Command| Piece {
             lsa: element.lsa,

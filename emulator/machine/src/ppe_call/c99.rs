@@ -97,7 +97,6 @@ pub(super) const CALLS: &[Call] = calls! {
     vsscanf => |_, block| scan_string(block).into(),
 };
 
-/// The open streams by handle.
 pub(super) struct Streams {
     open: [Mutex<Option<Stream>>; HANDLES],
 }

@@ -68,7 +68,6 @@ pub(super) struct Deferred {
 /// What is done in a deferred act.
 pub(crate) type DeferredAct = Box<dyn FnOnce() + Send>;
 
-/// The state of an actor.
 pub(super) enum Status {
     Outside,
     /// Runs, or has the turn. If it has a time-out, it may never act again.

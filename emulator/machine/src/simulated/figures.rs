@@ -41,7 +41,6 @@ impl Timing {
         self.figures().map(|figure| (figure.name, figure.value))
     }
 
-    /// All numbers.
     pub(super) fn figures(&self) -> impl Iterator<Item = Figure> {
         let Self { rules, memory, ppe } = self;
         [

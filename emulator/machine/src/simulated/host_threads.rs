@@ -12,7 +12,6 @@ use crate::lock::lock;
 
 const TASKS: &str = "/proc/self/task";
 
-/// A thread's number.
 pub(super) type ThreadId = u32;
 
 thread_local! {
@@ -29,7 +28,6 @@ pub(super) fn this_thread() -> Option<ThreadId> {
     THIS_THREAD.try_with(Clone::clone).ok().flatten()
 }
 
-/// The threads of all [`HelperThread`]s.
 static HELPERS: Mutex<Vec<ThreadId>> = Mutex::new(Vec::new());
 
 /// While it exists, the thread that created it counts as a helper: it acts for no PPE thread and
@@ -134,16 +132,16 @@ fn sleeps(later: &[ThreadId]) -> Option<Sleeps> {
     Some(sleeps)
 }
 
-/// The threads that might wake the leader, for which the scheduler waits.
+/// Which threads might wake the leader, for which the scheduler waits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wakers {
     /// No thread: all others are blocked by another thread, or wait until the leader acts. This is
     /// certain, unless the process receives a signal.
-    NoThread,
+    Blocked,
     /// A thread that acts after the leader, but is running and may hold a lock for a moment.
-    LaterThread,
-    /// Any thread.
-    AnyThread,
+    LockHolder,
+    /// Any thread might.
+    Unknown,
 }
 
 /// The threads that might wake the leader. The threads `later` do not act before it does, and
@@ -153,9 +151,9 @@ pub(super) enum Wakers {
 /// blocked only if they slept in between.
 pub(super) fn wakers(later: &[ThreadId]) -> Wakers {
     match (sleeps(later), sleeps(later)) {
-        (Some(first), Some(second)) if first == second && first.later.is_some() => Wakers::NoThread,
-        (Some(first), Some(second)) if first.others == second.others => Wakers::LaterThread,
-        _ => Wakers::AnyThread,
+        (Some(first), Some(second)) if first == second && first.later.is_some() => Wakers::Blocked,
+        (Some(first), Some(second)) if first.others == second.others => Wakers::LockHolder,
+        _ => Wakers::Unknown,
     }
 }
 

@@ -32,7 +32,6 @@ const CYCLES_BETWEEN_CHECKS: u64 = 1024;
 /// act again.
 const CYCLES_AHEAD: u64 = 1 << 20;
 
-/// The scheduler of one machine.
 pub(crate) struct Scheduler {
     table: Mutex<ActorTable>,
     /// The earliest time of a waiting actor or of a deferred act. An actor that runs past it must
@@ -191,8 +190,8 @@ impl Scheduler {
         let wakers = host_threads::wakers(&later);
         let mut table = lock(&self.table);
         let is_the_same = since == table.timeout(leader).map(|timeout| timeout.since());
-        if is_the_same && (expired || wakers == Wakers::NoThread) {
-            table.timeouts += u64::from(wakers == Wakers::AnyThread);
+        if is_the_same && (expired || wakers == Wakers::Blocked) {
+            table.timeouts += u64::from(wakers == Wakers::Unknown);
             self.unschedule(&mut table, leader);
         }
         table

@@ -54,7 +54,6 @@ impl Timeline {
         }
     }
 
-    /// Records a command.
     pub(super) fn transfer(
         &mut self,
         (start, end): (u64, u64),

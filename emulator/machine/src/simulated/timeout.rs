@@ -30,7 +30,6 @@ pub const TIME_LIMIT: Duration = Duration::from_secs(2);
 #[derive(Debug)]
 pub(super) struct Timeout {
     since: Instant,
-    /// The thread's folder in /proc.
     thread: Option<PathBuf>,
     last: Option<(Instant, Sleep)>,
     /// How long the thread was held up in its life before the first check.

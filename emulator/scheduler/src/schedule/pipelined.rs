@@ -90,7 +90,6 @@ pub struct Figures {
     pub passes: u64,
 }
 
-/// A scheduled kernel.
 struct Kernel {
     /// For each pass that it contains: the nodes in the order of the code, the branch last, each
     /// with its stage.

@@ -31,7 +31,6 @@ pub(super) struct Lines {
     pub end: usize,
 }
 
-/// The text of a source.
 pub(super) struct Source<'a> {
     pub lines: Vec<&'a str>,
 }
@@ -45,7 +44,6 @@ pub(super) struct Name<'a> {
     pub inside: bool,
 }
 
-/// An error and its line.
 type Fault = (u64, Unschedulable);
 
 impl<'a> Source<'a> {

@@ -266,7 +266,6 @@ fn rays_leave_surfaces_at_any_scale() {
     assert!(left.iter().all(|&count| count > 10_000), "{left:?}");
 }
 
-/// A shape scaled, then moved.
 fn moved(shape: &Shape, scale: f64, by: DVec3) -> Shape {
     let place = |point: DVec3| scale * point + by;
     match shape {

@@ -19,10 +19,8 @@ use crate::shapes::{MAX_PATCH_VERTICES, Surface};
 
 pub(super) struct Stage<'a> {
     tree: Bvh,
-    /// The material of each surface.
     materials: Vec<&'a Material>,
     textures: Textures,
-    /// Where primary rays start.
     eye: DVec3,
     /// The angle between the rays of neighbouring pixels in the middle of the picture.
     pixel: f64,
@@ -37,7 +35,6 @@ pub(super) struct Stage<'a> {
     min_weight: f64,
 }
 
-/// The hit of a ray.
 struct Hit {
     finish: Finish,
     point: DVec3,

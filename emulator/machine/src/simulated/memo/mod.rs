@@ -58,7 +58,6 @@ pub(super) struct Memo {
     rules: Rules,
     states: Vec<KnownState>,
     numbers: HashMap<Arc<TimerState>, StateId, Mixing>,
-    /// The blocks by address.
     blocks: HashMap<u32, Vec<Arc<Block>>, Mixing>,
     transitions: Vec<Transition>,
     /// States after a hint by register, by the state before the target was known and the target.

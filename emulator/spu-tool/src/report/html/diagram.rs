@@ -25,7 +25,6 @@ pub(super) struct Extent {
     pub repeats: bool,
 }
 
-/// A row of the table.
 enum Row<'a> {
     Label(&'a str),
     Instruction(&'a Line),

@@ -24,7 +24,6 @@ pub(super) struct Frame {
     pub rows: usize,
 }
 
-/// An instruction in a picture.
 pub(super) struct Entry<'a> {
     /// Its row.
     pub row: usize,
@@ -88,7 +87,6 @@ pub(super) fn open(text: &mut String, frame: &Frame) {
     let _ = write!(text, "<svg width=\"{width}\" height=\"{height}\">");
 }
 
-/// Draws the instructions.
 pub(super) fn entries(text: &mut String, frame: &Frame, entries: &[Entry]) {
     let mut paths = Paths::default();
     let mut before: Option<&Entry> = None;

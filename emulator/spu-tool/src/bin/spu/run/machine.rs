@@ -65,10 +65,8 @@ pub enum End {
 pub struct Machine {
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
-    /// The program's file.
     bytes: Box<[u8]>,
     library: Library,
-    /// Where the program continues.
     at: u32,
     /// What the registers are before the first instruction.
     arguments: Option<Vec<Quad>>,
