@@ -1,5 +1,5 @@
-//! Tells the crate a hash of its sources, so that schedules which are kept are made again by
-//! another scheduler.
+//! Passes a hash of its sources to the crate, so that stored schedules are replaced when the
+//! scheduler changes.
 
 #![allow(clippy::print_stdout, reason = "cargo reads a build script's directives there")]
 

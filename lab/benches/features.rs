@@ -1,4 +1,4 @@
-//! What each feature of Whitted's model costs: simulated frames a second of the benchmark scene
+//! The cost of each feature of Whitted's model: simulated frames a second of the benchmark scene
 //! with features removed one by one, and how far the pictures are from the f64 reference.
 //!
 //!     cargo bench --bench features [-- SCENE.nff [WxH]]
@@ -15,13 +15,12 @@ use serde_json::Value;
 
 const SCENE: &str = "scenes/whitted16.nff";
 const SIZE: &str = "1280x720";
-/// The first frame does not know the tiles' costs yet.
+/// The tiles' costs are not measured yet in the first frame.
 const FRAMES: &str = "2";
 
 /// A feature to do without.
 struct Without {
     name: &'static str,
-    /// What becomes of the scene.
     change: fn(&mut Scene),
     options: &'static [&'static str],
     /// Most rays in a chain, as the options have it.

@@ -20,15 +20,12 @@ use cellray::{Engine, Report, Settings};
 const TIMING: &str = "LIBSPE2_TIMING";
 const SIZE: (u32, u32) = (640, 360);
 
-/// Meshes that move.
 struct Motion {
     name: &'static str,
-    /// How many there are.
     count: u32,
     mesh: fn() -> Mesh,
     /// The place of a mesh in a picture.
     place: fn(number: u32, picture: u32) -> DAffine3,
-    /// The pictures that are measured.
     pictures: &'static [u32],
 }
 
@@ -130,7 +127,7 @@ fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
     let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();
     let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
-    // The first frame does not know the tiles' costs yet.
+    // The tiles' costs are not measured yet in the first frame.
     engine.render(scene, &mut |_| {})?;
     let mut report = Report::new("refit", SIZE, settings.spus);
     report.add(engine.render(scene, &mut |_| {})?);

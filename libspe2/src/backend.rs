@@ -88,7 +88,7 @@ pub(crate) trait Backend: Send + Sync {
     /// for.
     fn write_inbound(&self, word: u32, wait: bool) -> Result<bool, Errno>;
     /// Number of words that fit into the inbound mailbox.
-    fn inbound_room(&self) -> Result<usize, Errno>;
+    fn inbound_free(&self) -> Result<usize, Errno>;
     /// Takes a word from the outbound interrupt mailbox. Returns `None` if there is none and it
     /// need not be waited for.
     fn read_outbound_interrupt(&self, wait: bool) -> Result<Option<u32>, Errno>;

@@ -215,8 +215,8 @@ impl Backend for Emulated {
         Ok(self.spe.write_inbound(word, deadline(wait)))
     }
 
-    fn inbound_room(&self) -> Result<usize, Errno> {
-        Ok(self.spe.inbound_room())
+    fn inbound_free(&self) -> Result<usize, Errno> {
+        Ok(self.spe.inbound_free())
     }
 
     fn read_outbound_interrupt(&self, wait: bool) -> Result<Option<u32>, Errno> {

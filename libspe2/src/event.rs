@@ -89,7 +89,7 @@ impl Registration {
         let spe = &self.context.backend;
         match EVENTS[self.event] {
             SPE_EVENT_OUT_INTR_MBOX => matches!(spe.outbound_interrupt_waiting(), Ok(1..)),
-            SPE_EVENT_IN_MBOX => matches!(spe.inbound_room(), Ok(1..)),
+            SPE_EVENT_IN_MBOX => matches!(spe.inbound_free(), Ok(1..)),
             SPE_EVENT_TAG_GROUP => spe.tag_waiting(),
             _ => self.context.stops.waiting(),
         }

@@ -137,7 +137,7 @@ pub unsafe extern "C" fn spe_in_mbox_write(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_in_mbox_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { status(spe, |backend| backend.inbound_room()) }
+    unsafe { status(spe, |backend| backend.inbound_free()) }
 }
 
 /// Reads words from the outbound interrupt mailbox and returns how many.

@@ -1,10 +1,10 @@
 # bound_fan_r16   what the rays of packets are within that all go through one point, or end there
 #   C       void bound_fan_r16(const struct rays16 *, int count, struct bound *,
 #                              const struct light *, float along);
-#   In      $3 RAYS16, one behind the other, $4 count (at least 1), $5 BOUNDs, $6 LIGHT, whose
+#   In      $3 RAYS16, consecutive, $4 count (at least 1), $5 BOUNDs, $6 LIGHT, whose
 #           position is the point, $7 1 if the rays start there, -1 if they end there; pointers
 #           16-aligned
-#   Out     the packets' bounds, one behind the other: of rays that end there, as if they came from
+#   Out     the packets' bounds, consecutive: of rays that end there, as if they came from
 #           there
 #   Uses    $3-$5, $10-$70   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp, of rays whose t has no sign; others are not there, and anything.
@@ -40,7 +40,7 @@
         .set    k_chord,50
         .set    k_quarter,51                            # by lanes: chord, t
         .set    k_sine,52                               # the same: 1, 0
-        .set    k_least,53                              # the same: least sine, radius
+        .set    k_least,53                              # the same: smallest sine, radius
         .set    m_even,54
         .set    m_odd,55
         # of all packets
@@ -84,7 +84,7 @@ even_words:
         .int    0x00010203,0x10111213,0x08090a0b,0x18191a1b
 odd_words:
         .int    0x04050607,0x14151617,0x0c0d0e0f,0x1c1d1e1f
-# The least sine, and the light's distance of the rays from it.
+# The smallest sine, and the light's distance of the rays from it.
 least_and_near:
         .int    0x00010203,0x1c1d1e1f,0x80808080,0x80808080
 

@@ -1,6 +1,6 @@
 # bound_origins_r16   where the rays of packets are within whose directions are bounded already
 #   C       void bound_origins_r16(const struct rays16 *, int count, struct bound *);
-#   In      $3 RAYS16, one behind the other, $4 count (at least 1), $5 BOUNDs, as bound_fan_r16
+#   In      $3 RAYS16, consecutive, $4 count (at least 1), $5 BOUNDs, as bound_fan_r16
 #           makes them of any point; pointers 16-aligned
 #   Out     the bounds' apexes and radii, those of the rays
 #   Uses    $3-$5, $10-$60   Saves  -   Stack  0   Calls  -

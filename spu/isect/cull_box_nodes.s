@@ -6,7 +6,7 @@
 #   Out     candidates of such children, node by node, children in order: object is the child, or
 #           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
 #           may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$4, $10-$48   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; half sizes of a child's box
 #           with a slack of 2^-18 (|c| + H), c its centre, H half its diagonal; of a lane without a
@@ -21,7 +21,7 @@
 # so that v.w = perp cosine - a sine. No ray goes beyond that plane by more than R, because all
 # directions are within the cone. A child is culled if one of these is below 0:
 #   R + half.|w| - v.w            the whole box is beyond the plane
-#   R + half.|axis| + a           it is behind the apex
+#   R + half.|axis| + a           it is beyond the apex
 #   R + half.|axis| + farthest - a   it is too far away
 # A bound that is open has axis, cosine and sine 0, and so w = 0, and nothing is culled.
 

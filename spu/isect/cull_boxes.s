@@ -7,7 +7,7 @@
 #   Out     candidates of such children, node by node, children in order: object is the child's
 #           word plus $6, near is when a ray can meet its box, the rest the node's; three more
 #           quadwords may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$6, $10-$69   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as mesh_bounds_r16 makes them; boxes with a slack of 2^-19 of the largest
 #           magnitude of their coordinates; distances from 2^-60 to 2^60

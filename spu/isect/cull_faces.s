@@ -4,9 +4,9 @@
 #   In      $3 candidates whose objects have gain 0 and a unit axis, $4 count (0 is none), $5 where
 #           the list goes: elsewhere, or over the candidates; $6 1 if the rays go along their
 #           bounds' axes, -1 if against them; pointers 16-aligned
-#   Out     those candidates, in order; behind them what is left out may be written, but nothing
-#           behind as many quadwords as there are candidates
-#           $3 behind the list
+#   Out     those candidates, in order; culled ones may be written after them, but nothing after as
+#           many quadwords as there are candidates
+#           $3 end of the list
 #   Uses    $3-$4, $10-$35   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; distances from 2^-60 to 2^60;
 #           OBJECT_leave at least 2^-20 of the sum of the centre's components' magnitudes
@@ -16,11 +16,11 @@
 #
 # With n the object's axis:
 #   g = axis.n                  all rays go with n if g > sine, and all against it if -g > sine
-#   h = (apex - centre).n       all start in front of the plane if h > M, and behind it if -h > M
+#   h = (apex - centre).n       all start in front of the plane if h > M, and at its back if -h > M
 #   M = radius + leave          starts within rounding of the plane count as on both sides
 # The front is hit by rays that start in front of it and go against n. A one-sided candidate is
-# therefore culled if all rays go with n, or if all start behind. A candidate with SIDES_BOTH is
-# culled if all rays go with n and start in front, or if all go against it and start behind.
+# therefore culled if all rays go with n, or if all start at the back. A candidate with SIDES_BOTH
+# is culled if all rays go with n and start in front, or if all go against it and start at the back.
 #
 # Rays that go against their bound's axis end in its sphere. The bound then has their end points
 # instead of their origins, so sides and directions are reversed.
@@ -46,7 +46,7 @@
         registers terms,others
         registers with                                  # limit less what it limits
         registers against
-        registers outer                                 # all go with n; all start behind
+        registers outer                                 # all go with n; all start at the back
         registers inner                                 # all start in front; all go against n
         registers both,drop,step
         # the candidate, loaded again instead of being kept in a register for so long; it is

@@ -6,7 +6,7 @@
 #   Out     candidates of such children, node by node, children in order: object is the child, or
 #           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
 #           may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$4, $10-$48   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
@@ -20,13 +20,13 @@
 #   S = R + radius              shrinking the rays to the apex enlarges the sphere by as much
 # A child is culled if one of these is below 0:
 #   S - perp cosine + a sine    S minus the distance from the cone's side
-#   S + a                       the whole sphere is behind the apex
+#   S + a                       the whole sphere is beyond the apex
 #   S + farthest - a            the whole sphere is too far away
 # The perpendicular keeps the digits for a distant sphere. 12 bits of its length are enough,
 # because the bound's cosine is smaller by as much.
 #
 # The slack is 32 ulp, and the roundings add up to 24. Most of them truncate to the safe side: with
-# a slack of only 2 ulp of R, none of the spheres in
+# a slack of only 2 ulp of R, no sphere in
 # lab/kernels/tests/suite/rays/conservative.rs was lost. The first ones were lost with a slack of
 # minus 2 ulp of |c| + R.
 

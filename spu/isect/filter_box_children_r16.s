@@ -5,7 +5,7 @@
 #           list goes, which may be the same place; pointers 16-aligned
 #   Out     candidates of such children, in order: object is the child, the rest the candidate's;
 #           as many quadwords may be written as there are candidates
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$4, $10-$58   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_origins_r16 makes them; |d| = 1 within 4 ulp; half sizes of a child's
 #           box with a slack of 2^-18 (|c| + H), c its centre, H half its diagonal; distances from
@@ -16,9 +16,9 @@
 # Separating axes, without a division. With f = c - origin and the box's half sizes h, a ray misses
 # the box if along one of the axes' cross products with d it passes beside it,
 #   |f.y d.z - f.z d.y| > h.y |d.z| + h.z |d.y|, and so on,
-# or if the box is behind it: f.d + h.|d| < 0. The half sizes have a slack for the origin, 2^-18
-# (|apex| + r), as in filter_children_r16. Both slacks together are 32 ulp of |f| along each axis,
-# and the roundings of each comparison add up to less than 8 ulp of |f| (|d.y| + |d.z|).
+# or if the box is behind the origin: f.d + h.|d| < 0. The half sizes have a slack for the origin,
+# 2^-18 (|apex| + r), as in filter_children_r16. Both slacks together are 32 ulp of |f| along each
+# axis, and the roundings of each comparison add up to less than 8 ulp of |f| (|d.y| + |d.z|).
 
         .include "filter_tmpl.inc"
 

@@ -5,7 +5,7 @@
 #           goes, which may be the same place; pointers 16-aligned
 #   Out     candidates of such children, in order: object is the child, the rest the candidate's;
 #           as many quadwords may be written as there are candidates
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$4, $10-$58   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_origins_r16 makes them; |d| = 1 within 4 ulp; the radius of a child's
 #           sphere with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a
@@ -19,7 +19,7 @@
 #   l = f - b d                 across it
 # The ray misses if one of these is below 0:
 #   S^2 - l.l                   it passes the sphere
-#   S + b                       the sphere is behind it
+#   S + b                       the sphere is behind the origin
 # S is the radius and a slack for the origin, 2^-18 (|apex| + r), where |apex| is the sum of the
 # components' magnitudes and r the radius of the packet's bound. Both slacks together are 32 ulp
 # of |f|. The roundings add up to 16, half of them because of the length of d.

@@ -5,7 +5,7 @@
 #           where pairs go; pointers 16-aligned
 #   Out     pairs of each of the places' packets with such spheres, packet by packet, spheres in
 #           order; one more quadword may be written
-#           $3 behind the last pair
+#           $3 end of the pairs
 #   Uses    $3-$7, $10-$61   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no sphere is left out that a ray enters

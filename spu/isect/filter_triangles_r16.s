@@ -6,7 +6,7 @@
 #           store and relative to the eye, $6 where the list goes, $7 the packets' windows, that of
 #           packet 0 first; the last three bits of a candidate's packet are its number; pointers
 #           16-aligned
-#   Out     $3 behind the list, how many rows are in it, how many triangles were tested with a
+#   Out     $3 end of the list, how many rows are in it, how many triangles were tested with a
 #           packet, and anything. The list has each triangle and packet with a row that may hit it,
 #           run by run; one more record may be written
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
@@ -83,7 +83,7 @@ lower_halves:
         shufb   \z,$upper,$lower,$m_upper
 .endm
 
-# The least and the greatest of three.
+# The minimum and the maximum of three.
 .macro  limits low:req, high:req, a:req, b:req, c:req
         fcgt    $c_more,\a,\b
         selb    \low,\a,\b,$c_more

@@ -4,7 +4,7 @@
 #   In      $3 frustum, $4 spheres, $5 count (0 is none), $6 where the list goes; 16-aligned
 #   Out     a quadword for each such sphere, in order, whose first word is its address; one more
 #           quadword may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$6, $10-$39   Saves  -   Stack  0   Calls  -
 #   Domain  unit normals, within 4 ulp; reach as the PPU makes it
 #   Error   0: no sphere is left out that has a point in the frustum

@@ -2,7 +2,7 @@
 #   C       struct pair *hidden_pairs_r16(struct pair *, int count);
 #   In      $3 pairs of packets and spheres, $4 count (0 is none); pointers 16-aligned
 #   Out     the other pairs, in order, from the same place on
-#           $3 behind the last of them
+#           $3 their end
 #   Uses    $3-$4, $10-$23   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0

@@ -33,9 +33,9 @@
 #
 # A pass is one row of four rays, a quarter of a candidate. All four rows in one pass would leave
 # too few registers for passes to overlap (386 cycles instead of 4 times 91) and have four times as
-# much code. The odd pipe has room to load the record again. A load ignores the lowest bits of an
-# address, so the list pointer advances by quarters of an entry: all four load the same candidate,
-# and the low bits select the row.
+# much code. The odd pipe has free cycles to load the record again. A load ignores the lowest bits
+# of an address, so the list pointer advances by quarters of an entry: all four load the same
+# candidate, and the low bits select the row.
 
         .include "work_unit.inc"
         .include "macros.inc"

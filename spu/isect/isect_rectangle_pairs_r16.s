@@ -8,8 +8,8 @@
 #           or more apart; incidence within 84 degrees of the normal
 #   Twin    lab/twins/src/rectangle_pairs.rs
 #
-# Like isect_rectangle_r16. But from behind, where the direction goes with the axis, it is hit only
-# with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
+# Like isect_rectangle_r16. But from the back, where the direction goes with the axis, it is hit
+# only with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
 # misses.
 
         .include "work_unit.inc"

@@ -9,7 +9,7 @@
 #           it, area across the ray above 1/20 of their square
 #   Twin    lab/twins/src/triangle_pairs.rs
 #
-# As watertight as isect_triangles_r16, with the same steps. But from behind, where the vertices
+# As watertight as isect_triangles_r16, with the same steps. But from the back, where the vertices
 # are in clockwise order, a triangle is hit only with SIDES_BOTH. The order is counter-clockwise if
 # the sum of u, v and w has the sign of direction z.
 

@@ -5,7 +5,7 @@
 #           places of 64 packets; $5 address of the object's record; $6 where the pairs go;
 #           pointers 16-aligned
 #   Out     the pairs; one more quadword may be written
-#           $3 behind the pairs
+#           $3 end of the pairs
 #   Uses    $3, $6, $10-$28   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0

@@ -5,7 +5,7 @@
 #           places of 64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers
 #           16-aligned
 #   Out     the list; one more quadword may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3, $6, $10-$28   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0

@@ -1,6 +1,6 @@
 # mesh_alive_r16   which of a batch's rays count farther than a distance
 #   C       void mesh_alive_r16(const struct rays16 *, int count, float near, vec_uint4 *);
-#   In      $3 RAYS16, one behind the other, $4 count, 1 to 8, $5 distance; below 0 it is 0, $6 a
+#   In      $3 RAYS16, consecutive, $4 count, 1 to 8, $5 distance; below 0 it is 0, $6 a
 #           bit for each ray, the first ray's first; pointers 16-aligned
 #   Out     the bits of other rays, and of those that are not there, become 0
 #   Uses    $3-$6, $10-$29   Saves  -   Stack  0   Calls  -

@@ -1,13 +1,13 @@
 # mesh_bounds_r16   what the rays of packets have in common, for cull_boxes
 #   C       void mesh_bounds_r16(const struct rays16 *, int count, struct mesh_bound *,
 #                                const struct shear *);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 MESH_BOUNDs likewise, $6 the
+#   In      $3 RAYS16, consecutive, $4 count (0 is none), $5 MESH_BOUNDs likewise, $6 the
 #           packets' SHEARS likewise, whose addresses go to the bounds; pointers 16-aligned
 #   Out     the bounds
 #   Uses    $3-$6, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  origins below 2^60; components of directions up to 1; t has a sign where no ray is, and
 #           anything else there
-#   Error   0: no ray meets a plane earlier or later than the bound says
+#   Error   0: no ray meets a plane earlier or later than its bound
 #   Twin    lab/twins/src/mesh.rs
 #
 # For an axis on which the origins are from o_min to o_max, and the directions from d_min to d_max,

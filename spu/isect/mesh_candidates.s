@@ -6,7 +6,7 @@
 #           each further one; pointers 16-aligned
 #   Out     for each visit, a candidate of each packet that has one of its rays: object is the
 #           child's word plus $6, near is the visit's; seven more quadwords may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$7, $10-$42   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0

@@ -2,13 +2,13 @@
 #                       windows for filter_triangles_r16
 #   C       void mesh_eye_bounds_r16(const struct rays16 *, int count, struct mesh_bound *,
 #                                    const struct shear *, struct mesh_window *);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 MESH_BOUNDs likewise, $6 the
+#   In      $3 RAYS16, consecutive, $4 count (0 is none), $5 MESH_BOUNDs likewise, $6 the
 #           packets' SHEARS likewise, whose addresses go to the bounds, $7 MESH_WINDOWs likewise;
 #           pointers 16-aligned
 #   Out     the bounds and the windows
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  origins 0; unit directions, also of absent rays, whose t have their signs set
-#   Error   0: no ray meets a plane earlier or later than the bound says; each slope is 2^-18
+#   Error   0: no ray meets a plane earlier or later than its bound; each slope is 2^-18
 #           within its row's window, which is more than all roundings of the slope, of the ray's
 #           SHEARS, and of a vertex's slopes in filter_triangles_r16
 #   Twin    lab/twins/src/mesh_rows.rs
@@ -52,10 +52,10 @@
         registers slope_y
         .set    NEXT,slope_y+4
         # the extremes over the rows: x, y, z, and again z or t
-        registers least
-        .set    NEXT,least+4
-        registers most
-        .set    NEXT,most+4
+        registers slope_min
+        .set    NEXT,slope_min+4
+        registers slope_max
+        .set    NEXT,slope_max+4
         registers lanes
         .set    NEXT,lanes+4
         registers t_words
@@ -93,7 +93,7 @@ shears_and_farthest:
 planes_and_others:
         .int    0x00010203,0x06070a0b,0x18191a1b,0x1c1d1e1f
 
-# The least and the greatest of each row's slopes go everywhere in their places. Everything does if
+# The minimum and the maximum of each row's slopes go everywhere in their places. Everything does if
 # the packet is wide.
 .macro  put_limits of:req, axis:req
         transpose lanes,\of,t_words,$m_first,$m_last
@@ -145,13 +145,13 @@ planes_and_others:
 
 .macro  extend axis:req, at:req, row:req
     .if \row
-        fcgt    $c_greater,$least+\at,$direction_\axis
-        selb    $least+\at,$least+\at,$direction_\axis,$c_greater
-        fcgt    $c_greater,$direction_\axis,$most+\at
-        selb    $most+\at,$most+\at,$direction_\axis,$c_greater
+        fcgt    $c_greater,$slope_min+\at,$direction_\axis
+        selb    $slope_min+\at,$slope_min+\at,$direction_\axis,$c_greater
+        fcgt    $c_greater,$direction_\axis,$slope_max+\at
+        selb    $slope_max+\at,$slope_max+\at,$direction_\axis,$c_greater
     .else
-        ori     $least+\at,$direction_\axis,0
-        ori     $most+\at,$direction_\axis,0
+        ori     $slope_min+\at,$direction_\axis,0
+        ori     $slope_max+\at,$direction_\axis,0
     .endif
 .endm
 
@@ -190,14 +190,14 @@ next_bound:
         splat   $sign,$z,$m_lane
         and     $sign,$sign,$k_sign
         il      $wide,0
-        ori     $most+3,$k_none,0
+        ori     $slope_max+3,$k_none,0
     .irp row, 0,1,2,3
         lqd     $direction_x,RAYS16_direction_x+16*\row($a_rays)
         lqd     $direction_y,RAYS16_direction_y+16*\row($a_rays)
         lqd     $direction_z,RAYS16_direction_z+16*\row($a_rays)
         lqd     $t_y,RAYS16_t+16*\row($a_rays)
-        cgt     $c_greater,$t_y,$most+3
-        selb    $most+3,$most+3,$t_y,$c_greater
+        cgt     $c_greater,$t_y,$slope_max+3
+        selb    $slope_max+3,$slope_max+3,$t_y,$c_greater
         extend  x,0,\row
         extend  y,1,\row
         extend  z,2,\row
@@ -217,10 +217,10 @@ next_bound:
         put_limits slope_y,y
         put_order 0,order
         put_order 16,depth
-        # The bounds. The fourth of the least is z again, and of the most it is t.
-        ori     $least+3,$least+2,0
-        over_lanes $d_min,least,minimum_f4
-        over_lanes $d_max,most,maximum
+        # The bounds. The fourth minimum is z again, and the fourth maximum is t.
+        ori     $slope_min+3,$slope_min+2,0
+        over_lanes $d_min,slope_min,minimum_f4
+        over_lanes $d_max,slope_max,maximum
         # near and far: the directions whose inverses are the scales.
         fcgt    $down,$k_minus_tiny,$d_max
         fcgt    $up,$d_min,$k_tiny

@@ -1,6 +1,6 @@
 # mesh_farthest_r16   how far the rays of packets count, after hits
 #   C       void mesh_farthest_r16(const struct rays16 *, int count, struct mesh_bound *);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 MESH_BOUNDs likewise; pointers
+#   In      $3 RAYS16, consecutive, $4 count (0 is none), $5 MESH_BOUNDs likewise; pointers
 #           16-aligned
 #   Out     the bounds' farthest: the largest t, or -1 if no ray is there
 #   Uses    $3-$5, $10-$19   Saves  -   Stack  0   Calls  -

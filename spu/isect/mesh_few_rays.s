@@ -5,12 +5,12 @@
 #                       const struct mesh_candidate packets[2], int base, vec_uint4 *);
 #   In      $3 the lowest nodes, $4 count, at least 1, $5 the rays' bits, at least one, $6 where
 #           the list goes, $7 MESH_RAYs, $8 two quadwords: a candidate of the first packet, and
-#           what is added for each further one, $9 what is added to each child's word, $10 room for
+#           what is added for each further one, $9 what is added to each child's word, $10 space for
 #           as many quadwords as there are rays and three more; pointers 16-aligned
 #   Out     ray by ray and child by child, a candidate for each box that a ray meets: object is the
 #           child's word plus $9, packet and bound are those of the ray's packet, near is anything;
 #           three more quadwords may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$79   Saves  -   Stack  0   Calls  -
 #   Domain  records as mesh_rays_r16 makes them; boxes with a slack of 2^-19 of the largest
 #           magnitude of their coordinates; distances from 2^-60 to 2^60
@@ -26,7 +26,7 @@
         .include "transpose.inc"
 
         .set    NEXT,3
-        registers a_first,nodes,a_bits,a_list,a_rays,a_packets,base,a_room
+        registers a_first,nodes,a_bits,a_list,a_rays,a_packets,base,a_buffer
         # constants
         registers m_0,m_1,m_2,m_3                       # splat a word
         registers k_far,k_far_y                         # sums of both planes' offsets
@@ -119,7 +119,7 @@ next_rays:
         rotqbyi $step+\lane,$step,4*\lane
     .endr
     .irp lane, 0,1,2,3
-        stqx    $words+\lane,$a_room,$listed
+        stqx    $words+\lane,$a_buffer,$listed
         a       $listed,$listed,$step+\lane
     .endr
         ai      $left,$left,1
@@ -130,7 +130,7 @@ next_rays:
         lqa     $m_entry+\child,child_of_node+16*\child
     .endr
         ori     $a_node,$a_first,0
-        ori     $a_ray,$a_room,0
+        ori     $a_ray,$a_buffer,0
         il      $found,0
 next_pair:
         lqd     $ray,0($a_ray)

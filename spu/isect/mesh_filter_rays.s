@@ -4,11 +4,11 @@
 #                       struct mesh_visit *, struct mesh_ray *, const struct rays16 *,
 #                       vec_uint4 *);
 #   In      $3 the block's BOXES, $4 count, at least 1, $5 bits of the rays that are tested, with
-#           room for a quadword of each further node and three more, $6 where the visits go, $7
-#           MESH_RAYs, $8 their packets, $9 room for 131 quadwords; pointers 16-aligned
+#           space for a quadword of each further node and three more, $6 where the visits go, $7
+#           MESH_RAYs, $8 their packets, $9 space for 131 quadwords; pointers 16-aligned
 #   Out     MESH_VISITs of the lowest nodes' children that rays meet, in order; three more may be
 #           written
-#           $3 behind them, $4 how often a ray was tested with a node
+#           $3 their end, $4 how often a ray was tested with a node
 #   Uses    $3-$79   Saves  -   Stack  0   Calls  -
 #   Domain  complete levels of nodes; records as mesh_rays_r16 makes them; boxes with a slack of
 #           2^-19 of the largest magnitude of their coordinates; distances from 2^-60 to 2^60
@@ -27,7 +27,7 @@
         .include "extremes.inc"
 
         .set    NEXT,3
-        registers a_node,nodes,a_bits,a_visits,a_rays,a_packets,a_room
+        registers a_node,nodes,a_bits,a_visits,a_rays,a_packets,a_buffer
         # constants
         registers m_0,m_1,m_2,m_3                       # splat a word
         registers k_far,k_far_y                         # sums of both planes' offsets
@@ -72,7 +72,7 @@
 
         .section .rodata.mesh,"a",@progbits
         .align  4
-# The record's address, and behind it that of the ray's t.
+# The record's address, and after it that of the ray's t.
 addresses:
     .irp lane, 0,1,2,3
         .int    0x00010203+0x04040404*\lane,0x10111213+0x04040404*\lane,0x80808080,0x80808080
@@ -155,7 +155,7 @@ next_rays:
     .endr
     .irp lane, 0,1,2,3
         shufb   $entry,$address,$a_t,$m_entry+\lane
-        stqx    $entry,$a_room,$listed
+        stqx    $entry,$a_buffer,$listed
         a       $listed,$listed,$step+\lane
     .endr
         ai      $left,$left,-1
@@ -165,8 +165,8 @@ next_rays:
         brz     $of_root,up_to_date
         il      $of_root,0
         ori     $listed,$left,0
-        ori     $a_list,$a_room,0
-        ori     $a_again,$a_room,0
+        ori     $a_list,$a_buffer,0
+        ori     $a_again,$a_buffer,0
         lqa     $near_time_z,t_first
 next_t: lqd     $record,0($a_list)
         rotqbyi $a_t,$record,4
@@ -182,7 +182,7 @@ next_t: lqd     $record,0($a_list)
         brnz    $left,next_t
         ori     $left,$listed,0
 up_to_date:
-        ori     $a_list,$a_room,0
+        ori     $a_list,$a_buffer,0
 next_ray:
         lqd     $record,0($a_list)
         lqd     $second,MESH_RAY_number($record)

@@ -1,12 +1,12 @@
 # mesh_flat_patches   the patches of hit triangles of a mesh, for those whose leaves are known
 #   C       struct mesh_hit *mesh_flat_patches(struct patch *, int count, const struct mesh_leaf *,
 #                                              struct mesh_hit *, const struct material *);
-#   In      $3 patches as mesh_list_hits_r16 leaves them, with room for three more, $4 how many
-#           fours of them (0 is none), with 0 as the objects behind the last, $5 MESH_LEAF_PLACES
+#   In      $3 patches as mesh_list_hits_r16 leaves them, with space for three more, $4 how many
+#           fours of them (0 is none), with 0 as the objects after the last, $5 MESH_LEAF_PLACES
 #           leaves, $6 where the list goes, $7 the mesh's first material; pointers 16-aligned
-#   Out     OBJECT_centre to OBJECT_sides of the patches; the patches behind the last get anything
+#   Out     OBJECT_centre to OBJECT_sides of the patches; the patches after the last get anything
 #           the list: the hits whose leaves are not there, in order; four more may be written
-#           $3 behind the list
+#           $3 end of the list
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  coordinates below 2^60, edges from 2^-60 on
 #   Error   16 ulp of 1 in the normal of a triangle whose area is above 1/40 of its longest edge's
@@ -151,7 +151,7 @@ next_four:
         ceq     $c_missing,$leaf,$number
         cgti    $step,$object,-1
         nor     $c_missing,$c_missing,$step
-        # What is missing goes to the list.
+        # The missing ones go to the list.
         splat   $patch,$a_patch,$m_splat
         a       $patch,$patch,$k_patches
         andi    $step,$c_missing,MESH_HITS_SIZE

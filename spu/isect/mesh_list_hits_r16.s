@@ -1,11 +1,11 @@
 # mesh_list_hits_r16   gives each triangle of a mesh that packets have hit a patch
 #   C       struct patch *mesh_list_hits_r16(struct rays16 *, int count, struct patch *,
 #                                            vec_uint4 *none);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none), $5 the first patch, $6 a
+#   In      $3 RAYS16, consecutive, $4 count (0 is none), $5 the first patch, $6 a
 #           quadword that gets anything; pointers 16-aligned
 #   Out     the packets' objects: for triangles of a mesh, their patches; others stay as they are
 #           the patches' first quadwords: in all words, the object that was there
-#           $3 behind the last patch
+#           $3 end of the patches
 #   Uses    $3-$6, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  any objects
 #   Error   0

@@ -12,7 +12,7 @@
 #           coordinates or more
 #   Twin    lab/twins/src/mesh_prepare.rs
 #
-# What is checked is what makes the traversal end and stay within the lists: the levels of nodes
+# The checks make the traversal end and stay within the lists: the levels of nodes
 # are complete, runs have triangles of the block, triangles have vertices of the block, they,
 # spheres and cones have materials of the scene, and children come after their parents. A lane of a
 # node without a child must have the box that no ray meets.

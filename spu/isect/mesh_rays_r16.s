@@ -1,11 +1,11 @@
 # mesh_rays_r16   records of the rays of packets one by one, for mesh_filter_rays
 #   C       void mesh_rays_r16(const struct rays16 *, int count, struct mesh_ray *);
-#   In      $3 RAYS16, one behind the other, $4 count (0 is none, at most 8), $5 where 16 records
+#   In      $3 RAYS16, consecutive, $4 count (0 is none, at most 8), $5 where 16 records
 #           for each packet go; pointers 16-aligned
 #   Out     the records
 #   Uses    $3-$5, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  origins below 2^60; components of directions up to 1
-#   Error   0: no ray meets a plane earlier or later than its record says
+#   Error   0: no ray meets a plane earlier or later than its record has it
 #   Twin    lab/twins/src/mesh_rays.rs
 #
 # A ray meets a plane at p of an axis at (p - o) / d. A component of a direction below 2^-60

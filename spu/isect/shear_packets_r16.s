@@ -1,6 +1,6 @@
-# shear_packets_r16   what isect_triangle_pairs_r16 needs to know of packets' rays
+# shear_packets_r16   the rays' values that isect_triangle_pairs_r16 uses
 #   C       void shear_packets_r16(const struct ray_packet *, int count, struct shear *);
-#   In      $3 packets, one behind the other, $4 count (0 is none), $5 shears likewise; pointers
+#   In      $3 packets, consecutive, $4 count (0 is none), $5 shears likewise; pointers
 #           16-aligned
 #   Out     shears
 #   Uses    $3-$5, $10-$37   Saves  -   Stack  0   Calls  -

@@ -1,10 +1,10 @@
 # The program of an SPU. It sleeps until its mailbox has the address of a frame, traces its share
-# of the frame, and answers with a status.
+# of the frame, and reports a status.
 #
 #   Entry   $4 word 1: the number of this SPU
 #   Mail    two words: the effective address of a frame's record, high word first; 0, 0 ends the
 #           program
-#   Answer  one word in the outbound interrupt mailbox: a STATUS_ value
+#   Result  one word in the outbound interrupt mailbox: a STATUS_ value
 #   Exit    stop 0x2000
 
         .include "work_unit.inc"
@@ -44,19 +44,19 @@ next_mail:
         ori     $4,$high,0
         ori     $5,$low,0
         brsl    $lr,frame_fetch
-        brnz    $3,answer
+        brnz    $3,report
         brsl    $lr,scene_fetch
         brsl    $lr,units_trace
-        brnz    $3,answer
+        brnz    $3,report
         brsl    $lr,statistics_put
         il      $3,STATUS_Done
-answer:
+report:
         wrch    $SPU_WrOutIntrMbox,$3
         br      next_mail
 exit:
         stop    0x2000
 
-# Any code may jump here: answers with $3, and skips the rest of the frame.
+# Any code may jump here: reports $3, and skips the rest of the frame.
         .global give_up
 give_up:
         lqa     $sp,first_stack
@@ -64,5 +64,5 @@ give_up:
         il      $3,ALL_TAGS
         brsl    $lr,dma_wait
         ori     $3,$g_unit,0
-        br      answer
+        br      report
         .size   _start, .-_start

@@ -28,18 +28,18 @@ pairs:                                  # packets with further spheres; without 
         .global active
 active:                                 # the spheres in the tile's frustum
         .skip   (MAX_SPHERES+1)*PAIR_SIZE
-packets_at_once:                        # how many packets have room for pairs with all spheres
+packets_at_once:                        # how many packets' pairs with all spheres fit
         .skip   16
 named:                                  # masks for a list
         .skip   16
 named_again:
         .skip   16
 masks:                                  # the packets that may hit each sphere, a word a group;
-                                        # linker/spu.ld leaves the room for them
+                                        # linker/spu.ld reserves the memory
         .global masks_size
         .set    masks_size,MAX_SPHERES*16
     .if TILE_PACKETS*COLOURS_SIZE > MAX_PAIRS*PAIR_SIZE
-        .error  "the colours have no room"
+        .error  "the colours don't fit into the pairs"
     .endif
     .if TILE_GROUPS != 4 || TILE_HEIGHT != GROUP_SIDE
         .error  "a tile has four groups in a row: their masks are the words of a quadword"
@@ -87,7 +87,7 @@ function pixels_prepare
     .endr
         rotqbyi $quad,$quad,4
     .endr
-        ila     $place,masks                            # room for four rows of pixels
+        ila     $place,masks                            # memory of four rows of pixels
         rotqbyi $place,$place,16-PLACE_pixels
         stqa    $place,places
         ila     $3,colours
@@ -338,8 +338,8 @@ function tile_cull
         ila     $6,background
         brsl    $lr,ray_setup_r16
 
-        # The masks of groups outside of the picture are not used, because g_inside has none of
-        # their packets.
+        # The masks of groups outside of the picture are not used, because g_inside does not
+        # have their packets.
         ila     $3,middles
         ila     $4,active
         ori     $5,$g_active,0
@@ -406,9 +406,9 @@ next_object:
         # Every group may have a pair for each of its packets.
         ila     $a_end,pairs+(MAX_PAIRS-TILE_PACKETS)*PAIR_SIZE
         cgt     $bits,$g_again_end,$a_end
-        brz     $bits,room
+        brz     $bits,pairs_fit
         brsl    $lr,pairs_test
-room:
+pairs_fit:
         lqd     $bits,0($g_mask)
         and     $bits,$bits,$g_inside
         and     $again,$bits,$g_touched

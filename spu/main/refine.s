@@ -1,5 +1,5 @@
 # Antialiasing. After a tile has been traced with one ray a pixel, pixels that differ from a
-# neighbour get the rays of their samples, whose mean replaces the first one. By Whitted's model,
+# neighbour get the rays of their samples, whose mean replaces the first one. With Whitted's model,
 # with a contrast of 0, there are no first rays, and every pixel gets samples.
 #
 # Pixels are compared as bytes, as the framebuffer would show them, with their neighbours to the
@@ -80,7 +80,7 @@ function refine_prepare
         bi      $lr
 endfunction refine_prepare
 
-# tile_refine   traces the samples of the current tile's pixels by Whitted's model
+# tile_refine   traces the samples of the current tile's pixels with Whitted's model
 #   Uses    $3-$79, Whitted's driver registers
 function tile_refine
         enter
@@ -234,7 +234,7 @@ function samples_list
         ai      $most,$most,TILE_PACKETS*PLACE_SIZE/4
         ai      $most,$most,TILE_PACKETS*PLACE_SIZE/4
         shli    $value,$samples,PLACE_SIZE_LOG2
-        sf      $most,$value,$most                      # room for four pixels
+        sf      $most,$value,$most                      # space for four pixels
         ceqi    $c_more,$samples,16
         lqa     $k_least,contrast
         ceqi    $k_all,$k_least,0

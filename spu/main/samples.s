@@ -11,7 +11,7 @@
     .if RAYS16_direction_y-RAYS16_direction_x != PACKET_direction_y || RAYS16_direction_z-RAYS16_direction_x != PACKET_direction_z || RAYS16_t-RAYS16_direction_x != PACKET_t || RAYS16_object-RAYS16_direction_x != PACKET_object || PACKET_direction_x != 0
         .error  "a packet of samples is no PACKET"
     .endif
-# A list of samples has places for so many packets.
+# The maximum number of packets of a list of samples.
         .set    MOST_PACKETS,TILE_PACKETS/4
 
         .section .bss
@@ -75,7 +75,7 @@ next_samples:
         mpyu    $amount,$w_eye_left,$g_spheres
         count   tests_possible,$amount,$t_red,$t_green,$t_blue
 
-        # Pairs of each packet with all spheres, tested whenever there may be no room for more.
+        # Pairs of each packet with all spheres, tested whenever more might not fit.
         ila     $g_mask,packet_places
         ori     $g_left,$w_eye_left,0
         ila     $g_again_end,pairs
@@ -85,9 +85,9 @@ next_packet:
         ila     $most,pairs+MAX_PAIRS*PAIR_SIZE
         sf      $most,$amount,$most
         cgt     $c_full,$g_again_end,$most
-        brz     $c_full,room
+        brz     $c_full,pairs_fit
         brsl    $lr,samples_test
-room:
+pairs_fit:
         cwd     $m_packet,PAIR_packet($sp)
         lqd     $place,0($g_mask)
         ila     $a_object,active

@@ -2,7 +2,7 @@
 # their contract, which is in docs/shaders.md.
 #
 # The driver's state is in the registers that a shader must preserve. So a check keeps its copies
-# in memory, and restores the registers before it answers.
+# in memory, and restores the registers before it returns.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -27,7 +27,7 @@
 # patches that rays have hit are in front of it.
         .set    KEPT,ROOT_LISTS-(SURFACES_SIZE+127)/128*128
     .if 16*KEPT_REGISTERS > ROOT_LISTS-KEPT || (16*SMALL_BATCH+3)*PATCH_SIZE > KEPT-OBJECT_LIST
-        .error  "the lists of nodes have no room for what a shader must preserve"
+        .error  "the registers that a shader must preserve don't fit into the lists of nodes"
     .endif
 
         .section .bss
@@ -49,7 +49,7 @@ kept_stack:
         .set    table,18
         .set    table_end,19
         .set    known,20
-        .set    answer,21
+        .set    status,21
         .set    limit,22
         .set    left,24                                 # to 27
 
@@ -118,7 +118,7 @@ next_material:
         sf      $table_end,$table,$table_end
         rotmi   $table_end,$table_end,-SHADER_ENTRY_LOG2
         clgt    $known,$table_end,$index
-        il      $answer,RULE_KNOWN
+        il      $status,RULE_KNOWN
         brz     $known,refuse
         checked $flags
         brz     $flags,keep_nothing
@@ -137,17 +137,17 @@ keep_nothing:
         checked $flags
         brz     $flags,next_material
         brsl    $lr,shader_broke
-        ori     $answer,$3,0
-        brz     $answer,next_material
+        ori     $status,$3,0
+        brz     $status,next_material
 refuse:
         lqd     $index,CALL_index($sp)
         il      $limit,255
         clgt    $c_larger,$index,$limit
         selb    $index,$index,$limit,$c_larger
         shli    $index,$index,24
-        shli    $answer,$answer,8
-        a       $answer,$answer,$index
-        ai      $3,$answer,STATUS_Shader
+        shli    $status,$status,8
+        a       $status,$status,$index
+        ai      $3,$status,STATUS_Shader
 return:
         il      $t_size,CALL_SIZE
         a       $sp,$sp,$t_size

@@ -1,6 +1,6 @@
 # accumulate_r16   adds what rays have brought to the sums of their pixels
 #   C       void accumulate_r16(const struct rays16 *, const struct surfaces *, int count);
-#   In      $3 rays, $4 surfaces, $5 packets (at least 1); both one behind the other, 16-aligned
+#   In      $3 rays, $4 surfaces, $5 packets (at least 1); both consecutive, 16-aligned
 #   Out     the rays' pixels: sums of red, green, blue; the fourth word anything
 #   Uses    $3-$5, $10-$50   Saves  -   Stack  0   Calls  -
 #   Domain  each lane's pixel has the address of a quadword in its last three bytes, also of a ray

@@ -1,6 +1,6 @@
 # ambient_r16   what light from everywhere adds to surfaces
 #   C       void ambient_r16(struct surfaces *, int count, const float *brightness);
-#   In      $3 surfaces, one behind the other, $4 packets (at least 1), $5 red, green, blue,
+#   In      $3 surfaces, consecutive, $4 packets (at least 1), $5 red, green, blue,
 #           anything; pointers 16-aligned
 #   Out     the surfaces: lit
 #   Uses    $3-$4, $10-$20   Saves  -   Stack  0   Calls  -

@@ -3,7 +3,7 @@
 #                                    const vec_uint4 *colours, const struct patch *, int are_roots);
 #   In      $3 rays, $4 their surfaces, $5 the packed colours of the vertices of each patch, $6 the
 #           first patch; pointers 16-aligned; $7 -1 if colours are square roots of light, 0 if they
-#           are light. What a ray has hit is an address, of any record
+#           are light. A ray's hit is an address, of any record
 #   Out     surfaces: red, green and blue, where the object is a patch with SIDES_COLOURED
 #   Uses    $3-$7, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  points in their triangles; edges from 2^-30 to 2^30, and from 1/100 of the points'
@@ -14,7 +14,7 @@
 # The light of the vertices is interpolated with the shares of the triangle's area that
 # texture_places_r16 computes, too.
 #
-# The loop counts up, so that it isn't pipelined, which would take as much room again.
+# The loop counts up, so that it isn't pipelined, which would double its size.
 
         .include "work_unit.inc"
         .include "macros.inc"

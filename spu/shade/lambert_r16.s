@@ -2,7 +2,7 @@
 #   C       void lambert_r16(const struct site *, int count, const struct light *,
 #                            const struct object *background, const struct ray_packet *);
 #   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the
-#           sites' packets of shadow rays, one behind the other; pointers 16-aligned
+#           sites' packets of shadow rays, consecutive; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
 #   Uses    $3-$4, $6-$26   Saves  -   Stack  0   Calls  -

@@ -1,7 +1,7 @@
 # pack_sums   sums of a tile's pixels to the framebuffer's 32-bit words
 #   C       void pack_sums(const vec_float4 *sums, void *pixels, int rows, int row_bytes,
 #                          const struct pixel_shuffle *);
-#   In      $3 sums: red, green, blue, anything, in rows of TILE_WIDTH, $4 pixels, row behind row,
+#   In      $3 sums: red, green, blue, anything, in rows of TILE_WIDTH, $4 pixels, row after row,
 #           $5 rows (1 to 16), $6 bytes of a row of pixels (16 to 4 TILE_WIDTH, a multiple of 16),
 #           $7 shuffle; pointers 16-aligned
 #   Out     the pixels

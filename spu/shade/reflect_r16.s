@@ -1,11 +1,11 @@
 # reflect_r16   rays that mirrors throw back, appended to a queue
 #   C       struct queued *reflect_r16(const struct site *, int count, struct queued *, float
-#           least, unsigned deepest);
-#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be, $6 least weight of a ray that is sent on, $7 CHAIN_STEP times the
+#          min_weight, unsigned deepest);
+#   In      $3 sites, $4 count (0 is none), $5 where the rays go: space for one more than
+#           there may be, $6 minimum weight of a ray that is sent on, $7 CHAIN_STEP times the
 #           rays that may come before the last of a chain; pointers 16-aligned
 #   Out     a ray for each lane whose share `mirror` is above 0 and whose weight is not below the
-#           least, unless the lane's is the last of its chain, in order; $3 their end
+#           minimum, unless the lane's is the last of its chain, in order; $3 their end
 #   Uses    $3-$4, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side
 #   Error   5 ulp of 1, each component of a direction; where r.G is within 1e-5 of 0, either normal

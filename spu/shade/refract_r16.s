@@ -1,10 +1,10 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
 #   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float
-#           least, unsigned deepest);
-#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be, $6 least weight of a ray that is sent on, $7 CHAIN_STEP times the
+#          min_weight, unsigned deepest);
+#   In      $3 sites, $4 count (0 is none), $5 where the rays go: space for one more than
+#           there may be, $6 minimum weight of a ray that is sent on, $7 CHAIN_STEP times the
 #           rays that may come before the last of a chain; pointers 16-aligned
-#   Out     a ray for each lane that lets something through, of a weight not below the least, unless
+#   Out     a ray for each lane that lets something through, of at least the minimum weight, unless
 #           the lane's is the last of its chain, in order; surfaces' mirror: T F more; $3 the rays'
 #           end
 #   Uses    $3-$4, $10-$79   Saves  -   Stack  0   Calls  -
@@ -75,7 +75,7 @@ next_row:
         fnms    $side,$beyond,$cosine,$side
         or      $side,$side,$k
         cgti    $wrong,$side,-1                         # neither is below 0
-        # What is loaded again needs no register in between.
+        # Values that are loaded again need no register in between.
     .irp axis, x,y,z
         lqd     $g\axis,SURFACES_plane_\axis($a_surfaces)
         selb    $n\axis,$n\axis,$g\axis,$wrong

@@ -1,6 +1,6 @@
 # same_objects_r16   which packets' rays have all hit the same object
 #   C       unsigned int same_objects_r16(const struct rays16 *, int count);
-#   In      $3 rays, one behind the other, 16-aligned, $4 packets (1 to 32)
+#   In      $3 rays, consecutive, 16-aligned, $4 packets (1 to 32)
 #   Out     $3 a bit a packet, the last packet's the lowest
 #   Uses    $3-$4, $10-$20   Saves  -   Stack  0   Calls  -
 #   Domain  any objects

@@ -2,11 +2,11 @@
 #   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
 #                                     const struct object *background, float least,
 #                                     struct ray_packet *, struct site *listed);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the least
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the minimum
 #           share of the light that counts, or 0 if every ray does; $8 where the rays go, $9 where
-#           their sites go, with room for as many as there are sites; pointers 16-aligned
+#           their sites go, with space for as many as there are sites; pointers 16-aligned
 #   Out     a packet for each site in which some lane has a ray, in order: origin, direction, t,
-#           object; and these sites, as they are; what is behind these may be anything. $3 the end
+#           object; and these sites, as they are; anything may follow these. $3 the end
 #           of the listed sites, number of rays, how many bytes of the listed sites shine
 #   Uses    $3-$4, $6-$7, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
@@ -17,13 +17,13 @@
 #   to = position - point, L = to / |to|, t = |to|
 #   for a directional light: to = position, t = FARTHEST
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
-#   |weight (most diffuse (N.L) + highlight)| > least; otherwise t = -1
+#   |weight (most diffuse (N.L) + highlight)| > minimum; otherwise t = -1
 #   origin = point + leave plane
-# most is the OR of the bits of red, green and blue: at least the greatest of them, and below 2 if
+# most is the OR of the bits of red, green and blue: at least the largest of them, and below 2 if
 # they are. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
 # exists where any share is. A light exactly at the point has L = 0, and there is no ray.
 #
-# Each packet is stored behind the last one that has a ray in some lane, so a packet without any is
+# Each packet is stored after the last one that has a ray in some lane, so a packet without any is
 # overwritten. The site is stored in the same way. A pass makes two rows of four rays.
 
         .include "work_unit.inc"
@@ -37,9 +37,9 @@ two:    .int    0x00010203,0x10111213,0x80808080,0x80808080
 as_is:  .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
 # The lanes' OR enters from the right, as two bytes: the first four are of the last two passes.
 recent: .int    0x02031010,0x02031010,0x02031010,0x80808080
-# What is returned: the end of the listed sites, rays, how many bytes of these sites shine.
+# The results: the end of the listed sites, rays, how many bytes of these sites shine.
 ended:  .int    0x00010203,0x10111213,0x04050607,0x80808080
-# How far these move behind the rows 0 and 2: only behind a packet's last ones. The second part is
+# How far these move after the rows 0 and 2: only after a packet's last ones. The second part is
 # for sites with highlights.
 steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         .skip   SITE_SHINES-48
@@ -101,7 +101,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         stqd    $point_\axis,RAYS16_origin_\axis+\at($to_packet)
     .endr
         stqd    $background,RAYS16_object+\at($to_packet)
-        # The OR of the channels is at least the greatest of them.
+        # The OR of the channels is at least the largest of them.
         lqd     $most,SURFACES_red+\at($here)
         lqd     $other,SURFACES_green+\at($here)
         or      $most,$most,$other

@@ -1,6 +1,6 @@
 # smooth_r16   normals that shade, of those of sixteen hits that are on patches
 #   C       void smooth_r16(const struct ray_packet *, struct surfaces *);
-#   In      $3 rays, $4 surfaces; pointers 16-aligned. What a ray has hit is an address, of any
+#   In      $3 rays, $4 surfaces; pointers 16-aligned. A ray's hit is an address, of any
 #           record
 #   Out     surfaces: normal, where the object has SIDES_SMOOTH and so is a patch
 #   Uses    $3-$4, $10-$62   Saves  -   Stack  0   Calls  -

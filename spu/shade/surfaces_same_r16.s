@@ -1,7 +1,7 @@
 # surfaces_same_r16   surfaces_r16 for packets whose sixteen rays have all hit the same object
 #   C       vec_uint4 surfaces_same_r16(const struct rays16 *, int count, struct surfaces *,
 #                                       const struct object *background);
-#   In      $3 rays, $4 packets (at least 1), $5 surfaces; rays and surfaces one behind the other
+#   In      $3 rays, $4 packets (at least 1), $5 surfaces; rays and surfaces both consecutive
 #           $6 the background's object; pointers 16-aligned
 #   Out     the packets' surfaces, the bits that surfaces_r16 gives
 #           $3 rays that hit something, a count a lane

@@ -5,7 +5,7 @@
 #   Out     surfaces: red, green and blue, where the tile is not all ones
 #   Uses    $3-$5, $10-$57   Saves  -   Stack  0   Calls  -
 #   Domain  right and down from 0 to 1
-#   Error   4e-7 of the greatest texel, for a colour of 1
+#   Error   4e-7 of the largest texel, for a colour of 1
 #   Twin    lab/twins/src/texture.rs
 #
 # The texel's colour is interpolated between the left and the right texels of both rows, and then
@@ -13,7 +13,7 @@
 # next row of the tile. Where pixels have sRGB's values, bytes are square roots of light: of light
 # itself they would have too few steps in dark textures.
 #
-# The loop counts up, so that it isn't pipelined, which would take as much room again.
+# The loop counts up, so that it isn't pipelined, which would double its size.
 
         .include "work_unit.inc"
         .include "macros.inc"

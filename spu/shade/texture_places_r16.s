@@ -2,7 +2,7 @@
 #   C       void texture_places_r16(const struct rays16 *, const struct surfaces *,
 #                                   struct texels *, vec_float4 pixel_angle);
 #   In      $3 rays, $4 their surfaces, $5 texels, $6 the angle of a pixel in the preferred slot;
-#           pointers 16-aligned. What a ray has hit is an address, of any record
+#           pointers 16-aligned. A ray's hit is an address, of any record
 #   Out     texels: tile, all ones unless the object has SIDES_TEXTURED and the material a TEXTURE;
 #           place, right and down of the others
 #   Uses    $3-$79   Saves  -   Stack  0   Calls  -
@@ -20,7 +20,7 @@
 # The level is the whole number nearest to log2 f, so half the exponent of 2 f^2, rounded down.
 # |origin| is how far the ray's chain has come, exactly so for the first two rays of a chain.
 #
-# The loop counts up, so that it isn't pipelined, which would take as much room again.
+# The loop counts up, so that it isn't pipelined, which would double its size.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -3,7 +3,7 @@
 #                              unsigned background, unsigned sum);
 #   In      $3 QUEUED rays, $4 how many (at least 1), $5 packets, $6 address of the background's
 #           OBJECT, $7 address of a sum that nobody reads; pointers 16-aligned
-#   Out     RAYS16, one behind the other, as many as the rays fill
+#   Out     RAYS16, consecutive, as many as the rays fill
 #   Uses    $3-$7, $10-$35   Saves  -   Stack  0   Calls  -
 #   Domain  any; the queue is read up to the last packet's end
 #   Error   0

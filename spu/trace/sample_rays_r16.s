@@ -4,15 +4,15 @@
 #   In      $3 places of pixels, four a packet, $4 count of packets (at least 1), $5 basis,
 #           $6 address of the background's OBJECT, $7 samples of a pixel: 4 or 16, $8 packets;
 #           pointers 16-aligned
-#   Out     RAYS16, one behind the other, all of their words
+#   Out     RAYS16, consecutive, all of their words
 #   Uses    $3-$8, $10-$63   Saves  -   Stack  0   Calls  -
 #   Domain  the direction through each sample is not 0 and below 2^63 in length; pixels below 2^18;
 #           a place's pixels: the sum of the pixel
 #   Error   2 ulp of 1, each component of a direction
 #   Twin    lab/twins/src/sample_rays.rs
 #
-# Each place makes a row of four rays. Of 4 samples these are all, of 16 the row's number tells
-# which. A place whose x is below 0 makes rays that are absent: t is -1, the weight is 0.
+# Each place makes a row of four rays. Of 4 samples these are all, of 16 the row's number selects
+# the sample. A place whose x is below 0 makes rays that are absent: t is -1, the weight is 0.
 #
 # Samples are a regular grid of n by n, turned so far that all have another x and another y:
 #   x = i/n + j/n^2, y = j/n - i/n^2, from the first sample on, i and j from 0 to n - 1

@@ -1,4 +1,5 @@
-//! What an instruction reads of local store: by a load, or by a DMA command out of local store.
+//! The local-store bytes that an instruction reads: with a load, or with a DMA command out of local
+//! store.
 //!
 //! A load reads a whole quadword, whatever the program wants of it. The parameters of DMA commands
 //! are known from the channel instructions that came before.
@@ -8,7 +9,7 @@ use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::{Instruction, Op};
 
 const QUADWORD: u32 = 16;
-/// What an atomic command moves.
+/// Bytes that an atomic command moves.
 const LINE: u32 = 128;
 
 const LSA: u8 = 16;
@@ -40,7 +41,7 @@ pub struct Parameters {
     size: u32,
 }
 
-/// What the next instruction does with local store.
+/// The local-store accesses of the next instruction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Accesses {
     pub read: Option<Range>,

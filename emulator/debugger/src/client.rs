@@ -1,12 +1,13 @@
-//! A client of gdb's remote protocol for scripts: Debian's `gdb-multiarch` does not know the SPU.
+//! A client of gdb's remote protocol for scripts: Debian's `gdb-multiarch` does not support the
+//! SPU.
 
 use std::io::{self, BufReader, ErrorKind, Read as _, Write as _};
 use std::net::TcpStream;
 use std::time::Duration;
 
-/// How long any answer may take.
+/// The time-out of a reply.
 const PATIENCE: Duration = Duration::from_secs(600);
-/// Hexadecimal digits of a register in an answer to `g`.
+/// Hexadecimal digits of a register in a reply to `g`.
 const DIGITS: usize = 32;
 
 /// A connection to a server.
@@ -49,7 +50,7 @@ impl Client {
 
     /// Waits for the next packet, and acknowledges it.
     pub fn receive(&mut self) -> io::Result<String> {
-        // A character before `*` is repeated as often as the character behind it says.
+        // The character after `*` encodes how often the character before it is repeated.
         const NO_TIMES: u8 = 29;
         while self.byte()? != b'$' {}
         let mut packet = String::new();
@@ -70,7 +71,7 @@ impl Client {
         Ok(packet)
     }
 
-    /// Sends a packet, and returns the answer.
+    /// Sends a packet, and returns the reply.
     pub fn ask(&mut self, packet: &str) -> io::Result<String> {
         self.send(packet)?;
         self.receive()

@@ -106,7 +106,7 @@ impl Debugger {
         Attached { debugger: Arc::clone(self), number }
     }
 
-    /// Tells the debugger that the program has ended, and waits until it knows.
+    /// Notifies the debugger that the program has ended, and waits until it has handled that.
     pub fn ended(&self, end: End) {
         let mut state = self.lock();
         state.end = Some(end);
@@ -148,7 +148,7 @@ impl Debugger {
 
     /// Waits until each SPE has halted or sleeps in an instruction.
     fn settle(&self) {
-        // Nobody tells when an SPE falls asleep.
+        // There is no notification when an SPE falls asleep.
         const LOOK_EVERY: Duration = Duration::from_millis(1);
         let mut state = self.lock();
         while state.halted && state.is_any_awake() {

@@ -52,7 +52,7 @@ pub struct Watchpoint {
     pub kind: WatchKind,
 }
 
-/// An SPE as the debugger knows it.
+/// The debugger's state of an SPE.
 pub struct Thread {
     spe: Weak<Spe>,
     pub local_store: Arc<LocalStore>,
@@ -63,7 +63,7 @@ pub struct Thread {
     /// The debugger has changed registers or the program counter.
     changed: bool,
     action: Action,
-    /// It has executed an instruction since it was told to step.
+    /// It has executed an instruction since the last step command.
     has_stepped: bool,
     /// Its halt at the program counter was reported, so a breakpoint there is not reported again.
     reported: bool,
@@ -321,7 +321,7 @@ impl State {
         true
     }
 
-    /// What the user changes is not what he watches for.
+    /// A change by the user does not trigger watchpoints.
     pub fn write(&mut self, number: Tid, address: u32, bytes: &[u8]) {
         if let Some(thread) = self.threads.get_mut(&number) {
             thread.local_store.write(address, bytes);

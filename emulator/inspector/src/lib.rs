@@ -2,8 +2,8 @@
 //!
 //! The page has the picture with maps over its tiles, the SPUs' timelines, the cycles by function
 //! and source line, and what was skipped. It needs neither a network nor scripts: the maps are
-//! switched by radio buttons and CSS. It knows nothing of the tracer but what an [`Inspection`]
-//! says.
+//! switched by radio buttons and CSS. All that it needs from the tracer is in an
+//! [`Inspection`].
 
 mod frame;
 mod kernels;
@@ -19,7 +19,7 @@ use spu_reports::views::ViewError;
 use spu_scheduler::code::CodeError;
 use thiserror::Error;
 
-/// What is known about a frame.
+/// The data of a frame.
 pub struct Inspection<'a> {
     /// The scene's name.
     pub scene: &'a str,
@@ -32,7 +32,7 @@ pub struct Inspection<'a> {
     /// The work units that SPUs traced, in the order of their numbers.
     pub units: &'a [Unit],
     /// The effective address to which an SPU sends the costs of the first unit, and the distance
-    /// to the next unit's. It tells which SPU traced a unit, and when.
+    /// to the next unit's. It shows which SPU traced a unit, and when.
     pub costs: (u64, u64),
     /// More maps of the tiles.
     pub tile_maps: &'a [TileMap],
@@ -68,7 +68,7 @@ pub struct TileMap {
     pub id: &'static str,
     /// The map's name.
     pub name: &'static str,
-    /// What the figures are.
+    /// The meaning of the figures.
     pub remark: &'static str,
     /// The figures by the tiles' numbers.
     pub values: Vec<u64>,
@@ -80,7 +80,7 @@ pub struct PixelMap {
     pub id: &'static str,
     /// The map's name.
     pub name: &'static str,
-    /// What the figures are.
+    /// The meaning of the figures.
     pub remark: String,
     /// The figures, row by row.
     pub values: Vec<u8>,
@@ -94,7 +94,7 @@ pub struct Statistic {
     pub name: &'static str,
     /// The figure.
     pub value: String,
-    /// What it means.
+    /// Its meaning.
     pub meaning: &'static str,
 }
 
@@ -116,7 +116,7 @@ pub enum InspectError {
     /// The profile is of another program.
     #[error("profile: {0}")]
     View(#[from] ViewError),
-    /// The timeline does not say which SPU traced a unit.
+    /// The timeline does not show which SPU traced a unit.
     #[error("timeline: no SPE has sent the costs of work unit {0}")]
     Unit(usize),
 }

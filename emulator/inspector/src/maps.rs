@@ -28,7 +28,6 @@ struct Map<'a> {
     value: Value<'a>,
 }
 
-/// A tile's figure.
 type Value<'a> = Box<dyn Fn(&TracedTile) -> u64 + 'a>;
 
 enum Colour {

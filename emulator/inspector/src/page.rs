@@ -41,7 +41,7 @@ fn statistics(statistics: &[Statistic]) -> Markup {
     groups.dedup();
     html! {
         section {
-            h2 { "What was done, and what was skipped" }
+            h2 { "Work done and work skipped" }
             table { @for group in groups {
                 tbody {
                     tr { th colspan="3" { (group) } }

@@ -29,7 +29,7 @@ pub enum RecordingError {
         what: &'static str,
         /// Where it should be.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         source: io::Error,
     },
 }

@@ -7,7 +7,7 @@ use maud::{Markup, PreEscaped, html};
 use crate::frame::{FrameTimes, Spu, overlap};
 use crate::maps::SPU_COLOURS;
 
-/// The width of a timeline in pixels. What is shorter than a pixel is added up.
+/// The width of a timeline in pixels. Activities shorter than a pixel are added up.
 const WIDTH: u64 = 1200;
 /// The rows of a timeline: where each begins, and its height.
 const TILES: (u64, u64) = (0, 16);
@@ -15,14 +15,13 @@ const WAITS: (u64, u64) = (18, 14);
 const MOVED: (u64, u64) = (34, 16);
 /// The height of a timeline, with the space below.
 const HEIGHT: u64 = 56;
-/// The room for the SPU's name.
+/// The width of the SPU's name.
 const LEFT: u64 = 60;
 
 /// A group of causes for which an SPU sleeps.
 struct State {
     /// Its class in the style sheet.
     class: &'static str,
-    /// Its name in the table.
     name: &'static str,
     meaning: &'static str,
     /// The causes; work has none.
@@ -203,7 +202,7 @@ fn lane(text: &mut String, times: &FrameTimes, number: usize, spu: &Spu, most: f
     draw_bytes(text, times, spu, y + MOVED.0, most);
 }
 
-/// What the SPU does, as bars of which each has its share of the pixel's height.
+/// The SPU's states as bars, each of which has its share of the pixel's height.
 fn draw_states(text: &mut String, times: &FrameTimes, spu: &Spu, y: u64) {
     let mut paths: [String; 4] = Default::default();
     for (at, parts) in states(times, spu, WIDTH).into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Measures how many instructions a second the pipeline model processes, by the wall clock. The
+//! Measures how many instructions a second of wall-clock time the pipeline model processes. The
 //! figures are recorded, not checked.
 //!
 //! Each stream is a loop, fed as the interpreter feeds it, with a branch every sixteen

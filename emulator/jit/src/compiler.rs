@@ -120,7 +120,7 @@ impl Unit {
 /// What units do besides the work of their instructions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnitOptions {
-    /// Whether [`Cpu::log`] tells which instructions have run.
+    /// Whether [`Cpu::log`] records which instructions have run.
     pub logs: bool,
     /// Whether units leave accesses to [watched](crate::Storage::watched) quadwords to the
     /// interpreter.
@@ -133,7 +133,7 @@ pub struct Compiler {
     estimates: Estimates,
     options: UnitOptions,
     units: u32,
-    /// Whether the code cache had no room for a unit. Then no other is tried.
+    /// Whether the code cache was too full for a unit. Then no other is tried.
     full: bool,
     context: Context,
     builder: FunctionBuilderContext,
@@ -188,7 +188,7 @@ impl Compiler {
         Cpu::new(Arc::clone(&self.code), MAX_UNITS, self.options.logs)
     }
 
-    /// Compiles a trace. Returns `None` if there is no room for another unit.
+    /// Compiles a trace. Returns `None` if the code cache is full.
     pub fn compile(&mut self, trace: Trace, mode: FloatMode) -> Option<Unit> {
         if self.full || self.units as usize == MAX_UNITS {
             return None;

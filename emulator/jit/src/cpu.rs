@@ -179,8 +179,8 @@ impl Cpu {
             context.log = self.log.as_mut_ptr();
         }
         // SAFETY: the trampoline and the target belong to this compiler, because the table holds
-        // no other code. The context points to this value's own boxes, and to a log that has room
-        // for every instruction of the budget. The caller guarantees the storage.
+        // no other code. The context points to this value's own boxes, and to a log that has
+        // capacity for every instruction of the budget. The caller guarantees the storage.
         let status = unsafe {
             host::call(
                 self.code.trampoline(),

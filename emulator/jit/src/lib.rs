@@ -7,7 +7,7 @@
 //!
 //! Units never give a wrong result. If an operation meets numbers for which the host computes
 //! something else than an SPU, the unit restores the state of its last commit and reports
-//! [`Exit::Failed`]. docs/emulator.md says how.
+//! [`Exit::Failed`]. See docs/emulator.md.
 //!
 //! The compiler needs a host with x86-64, AVX2 and FMA. On an x86-64 host without AVX2 or FMA,
 //! [`Compiler::new`] returns `None`.

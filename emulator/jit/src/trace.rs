@@ -158,7 +158,7 @@ pub(crate) const fn code_address(address: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// A loop of this many instructions at address 0, or the same code if it goes on behind it.
+    /// A loop of this many instructions at address 0, or the same code without the branch back.
     fn trace(count: u32, is_loop: bool) -> Trace {
         let instruction = Instruction::decode(0x4020_0000).expect("lnop");
         let step = |pc| Step {

@@ -8,7 +8,7 @@ use crate::stop::{ChannelAccess, Stop};
 pub trait Channels {
     /// `rdch`: returns the channel's value. Sleeps while the channel's count is 0.
     fn read(&mut self, channel: u8) -> Result<u32, Stop>;
-    /// `wrch`: writes the channel. Sleeps while the channel has no room.
+    /// `wrch`: writes the channel. Sleeps while the channel is full.
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop>;
     /// `rchcnt`: how many reads or writes would succeed without sleeping.
     fn count(&mut self, channel: u8) -> Result<u32, Stop>;

@@ -13,15 +13,15 @@ pub const RESERVATION_LOST: u32 = 0x0400;
 pub const SIGNAL_1: u32 = 0x0200;
 /// Signal-notification register 2 has a value.
 pub const SIGNAL_2: u32 = 0x0100;
-/// The outbound mailbox has room again.
+/// The outbound mailbox is not full any more.
 pub const OUTBOUND_ROOM: u32 = 0x0080;
-/// The outbound interrupt mailbox has room again.
+/// The outbound interrupt mailbox is not full any more.
 pub const OUTBOUND_INTERRUPT_ROOM: u32 = 0x0040;
 /// The decrementer passed from 0 to negative.
 pub const DECREMENTER: u32 = 0x0020;
 /// The inbound mailbox has data.
 pub const INBOUND_DATA: u32 = 0x0010;
-/// The MFC queue has room again.
+/// The MFC queue is not full any more.
 pub const QUEUE_ROOM: u32 = 0x0008;
 /// A list command has stalled.
 pub const LIST_STALL: u32 = 0x0002;

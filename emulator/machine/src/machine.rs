@@ -108,8 +108,8 @@ impl Machine {
         self.simulation.as_ref()
     }
 
-    /// From now on a place in code is compiled when an SPU has come to it so many times, by default
-    /// 100. Compiling takes some hundred times as long as interpreting.
+    /// The number of times that an SPU reaches an address before the code there is compiled, by
+    /// default 100. Compiling takes some hundred times as long as interpreting.
     pub fn compile_after(&self, times: u8) {
         if let Some(translations) = &self.translations {
             translations.compile_after(times);

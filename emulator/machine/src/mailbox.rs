@@ -19,13 +19,13 @@ impl Mailbox {
         Self { words: VecDeque::with_capacity(depth), depth }
     }
 
-    /// Appends a word if there is room. Returns whether there was.
+    /// Appends a word unless the mailbox is full. Returns whether it was appended.
     pub(crate) fn write(&mut self, word: u32) -> bool {
-        let room = self.room() > 0;
-        if room {
+        let is_free = self.free() > 0;
+        if is_free {
             self.words.push_back(word);
         }
-        room
+        is_free
     }
 
     pub(crate) fn read(&mut self) -> Option<u32> {
@@ -36,7 +36,7 @@ impl Mailbox {
         self.words.len()
     }
 
-    pub(crate) fn room(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.depth - self.words.len()
     }
 }
@@ -52,7 +52,7 @@ mod tests {
         assert!(mailbox.write(2));
         assert!(!mailbox.write(3));
         assert_eq!(mailbox.read(), Some(1));
-        assert_eq!((mailbox.waiting(), mailbox.room()), (1, 1));
+        assert_eq!((mailbox.waiting(), mailbox.free()), (1, 1));
         assert_eq!(mailbox.read(), Some(2));
         assert_eq!(mailbox.read(), None);
     }

@@ -56,8 +56,8 @@ pub trait MainMemory: Send + Sync {
         }
         Ok(())
     }
-    /// Whether a write of these bytes that follows soon will not fail. It may answer `false` if it
-    /// does not know.
+    /// Whether a write of these bytes that follows soon will not fail. It may return `false` if
+    /// that is unknown.
     fn accepts_write(&self, _ea: u64, _length: usize) -> bool {
         false
     }

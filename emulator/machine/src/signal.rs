@@ -1,6 +1,6 @@
 //! A signal-notification register.
 
-/// What a write does to bits that have not been read yet.
+/// The effect of a write on bits that have not been read yet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SignalMode {
     /// The new word replaces them.

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use spu_emulator::simulated::SpeReport;
 
-/// What one SPE or several SPEs together did with their cycles.
+/// The use of the cycles of one SPE, or of several SPEs together.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Figures {
     /// Cycles in which the SPE ran: the sum of `single_issue`, `dual_issue` and `stalls`.

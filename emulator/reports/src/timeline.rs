@@ -10,7 +10,7 @@ pub struct SleepEntry {
     pub start: u64,
     /// The cycle after the last.
     pub end: u64,
-    /// What it waited for, as in the report's `blocked_by`.
+    /// The cause of the wait, as in the report's `blocked_by`.
     pub cause: String,
 }
 
@@ -29,7 +29,7 @@ pub struct TransferEntry {
     pub bytes: u64,
 }
 
-/// What one SPE did.
+/// The activities of one SPE.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SpeTimeline {
     /// Its sleeps.

@@ -36,7 +36,7 @@ impl fmt::Display for Slot {
     }
 }
 
-/// What the model says instead of a note.
+/// The model's result for an instruction's note.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Model {
     /// The instruction issues here.
@@ -69,9 +69,9 @@ pub struct Difference {
     pub file: PathBuf,
     /// The line number in it, from 1.
     pub line: u64,
-    /// What the note says.
+    /// The cycle and pipe in the note.
     pub note: Slot,
-    /// What the model says.
+    /// The model's result.
     pub model: Model,
 }
 
@@ -213,8 +213,8 @@ fn label_addresses(code: &Code, text: &str, by_line: &BTreeMap<u64, Vec<u32>>) -
         if !has_label(text) {
             continue;
         }
-        let behind = by_line.range(line..).next();
-        if let Some(&address) = behind.and_then(|(_, addresses)| addresses.first()) {
+        let later = by_line.range(line..).next();
+        if let Some(&address) = later.and_then(|(_, addresses)| addresses.first()) {
             labels.insert(address);
         }
     }

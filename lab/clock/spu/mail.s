@@ -1,4 +1,4 @@
-# A word to the PPE by the interrupt mailbox, and its answer: by the inbound mailbox, or as a
+# A word to the PPE by the interrupt mailbox, and its reply: by the inbound mailbox, or as a
 # signal.
         .include "clock.inc"
 

@@ -1,5 +1,5 @@
 # The driver of the microbenchmarks: fetches its order, waits for mail so that all SPUs begin
-# together, calls the benchmark, and stores the result behind the order.
+# together, calls the benchmark, and stores the result after the order.
         .include "clock.inc"
 
         .section .data

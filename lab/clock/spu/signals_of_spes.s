@@ -1,4 +1,4 @@
-# Signals that two SPUs send each other by sndsig. SPU 0 sends first, the other one answers.
+# Signals that two SPUs send each other by sndsig. SPU 0 sends first, the other one replies.
         .include "clock.inc"
 
         .text

@@ -1,4 +1,4 @@
-//! The order that an SPU gets, and the result that it stores behind it: a line each.
+//! The order that an SPU gets, and the result that it stores after it: a line each.
 
 /// The benchmarks, in the order of the table in `spu/main.s`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub const PUT: u32 = 0x20;
 /// The bytes of an order, and of a result.
 pub const BYTES: usize = 128;
 
-/// What one SPU does.
+/// The task of one SPU.
 #[derive(Clone, Copy, Debug)]
 pub struct Order {
     pub benchmark: Benchmark,
@@ -71,12 +71,12 @@ impl Order {
     }
 }
 
-/// What one SPU measured.
+/// The measurement of one SPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Measured {
     /// Ticks of the decrementer from the first pass to the end of the last.
     pub ticks: u32,
-    /// What the SPU counted.
+    /// The SPU's count.
     pub done: u32,
 }
 

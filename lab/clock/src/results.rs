@@ -5,7 +5,7 @@ use std::fs;
 use cellray::spe::library_path;
 use serde::{Deserialize, Serialize};
 
-/// What one row gave.
+/// The result of one row.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Value {
     /// The row's name.
@@ -59,8 +59,7 @@ pub struct Results {
     pub rows: Vec<Value>,
 }
 
-/// What the emulator's model gave when it was last written down, beside which other machines are
-/// shown.
+/// The stored results of the emulator's model, with which other machines are compared.
 #[must_use]
 pub fn model() -> Vec<Value> {
     let text = include_str!("../model.json");

@@ -42,8 +42,8 @@ pub enum ClockError {
         /// The SPE's number.
         number: usize,
     },
-    /// An SPU does not answer.
-    #[error("SPU {0} has not answered for a minute")]
+    /// An SPU does not reply.
+    #[error("SPU {0} has not replied for a minute")]
     Silent(usize),
     /// There is no such row.
     #[error("there is no row {name}; the rows are {known}")]
@@ -60,9 +60,9 @@ pub enum ClockError {
 pub enum Ppe {
     /// It waits for them.
     Waits,
-    /// It answers each word of SPU 0 by mail.
+    /// It replies to each word of SPU 0 by mail.
     Mails,
-    /// It answers each word of SPU 0 with a signal.
+    /// It replies to each word of SPU 0 with a signal.
     Signals,
 }
 
@@ -171,7 +171,7 @@ fn begin(contexts: &[Context]) -> Result<(), ClockError> {
     Ok(())
 }
 
-/// Answers the words of SPU 0.
+/// Replies to the words of SPU 0.
 fn serve(contexts: &[Context], ppe: Ppe, words: u32) -> Result<(), ClockError> {
     if ppe == Ppe::Waits {
         return Ok(());
@@ -180,7 +180,7 @@ fn serve(contexts: &[Context], ppe: Ppe, words: u32) -> Result<(), ClockError> {
     for _ in 0..words {
         let since = Instant::now();
         let word = loop {
-            if let Some(word) = spe.answer()? {
+            if let Some(word) = spe.reply()? {
                 break word;
             }
             if since.elapsed() > LIMIT {

@@ -116,7 +116,7 @@ impl Bvh {
             // The next larger limit lets equally near surfaces pass, so that the first is chosen.
             let distance = self.surfaces[index].hit(ray, limit.next_up());
             if let Some(distance) = distance {
-                let nearer = best.is_none_or(|(first, least)| distance < least || index < first);
+                let nearer = best.is_none_or(|(first, min)| distance < min || index < first);
                 if nearer {
                     best = Some((index, distance));
                 }

@@ -1,4 +1,4 @@
-//! What the channels of a scene's colours and of pixels say about light.
+//! Colour spaces of a scene's colours and of pixels.
 
 use glam::DVec3;
 

@@ -1,9 +1,9 @@
 //! The reference: the depth-shading model of [`scenes::depth`] and Whitted's model of
 //! `docs/shading.md` traced in `f64`, and the comparison of pictures with them.
 //!
-//! Owns the definition of a right picture. Doesn't know work units, or how the picture under test
-//! was made. Invariant: the reference shares no formula with a kernel. From `nff` it only uses the
-//! data, the camera and the model's shading.
+//! Owns the definition of a right picture. Does not depend on work units, or on how the picture
+//! under test was made. Invariant: the reference shares no formula with a kernel. From `nff` it
+//! only uses the data, the camera and the model's shading.
 
 mod bvh;
 mod colour;
@@ -116,7 +116,7 @@ pub enum Error {
         name: &'static str,
         /// Its value.
         value: String,
-        /// What it should be.
+        /// The expected kind of value.
         expected: &'static str,
     },
     /// The pictures have different sizes.

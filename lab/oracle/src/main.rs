@@ -22,8 +22,8 @@ SCENE is an NFF file, a mesh (.obj, .ply, .glb), or sphereflake:LEVEL, tetra:LEV
 for a generated one (sphereflake:2 has 91 spheres, tetra:3 has 256 polygons), or gears, mount, rings,
 teapot, tree, lattice, jacks, shells or sombrero, with :SIZE if it is not to have SPD's (gears:2).
 
-A picture by cellray carries the settings that it was made with. They are followed, unless an option
-says otherwise. What neither says is as cellray render has it without options.";
+A picture by cellray carries the settings that it was made with. They apply, unless an option
+overrides them. All other settings have the defaults of cellray render.";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]
@@ -105,8 +105,8 @@ struct Options {
     /// [default: 32]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     contrast: Option<u8>,
-    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
-    /// linear by depth shading and with --corners]
+    /// Colour space of scene and picture [default: srgb; linear with depth shading and with
+    /// --corners]
     #[arg(long, value_enum)]
     colour: Option<Colour>,
     /// Limits light that is nearly white or brighter without a step
@@ -235,7 +235,9 @@ fn compare(
         (None, Some(scene)) => Path::new(scene),
         (None, None) => {
             let shown = path.display();
-            return Err(format!("{shown} does not say what it shows: name its scene, too").into());
+            return Err(
+                format!("{shown} has no description of its scene: name the scene, too").into()
+            );
         }
     };
     let mut scene = load(name)?;
@@ -248,7 +250,7 @@ fn compare(
     options.check(&model, false);
 
     let size = (picture.width(), picture.height());
-    // What a file says can't control the terminal.
+    // Text from a file must not control the terminal.
     let by = said
         .software()
         .map_or(String::new(), |software| format!(" by {}", software.escape_debug()));
@@ -263,8 +265,8 @@ fn compare(
         talk::say!("oracle: note: the picture is of {}", other.escape_debug());
     }
     for (who, options) in [
-        ("the picture says", said.without(&given).followed()),
-        ("options say", given.followed()),
+        ("settings of the picture", said.without(&given).followed()),
+        ("settings of the command line", given.followed()),
         ("assumed", assumed.followed()),
         ("of no use to the reference", said.of_kernels()),
         ("note: ignored, since unknown here", said.unknown()),
@@ -274,7 +276,7 @@ fn compare(
         }
     }
 
-    tell_left_out(&model, &scene);
+    report_left_out(&model, &scene);
     let (reference, _) = model.trace(&scene, size)?;
     let pixels = model.pixels();
     let count = match pixels.samples {
@@ -312,7 +314,7 @@ fn check_share(result: &Comparison, most: Option<f64>) -> Done {
 }
 
 /// Prints the parts of a scene that a model leaves out.
-fn tell_left_out(model: &Model, scene: &Scene) {
+fn report_left_out(model: &Model, scene: &Scene) {
     if let Model::Depth(_) = model {
         for left_out in not_drawn(scene) {
             talk::say!("{left_out}");
@@ -348,7 +350,7 @@ fn render(
     let model = settings.model(out)?;
     options.check(&model, stats);
     let (width, height) = size.unwrap_or(scene.view.resolution);
-    tell_left_out(&model, &scene);
+    report_left_out(&model, &scene);
     let (reference, counts) = model.trace(&scene, (width, height))?;
     settings.set_scene(&name.to_string_lossy(), concat!("oracle ", env!("CARGO_PKG_VERSION")));
     reference.picture.write_png_with(out, &settings)?;
@@ -379,7 +381,6 @@ fn load(name: &Path) -> Result<Scene, meshes::Error> {
     Ok(loaded.scene)
 }
 
-/// The help of `--diff`.
 fn difference_help() -> String {
     format!("Writes the absolute difference, {DIFFERENCE_SCALE} times amplified")
 }
@@ -400,7 +401,6 @@ fn share(text: &str) -> Result<f64, String> {
     share.ok_or_else(|| "a share of all pixels is a number from 0 to 1, such as 0.001".into())
 }
 
-/// Parses a ray depth.
 fn ray_depth() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(whitted::MAX_DEPTH))
 }

@@ -1,8 +1,8 @@
 //! Makes pixels of what rays see, as `docs/shading.md#pixels` defines it: how many samples a pixel
 //! has, and what it shows of their light.
 //!
-//! Doesn't know models. Invariant: the same model and settings give the same picture and the same
-//! counts, with any number of threads.
+//! Does not depend on the model. Invariant: the same model and settings give the same picture and
+//! the same counts, with any number of threads.
 
 use glam::DVec3;
 use scenes::depth;
@@ -52,7 +52,7 @@ pub struct Pixels {
     /// By how much a channel of such a pixel's byte differs at least; with 0, every pixel has all
     /// samples.
     pub contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light.
+    /// The colour space of the scene's colours and of pixels.
     pub colour: Colour,
     /// Whether light above 3/4 is limited without a step.
     pub roll_off: bool,
@@ -120,10 +120,10 @@ struct Point {
     on_edge: bool,
 }
 
-/// What a scene looks like by a model.
+/// A model that computes the colours of a scene's rays.
 pub(crate) trait Model: Sync {
-    /// What rays through a row of the picture see, by their place in it. The centre of the top left
-    /// pixel is (0, 0). The rays are counted.
+    /// Returns the function that traces the ray through a position in a row of the picture, and
+    /// counts its rays. The centre of the top left pixel is (0, 0).
     fn row(&self, y: f64) -> impl Fn(f64, &mut Counts) -> Seen;
 }
 

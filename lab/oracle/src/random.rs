@@ -32,7 +32,6 @@ impl Random {
         DVec3::new(self.real(), self.real(), self.real())
     }
 
-    /// A unit vector.
     pub(crate) fn direction(&mut self) -> DVec3 {
         loop {
             let point = self.point();

@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// What stands for a component of 0 where it is divided by: so small that a plane that is not at
+/// Replaces a component of 0 in a divisor: so small that a plane that is not at
 /// the origin itself is beyond every distance.
 const TINY: f64 = 1e-300;
 

@@ -134,7 +134,7 @@ impl Settings {
         self.options(|name| OF_KERNELS.contains(&name))
     }
 
-    /// The settings that this version does not know, as options.
+    /// The settings that this version does not support, as options.
     #[must_use]
     pub fn unknown(&self) -> Vec<String> {
         self.options(|name| !FOLLOWED.contains(&name) && !OF_KERNELS.contains(&name))
@@ -284,7 +284,6 @@ impl Settings {
     }
 }
 
-/// A finite number.
 fn number(text: &str) -> Option<f64> {
     text.trim().parse().ok().filter(|number: &f64| number.is_finite())
 }

@@ -1,8 +1,8 @@
 //! Intersects a ray and a sphere in `f64`.
 //!
-//! The ray's least distance from the centre decides about a hit. The discriminant b² - a c is not
-//! used, because it loses the radius of a small sphere far away in the square of its distance. The
-//! root is the roots' product divided by the other root, whose sum does not cancel.
+//! The ray's smallest distance from the centre decides about a hit. The discriminant b² - a c is
+//! not used, because it loses the radius of a small sphere far away in the square of its distance.
+//! The root is the roots' product divided by the other root, whose sum does not cancel.
 
 use glam::DVec3;
 
@@ -16,10 +16,10 @@ pub(crate) struct Sphere {
     tangent_squared: f64,
 }
 
-/// How a ray passes a sphere that is not behind it.
+/// The passage of a ray past a sphere, or through it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Passage {
-    /// The least distance of the ray from the centre, in radii: 1 is the edge.
+    /// The smallest distance of the ray from the centre, in radii: 1 is the edge.
     pub offset: f64,
     /// The distance from the eye at which the ray enters; `None` for a miss, or if the eye is
     /// inside.
@@ -49,12 +49,12 @@ impl Sphere {
         if along <= 0.0 {
             return None;
         }
-        let least = (self.to_centre - along * direction).length();
-        let entry = (least <= self.radius && self.tangent_squared > 0.0).then(|| {
-            let half_chord = ((self.radius - least) * (self.radius + least)).sqrt();
+        let distance = (self.to_centre - along * direction).length();
+        let entry = (distance <= self.radius && self.tangent_squared > 0.0).then(|| {
+            let half_chord = ((self.radius - distance) * (self.radius + distance)).sqrt();
             self.tangent_squared / (along + half_chord)
         });
-        Some(Passage { offset: least / self.radius, entry })
+        Some(Passage { offset: distance / self.radius, entry })
     }
 }
 

@@ -168,7 +168,7 @@ impl Registers {
             OUT_MAILBOX => spe.read_outbound(Some(Instant::now())).unwrap_or(0),
             MAILBOX_STATUS => {
                 let counts =
-                    [spe.outbound_waiting(), spe.inbound_room(), spe.outbound_interrupt_waiting()];
+                    [spe.outbound_waiting(), spe.inbound_free(), spe.outbound_interrupt_waiting()];
                 (counts[0] | counts[1] << 8 | counts[2] << 16) as u32
             }
             RUN_CONTROL => self.status() & RUNNING,

@@ -181,7 +181,7 @@ impl Backend for Spufs {
         self.write(file, word)
     }
 
-    fn inbound_room(&self) -> Result<usize, Errno> {
+    fn inbound_free(&self) -> Result<usize, Errno> {
         self.count(&self.wbox_stat)
     }
 

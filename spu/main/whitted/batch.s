@@ -87,7 +87,7 @@ sum_call:
         leave
 endfunction batch_trace
 
-# flags_gather   combines the flags of all surfaces of the batch, of so many packets at once
+# flags_gather   combines the flags of all surfaces of the batch, of AT_ONCE packets at once
         .set    AT_ONCE,8
 #   Out     $14
 #   Uses    $14-$25

@@ -45,7 +45,7 @@ none_\@:
 #   Uses    $3-$79
 #
 # Packets all of whose rays are the last of their chains need no kernel: the flags of their surfaces
-# say afterwards that they neither mirror nor transmit.
+# show afterwards that they neither mirror nor transmit.
 function batch_bounce
         enter
         lqa     $c_sent,deepest

@@ -21,16 +21,16 @@ surface_way:                            # the function for textures and colours,
         .set    NEXT,15
         registers a_frame,value,limit,bad,a_tree,left,quad,scene_bytes,batch
 
-# Refuses the frame unless a word of the tree, minus `least`, is below `most`, unsigned.
-.macro  require_of_tree word:req, least:req, most:req
+# Refuses the frame unless a word of the tree, minus `min`, is below `limit`, unsigned.
+.macro  require_of_tree word:req, min:req, limit:req
         rotqbyi $value,$quad,\word
-        ai      $value,$value,-(\least)
-        load_constant $limit,\most-1
+        ai      $value,$value,-(\min)
+        load_constant $limit,\limit-1
         clgt    $bad,$value,$limit
         refuse_if $bad,Trees
 .endm
 
-# whitted_check   checks whether the frame can be traced by Whitted's model
+# whitted_check   checks whether the frame can be traced with Whitted's model
 #   In      $15 address of the frame
 #   Out     $3 STATUS_ value
 #   Uses    $3, $16-$23
@@ -88,7 +88,7 @@ no_mesh:
         brz     $bad,small
         lqa     $bad,streamed
         refuse_if $bad,Batch
-        # What batch_place puts behind the queue.
+        # The buffers that batch_place puts after the queue.
         lqd     $quad,FRAME_trees+BVH_SIZE*BVH_TRIANGLES($a_frame)
         rotqbyi $quad,$quad,BVH_objects
         ceqi    $quad,$quad,0

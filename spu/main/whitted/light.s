@@ -31,7 +31,7 @@ shining_pair:
 
 # sites_list   lists the surfaces of the batch whose flags, masked, have a given value
 #   In      $3 where the sites go, $4 mask, $5 the masked flags' value, both in all lanes
-#   Out     $3 behind the last site
+#   Out     $3 end of the sites
 #   Uses    $3, $14-$23
         .global sites_list
 function sites_list
@@ -112,8 +112,8 @@ next_light:
         load_word $weight,FRAME_least_weight,$lights
         load_word $end,FRAME_lights,$lights
         load_word $lights,FRAME_light_count,$lights
-        # The least share that counts is 1/4096, which is below 1/16 of a step of a byte, of the
-        # greatest channel's brightness, or less; 0 if every ray does.
+        # The minimum share that counts is 1/4096, which is below 1/16 of a step of a byte, of the
+        # largest channel's brightness, or less; 0 if every ray does.
         rotqbyi $green,$bright,4
         rotqbyi $blue,$bright,8
         shli    $lights,$lights,LIGHT_SIZE_LOG2

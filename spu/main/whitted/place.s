@@ -1,6 +1,6 @@
 # Where the buffers of a batch are. Those of a small batch are in the arena. A batch is larger
-# where the scene leaves room: then its rays and shears are at the end of the scene's room, and the
-# queue of rays ends in front of them.
+# where the scene leaves memory: then its rays and shears are at the end of the scene's memory, and
+# the queue of rays ends in front of them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -18,7 +18,7 @@
 shadow_candidates:                      # bytes from a tree's top with rays to that with shadow rays
         .skip   16
         .global object_list_nodes
-object_list_nodes:                      # so many nodes' children always fit OBJECT_LIST
+object_list_nodes:                      # the number of nodes whose children fit OBJECT_LIST
         .skip   16
 
         .set    NEXT,10

@@ -1,15 +1,15 @@
 # The rays that wait to be traced: a stack, from whose end whole batches are taken. A batch may have
-# rays of several depths; each ray knows its own.
+# rays of several depths; each ray stores its own.
 #
 # The stack can't overflow. With B rays in a batch, a ray with n others before it in its chain is
 # always among the first (n + 2) B - 1. That holds for secondary rays of primary rays, n = 1, which
 # are traced only while less than B rays wait. A batch takes the last B rays and leaves those below
 # as they are. The rays that the i-th of them sends on have at most B + i others of this batch
 # below them, because both kernels keep the order. So these are at most B places above their
-# parent. A ray of the greatest depth D sends none, therefore at most (D + 1) B - 1 rays wait.
+# parent. A ray of the maximum depth D sends none, therefore at most (D + 1) B - 1 rays wait.
 #
-# Local store has room for three batches of them at least, and for more if the scene is small. Each
-# ray of a batch sends at most two. When there is no room for these, the lowest batch is put into
+# Local store holds three batches of them at least, and more if the scene is small. Each
+# ray of a batch sends at most two. When these don't fit, the lowest batch is put into
 # main memory, and the others move down. The batch that was put last comes back when less than B rays
 # wait in local store. So the stack is always the same as if all of it were there.
 
@@ -27,7 +27,7 @@ queue:                                  # the address of the first ray
 queued:                                 # the address after the last ray
         .skip   16
         .global queue_end
-queue_end:                              # the address after the room for it
+queue_end:                              # the address after its memory
         .skip   16
         .global spilled
 spilled:                                # how many batches are in main memory
@@ -63,7 +63,7 @@ deepest:                                # in all words: a ray that sends others 
         brsl    $lr,dma_wait
 .endm
 
-# queue_prepare   sets up an empty queue after the scene, up to a mesh's cache or the room's end
+# queue_prepare   sets up an empty queue after the scene, up to a mesh's cache or the memory's end
 #   Out     w_most
 #   Uses    $10-$13
 function queue_prepare
@@ -118,9 +118,9 @@ load_call:
         leave
 endfunction queue_take
 
-# queue_spill   makes room for two rays of each ray of a batch, and for one more, which the kernels
+# queue_spill   frees space for two rays of each ray of a batch, and for one more, which the kernels
 #               write but don't count. If there is none, it puts the lowest batch into main memory
-#   In      queued: a batch less than there was room for
+#   In      queued: a batch less than fitted
 #   Uses    $3-$7, $10-$23
 function queue_spill
         shli    $bytes,$w_most,QUEUED_SIZE_LOG2

@@ -1,4 +1,4 @@
-# A tile by Whitted's model. Its primary rays are traced batch by batch, and their secondary rays
+# A tile with Whitted's model. Its primary rays are traced batch by batch, and their secondary rays
 # as soon as there is a whole batch of them. Where a pixel has several samples,
 # refine.s traces them afterwards.
 

@@ -1,6 +1,6 @@
 # Finds the hits of packets of rays. For each kind of primitive, the tree is traversed level by
-# level with all packets together, and then the primitives are tested. Where so many nodes pass that
-# the lists might overflow, the tree is traversed again by as many packets as always have room.
+# level with all packets together, and then the primitives are tested. Where enough nodes pass that
+# the lists might overflow, the tree is traversed again by as many packets as always fit.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -8,7 +8,7 @@
         .include "whitted.inc"
 
         # The lists of a tree's levels: the lowest level's is in OBJECT_LIST, the next one's in
-        # NODE_LISTS, and so on in turn. This many nodes have room for all their children there.
+        # NODE_LISTS, and so on in turn. The children of this many nodes always fit there.
         .set    NODE_LIST_NODES,(2*MAX_NODES+LIST_MARGIN)/4
 
 # The plan for traversing a tree, made once a frame for every tree that isn't empty.
@@ -167,7 +167,7 @@ next_plan:
         lqd     $tree,0($a_tree)
         rotqbyi $objects,$tree,BVH_objects
         brz     $objects,not_there
-        # As many packets at once as always have room for their candidates; one packet always has.
+        # As many packets at once as have candidates that always fit; those of one packet always do.
         # MAX_NODES is for a small batch.
         il      $at_once,1
         ori     $room,$objects,0

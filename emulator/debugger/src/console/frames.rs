@@ -18,7 +18,7 @@ const LINK_SAVE: u32 = 16;
 const MOST: usize = 64;
 const FARTHEST: u32 = 0x4000;
 
-/// What a function has done up to the program counter.
+/// The effects of a function up to the program counter.
 #[derive(Clone, Copy, Default)]
 struct Prologue {
     has_kept_link: bool,
@@ -27,7 +27,7 @@ struct Prologue {
 
 fn prologue(image: &Image<'_>, store: &LocalStore, pc: u32) -> Prologue {
     let mut found = Prologue::default();
-    // What holds again after a return, where another path goes on.
+    // The state that is restored after a return, where another path continues.
     let mut body = None;
     let Some((_, distance)) = image.nearest_symbol(pc).filter(|found| found.1 <= FARTHEST) else {
         return found;

@@ -1,4 +1,4 @@
-//! A debugger that is told what to do by lines of text: a person at a terminal, or a script.
+//! A debugger that executes commands, one a line, from a person at a terminal or from a script.
 //!
 //! It runs on the thread of the SPE, before each instruction, so that a session takes the same
 //! course in every run. Bad commands get a message and change nothing. Output follows the command
@@ -22,7 +22,6 @@ use command::{Command, Target, parse};
 
 pub use show::instruction_text;
 
-/// The prompt at a terminal.
 const PROMPT: &str = "(spu) ";
 
 /// What the SPE does until it halts again.
@@ -30,9 +29,9 @@ const PROMPT: &str = "(spu) ";
 enum Going {
     /// Until a breakpoint.
     On,
-    /// So many instructions.
+    /// A number of instructions.
     Steps(u64),
-    /// So many instructions, where a call counts as one.
+    /// A number of instructions, where a call counts as one.
     Next(u64),
     /// Until the function returns.
     Out,
@@ -93,7 +92,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         }
     }
 
-    /// `interrupted` tells whether the user has interrupted the program since it was last asked.
+    /// `interrupted` returns whether the user has interrupted the program since its last call.
     #[must_use]
     pub fn interrupted_by(self, interrupted: fn() -> bool) -> Self {
         Self { interrupted, ..self }
@@ -105,7 +104,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         self.has_quit
     }
 
-    /// The first error in reading commands or writing answers.
+    /// The first error in reading commands or printing results.
     pub fn finish(mut self) -> io::Result<()> {
         self.result?;
         self.output.flush()
@@ -124,9 +123,9 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
             self.channels = halted.channels();
             self.cycles = halted.cycles();
             if !why.is_empty() {
-                self.say(why);
+                self.print_line(why);
             }
-            self.tell_place(spu.pc(), store);
+            self.print_place(spu.pc(), store);
             self.obey(&mut Scene { spu, store, runs: true });
         }
         if self.has_quit {
@@ -150,14 +149,14 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
     ) {
         self.channels = halted.channels();
         self.cycles = halted.cycles();
-        self.say(&format!("The program has failed: {what}"));
-        self.tell_place(spu.pc(), store);
+        self.print_line(&format!("The program has failed: {what}"));
+        self.print_place(spu.pc(), store);
         self.obey(&mut Scene { spu, store, runs: false });
     }
 
     /// The program has ended with this exit status.
     pub fn ended(&mut self, status: u8) {
-        self.say(&format!("The program has ended with status {status}."));
+        self.print_line(&format!("The program has ended with status {status}."));
     }
 
     /// Counts calls and returns.
@@ -202,7 +201,7 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         }
     }
 
-    fn say(&mut self, text: &str) {
+    fn print_line(&mut self, text: &str) {
         self.print(&format!("{text}\n"));
     }
 
@@ -213,9 +212,9 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
         }
     }
 
-    fn tell_place(&mut self, pc: u32, store: &LocalStore) {
+    fn print_place(&mut self, pc: u32, store: &LocalStore) {
         let line = show::line(self.image, store, pc);
-        self.say(&line);
+        self.print_line(&line);
     }
 
     /// The next line, or `None` at the end.
@@ -252,14 +251,16 @@ impl<'a, R: BufRead, W: Write> Console<'a, R, W> {
                 Ok(None) if self.has_quit => return,
                 Ok(None) => {}
                 Ok(Some(_)) if !scene.runs => {
-                    self.say("The program has failed and can't go on; quit ends the session");
+                    self.print_line(
+                        "The program has failed and can't go on; quit ends the session",
+                    );
                 }
                 Ok(Some(going)) => {
                     self.going = going;
                     self.depth = 0;
                     return;
                 }
-                Err(error) => self.say(&error),
+                Err(error) => self.print_line(&error),
             }
         }
     }
@@ -390,7 +391,7 @@ fn is_call(instruction: Instruction) -> bool {
     matches!(instruction.op, Op::Brsl | Op::Brasl | Op::Bisl | Op::Bisled)
 }
 
-/// The name that differs least from `asked`, if it differs little.
+/// The name with the smallest edit distance from `asked`, if that is small.
 pub(crate) fn closest<'n>(asked: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let ranked = names.map(|name| (distance(asked, name), name));
     let (distance, name) = ranked.min()?;

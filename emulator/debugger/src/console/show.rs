@@ -1,4 +1,4 @@
-//! The text of the console's answers.
+//! The text that console commands print.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -12,7 +12,6 @@ use spu_isa::{Instruction, LIMIT_MASK, Op, disassemble};
 
 use super::command::Wanted;
 
-/// Column of the instruction.
 const PLACE: usize = 28;
 /// Instructions that are shown before the program counter.
 const BEFORE: u32 = 4;

@@ -1,6 +1,7 @@
 //! The SPU's instruction set: one table, and the code that is derived from it.
 //!
-//! It knows neither semantics nor a machine. It converts words to [`Instruction`]s and back.
+//! It depends neither on semantics nor on a machine. It converts words to [`Instruction`]s and
+//! back.
 
 mod class;
 mod disassemble;

@@ -20,7 +20,7 @@ pub enum Cause {
     HintWait,
     /// `sync` or `dsync` waited.
     Synchronise,
-    /// A channel had no data or no room.
+    /// A channel was empty for a read or full for a write.
     Channel,
     /// The program waited for the MFC.
     Dma,
@@ -87,7 +87,7 @@ impl fmt::Display for Cause {
         let name = match self {
             Self::Operand(class) => return write!(f, "operand of {}", class_name(*class)),
             Self::DoubleStall => "double-precision stall",
-            Self::FloatConflict => "FP6 behind FP7",
+            Self::FloatConflict => "FP6 after FP7",
             Self::Fetch => "fetch",
             Self::BranchMiss => "branch miss",
             Self::HintWait => "hint wait",

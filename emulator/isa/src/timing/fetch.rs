@@ -1,8 +1,8 @@
 //! Inline prefetch: fetching straight-line code from local store (see `Rules::inline_prefetch`).
 //!
 //! The local store has one port. A load, a store or a hint's fetch occupies it for a cycle. In any
-//! other cycle the next line is requested if the buffer has room. After a branch, the target's
-//! line and the next one are present, because the branch's own cost includes their fetch.
+//! other cycle the next line is requested if the buffer has space for it. After a branch, the
+//! target's line and the next one are present, because the branch's own cost includes their fetch.
 //! Everything except the line's size and the order of priorities is a guess.
 
 use super::rules::{INLINE_LINES, LINE_BYTES, LINE_CYCLES};
@@ -62,8 +62,8 @@ impl InlineBuffer {
             if self.arrival.is_some_and(|arrival| arrival <= self.cycle) {
                 self.receive();
             }
-            let room = self.buffered + LINE_INSTRUCTIONS <= CAPACITY;
-            if self.arrival.is_none() && room && !self.port_taken {
+            let has_space = self.buffered + LINE_INSTRUCTIONS <= CAPACITY;
+            if self.arrival.is_none() && has_space && !self.port_taken {
                 self.arrival = Some(self.cycle + LINE_CYCLES);
             }
             // Nothing changes between this cycle and the line's arrival.

@@ -12,7 +12,7 @@ pub(super) enum Prediction {
     /// This address.
     To(u32),
     /// The branch's target, which is assumed to be correct: a register's value that the analysis
-    /// does not know.
+    /// can't determine.
     Right,
 }
 
@@ -41,7 +41,7 @@ pub fn hinted_branch(pc: u32, i: Instruction) -> Option<u32> {
     hints.then(|| pc.wrapping_add_signed(i.branch_distance.into()) & LIMIT_MASK)
 }
 
-/// Whether the instruction hints a branch to where a register says.
+/// Whether the instruction hints a branch to the address in a register.
 #[must_use]
 pub fn hints_by_register(i: Instruction) -> bool {
     i.op == Op::Hbr && hinted_branch(0, i).is_some()

@@ -38,15 +38,15 @@ pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
     let distance = |(at, line): (usize, &Line)| {
         let (instruction, issue) = line.issued?;
         let branch = hinted_branch(line.address, instruction)?;
-        let behind = &lines[at + 1..];
-        let instructions = behind.iter().position(|line| line.address == branch)?;
-        let (_, branch_issue) = behind[instructions].issued?;
+        let later_lines = &lines[at + 1..];
+        let instructions = later_lines.iter().position(|line| line.address == branch)?;
+        let (_, branch_issue) = later_lines[instructions].issued?;
         let cycles = branch_issue.cycle - issue.cycle;
         let hints = |line: &&Line| {
             let hint = line.issued.and_then(|(i, _)| hinted_branch(line.address, i));
             hint.is_some()
         };
-        let later = behind[..instructions].iter().find(hints);
+        let later = later_lines[..instructions].iter().find(hints);
         let instructions = instructions as u64;
         let verdict = if let Some(later) = later {
             Verdict::Replaced(later.address)

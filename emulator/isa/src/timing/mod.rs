@@ -1,12 +1,12 @@
 //! The SPU's pipelines: when each instruction issues, and where the cycles go.
 //!
-//! This is a separate pass over the instruction table. It knows addresses, registers and classes,
-//! but not what instructions compute. [`Pipeline`] is fed the executed stream by the code that
+//! This is a separate pass over the instruction table. It uses addresses, registers and classes,
+//! but not the results of instructions. [`Pipeline`] is fed the executed stream by the code that
 //! runs the program. An analysis of a file feeds it the file's words ([`straight_line`],
 //! [`find_loops`]). The rules and their sources are in `docs/timing.md`, their numbers in
 //! [`rules`]. Invariant: every cycle up to the clock has exactly one entry in the [`Account`].
 //!
-//! Known weakness: nothing here was compared with the console. Questions that no source answers
+//! Known weakness: nothing here was compared with the console. Rules that no source documents
 //! are switches in [`Rules`].
 
 mod account;

@@ -107,7 +107,7 @@ impl Pipeline {
         self.clock
     }
 
-    /// What the cycles were spent on.
+    /// The account of the cycles.
     #[inline]
     #[must_use]
     pub const fn account(&self) -> &Account {
@@ -184,7 +184,7 @@ impl Pipeline {
         }
     }
 
-    /// Tells where the branch at `pc`, which issued last, went. `None` means that it was not
+    /// Records the target of the branch at `pc`, which issued last. `None` means that it was not
     /// taken. An interrupt or a restart is reported in the same way: nothing predicted it, so it
     /// costs a miss.
     pub fn branched(&mut self, pc: u32, target: Option<u32>) {

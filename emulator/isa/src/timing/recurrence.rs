@@ -75,7 +75,7 @@ fn carried(body: &[Instruction]) -> Vec<u8> {
 }
 
 /// The chain with the most cycles a pass. The graph has the carried registers as vertices, and the
-/// longest chains of one pass between them as edges. The chain is the cycle with the greatest mean
+/// longest chains of one pass between them as edges. The chain is the cycle with the largest mean
 /// in it (Karp's algorithm).
 pub(super) fn recurrence(body: &[Instruction], rules: Rules) -> Option<Recurrence> {
     let registers = carried(body);
@@ -111,8 +111,8 @@ pub(super) fn recurrence(body: &[Instruction], rules: Rules) -> Option<Recurrenc
             let (part, _) = walks[k][vertex]?;
             Some((whole.saturating_sub(part), (n - k) as u64))
         });
-        let least = means.min_by(|a, b| (a.0 * b.1).cmp(&(b.0 * a.1)));
-        if let Some((cycles, passes)) = least
+        let min = means.min_by(|a, b| (a.0 * b.1).cmp(&(b.0 * a.1)));
+        if let Some((cycles, passes)) = min
             && best.is_none_or(|(c, p, _)| cycles * p > c * passes)
         {
             best = Some((cycles, passes, vertex));

@@ -1,4 +1,4 @@
-//! The numbers of the pipeline model, and switches for questions that no source answers.
+//! The numbers of the pipeline model, and switches for rules that no source documents.
 //!
 //! Latencies and pipes are columns of the instruction table ([`Class::latency`], [`Class::pipe`]).
 //! Each number here states its source and its certainty. `docs/timing.md` has the same as a table.

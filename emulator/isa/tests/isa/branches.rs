@@ -128,14 +128,14 @@ fn a_hint_is_for_its_branch_alone() {
 
 #[test]
 fn relative_and_register_hints_name_their_targets() {
-    for (hint, told) in [
+    for (hint, hinted) in [
         (hint("hbrr", 0x40, 0x300), None),
         (hint("hbr", 0x40, 0), Some(0x400)),
         (hint("hbr", 0x40, 0), None),
     ] {
         let mut pipeline = Pipeline::default();
         pipeline.issue(0x100, hint);
-        if let Some(target) = told {
+        if let Some(target) = hinted {
             pipeline.hint_target(target);
         }
         feed(&mut pipeline, 0x104, &nops(15));

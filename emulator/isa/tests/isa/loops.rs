@@ -75,7 +75,7 @@ fn the_longest_of_several_chains_counts() {
 }
 
 #[test]
-fn what_a_pass_writes_before_it_reads_or_never_is_not_carried() {
+fn registers_written_before_read_are_not_carried() {
     let (chain, cycles) = recurrence(&[i(Op::Il, 3, 0, 0), i(Op::Fa, 4, 3, 9)]);
     assert_eq!(chain, None);
     // il at 0, fa at 2, br at 3: no pass waits for the result of another.

@@ -308,7 +308,7 @@ fn loads_in_every_cycle_starve_straight_line_code() {
     let cycles = cycles_by(rules, &loads(65));
     assert_eq!(cycles[63], 63);
     assert_eq!(cycles[64], 80);
-    // Once there is room for a line, one free cycle is enough: in cycle 41, for the line at 56.
+    // Once there is space for a line, one free cycle is enough: in cycle 41, for the line at 56.
     let mut code = loads(41);
     code.push(i("il", 5, &[]));
     code.extend(loads(40));

@@ -100,7 +100,7 @@ proptest! {
     fn from_a_state_the_same_stream_takes_the_same_cycles(
         rules in rules(),
         before in prop::collection::vec(event(), 1..60),
-        behind in prop::collection::vec(event(), 1..60),
+        later in prop::collection::vec(event(), 1..60),
     ) {
         let mut first = Stream(Pipeline::new(rules), 0);
         for event in before {
@@ -116,7 +116,7 @@ proptest! {
         prop_assert_eq!(other.0.account().cycles(), other.0.clock());
         let (clock, other_clock) = (first.0.clock(), other.0.clock());
         let (account, other_account) = (first.0.account().clone(), other.0.account().clone());
-        for event in behind {
+        for event in later {
             let issues = (first.apply(event), other.apply(event));
             let first_seen = issues.0.map(|issue| seen_from(issue, clock));
             prop_assert_eq!(first_seen, issues.1.map(|issue| seen_from(issue, other_clock)));

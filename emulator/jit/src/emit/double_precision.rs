@@ -2,9 +2,9 @@
 //!
 //! The host rounds these instructions to nearest, and single precision toward zero. Its rounding
 //! mode is changed where one follows the other, and is back at every exit. The host's flags report
-//! what an SPU treats differently: NaNs, denormal operands, overflow and underflow. They don't say
-//! which slice was inexact. So each rounding error is computed too, which is a double unless one of
-//! those flags is raised.
+//! the cases that an SPU treats differently: NaNs, denormal operands, overflow and underflow. They
+//! don't show which slice was inexact. So each rounding error is computed too, which is a double
+//! unless one of those flags is raised.
 
 use cranelift_codegen::ir::condcodes::FloatCC;
 use cranelift_codegen::ir::types::{F32X4, F64X2, I32X4};
@@ -113,7 +113,6 @@ impl Emitter<'_> {
         self.set(i.rt, singles);
     }
 
-    /// A register's slices as doubles.
     fn double_slices(&mut self, register: u8) -> Value {
         let id = self.get(register);
         if let Some(slices) = self.node(id).slices {

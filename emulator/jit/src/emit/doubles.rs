@@ -210,7 +210,6 @@ impl Emitter<'_> {
         self.unverified.flags = Some(flags);
     }
 
-    /// A value's lanes as doubles.
     pub(super) fn doubles(&mut self, id: Id) -> [Value; 2] {
         if let Some(doubles) = self.node(id).doubles {
             return doubles;

@@ -226,8 +226,8 @@ impl Emitter<'_> {
 
     pub(super) fn difference_of_bytes(&mut self, i: Instruction) {
         let (a, b) = self.operands(I8X16, i);
-        let (most, least) = (self.b.ins().umax(a, b), self.b.ins().umin(a, b));
-        let difference = self.b.ins().isub(most, least);
+        let (max, min) = (self.b.ins().umax(a, b), self.b.ins().umin(a, b));
+        let difference = self.b.ins().isub(max, min);
         self.set(i.rt, difference);
     }
 

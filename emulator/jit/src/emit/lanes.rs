@@ -11,7 +11,6 @@ impl Emitter<'_> {
         (0..lanes as u8).map(|lane| self.b.ins().extractlane(vector, lane)).collect()
     }
 
-    /// A vector of these lanes.
     pub(super) fn gather(&mut self, ty: Type, lanes: &[Value]) -> Value {
         let first = self.b.ins().scalar_to_vector(ty, lanes[0]);
         (1u8..)

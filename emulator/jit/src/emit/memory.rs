@@ -11,7 +11,7 @@ use crate::tables::TABLES;
 
 const QUADWORD_MASK: u32 = LIMIT_MASK & !15;
 
-/// What is known about an address when code is emitted.
+/// The value of an address, as far as it is constant when code is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Key {
     Constant(u32),
@@ -113,7 +113,6 @@ impl Emitter<'_> {
         self.at(key, sum)
     }
 
-    /// A constant address.
     pub(super) fn fixed(&mut self, at: u32) -> Address {
         self.at(Key::Constant(at), self.registers)
     }

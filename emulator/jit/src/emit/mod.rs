@@ -84,7 +84,6 @@ pub(crate) struct Emitter<'a> {
     /// Whether the host rounds to nearest where the trace's loop begins.
     loop_rounds_to_nearest: bool,
     estimates: Estimates,
-    /// The unit's number.
     number: u32,
     /// Whether each passage through the unit is logged.
     logs: bool,
@@ -274,7 +273,6 @@ impl<'a> Emitter<'a> {
         self.b.ins().call_indirect(self.context_function, function, &[self.context]);
     }
 
-    /// A 32-bit constant.
     fn word(&mut self, value: u32) -> Value {
         self.b.ins().iconst(types::I32, i64::from(value))
     }

@@ -57,7 +57,6 @@ pub(super) struct Node {
     pub computed: bool,
 }
 
-/// The value of each register.
 pub(super) struct Registers {
     nodes: Vec<Node>,
     slots: [Option<Id>; 128],
@@ -164,7 +163,6 @@ impl Emitter<'_> {
         self.put_node(register, Node { constant: Some(words), facts, ..Node::default() });
     }
 
-    /// A value's four words.
     pub(super) fn words(&mut self, id: Id) -> Value {
         if let Some(words) = self.node(id).words {
             return words;
@@ -251,7 +249,6 @@ impl Emitter<'_> {
         self.b.ins().bitcast(ty, flags, value)
     }
 
-    /// A constant of four words.
     pub(super) fn vector(&mut self, words: [u32; 4]) -> Value {
         self.constant_bytes(types::I32X4, words.map(u32::to_le_bytes).concat())
     }

@@ -106,7 +106,7 @@ impl fmt::Display for Difference {
 pub(super) struct Copies {
     compiled: LocalStore,
     interpreted: LocalStore,
-    /// What local store, and so each copy, held before the runs.
+    /// The contents of local store, and so of each copy, before the runs.
     original: LocalStore,
 }
 
@@ -206,8 +206,8 @@ pub(super) fn check<C: Channels>(
     result
 }
 
-/// Runs at most `budget` instructions by both, each on its copy. The second value tells where they
-/// have changed their copies.
+/// Runs at most `budget` instructions with both engines, each on its copy. The second value is
+/// where they have changed their copies.
 fn compare<C: Channels>(
     (cpu, marks): (&mut Cpu, &Marks),
     spu: &mut Spu,
@@ -255,7 +255,7 @@ mod tests {
     /// A store by one run alone is found wherever it is. Only the interpreter's stores reach local
     /// store.
     #[test]
-    fn stores_that_differ_are_found() {
+    fn differing_local_stores_are_found() {
         const PLACES: [u32; 4] = [0, 0x1230, 0x2_0000, 0x3_fff0];
         let ([one, two], other) = ([[1; 4], [2; 4]], [7; 4]);
         let (store, mut copies) = (LocalStore::new(), Copies::new());
@@ -301,7 +301,7 @@ mod tests {
         let word = instruction.encode();
         let step = Step { pc: 0, word, instruction, next: 4 };
         let trace = Trace::new(vec![step]).expect("the instruction can be compiled");
-        let unit = compiler.compile(trace, FloatMode::SINGLES).expect("there is room");
+        let unit = compiler.compile(trace, FloatMode::SINGLES).expect("the code cache has space");
         let mut cpu = compiler.new_cpu();
         cpu.install(&unit);
         let local_store = LocalStore::new();

@@ -2,7 +2,6 @@
 
 use crate::stop::Stopped;
 
-/// How a run continues.
 pub(crate) enum Dispatch {
     /// With a unit, if there is one, else with the interpreter.
     Any,

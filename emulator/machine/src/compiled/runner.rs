@@ -47,7 +47,6 @@ pub struct Runner {
     cpu: Cpu,
     /// For each word of local store, how often the SPU entered it without a unit there.
     entry_counts: Box<[u8]>,
-    /// The failures, by unit number.
     failures: Vec<Failures>,
     /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,
@@ -237,7 +236,7 @@ impl Runner {
             Added::Ready(unit) => self.cpu.install(&unit),
             // The entries are counted from 0 again, and then the unit is looked for.
             Added::Later => {}
-            Added::NoRoom => self.entry_counts[start as usize / 4] = NEVER,
+            Added::CacheFull => self.entry_counts[start as usize / 4] = NEVER,
         }
     }
 
@@ -427,7 +426,7 @@ impl Runner {
                 self.cpu.remove(unit.start());
                 self.entry_counts[unit.start() as usize / 4] = 0;
             }
-            Some(Added::NoRoom) | None => self.give_up(unit.start()),
+            Some(Added::CacheFull) | None => self.give_up(unit.start()),
         }
     }
 

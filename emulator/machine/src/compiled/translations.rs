@@ -47,7 +47,7 @@ struct Shared {
     /// Locked before `units` by those that need both.
     compiler: Mutex<Compiler>,
     units: Mutex<Units>,
-    /// Whether the compiler had no room for a unit.
+    /// Whether the code cache was too full for a unit.
     full: AtomicBool,
 }
 
@@ -67,8 +67,8 @@ pub(super) enum Added {
     Ready(Arc<Unit>),
     /// Another thread compiles it. Later it can be [found](Translations::find).
     Later,
-    /// There is no room for it.
-    NoRoom,
+    /// The code cache is full.
+    CacheFull,
 }
 
 #[derive(Default)]
@@ -76,13 +76,12 @@ struct Units {
     /// The units by start address. The newest is last, and is tried first.
     by_address: HashMap<u32, Vec<Arc<Unit>>>,
     by_number: Vec<Arc<Unit>>,
-    /// By the units' numbers.
     paths: Vec<Option<Arc<Path>>>,
 }
 
 impl Translations {
     /// Creates an empty set of translations. Returns `None` if there is no compiler for this host.
-    /// With `check`, compiled code is compared with the interpreter as it runs. `timed` says that
+    /// With `check`, compiled code is compared with the interpreter as it runs. `timed` means that
     /// the machine runs in simulated time.
     #[must_use]
     pub fn new(check: bool, timed: bool) -> Option<Arc<Self>> {
@@ -190,7 +189,7 @@ impl Translations {
         let Some(background) = background.filter(|background| background.compiles_alone()) else {
             return match self.shared.compile(trace, mode) {
                 Some(unit) => Added::Ready(unit),
-                None => Added::NoRoom,
+                None => Added::CacheFull,
             };
         };
         {
@@ -199,13 +198,13 @@ impl Translations {
                 return Added::Ready(Arc::clone(unit));
             }
             if units.are_full_at(trace.start()) || self.shared.full.load(Relaxed) {
-                return Added::NoRoom;
+                return Added::CacheFull;
             }
         }
         match background.requests.try_send((trace, mode)) {
             Ok(()) | Err(TrySendError::Full(_)) => Added::Later,
             // The thread has ended, which it does before the sender only by a panic.
-            Err(TrySendError::Disconnected(_)) => Added::NoRoom,
+            Err(TrySendError::Disconnected(_)) => Added::CacheFull,
         }
     }
 }
@@ -218,8 +217,8 @@ impl Background {
 }
 
 impl Shared {
-    /// Returns the unit of a trace, and compiles it if there is none yet. Returns `None` if there
-    /// is no room for it.
+    /// Returns the unit of a trace, and compiles it if there is none yet. Returns `None` if
+    /// the code cache is full.
     fn compile(&self, trace: Trace, mode: FloatMode) -> Option<Arc<Unit>> {
         let mut compiler = lock(&self.compiler);
         {

@@ -1,13 +1,14 @@
 //! Double precision by the host's arithmetic, where that gives an SPU's bits and flags: both round
 //! to nearest, operands are normal numbers or zeros, and nothing is too large or too small for its
-//! rounding error to be a double, too. So the error tells whether the result is inexact. Functions
+//! rounding error to be a double, too. So the result is inexact unless the error is 0. Functions
 //! return `None` for all else.
 
 use super::fpscr::Flags;
 
 /// The exponent fields of operands whose sums are finite.
 const LARGEST: u64 = 0x7fd;
-/// The least exponent field of a product whose error is a double: its last bit is at least 2^-1074.
+/// The smallest exponent field of a product whose error is a double: its last bit is at least
+/// 2^-1074.
 const SMALLEST_PRODUCT: u64 = 110;
 
 fn field(bits: u64) -> u64 {
@@ -47,13 +48,11 @@ fn result(value: f64, inexact: bool) -> (u64, Flags) {
     (value.to_bits(), Flags::DOUBLE_INEXACT.when(inexact))
 }
 
-/// `a + b`
 pub(super) fn sum(a: u64, b: u64) -> Option<(u64, Flags)> {
     let (sum, error) = two_sum(ordinary(a)?, ordinary(b)?);
     Some(result(sum, error != 0.0))
 }
 
-/// `a * b`
 pub(super) fn product(a: u64, b: u64) -> Option<(u64, Flags)> {
     let (product, error) = two_product(a, b)?;
     Some(result(product, error != 0.0))

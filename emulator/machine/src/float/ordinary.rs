@@ -17,7 +17,6 @@ use super::single::{EXPONENT, MAGNITUDE, REBIAS, SHIFT, SIGN, SMALLEST, mask};
 use std::array::from_fn;
 use std::ops::RangeInclusive;
 
-/// Four lanes.
 type Words = [u32; 4];
 
 /// The low bits of a double that the truncation to a single drops.

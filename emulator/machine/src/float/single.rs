@@ -76,7 +76,7 @@ const fn differs_from_ieee(x: u32) -> bool {
 /// The result and the flags of an operation in each of `N` lanes.
 pub type Lanes<const N: usize> = ([u32; N], [Flags; N]);
 
-/// Converts doubles that hold the exact results truncated to 53 bits. `inexact` tells whether that
+/// Converts doubles that hold the exact results truncated to 53 bits. `inexact` is whether that
 /// truncation dropped anything. The flags do not include a `DIFFERENT` that the operands cause.
 #[inline]
 pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) -> Lanes<N> {

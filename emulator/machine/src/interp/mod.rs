@@ -2,8 +2,8 @@
 //!
 //! Each instruction has one short function, and the functions are grouped as the architecture's
 //! chapters are. The dispatch is generated from the instruction table. The interpreter uses local
-//! store and the [`Channels`] trait, and does not know what is behind the channels. It counts
-//! instructions, not cycles. No guest program can make it panic, or loop without a call of
+//! store and the [`Channels`] trait, and does not depend on the units that serve the channels. It
+//! counts instructions, not cycles. No guest program can make it panic, or loop without a call of
 //! [`Channels::stop_requested`].
 
 mod block;

@@ -19,7 +19,7 @@ pub struct QuadwordAccess {
     pub is_store: bool,
 }
 
-/// One SPU, without the units behind its channels.
+/// One SPU, without the units that serve its channels.
 ///
 /// Registers, program counter, FPSCR and interrupt state start as 0.
 pub struct Spu {

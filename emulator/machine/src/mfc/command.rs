@@ -237,7 +237,7 @@ impl Command {
     }
 
     /// The transfer of one element of this list. `lsa` is its local-store address, or an address
-    /// in the same quadword. The second value tells whether the list stalls after the element.
+    /// in the same quadword. The second value is whether the list stalls after the element.
     pub(crate) fn element(&self, words: [u32; 2], lsa: u32) -> Result<(Self, bool), DmaError> {
         const STALL: u32 = 0x8000_0000;
         const SIZE: u32 = 0x7fff;

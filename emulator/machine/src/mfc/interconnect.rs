@@ -115,7 +115,7 @@ impl Members {
         })
     }
 
-    /// Ends the reservations on these bytes, and tells their units.
+    /// Ends the reservations on these bytes, and notifies their units.
     fn broken(&self, pieces: &[(u64, usize)], except: Option<&Reservation>) {
         let line = !(LINE as u64 - 1);
         self.break_where(except, |reservation| {
@@ -150,7 +150,6 @@ impl Members {
     }
 }
 
-/// The interconnect of one machine.
 pub(crate) struct Interconnect {
     memory: Arc<dyn MainMemory>,
     /// Data in flight between local stores, in simulated time.
@@ -172,7 +171,6 @@ impl Interconnect {
         }
     }
 
-    /// The machine's main memory.
     pub(crate) fn memory(&self) -> &dyn MainMemory {
         &*self.memory
     }

@@ -9,8 +9,8 @@
 //! But who has slept for long goes first, so nobody waits for ever: a line that many poll can
 //! still be written.
 //!
-//! Lines are told apart by their effective address. Of two addresses of one line this module knows
-//! nothing.
+//! Lines are distinguished by their effective address. A line that is mapped at two addresses
+//! counts as two lines.
 
 use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 
@@ -22,7 +22,7 @@ use crate::memory::LINE;
 const LOOKS_AT_ONCE: u32 = 4;
 const LOOKS: u32 = 24;
 const PAUSES_BETWEEN_LOOKS: u32 = 64;
-/// After so many vain wakings, an access goes before those that come later.
+/// The number of futile wake-ups after which an access has priority over later ones.
 const PATIENCE: u32 = 8;
 
 /// The first and the last line of a range, by their addresses.
@@ -34,7 +34,7 @@ fn range((ea, length): (u64, usize)) -> Range {
     (ea & LINE_MASK, last & LINE_MASK)
 }
 
-/// What an access touches.
+/// The lines that an access touches.
 enum Lines {
     One(Range),
     /// In ascending order of their first lines.
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn who_has_waited_for_long_goes_before_those_that_come_later() {
+    fn long_waiting_access_precedes_later_ones() {
         let locks = LineLocks::default();
         let line = [(0x1000, 128)];
         let reading = locks.read(0x1000, 128);

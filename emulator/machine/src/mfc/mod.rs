@@ -1,6 +1,6 @@
 //! The memory flow controller: queues, tags, list commands, atomic commands.
 //!
-//! Data moves when the queue's order and the [`Policy`] allow it. This module does not know how
+//! Data moves when the queue's order and the [`Policy`] allow it. This module does not model how
 //! long that takes. In simulated time, an implementation of the two traits in `timing.rs` does.
 
 pub(crate) mod command;

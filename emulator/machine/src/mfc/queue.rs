@@ -129,7 +129,7 @@ impl Queue {
         self.policy
     }
 
-    pub(crate) fn room(&self) -> usize {
+    pub(crate) fn free(&self) -> usize {
         self.depth - self.entries.len()
     }
 
@@ -163,9 +163,9 @@ impl Queue {
         self.entries.iter().map(|entry| &entry.command)
     }
 
-    /// Appends a command. There must be room.
+    /// Appends a command. The queue must not be full.
     pub(crate) fn push(&mut self, command: Command) {
-        debug_assert!(self.room() > 0);
+        debug_assert!(self.free() > 0);
         self.entries.push_back(Entry::new(command));
     }
 
@@ -270,7 +270,6 @@ impl Put {
         self.command.tag_bit()
     }
 
-    /// What it moves.
     pub(crate) fn movement(&self) -> Movement {
         let piece = |element: &Command| Piece {
             lsa: element.lsa,
@@ -365,7 +364,7 @@ fn addresses(elements: &[Command]) -> (Vec<(u64, usize)>, usize) {
 }
 
 /// Carries out the next elements of a list of puts to main memory in one access, as many as fit
-/// the buffer and need no stall. If that fails, it returns `false`, and none of them counts as
+/// the buffer and need no stall. If that fails, it returns `false`, and the elements don't count as
 /// done: one by one, they fail at the right one.
 fn put_together(
     entry: &mut Entry,
@@ -387,7 +386,7 @@ fn put_together(
     written.is_ok()
 }
 
-/// What a command other than a list moves over the bus.
+/// The pieces that a command other than a list moves over the bus.
 fn pieces_of(command: &Command, pending: Option<PendingWrite>, path: Path<'_>) -> Vec<Piece> {
     match command.operation {
         Operation::QueueBarrier | Operation::Sync | Operation::CacheHint => Vec::new(),

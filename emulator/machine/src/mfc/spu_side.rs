@@ -66,14 +66,14 @@ impl SpuSide {
         &self.seen
     }
 
-    /// Channel 21. Returns `None` if the queue is full and none of its commands may run. The new
+    /// Channel 21. Returns `None` if the queue is full and its commands may not run yet. The new
     /// command is not accepted then.
     pub(crate) fn command(&mut self, word: u32, path: Path<'_>) -> Result<Option<()>, DmaError> {
         let command = Command::new(word, self.parameters, Side::Spu)?;
         if command.operation.is_immediate() {
             self.atomic(&command, path)?;
         } else {
-            while self.free_places() == 0 {
+            while self.free_entries() == 0 {
                 if !self.step(u32::MAX, path)? {
                     return Ok(None);
                 }
@@ -100,8 +100,8 @@ impl SpuSide {
     ) -> Option<Put> {
         let command = Command::new(word, self.parameters, Side::Spu).ok()?;
         let is_free = command.order == Order::Free && self.queue.is_empty();
-        let has_room = self.free_places() > deferred + 1;
-        if !is_free || !has_room || self.awaited.is_some() {
+        let has_space = self.free_entries() > deferred + 1;
+        if !is_free || !has_space || self.awaited.is_some() {
             return None;
         }
         self.queue.prepare_put(&command, path)
@@ -150,28 +150,29 @@ impl SpuSide {
         self.transfers.as_deref()
     }
 
-    /// Lets `body` change the timing of the commands. This may complete tags and free room.
+    /// Lets `body` change the timing of the commands. This may complete tags and free queue
+    /// entries.
     pub(crate) fn change_transfers(&mut self, body: impl FnOnce(&mut dyn TransferTimes)) {
-        let was_full = self.free_places() == 0;
+        let was_full = self.free_entries() == 0;
         if let Some(transfers) = &mut self.transfers {
             body(&mut **transfers);
         }
-        if was_full && self.free_places() > 0 {
+        if was_full && self.free_entries() > 0 {
             self.events |= event::QUEUE_ROOM;
         }
         self.evaluate();
     }
 
-    fn free_places(&self) -> usize {
+    fn free_entries(&self) -> usize {
         let incomplete = self.transfers().map_or(0, |transfers| transfers.incomplete());
-        self.queue.room().saturating_sub(incomplete)
+        self.queue.free().saturating_sub(incomplete)
     }
 
     /// Runs one command, with those of `tags` before others. Returns whether one could run.
     fn step(&mut self, tags: u32, path: Path<'_>) -> Result<bool, DmaError> {
-        let was_full = self.free_places() == 0;
+        let was_full = self.free_entries() == 0;
         let ran = self.queue.run_one(tags, path);
-        if was_full && self.free_places() > 0 && self.transfers.is_none() {
+        if was_full && self.free_entries() > 0 && self.transfers.is_none() {
             self.events |= event::QUEUE_ROOM;
         }
         if let Ok(Some(RunOutcome::Stalled(tag))) = ran {
@@ -210,12 +211,12 @@ impl SpuSide {
     }
 
     /// Channel 21's count.
-    pub(crate) fn room(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
-        let room = self.free_places();
-        if room == 0 {
+    pub(crate) fn free(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
+        let free = self.free_entries();
+        if free == 0 {
             self.step(u32::MAX, path)?;
         }
-        Ok(room as u32)
+        Ok(free as u32)
     }
 
     fn idle(&self) -> u32 {

@@ -50,11 +50,11 @@ pub(crate) struct Movement {
     pub command: Command,
     pub pieces: Vec<Piece>,
     pub stalled: bool,
-    /// What an atomic command did.
+    /// The outcome of an atomic command.
     pub atomic: Option<Atomic>,
 }
 
-/// What an atomic command did with its line.
+/// The effect of an atomic command on its line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Atomic {
     /// `getllar`.

@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_released_can_be_allocated_whole() {
+    fn released_memory_can_be_allocated_whole() {
         let mut arena = arena(256);
         let all: Vec<u64> = (0..16).map(|_| arena.allocate(16, 1).unwrap()).collect();
         assert_eq!(arena.allocate(1, 1), None);

@@ -97,7 +97,6 @@ pub(super) const CALLS: &[Call] = calls! {
     vsscanf => |_, block| scan_string(block).into(),
 };
 
-/// The open streams by handle.
 pub(super) struct Streams {
     open: [Mutex<Option<Stream>>; HANDLES],
 }
@@ -196,7 +195,7 @@ impl Library {
     }
 
     fn get_byte(&self, handle: u32) -> Reply {
-        // A user who is to answer a question must see it first.
+        // A user must see a prompt before typing the input.
         if handle == STDIN {
             // If standard output is closed, there is no question.
             let _ = self.stream(STDOUT, |stdout, host| {
@@ -277,7 +276,7 @@ impl Library {
             return Ok(handle as usize);
         };
         if let Some(old) = old {
-            // C says that a failure to close does not matter here.
+            // By the C standard, a failure to close is ignored here.
             let _ = old.close(host);
         }
         *slot = Some(Stream::open(path, &mode, host)?);

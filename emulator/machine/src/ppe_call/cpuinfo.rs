@@ -29,7 +29,7 @@ fn text() -> String {
 }
 
 /// Opens a file as `open` does. A guest that reads `/proc/cpuinfo` gets a console's, unless the
-/// host's says the time base.
+/// host's contains the time base.
 pub(super) fn open(path: &CStr, flags: i32, mode: libc::c_uint) -> Result<i32, Errno> {
     let is_read = flags & libc::O_ACCMODE == libc::O_RDONLY;
     if path == PATH && is_read && !has_time_base(&fs::read_to_string("/proc/cpuinfo")) {

@@ -33,6 +33,6 @@ impl From<io::Error> for Errno {
 }
 
 /// The result of a system call. A negative one means that the call failed.
-pub(super) fn check<T: Copy + PartialOrd + From<i8>>(answer: T) -> Result<T, Errno> {
-    if answer < T::from(0) { Err(Errno::last()) } else { Ok(answer) }
+pub(super) fn check<T: Copy + PartialOrd + From<i8>>(result: T) -> Result<T, Errno> {
+    if result < T::from(0) { Err(Errno::last()) } else { Ok(result) }
 }

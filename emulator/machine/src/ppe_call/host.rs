@@ -12,11 +12,11 @@ pub trait Host: Send + Sync {
     /// `read(2)`.
     fn read(&self, descriptor: i32, into: &mut [u8]) -> Result<usize, Errno> {
         loop {
-            // SAFETY: the buffer is valid for as many bytes as the length says.
+            // SAFETY: the buffer is valid for the number of bytes that is passed.
             let read = unsafe { libc::read(descriptor, into.as_mut_ptr().cast(), into.len()) };
             match check(read) {
                 Err(Errno(libc::EINTR)) => {}
-                answer => return answer.map(|read| read as usize),
+                result => return result.map(|read| read as usize),
             }
         }
     }
@@ -24,11 +24,11 @@ pub trait Host: Send + Sync {
     /// `write(2)`.
     fn write(&self, descriptor: i32, from: &[u8]) -> Result<usize, Errno> {
         loop {
-            // SAFETY: the buffer is valid for as many bytes as the length says.
+            // SAFETY: the buffer is valid for the number of bytes that is passed.
             let written = unsafe { libc::write(descriptor, from.as_ptr().cast(), from.len()) };
             match check(written) {
                 Err(Errno(libc::EINTR)) => {}
-                answer => return answer.map(|written| written as usize),
+                result => return result.map(|written| written as usize),
             }
         }
     }
@@ -78,7 +78,7 @@ pub trait Heap: Send {
         false
     }
 
-    /// The effective address of `size` new bytes, all 0, or `None` if there is no room. The
+    /// The effective address of `size` new bytes, all 0, or `None` if memory is exhausted. The
     /// alignment must be a power of two.
     fn allocate(&mut self, size: u64, alignment: u64) -> Option<u64>;
     /// Frees an allocation. Returns `false` if there is none at this address.

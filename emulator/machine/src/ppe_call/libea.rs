@@ -31,7 +31,7 @@ fn address(allocated: Option<u64>) -> Reply {
 
 impl Library {
     /// Allocates memory of another size with the same contents, and frees the memory at `ea`. If
-    /// there is no room, the old memory remains. Size 0 frees it.
+    /// memory is exhausted, the old memory remains. Size 0 frees it.
     pub(super) fn reallocate(&self, ea: u64, size: u64, alignment: u64) -> Option<u64> {
         const PIECE: u64 = 64 << 10;
         let mut heap = self.heap();

@@ -34,7 +34,7 @@ enum Role {
     Path,
     /// Bytes that the call reads. Their number is this parameter.
     Reads(usize),
-    /// Bytes that the call writes. The size of the room for them is this parameter.
+    /// Bytes that the call writes. The size of their buffer is this parameter.
     Writes(usize),
     /// A structure of this many longs that the call reads, or null.
     ReadsLongs(usize),

@@ -10,7 +10,6 @@ use super::scan_set::Set;
 use super::va_list::VaList;
 use super::wide::{self, CHARACTER};
 
-/// An input to scan.
 pub(super) trait Input {
     /// The next byte, or `None` at the end.
     fn next(&mut self) -> Result<Option<u8>, Errno>;
@@ -18,7 +17,6 @@ pub(super) trait Input {
     fn give_back(&mut self, byte: u8);
 }
 
-/// A string as an input.
 pub(super) struct Text {
     pub bytes: Vec<u8>,
     pub at: usize,

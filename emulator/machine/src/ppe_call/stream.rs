@@ -101,10 +101,10 @@ impl Stream {
         Ok(Self::new(descriptor, mode.read, mode.write, buffering))
     }
 
-    /// `freopen` without a path: the file behind the descriptor is opened again, and the new
+    /// `freopen` without a path: the file of the descriptor is opened again, and the new
     /// descriptor gets the old one's number. That needs `/proc`.
     pub fn reopen(mut self, mode: &[u8], host: &dyn Host) -> Result<Self, Errno> {
-        // C says that a failure to write the last bytes does not matter here.
+        // By the C standard, a failure to write the last bytes is ignored here.
         let _ = self.flush(host);
         self.forget_ahead();
         let old = self.descriptor;
@@ -274,14 +274,14 @@ impl Stream {
         Ok((!line.is_empty()).then_some(line))
     }
 
-    /// `ungetc`. Returns whether there was room.
+    /// `ungetc`. Returns whether the byte fitted.
     pub fn push_back(&mut self, byte: u8) -> bool {
-        let room = self.readable && self.pushed_back.len() < PUSHED_BACK;
-        if room {
+        let fits = self.readable && self.pushed_back.len() < PUSHED_BACK;
+        if fits {
             self.pushed_back.push(byte);
             self.at_end = false;
         }
-        room
+        fits
     }
 
     /// `ftell`.
@@ -324,7 +324,7 @@ impl Input for StreamInput<'_> {
     }
 
     fn give_back(&mut self, byte: u8) {
-        // There is room for the byte that was just read.
+        // The byte that was just read always fits.
         self.stream.push_back(byte);
     }
 }

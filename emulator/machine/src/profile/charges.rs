@@ -11,11 +11,11 @@ pub struct InstructionProfile {
     pub address: u32,
     /// The instruction's word.
     pub word: u32,
-    /// What the instruction cost.
+    /// The cost of the instruction.
     pub tally: Tally,
 }
 
-/// What an SPE executed of one program.
+/// The instructions of one program that an SPE executed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramProfile {
     /// The program, or `None` for what ran before any program was
@@ -39,7 +39,7 @@ impl ProgramProfile {
     }
 }
 
-/// What one SPE executed.
+/// The instructions that one SPE executed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SpeProfile {
     /// The programs, in the order in which they were loaded.

@@ -102,7 +102,7 @@ impl Recording {
         self.charged = pipeline.clock();
     }
 
-    /// What was charged since the last hand-over.
+    /// The charges since the last hand-over.
     pub fn profile(&self) -> &Profile {
         &self.profile
     }
@@ -168,7 +168,7 @@ mod tests {
     const LNOP: u32 = 0x0020_0000;
 
     #[test]
-    fn code_that_is_written_over_keeps_its_own_tallies() {
+    fn overwritten_code_keeps_its_own_tallies() {
         let (nop, lnop) = (instruction(NOP), instruction(LNOP));
         let mut profile = Profile::default();
         for (pc, instruction) in [(8, nop), (8, lnop), (8, nop), (0x3_fffc, nop), (8, nop)] {
@@ -179,7 +179,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_handed_over_is_gone_and_adds_up() {
+    fn profile_is_cleared_by_a_hand_over_and_adds_up() {
         let (nop, lnop) = (instruction(NOP), instruction(LNOP));
         let (mut all, mut part) = (Profile::default(), Profile::default());
         for _ in 0..3 {

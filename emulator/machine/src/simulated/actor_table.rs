@@ -68,7 +68,6 @@ pub(super) struct Deferred {
 /// What is done in a deferred act.
 pub(crate) type DeferredAct = Box<dyn FnOnce() + Send>;
 
-/// The state of an actor.
 pub(super) enum Status {
     Outside,
     /// Runs, or has the turn. If it has a time-out, it may never act again.
@@ -104,7 +103,7 @@ impl Entry {
 #[derive(Default)]
 pub(super) struct ActorTable {
     pub actors: BTreeMap<Rank, Entry>,
-    /// By clock and rank. An SPU gives no two commands in one cycle.
+    /// In the order of clock and rank. An SPU issues at most one command a cycle.
     pub deferred: BTreeMap<(u64, Rank), Deferred>,
     /// The time of the current act, or of the last one.
     pub now: u64,
@@ -145,12 +144,12 @@ impl ActorTable {
 
     /// The host's threads that can't go on before `leader` does: those of waiting actors, and those
     /// that run SPUs, because the end of a run is an act.
-    pub fn threads_behind(&self, leader: Rank) -> Vec<ThreadId> {
-        let behind = |(&rank, entry): (&Rank, &Entry)| {
+    pub fn threads_after(&self, leader: Rank) -> Vec<ThreadId> {
+        let later = |(&rank, entry): (&Rank, &Entry)| {
             let waits = matches!(entry.status, Status::Waiting { .. } | Status::Free(None));
             (rank != leader && waits).then(|| entry.runner.thread.load(SeqCst))
         };
-        self.actors.iter().filter_map(behind).collect()
+        self.actors.iter().filter_map(later).collect()
     }
 
     /// The time-out of an actor, if it may never act again.

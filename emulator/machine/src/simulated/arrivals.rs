@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wanted_comes_early_and_the_rest_stays() {
+    fn requested_data_is_delivered_early_and_the_rest_stays() {
         let arrivals = Arrivals::default();
         let (store, other) = (Arc::new(LocalStore::new()), Arc::new(LocalStore::new()));
         arrivals.send(30, write(&store, 0x100, &[1]));

@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_alike_is_no_difference() {
+    fn equal_runs_report_no_difference() {
         let all = |check: &mut Check, timer: &Timer, recording: &Recording| {
             check.compare_state(0x40, timer.pipeline.clock(), timer.state());
             check.compare_account(timer);

@@ -30,17 +30,17 @@ pub(super) struct Figure {
     /// Its name in reports. In a file the name is without `_tenths`.
     pub name: &'static str,
     pub value: u64,
-    /// Its least value.
-    pub least: u64,
+    /// Its minimum.
+    pub min: u64,
 }
 
 impl Timing {
-    /// All numbers by name, for reports. Times are in cycles, or in tenths where the name says so.
+    /// All numbers by name, for reports. Times are in cycles, or in tenths of cycles where the name
+    /// ends so.
     pub fn named(&self) -> impl Iterator<Item = (&'static str, u64)> {
         self.figures().map(|figure| (figure.name, figure.value))
     }
 
-    /// All numbers.
     pub(super) fn figures(&self) -> impl Iterator<Item = Figure> {
         let Self { rules, memory, ppe } = self;
         [
@@ -67,7 +67,7 @@ impl Timing {
             ("ppe", "wake_cycles", ppe.wake_cycles, 0),
         ]
         .into_iter()
-        .map(|(table, name, value, least)| Figure { table, name, value, least })
+        .map(|(table, name, value, min)| Figure { table, name, value, min })
     }
 }
 
@@ -85,7 +85,7 @@ pub enum Method {
     Checked,
 }
 
-/// What a machine in simulated time records, and how it counts cycles.
+/// The records of a machine in simulated time, and its method of counting cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SimulationOptions {
     /// Whether the SPUs keep a [profile](super::Simulation::profile).
@@ -97,16 +97,16 @@ pub struct SimulationOptions {
     pub races: bool,
     /// How the SPUs' cycles are counted.
     pub method: Method,
-    /// What runs their instructions. Where cycles are counted by instruction, that is the
-    /// interpreter.
+    /// The engine that runs their instructions. Where cycles are counted by instruction, that is
+    /// the interpreter.
     pub engine: Engine,
 }
 
 /// The latencies and rates of DMA.
 ///
-/// Where a doc comment says *measured*, the figure is that of a PlayStation 3; `docs/timing.md`
-/// compares them all with the console. In a file the times of lines may have one decimal, as in
-/// `get_line = 17.0`.
+/// Where a doc comment is marked *measured*, the figure is that of a PlayStation 3;
+/// `docs/timing.md` compares them all with the console. In a file the times of lines may have one
+/// decimal, as in `get_line = 17.0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(
     feature = "timing-file",
@@ -141,7 +141,7 @@ pub struct MemoryFigures {
     pub put_latency: u64,
     /// The same between two local stores. Estimate: no measurement was found.
     pub local_store_latency: u64,
-    /// The largest number of lines that one SPU has in flight, at least 1. Source: IBM's lecture
+    /// The largest number of lines that one SPU has in flight, at min 1. Source: IBM's lecture
     /// gives over 100 outstanding requests for the interconnect. Divided among eight SPEs, they
     /// would be 16 each. Inferred.
     pub outstanding_lines: u64,

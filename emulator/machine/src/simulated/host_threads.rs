@@ -1,7 +1,7 @@
-//! The process's threads, as Linux shows them: who sleeps until another thread wakes him.
+//! The process's threads, as Linux reports them: which threads are blocked.
 //!
-//! Known weakness: under QEMU, Linux shows the host's system calls, whose numbers may be others.
-//! Then nobody is found to wait for a thread, and only time-outs are left.
+//! Known weakness: under QEMU, Linux shows the host's system calls, whose numbers may differ.
+//! Then no thread is recognised as blocked, and only time-outs remain.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -12,7 +12,6 @@ use crate::lock::lock;
 
 const TASKS: &str = "/proc/self/task";
 
-/// A thread's number.
 pub(super) type ThreadId = u32;
 
 thread_local! {
@@ -29,16 +28,15 @@ pub(super) fn this_thread() -> Option<ThreadId> {
     THIS_THREAD.try_with(Clone::clone).ok().flatten()
 }
 
-/// The threads of all [`HelperThread`]s.
 static HELPERS: Mutex<Vec<ThreadId>> = Mutex::new(Vec::new());
 
-/// While it lives, the thread that created it is known to act for no PPE thread and to wake none.
-/// So simulated time does not wait for what it does: it compiles, or it serves a debugger.
+/// While it exists, the thread that created it counts as a helper: it acts for no PPE thread and
+/// wakes none. So simulated time does not wait for it. It compiles, or it serves a debugger.
 #[derive(Debug)]
 pub struct HelperThread(Option<ThreadId>);
 
 impl HelperThread {
-    /// The current thread is such a thread from now on.
+    /// Registers the current thread as a helper.
     #[must_use]
     pub fn current() -> Self {
         let thread = this_thread();
@@ -53,12 +51,12 @@ impl Drop for HelperThread {
     }
 }
 
-/// A thread's folder.
+/// A thread's folder in `/proc`.
 pub(super) fn folder(thread: ThreadId) -> PathBuf {
     Path::new(TASKS).join(thread.to_string())
 }
 
-/// How often a sleeping thread has gone to sleep.
+/// The number of times that a sleeping thread has gone to sleep, which identifies the sleep.
 pub(super) type Sleep = String;
 
 /// The sleep of the thread with this folder. `None` if it is not asleep.
@@ -66,14 +64,14 @@ pub(super) fn sleep(folder: &Path) -> Option<Sleep> {
     sleep_of(&fs::read_to_string(folder.join("status")).ok()?)
 }
 
-/// How long the thread with this folder was ready to run so far, while the processors were busy
-/// with others. `None` if the system doesn't say.
-pub(super) fn held_up(folder: &Path) -> Option<Duration> {
-    held_up_of(&fs::read_to_string(folder.join("schedstat")).ok()?)
+/// The total time that the thread with this folder was ready to run while the processors were busy
+/// with others. `None` if the system doesn't report it.
+pub(super) fn time_preempted(folder: &Path) -> Option<Duration> {
+    time_preempted_of(&fs::read_to_string(folder.join("schedstat")).ok()?)
 }
 
 /// The second number of a thread's `schedstat`, which is in nanoseconds.
-fn held_up_of(schedstat: &str) -> Option<Duration> {
+fn time_preempted_of(schedstat: &str) -> Option<Duration> {
     let nanos = schedstat.split_ascii_whitespace().nth(1)?;
     nanos.parse().ok().map(Duration::from_nanos)
 }
@@ -89,28 +87,28 @@ fn sleep_of(status: &str) -> Option<Sleep> {
 
 /// Whether a thread's `syscall` is a wait for another thread that has no time limit: in a lock, a
 /// condition, a barrier or a join.
-fn waits_for_a_thread(syscall: &str) -> bool {
+fn is_blocked_by_a_thread(syscall: &str) -> bool {
     let mut words = syscall.split_ascii_whitespace();
     let number = words.next().and_then(|number| number.parse().ok());
     const TIME_LIMIT: usize = 3;
     number == Some(libc::SYS_futex) && words.nth(TIME_LIMIT) == Some("0x0")
 }
 
-/// What threads do while one of them is waited for.
+/// The sleeps of threads while the scheduler waits for one of them, the leader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Sleeps {
-    /// Of those that are not behind it.
+    /// Of threads that may act before the leader.
     others: Vec<(PathBuf, Sleep)>,
-    /// Of those behind it. `None` if one of them is running.
-    behind: Option<Vec<(PathBuf, Sleep)>>,
+    /// Of threads that act after the leader. `None` if one of them is running.
+    later: Option<Vec<(PathBuf, Sleep)>>,
 }
 
-/// The sleeps of all threads but helpers and this one. `None` if one of them could go on without
-/// being woken, unless it is in `behind`.
-fn sleeps(behind: &[ThreadId]) -> Option<Sleeps> {
+/// The sleeps of all threads except helpers and this one. `None` if a thread that is not in `later`
+/// could continue without being woken.
+fn sleeps(later: &[ThreadId]) -> Option<Sleeps> {
     let this = this_thread()?;
     let helpers = lock(&HELPERS).clone();
-    let mut sleeps = Sleeps { others: Vec::new(), behind: Some(Vec::new()) };
+    let mut sleeps = Sleeps { others: Vec::new(), later: Some(Vec::new()) };
     for entry in fs::read_dir(TASKS).ok()? {
         let folder = entry.ok()?.path();
         let thread = folder.file_name()?.to_str()?.parse().ok()?;
@@ -118,15 +116,15 @@ fn sleeps(behind: &[ThreadId]) -> Option<Sleeps> {
             continue;
         }
         let sleep = sleep(&folder);
-        if behind.contains(&thread) {
-            match (sleep, &mut sleeps.behind) {
+        if later.contains(&thread) {
+            match (sleep, &mut sleeps.later) {
                 (Some(sleep), Some(all)) => all.push((folder, sleep)),
-                _ => sleeps.behind = None,
+                _ => sleeps.later = None,
             }
             continue;
         }
         let sleep = sleep?;
-        if !waits_for_a_thread(&fs::read_to_string(folder.join("syscall")).ok()?) {
+        if !is_blocked_by_a_thread(&fs::read_to_string(folder.join("syscall")).ok()?) {
             return None;
         }
         sleeps.others.push((folder, sleep));
@@ -134,28 +132,28 @@ fn sleeps(behind: &[ThreadId]) -> Option<Sleeps> {
     Some(sleeps)
 }
 
-/// Who might wake a thread that is waited for.
+/// Which threads might wake the leader, for which the scheduler waits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wakers {
-    /// Nobody: all other threads sleep until another thread wakes them, or until it acts. This is
-    /// certain, unless the process gets a signal.
-    Nobody,
-    /// A thread behind it, which is running and may hold a lock for a moment.
-    Behind,
-    /// Any thread.
-    Anybody,
+    /// No thread: all others are blocked by another thread, or wait until the leader acts. This is
+    /// certain, unless the process receives a signal.
+    Blocked,
+    /// A thread that acts after the leader, but is running and may hold a lock for a moment.
+    LockHolder,
+    /// Any thread might.
+    Unknown,
 }
 
-/// Who might wake a thread that is waited for. The threads `behind` it do not act before it does,
-/// and helpers and this one wake nobody.
+/// The threads that might wake the leader. The threads `later` do not act before it does, and
+/// helpers and this thread wake no other.
 ///
-/// A thread may wake one that was looked at before. So all are looked at twice, and count only if
-/// they slept in between.
-pub(super) fn wakers(behind: &[ThreadId]) -> Wakers {
-    match (sleeps(behind), sleeps(behind)) {
-        (Some(first), Some(second)) if first == second && first.behind.is_some() => Wakers::Nobody,
-        (Some(first), Some(second)) if first.others == second.others => Wakers::Behind,
-        _ => Wakers::Anybody,
+/// A thread may wake one that was examined before it. So all are examined twice, and count as
+/// blocked only if they slept in between.
+pub(super) fn wakers(later: &[ThreadId]) -> Wakers {
+    match (sleeps(later), sleeps(later)) {
+        (Some(first), Some(second)) if first == second && first.later.is_some() => Wakers::Blocked,
+        (Some(first), Some(second)) if first.others == second.others => Wakers::LockHolder,
+        _ => Wakers::Unknown,
     }
 }
 
@@ -164,10 +162,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_thread_was_held_up_is_the_second_number() {
-        let held_up = held_up_of("5000 3000000007 12\n");
-        assert_eq!(held_up, Some(Duration::new(3, 7)));
-        assert_eq!(held_up_of(""), None);
+    fn preempted_time_is_the_second_number() {
+        let time_preempted = time_preempted_of("5000 3000000007 12\n");
+        assert_eq!(time_preempted, Some(Duration::new(3, 7)));
+        assert_eq!(time_preempted_of(""), None);
     }
 
     #[test]
@@ -179,11 +177,11 @@ mod tests {
     }
 
     #[test]
-    fn a_wait_with_a_time_limit_is_no_wait_for_a_thread() {
+    fn wait_with_a_time_limit_is_not_blocked_by_a_thread() {
         let futex = |limit: &str| format!("{} 0x7f00 0x189 0x0 {limit} 0x0", libc::SYS_futex);
-        assert!(waits_for_a_thread(&futex("0x0")));
-        assert!(!waits_for_a_thread(&futex("0x7ffe1230")));
-        assert!(!waits_for_a_thread("running"));
-        assert!(!waits_for_a_thread("-1 0x7ffe 0x7ffe"));
+        assert!(is_blocked_by_a_thread(&futex("0x0")));
+        assert!(!is_blocked_by_a_thread(&futex("0x7ffe1230")));
+        assert!(!is_blocked_by_a_thread("running"));
+        assert!(!is_blocked_by_a_thread("-1 0x7ffe 0x7ffe"));
     }
 }

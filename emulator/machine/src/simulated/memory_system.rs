@@ -201,7 +201,7 @@ impl MemorySystem {
                 _ => from,
             };
             let (slot, begins) = self.take_line(port, direction, peer, (earliest, flight));
-            // Lines behind one that has to wait don't wait for it.
+            // Lines that follow a waiting one don't wait for it.
             if earliest == from {
                 from = slot;
             }

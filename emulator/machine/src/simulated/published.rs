@@ -37,7 +37,7 @@ impl Published {
         &self.report
     }
 
-    /// What the SPE did so far, if that is recorded.
+    /// The SPE's timeline so far, if it is recorded.
     pub fn timeline(&mut self) -> Option<&mut Timeline> {
         self.timeline.as_mut()
     }

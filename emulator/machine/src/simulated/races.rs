@@ -4,7 +4,7 @@
 //! The SPU learns that a command is complete only by reading a channel. So a command counts as in
 //! flight until the program reads a channel, on whose other side something happens, in a cycle in
 //! which the command is complete. It does not matter which channel: a word in a mailbox may be the
-//! news, too. Between two such reads a program can't know that data has arrived, even if it has.
+//! notification, too. Between two such reads a program has no evidence that data has arrived.
 //! What races therefore depends only on the order and the cycles of channel instructions, which all
 //! engines and methods share.
 //!
@@ -131,7 +131,7 @@ pub struct CommandInFlight {
 /// A use of local store that races with a command in flight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Race {
-    /// The program, if the SPE was told [which it is](crate::spe::Spe::profile_as).
+    /// The program, if it was [registered](crate::spe::Spe::profile_as).
     pub program: Option<ProgramId>,
     /// The address of the instruction.
     pub pc: u32,
@@ -242,7 +242,7 @@ impl Completion {
     }
 }
 
-/// A command that the program does not know to be complete.
+/// A command that the program has not seen complete.
 #[derive(Debug)]
 struct InFlight {
     command: CommandInFlight,
@@ -315,10 +315,10 @@ fn ranges(movement: &Movement, operation: Operation) -> Vec<Range> {
     ranges
 }
 
-/// The program that is loaded on an SPE, if it was told.
+/// The program that is loaded on an SPE, if it was registered.
 pub(super) type LoadedProgram = Arc<Mutex<Option<ProgramId>>>;
 
-/// The commands of one SPU that its program does not know to be complete.
+/// The commands of one SPU that its program has not seen complete.
 #[derive(Default)]
 pub(crate) struct Races {
     /// Present if the machine looks for races.
@@ -370,8 +370,8 @@ impl Races {
         self.channel_pc = pc;
     }
 
-    /// The program reads a channel, or local store that is accessed from outside: it may know now
-    /// that the commands that are complete at `now` are. No completion may be
+    /// The program reads a channel, or local store that is accessed from outside: from now on it
+    /// may rely on the commands that are complete at `now`. No completion may be
     /// [awaited](Self::await_another_thread) any more.
     pub fn learn(&mut self, now: u64) {
         let before = self.in_flight.len();
@@ -529,10 +529,10 @@ fn conflict(earlier: &InFlight, later: &InFlight) -> Option<(u32, CommandInFligh
     })
 }
 
-/// What receives the races of a machine.
+/// The receiver of a machine's races.
 pub(super) type Reporter = Box<dyn Fn(&Race) + Send + Sync>;
 
-/// Tells each race of a machine once: an instruction's with the commands of one other.
+/// Reports each race of a machine once: that of one instruction with the commands of one other.
 #[derive(Default)]
 pub(super) struct RaceReports {
     reporter: OnceLock<Reporter>,

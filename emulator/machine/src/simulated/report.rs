@@ -20,7 +20,7 @@ pub struct Waits {
     pub list: u64,
     /// For the status of an atomic command.
     pub atomic: u64,
-    /// For room in the command queue.
+    /// For a free entry of the command queue.
     pub queue: u64,
 }
 

@@ -4,10 +4,10 @@
 //! scheduled. A free actor runs, and its clock is a lower bound of its next act. A waiting actor
 //! waits for its turn at a certain time, and another actor may wake it earlier. Invariant: an
 //! actor gets its turn only while no other free or waiting actor has a smaller (clock, rank), and
-//! it keeps the turn until it shows a larger clock. So acts never overlap, and no clock runs
-//! backwards. An actor may defer an act for whose outcome it does not wait: the thread that finds
-//! that all clocks have reached the act's time carries it out. Data that was sent to a local store
-//! is in it as soon as all clocks have reached its arrival.
+//! it keeps the turn until it publishes a larger clock. So acts never overlap, and clocks never
+//! decrease. An actor may defer an act whose outcome it does not need. The act is executed by the
+//! thread that finds that all clocks have reached its time. Data that was sent to a local store
+//! arrives there as soon as all clocks have reached its arrival time.
 
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU32};
@@ -23,19 +23,19 @@ use super::time::NEVER;
 use super::timeout::{Timeout, Verdict};
 use crate::lock::lock;
 
-/// Cycles between two checks of the other actors' clocks: few enough not to delay them, and so
-/// many that the checks cost nothing.
+/// Cycles between two checks of the other actors' clocks: few enough not to delay them, and many
+/// enough that the checks cost nothing.
 const CYCLES_BETWEEN_CHECKS: u64 = 1024;
 
-/// How far an actor may run ahead of its deferred acts. Then it waits for them, because only who
-/// waits finds that another actor, which is behind them, may never act again.
+/// The maximum number of cycles that an actor runs ahead of its deferred acts. Then it waits for
+/// them, because only a waiting actor detects that another one, whose clock is smaller, may never
+/// act again.
 const CYCLES_AHEAD: u64 = 1 << 20;
 
-/// The scheduler of one machine.
 pub(crate) struct Scheduler {
     table: Mutex<ActorTable>,
-    /// The earliest time at which an actor waits or of a deferred act. An actor that runs past it
-    /// must call the waiting one, or carry the act out.
+    /// The earliest time of a waiting actor or of a deferred act. An actor that runs past it must
+    /// notify the waiting one, or execute the act.
     first_wait: AtomicU64,
     /// Whether actors not only act one at a time, but also run one at a time.
     serial: AtomicBool,
@@ -62,7 +62,8 @@ impl Scheduler {
         WaitKey::new(table.keys)
     }
 
-    /// How often actors stopped waiting for a PPE thread or an SPE that might still have acted.
+    /// The number of times that actors stopped waiting for a PPE thread or an SPE that might still
+    /// have acted.
     pub fn timeouts(&self) -> u64 {
         lock(&self.table).timeouts
     }
@@ -94,14 +95,14 @@ impl Scheduler {
                 entry.runner.limit.fetch_min(soon, SeqCst);
             }
         }
-        self.call_next(&table);
+        self.notify_next(&table);
     }
 
-    /// Publishes the time up to which actors can run without calling, then calls the first waiting
-    /// actor if it is its turn, or if the leader may never act again. The order matters: a running
-    /// actor publishes its clock before it reads this time, so at least one of the two sees the
-    /// other.
-    fn call_next(&self, table: &ActorTable) {
+    /// Publishes the time up to which actors can run without notifying others, then notifies the
+    /// first waiting actor if it has the turn, or if the leader may never act again. The order
+    /// matters: a running actor publishes its clock before it reads this time, so at least one of
+    /// the two sees the other.
+    fn notify_next(&self, table: &ActorTable) {
         let leader = table.leader();
         let deferred = table.deferred.first_key_value();
         let deferred = deferred.map_or(NEVER, |(&(clock, _), _)| clock);
@@ -126,8 +127,9 @@ impl Scheduler {
         }
     }
 
-    /// How far `me`, who has the turn at `now`, may run before it checks again. If actors run one
-    /// at a time, it is the earliest time at which data could arrive in its local store.
+    /// The time up to which `me`, which has the turn at `now`, may run before it checks again. If
+    /// actors run one at a time, it is the earliest time at which data could arrive in its local
+    /// store.
     fn limit(&self, table: &ActorTable, me: Rank, now: u64) -> u64 {
         let check = now + CYCLES_BETWEEN_CHECKS;
         if !self.serial.load(SeqCst) {
@@ -139,7 +141,7 @@ impl Scheduler {
         check.min(sent).min(self.arrivals.next())
     }
 
-    /// Carries out the deferred acts that are due, then calls the next waiting actor.
+    /// Executes the deferred acts that are due, then notifies the next waiting actor.
     ///
     /// The table is not locked during an act, which may wake other actors. But the act stays in it,
     /// so that no other act begins.
@@ -160,42 +162,43 @@ impl Scheduler {
                 }
             }
         }
-        self.call_next(&table);
+        self.notify_next(&table);
         table
     }
 
-    fn give_up(&self, table: &mut ActorTable, rank: Rank) {
+    fn unschedule(&self, table: &mut ActorTable, rank: Rank) {
         table.set(rank, Status::Outside);
-        self.call_next(table);
+        self.notify_next(table);
     }
 
-    /// Gives the leader up if all threads of the process wait for each other, or if it has
-    /// `expired`. That counts as a time-out if another thread might still wake the leader, except
-    /// those behind it: they can't before it acts, but for a moment in which one holds a lock.
+    /// Removes the leader from the schedule if all threads of the process are blocked by each
+    /// other, or if its time-out has `expired`. That counts as a time-out if another thread might
+    /// still wake the leader. Threads that act after the leader can't wake it, except while one
+    /// holds a lock.
     ///
     /// Meanwhile the table is not locked, because a thread that waits for the lock would seem to
     /// wait for others.
-    fn ask_about<'a>(
+    fn check_leader<'a>(
         &'a self,
         mut table: MutexGuard<'a, ActorTable>,
         leader: Rank,
         expired: bool,
     ) -> MutexGuard<'a, ActorTable> {
-        let behind = table.threads_behind(leader);
+        let later = table.threads_after(leader);
         let since = table.timeout(leader).map(|timeout| timeout.since());
         drop(table);
-        let wakers = host_threads::wakers(&behind);
+        let wakers = host_threads::wakers(&later);
         let mut table = lock(&self.table);
         let is_the_same = since == table.timeout(leader).map(|timeout| timeout.since());
-        if is_the_same && (expired || wakers == Wakers::Nobody) {
-            table.timeouts += u64::from(wakers == Wakers::Anybody);
-            self.give_up(&mut table, leader);
+        if is_the_same && (expired || wakers == Wakers::Blocked) {
+            table.timeouts += u64::from(wakers == Wakers::Unknown);
+            self.unschedule(&mut table, leader);
         }
         table
     }
 
-    /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been carried out.
-    /// Returns its clock then.
+    /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been executed. Returns
+    /// its clock then.
     fn await_turn<'a>(
         &'a self,
         mut table: MutexGuard<'a, ActorTable>,
@@ -207,11 +210,11 @@ impl Scheduler {
             table = self.proceed(table);
             if deferred.is_some_and(|tags| !table.is_deferred(me.rank, tags)) {
                 table.set(me.rank, Status::Free(me.timeout()));
-                self.call_next(&table);
+                self.notify_next(&table);
                 return me.clock();
             }
             let mut limit = None;
-            // While another thread carries out an act, nobody has the turn.
+            // While another thread executes an act, no actor has the turn.
             let leader = match table.due() {
                 Some(_) => None,
                 None => table.leader(),
@@ -224,7 +227,7 @@ impl Scheduler {
                             me.runner.clock.store(clock, SeqCst);
                             table.now = clock;
                             table.set(rank, Status::Free(me.timeout()));
-                            self.call_next(&table);
+                            self.notify_next(&table);
                             let limit = self.limit(&table, rank, clock);
                             me.runner.limit.store(limit, SeqCst);
                             return clock;
@@ -236,11 +239,11 @@ impl Scheduler {
                         None => {}
                         Some(Verdict::Wait(time)) => limit = Some(time),
                         Some(Verdict::Ask) => {
-                            table = self.ask_about(table, rank, false);
+                            table = self.check_leader(table, rank, false);
                             continue;
                         }
                         Some(Verdict::GiveUp) => {
-                            table = self.ask_about(table, rank, true);
+                            table = self.check_leader(table, rank, true);
                             continue;
                         }
                     }
@@ -318,7 +321,7 @@ impl Actor {
         entry.is_some_and(|entry| matches!(entry.status, Status::Waiting { .. }))
     }
 
-    /// PPE threads may go away without notice. A running SPE does not.
+    /// The time-out of a PPE thread, which may end without notice. A running SPE has none.
     fn timeout(&self) -> Option<Timeout> {
         self.is_ppe.then(Timeout::of_this_thread)
     }
@@ -345,13 +348,13 @@ impl Actor {
         self.scheduler.await_turn(table, self, None, None);
     }
 
-    /// How many of its acts are deferred.
+    /// The number of its deferred acts.
     #[inline]
     pub fn deferred(&self) -> usize {
         self.runner.deferred.load(SeqCst)
     }
 
-    /// Has `act` carried out in the actor's turn at `clock`, perhaps later and by another thread.
+    /// Schedules `act` for the actor's turn at `clock`. Another thread may execute it later.
     pub fn defer(&self, clock: u64, tags: u32, act: DeferredAct) {
         self.runner.clock.store(clock, SeqCst);
         self.runner.last_deferred.store(clock, Relaxed);
@@ -363,7 +366,7 @@ impl Actor {
         drop(self.scheduler.proceed(table));
     }
 
-    /// Waits at `clock` until its deferred acts of these tags have been carried out.
+    /// Waits at `clock` until its deferred acts of these tags have been executed.
     pub fn await_deferred(&self, clock: u64, tags: u32) {
         let mut table = lock(&self.scheduler.table);
         if !table.is_deferred(self.rank, tags) {
@@ -392,7 +395,8 @@ impl Actor {
         self.scheduler.await_turn(table, self, pause, None)
     }
 
-    /// The actor has run up to `clock`. At its limit, it lets actors that are behind go first.
+    /// Reports that the actor has run up to `clock`. At its limit, actors with smaller clocks run
+    /// first.
     #[inline]
     pub fn run_up_to(&self, clock: u64) {
         if self.is_due(clock) {
@@ -400,7 +404,7 @@ impl Actor {
         }
     }
 
-    /// Whether [`run_up_to`](Self::run_up_to) `clock` would let other actors go first.
+    /// Whether [`run_up_to`](Self::run_up_to) `clock` would let other actors run first.
     #[inline]
     pub fn is_due(&self, clock: u64) -> bool {
         clock >= self.runner.limit.load(Relaxed)
@@ -427,7 +431,7 @@ impl Actor {
         self.runner.limit.fetch_min(next, SeqCst);
     }
 
-    /// Shows how far it has run without acting.
+    /// Publishes the time up to which it has run without acting.
     pub fn progress(&self, clock: u64) {
         self.runner.clock.store(clock, SeqCst);
         self.runner.limit.store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
@@ -436,7 +440,7 @@ impl Actor {
             return self.await_deferred(clock, u32::MAX);
         }
         let first_wait = self.scheduler.first_wait.load(SeqCst);
-        // Once for each wait is enough, because the last actor that passes it calls the waiter.
+        // Once for each wait is enough, because the last actor that passes it notifies the waiter.
         // Compiled code comes here every few microseconds, and several SPEs would otherwise keep
         // the table locked.
         if clock >= first_wait
@@ -447,15 +451,15 @@ impl Actor {
         }
     }
 
-    /// Is not scheduled until it asks for a turn again.
+    /// Makes the actor an outside actor until it requests a turn again.
     pub fn leave(&self) {
         let mut table = lock(&self.scheduler.table);
         table.set(self.rank, Status::Outside);
         drop(self.scheduler.proceed(table));
     }
 
-    /// The actor, if it is outside, will soon be scheduled at `clock`. No other actor may pass
-    /// that time before.
+    /// Announces that the actor, if it is outside, will soon be scheduled at `clock`. No other
+    /// actor may pass that time before.
     pub fn expect(&self, clock: u64) {
         let mut table = lock(&self.scheduler.table);
         if let Some(entry) = table.actors.get_mut(&self.rank)
@@ -466,7 +470,7 @@ impl Actor {
         }
     }
 
-    /// Makes way for `other`, which continues at `clock` at the earliest.
+    /// Passes the turn to `other`, which continues at `clock` at the earliest, and leaves.
     pub fn hand_over_to(&self, other: &Self, clock: u64) {
         let mut table = lock(&self.scheduler.table);
         other.runner.clock.fetch_max(clock, SeqCst);
@@ -565,7 +569,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sleeper_wakes_after_the_act_that_wakes_it_and_not_before_it_slept() {
+    fn sleeper_continues_after_the_waking_act_or_at_its_limit() {
         let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
         let key = scheduler.new_key();
         let (early, late) = (free(&scheduler, 0, 0), free(&scheduler, 1, 0));

@@ -52,7 +52,7 @@ impl Simulation {
         &self.timing
     }
 
-    /// What it records, and how it counts cycles.
+    /// Its records, and its method of counting cycles.
     #[must_use]
     pub fn options(&self) -> SimulationOptions {
         self.options

@@ -172,7 +172,7 @@ impl<'a> Timed<'a> {
         }
     }
 
-    /// Where local store is accessed from outside, what the program loads may tell it that commands
+    /// Where local store is accessed from outside, a load of the program may show it that commands
     /// are complete.
     #[inline]
     fn learn_from_local_store(&self) {

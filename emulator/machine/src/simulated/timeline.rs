@@ -13,7 +13,7 @@ pub struct Sleep {
     pub start: u64,
     /// The cycle after the last.
     pub end: u64,
-    /// What it waited for: a name as in [`Waits`](super::Waits).
+    /// The reason of the wait: a name as in [`Waits`](super::Waits).
     pub cause: &'static str,
 }
 
@@ -24,7 +24,7 @@ pub struct Transfer {
     pub start: u64,
     /// The cycle in which it was complete.
     pub end: u64,
-    /// What it did: `get`, `put`, `atomic`, `signal`, or `order` for barriers and the like.
+    /// The kind of command: `get`, `put`, `atomic`, `signal`, or `order` for barriers and the like.
     pub kind: &'static str,
     /// The effective address; for a list, that of the list's base.
     pub ea: u64,
@@ -32,7 +32,7 @@ pub struct Transfer {
     pub bytes: u64,
 }
 
-/// What one SPE did, in the order of the times at which it began.
+/// The activities of one SPE, ordered by the times at which they began.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Timeline {
     /// Its sleeps.
@@ -54,7 +54,6 @@ impl Timeline {
         }
     }
 
-    /// Records a command.
     pub(super) fn transfer(
         &mut self,
         (start, end): (u64, u64),
@@ -84,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sleeps_that_follow_one_another_for_one_reason_are_one() {
+    fn adjacent_sleeps_with_one_cause_are_merged() {
         let mut timeline = Timeline::default();
         for (start, end, wait) in [
             (10, 20, Wait::Tag),

@@ -1,11 +1,11 @@
 //! Time-outs for actors that may never act again: PPE threads between two calls, and SPEs that are
 //! loaded but not yet running.
 //!
-//! The emulator can't know whether a thread that is computing, or sleeps in a system call, will
-//! call the library again. So other actors wait for it only for a limited time of the host's
+//! The emulator can't determine whether a thread that is computing, or sleeps in a system call,
+//! will call the library again. So other actors wait for it only for a limited time of the host's
 //! clock. This is the only place where the host's time matters. A thread that was given up joins
-//! again at its own clock with its next call. SPEs may be ahead of it by then, and its actions
-//! take effect at their clocks.
+//! again at its own clock with its next call. SPEs may be ahead of it by then, and its actions take
+//! effect at their clocks.
 //!
 //! Where all threads of the process wait for each other, it is certain that no thread will act
 //! before one is given up. That is found at once, does not depend on the host's time, and is not
@@ -30,7 +30,6 @@ pub const TIME_LIMIT: Duration = Duration::from_secs(2);
 #[derive(Debug)]
 pub(super) struct Timeout {
     since: Instant,
-    /// The thread's folder in /proc.
     thread: Option<PathBuf>,
     last: Option<(Instant, Sleep)>,
     /// How long the thread was held up in its life before the first check.
@@ -85,7 +84,7 @@ impl Timeout {
 
     /// How long the thread was held up since the first check.
     fn held_up(&mut self) -> Duration {
-        let Some(now) = self.thread.as_deref().and_then(host_threads::held_up) else {
+        let Some(now) = self.thread.as_deref().and_then(host_threads::time_preempted) else {
             return Duration::ZERO;
         };
         now.saturating_sub(*self.held_up.get_or_insert(now))
@@ -120,12 +119,12 @@ mod tests {
     #[test]
     fn a_thread_that_sleeps_for_long_is_given_up_and_one_that_computes_is_not() {
         let (end, ended) = mpsc::channel::<()>();
-        let (tell, told) = mpsc::channel();
+        let (sender, receiver) = mpsc::channel();
         let sleeper = thread::spawn(move || {
-            tell.send(Timeout::of_this_thread()).unwrap();
+            sender.send(Timeout::of_this_thread()).unwrap();
             ended.recv().unwrap_err();
         });
-        let mut timeout = told.recv().unwrap();
+        let mut timeout = receiver.recv().unwrap();
         let folder = timeout.thread.clone().unwrap();
         // It may still wake for a moment to give up a lock.
         while host_threads::sleep(&folder).is_none() {
@@ -148,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn nobody_computes_for_longer_than_the_limit_but_for_what_holds_him_up() {
+    fn computing_past_the_limit_expires_unless_preempted() {
         let mut timeout = Timeout::without_thread();
         assert!(!timeout.has_expired(timeout.since + TIME_LIMIT - POLL_INTERVAL));
         assert!(timeout.has_expired(timeout.since + TIME_LIMIT));

@@ -35,7 +35,7 @@ pub enum TimingFileError {
         source: Box<toml::de::Error>,
     },
     /// A figure is too small or too large.
-    #[error("{}:{line}: {table}.{field} is {least} to {most}, not {value}", path.display())]
+    #[error("{}:{line}: {table}.{field} is {min} to {max}, not {value}", path.display())]
     Range {
         /// The file.
         path: PathBuf,
@@ -45,10 +45,10 @@ pub enum TimingFileError {
         table: &'static str,
         /// The field.
         field: &'static str,
-        /// Its least value.
-        least: f64,
-        /// Its largest value.
-        most: f64,
+        /// Its minimum.
+        min: f64,
+        /// Its maximum.
+        max: f64,
         /// The value in the file.
         value: f64,
     },
@@ -76,7 +76,7 @@ impl Timing {
         let timing: Self = toml::from_str(text).map_err(failed)?;
         let document = DeTable::parse(text).map_err(failed)?;
         for figure in timing.figures() {
-            if (figure.least..=LARGEST).contains(&figure.value) {
+            if (figure.min..=LARGEST).contains(&figure.value) {
                 continue;
             }
             let (field, unit) = match figure.name.strip_suffix("_tenths") {
@@ -93,8 +93,8 @@ impl Timing {
                 line: text[..start].matches('\n').count() + 1,
                 table: figure.table,
                 field,
-                least: figure.least as f64 / unit,
-                most: LARGEST as f64 / unit,
+                min: figure.min as f64 / unit,
+                max: LARGEST as f64 / unit,
                 value: figure.value as f64 / unit,
             });
         }
@@ -109,7 +109,7 @@ impl<'de> Deserialize<'de> for Tenths {
             type Value = Tenths;
 
             fn expecting(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                formatter.write_str("a number of cycles with at most one decimal")
+                formatter.write_str("a number of cycles with at max one decimal")
             }
 
             fn visit_i64<E: Error>(self, cycles: i64) -> Result<Tenths, E> {

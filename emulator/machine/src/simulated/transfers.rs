@@ -2,7 +2,7 @@
 //!
 //! Data moves when the command is given, in the SPU's turn; another thread may move it in place of
 //! the SPU's. Only data for another local store moves when its transfer is complete. Results that
-//! the program can see, tags and room in the queue, appear at the simulated time. A command that
+//! the program can see, tags and free queue entries, appear at the simulated time. A command that
 //! must follow earlier commands is delayed until those are complete.
 
 use std::sync::{Arc, Mutex, MutexGuard};

@@ -196,7 +196,7 @@ impl RunningChannels<'_> {
                     u32::from(there && state.signals[at].waiting())
                 }))
             }
-            CMD => self.mfc(SpuSide::room),
+            CMD => self.mfc(SpuSide::free),
             RD_TAG_STAT => self.mfc(SpuSide::tag_status_count),
             RD_LIST_STALL_STAT => {
                 let count = self.mfc(SpuSide::stalled_count)?;
@@ -206,10 +206,10 @@ impl RunningChannels<'_> {
                 let count = self.own.mfc.atomic_status_count();
                 Ok(count * self.arrived(|transfers| transfers.atomic_at()))
             }
-            WR_OUT_MBOX => Ok(self.problem_state().with(|state| count(state.outbound.room()))),
+            WR_OUT_MBOX => Ok(self.problem_state().with(|state| count(state.outbound.free()))),
             RD_IN_MBOX => Ok(self.problem_state().with(|state| count(state.inbound.waiting()))),
             WR_OUT_INTR_MBOX => {
-                Ok(self.problem_state().with(|state| count(state.outbound_interrupt.room())))
+                Ok(self.problem_state().with(|state| count(state.outbound_interrupt.free())))
             }
             WR_EVENT_MASK..=WR_EVENT_ACK
             | WR_DEC..=WR_MS_SYNC_REQ

@@ -1,4 +1,4 @@
-//! What a debugger sees of an SPE between two instructions, besides its registers.
+//! The state of an SPE between two instructions that a debugger sees, besides its registers.
 
 use super::running::RunningChannels;
 use crate::mfc::command::Command;
@@ -53,7 +53,7 @@ pub struct ChannelState {
     pub tag_status: Option<u32>,
     /// The status of an atomic command that can be read.
     pub atomic_status: Option<u32>,
-    /// The tags of lists that have stalled, and of which the program does not know yet.
+    /// The tags of lists that have stalled, and that the program has not read yet.
     pub stalled_tags: u32,
     /// The DMA commands that are not complete, oldest first. In simulated time they are known only
     /// to a machine that [looks for races](crate::simulated::SimulationOptions::races).

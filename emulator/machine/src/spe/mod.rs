@@ -354,8 +354,8 @@ impl Spe {
 
     /// Number of words that still fit into the inbound mailbox.
     #[must_use]
-    pub fn inbound_room(&self) -> usize {
-        self.look(|state| state.inbound.room())
+    pub fn inbound_free(&self) -> usize {
+        self.look(|state| state.inbound.free())
     }
 
     /// Writes a word to the inbound mailbox, and sleeps while it is full. Returns `false` if the

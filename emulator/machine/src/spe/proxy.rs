@@ -82,7 +82,7 @@ impl Spe {
 
     fn enqueue_proxy(&self, command: Command) {
         let mut proxy = lock(&self.proxy);
-        if proxy.queue.room() == 0 {
+        if proxy.queue.free() == 0 {
             // The queue contains no list commands, so its oldest command may always run.
             self.proxy_step(&mut proxy, u32::MAX);
         }

@@ -104,7 +104,7 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// The program has read something that may tell it which commands are complete.
+    /// The program has read something that may show it which commands are complete.
     pub(super) fn learn(&self) {
         if self.races.borrow().are_possible() {
             self.await_completions();
@@ -180,7 +180,7 @@ impl<'a> RunningChannels<'a> {
             (Arc::clone(&self.spe.machine), Arc::clone(&self.spe.problem_state));
         let mut transfers = transfers.shared();
         let tag = put.tag_bit();
-        let told = {
+        let completion = {
             let mut races = self.races.borrow_mut();
             let movement = races.are_watched().then(|| put.movement());
             let given = movement.and_then(|movement| races.give(&movement));
@@ -189,8 +189,8 @@ impl<'a> RunningChannels<'a> {
         let act = move || match put.write(machine.interconnect()) {
             Ok(movement) => {
                 let complete = transfers.add(movement, now);
-                if let Some(told) = told {
-                    told.store(complete, SeqCst);
+                if let Some(completion) = completion {
+                    completion.store(complete, SeqCst);
                 }
             }
             Err(fault) => problem_state.request_stop(Some(fault)),
@@ -272,7 +272,7 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// Sleeps until `take` returns a value, then notifies the threads that wait for room.
+    /// Sleeps until `take` returns a value, then notifies the threads that wait to write.
     pub(super) fn receive(
         &mut self,
         wait: Wait,
@@ -292,7 +292,7 @@ impl<'a> RunningChannels<'a> {
         Ok(word)
     }
 
-    /// Sleeps until `give` finds room, then notifies the threads that wait for the data.
+    /// Sleeps until `give` succeeds, then notifies the threads that wait for the data.
     pub(super) fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
         self.sleep(Wait::Mailbox, |_, state| give(state).then_some(()))?;
         self.learn();

@@ -40,7 +40,6 @@ pub enum ViewError {
 pub struct View<'a> {
     pub(super) code: &'a Code,
     pub(super) cycles_per_second: u64,
-    /// Tallies by address and word.
     pub(super) tallies: BTreeMap<(u32, u32), Tally>,
 }
 

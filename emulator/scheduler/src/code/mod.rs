@@ -71,7 +71,7 @@ pub struct Function {
     pub end: u32,
 }
 
-/// What the analyser knows about a file.
+/// The analysis of a file.
 #[derive(Clone, Debug)]
 pub struct Code {
     words: BTreeMap<u32, u32>,

@@ -14,7 +14,8 @@ use spu_isa::{Op, Pipe};
 const FIRST_VIRTUAL: u8 = 128;
 
 /// The body with copies, so that no value lives longer than `life` for each pass that the kernel
-/// contains. `None` if copies don't help, or if no pipe has room for them in `interval` cycles.
+/// contains. `None` if copies don't help, or if no pipe has free slots for them in `interval`
+/// cycles.
 pub(super) fn insert(
     body: &[Node],
     interval: i64,
@@ -38,13 +39,13 @@ pub(super) fn insert(
         let kept = cycle.iter().filter(|edge| edge.keeps.is_some());
         let longest_lived = kept.max_by_key(|edge| lives(edge))?;
         let (reader, source) = (longest_lived.from, longest_lived.keeps?);
-        let room = |pipe| {
+        let has_free_slot = |pipe| {
             let taken = nodes.iter().filter(|node| node.pipe() == pipe).count();
             (taken as i64) < interval
         };
-        let op = if room(Pipe::Odd) {
+        let op = if has_free_slot(Pipe::Odd) {
             Op::Shlqbyi
-        } else if room(Pipe::Even) {
+        } else if has_free_slot(Pipe::Even) {
             Op::Ori
         } else {
             return None;
@@ -64,7 +65,7 @@ fn with_copy(
     register: u8,
 ) -> Vec<Node> {
     let values = Values::of(&nodes);
-    let (behind, copied, named) = match source {
+    let (position, copied, named) = match source {
         Source::Node(at) => (at + 1, nodes[at].i.rt, nodes[at].plain.rt),
         Source::Entry(register) => (0, register, register),
     };
@@ -84,6 +85,6 @@ fn with_copy(
             changed[at].set_register(field, register);
         }
     }
-    changed.insert(behind, copy);
+    changed.insert(position, copy);
     changed
 }

@@ -37,10 +37,10 @@ pub(super) struct Edge {
     pub keeps: Option<Source>,
 }
 
-/// The least number of cycles between two instructions if the first must come before the second in
-/// the code.
-pub(super) fn in_order(before: &Node, behind: &Node) -> i64 {
-    i64::from(!(before.pipe() == Pipe::Even && behind.pipe() == Pipe::Odd))
+/// The minimum number of cycles between two instructions if the first must come before the second
+/// in the code.
+pub(super) fn in_order(before: &Node, later: &Node) -> i64 {
+    i64::from(!(before.pipe() == Pipe::Even && later.pipe() == Pipe::Odd))
 }
 
 struct Graph<'a> {

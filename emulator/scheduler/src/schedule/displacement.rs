@@ -63,7 +63,7 @@ impl Movable {
         } else {
             (ceiling(-one.1, -step), (-one.0).div_euclid(-step))
         };
-        // The first passes have no increments before them, and the last ones none behind them, so
+        // The first passes have no increments before them, and the last ones none after them, so
         // that fewer steps than in the others must be possible, too.
         (ahead.0 <= 1 && ahead.1 >= 0 && ahead.0 <= ahead.1).then_some(Self {
             register,
@@ -94,7 +94,7 @@ pub(super) struct Moved {
 
 impl Moved {
     /// The access in the kernel, with `ahead` increments of this pass and later ones before it. If
-    /// negative, so many of earlier passes come behind it.
+    /// negative, that number of earlier passes' increments comes after it.
     pub fn new(access: Movable, ahead: i64) -> Self {
         Self { access, ahead }
     }
@@ -116,7 +116,7 @@ impl Moved {
         self.access.displacement(self.ahead.max(-pass))
     }
 
-    /// Its displacement in the drain, in a pass that so many passes follow.
+    /// Its displacement in the drain, in a pass that `following` passes follow.
     pub fn in_drain(&self, following: i64) -> i32 {
         self.access.displacement(self.ahead.min(following + 1))
     }
@@ -127,29 +127,29 @@ mod tests {
     use super::super::layout::plain;
     use super::*;
 
-    /// `lqd $5,displacement($4)`, behind or before `ai $4,$4,step`.
-    fn load(displacement: i32, step: i32, behind: bool) -> Option<Movable> {
+    /// `lqd $5,displacement($4)`, after or before `ai $4,$4,step`.
+    fn load(displacement: i32, step: i32, after: bool) -> Option<Movable> {
         let load = Node::added(plain(Op::Lqd, 5, 4, displacement), None, "");
         let advance = Node::added(plain(Op::Ai, 4, 4, step), None, "");
-        let nodes = if behind { [advance, load] } else { [load, advance] };
+        let nodes = if after { [advance, load] } else { [load, advance] };
         let moves = Freedom { moves: true, ..Freedom::NONE };
-        Movable::of_loop(&nodes, moves)[usize::from(behind)]
+        Movable::of_loop(&nodes, moves)[usize::from(after)]
     }
 
     #[test]
     fn an_access_moves_as_far_as_its_displacement_can_follow() {
         for displacement in [-8192, -8176, -48, 0, 16, 8160, 8176] {
             for step in [-512, -48, -16, 16, 32, 496] {
-                for behind in [false, true] {
-                    let movable = load(displacement, step, behind).unwrap();
-                    let plain = i64::from(displacement) + i64::from(behind) * i64::from(step);
+                for after in [false, true] {
+                    let movable = load(displacement, step, after).unwrap();
+                    let plain = i64::from(displacement) + i64::from(after) * i64::from(step);
                     let fits = |ahead: &i64| {
                         let needed = plain - ahead * i64::from(step);
                         (-8192..=8176).contains(&needed)
                     };
                     let fitting: Vec<i64> = (-2000..=2000).filter(fits).collect();
                     let all: Vec<i64> = (movable.ahead.0..=movable.ahead.1).collect();
-                    assert_eq!(all, fitting, "{displacement}, {step}, {behind}");
+                    assert_eq!(all, fitting, "{displacement}, {step}, {after}");
                     for ahead in all {
                         let moved = movable.displacement(ahead);
                         assert_eq!(i64::from(moved), plain - ahead * i64::from(step));

@@ -32,7 +32,7 @@ pub enum ScheduleError {
         file: String,
         /// The line number in it, from 1.
         line: u64,
-        /// What is wrong there.
+        /// The error there.
         what: Unschedulable,
     },
 }
@@ -67,7 +67,7 @@ pub enum Unschedulable {
     #[error("function {0} has no `endfunction` or `.size` after it")]
     NoEnd(String),
     /// No register is free for a test that the schedule needs.
-    #[error("none of the registers $2 to $79 is free here")]
+    #[error("no register of $2 to $79 is free here")]
     NoRegister,
     /// A fault of the scheduler: the schedule does not have all the instructions of the plain
     /// code.

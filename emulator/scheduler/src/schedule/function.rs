@@ -77,9 +77,9 @@ pub(super) struct Node {
     pub line: u64,
     /// Its address in the plain object, or `None` if the scheduler added it.
     pub origin: Option<u32>,
-    /// A store whose line says that it may overlap any other access.
+    /// A store that is marked as one that may overlap any other access.
     pub may_alias: bool,
-    /// The branch of a loop whose line says that its kernel may contain only one pass.
+    /// The branch of a loop that is marked as one whose kernel may contain only one pass.
     pub one_pass: bool,
     /// A memory access that stays in order with all other accesses. The passes of a loop may
     /// access the same memory in ways that can't be seen from registers any more.
@@ -284,7 +284,7 @@ impl Function {
         }
     }
 
-    /// Records that an instruction occurs so many times more in the schedule than before.
+    /// Records that an instruction occurs `times` times more in the schedule than before.
     pub fn copied(&mut self, node: &Node, times: usize) {
         if let Some(origin) = node.origin {
             *self.copies.entry(origin).or_insert(1) += times;

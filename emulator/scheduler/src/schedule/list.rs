@@ -32,7 +32,7 @@ pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>)
             };
             let cycles: Vec<u64> = order.iter().map(|&at| cycles[at]).collect();
             let cost = layout::cost(&placed, &cycles);
-            if best.as_ref().is_none_or(|(least, ..)| cost < *least) {
+            if best.as_ref().is_none_or(|(min, ..)| cost < *min) {
                 best = Some((cost, placed, cycles));
             }
         }

@@ -2,9 +2,10 @@
 //!
 //! It takes an object and the source that it was assembled from. It writes the source again with
 //! each function scheduled: blocks by list scheduling, counted loops by software pipelining. The
-//! output has the notes that `spu time --check` compares with the model. `docs/spu-programming.md` says
-//! what the scheduler assumes about memory and registers. It knows the instruction table and the
-//! pipelines, but not what the code computes. Invariant: the same input produces the same bytes.
+//! output has the notes that `spu time --check` compares with the model. `docs/spu-programming.md`
+//! lists the scheduler's assumptions about memory and registers. It uses the instruction table and the
+//! pipeline model, but not the meaning of the code. Invariant: the same input produces the same
+//! bytes.
 
 mod allocate;
 mod colour;

@@ -60,9 +60,9 @@ pub(super) fn impossible(count: usize, edges: &[Edge], interval: i64) -> Option<
     for _ in 0..=count {
         moved = None;
         for edge in edges {
-            let least = time[edge.from] + edge.latency - interval * edge.distance;
-            if least > time[edge.to] {
-                time[edge.to] = least;
+            let earliest = time[edge.from] + edge.latency - interval * edge.distance;
+            if earliest > time[edge.to] {
+                time[edge.to] = earliest;
                 cause[edge.to] = Some(*edge);
                 moved = Some(edge.to);
             }
@@ -212,12 +212,12 @@ impl<'a> Problem<'a> {
     fn disturbed(&self, table: &Table<'_>, at: usize, cycle: i64) -> Vec<usize> {
         let interval = self.interval;
         let predecessors = self.predecessors[at].iter().filter_map(|edge| {
-            let least = table.times[edge.from]? + edge.latency - interval * edge.distance;
-            (edge.from != at && least > cycle).then_some(edge.from)
+            let earliest = table.times[edge.from]? + edge.latency - interval * edge.distance;
+            (edge.from != at && earliest > cycle).then_some(edge.from)
         });
         let successors = self.successors[at].iter().filter_map(|edge| {
-            let least = cycle + edge.latency - interval * edge.distance;
-            (edge.to != at && least > table.times[edge.to]?).then_some(edge.to)
+            let earliest = cycle + edge.latency - interval * edge.distance;
+            (edge.to != at && earliest > table.times[edge.to]?).then_some(edge.to)
         });
         predecessors.chain(successors).collect()
     }

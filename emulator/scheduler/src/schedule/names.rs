@@ -10,7 +10,6 @@ use super::source::Name;
 /// The names in one source and its schedule.
 pub(super) struct Names<'a> {
     given: Vec<Name<'a>>,
-    /// Names that are taken.
     used: BTreeSet<String>,
     /// Labels of the source that the schedule has not used yet.
     unclaimed: BTreeSet<String>,

@@ -23,7 +23,6 @@ const LOW: u32 = 4;
 
 type File<'data> = ElfFile32<'data, BigEndian>;
 
-/// An object file.
 pub(super) struct Plain<'data> {
     file: File<'data>,
     code: Code,
@@ -34,7 +33,6 @@ pub(super) struct Plain<'data> {
 /// An error and its line.
 pub(super) type Fault = (u64, Unschedulable);
 
-/// The code of a function.
 pub(super) struct FunctionCode {
     pub name: String,
     pub start: u32,
@@ -42,7 +40,6 @@ pub(super) struct FunctionCode {
     pub placed: Vec<Placed>,
 }
 
-/// An instruction of an object.
 pub(super) struct Placed {
     pub address: u32,
     pub word: u32,

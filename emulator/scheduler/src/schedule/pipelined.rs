@@ -30,7 +30,7 @@ const ATTEMPTS: (usize, usize) = (24, 160);
 const KEPT: usize = 12;
 /// The number of limits on the lives of values that are tried at each interval. The first limit is
 /// the interval itself; each further one is shorter by a fraction of it. A shorter limit needs
-/// more copies but leaves more room for each instruction.
+/// more copies but allows more cycles for each instruction.
 const LIVES: i64 = 5;
 const LIFE_PARTS: i64 = 12;
 /// The number of instructions between a hint and its branch that keeps the branch in reach even
@@ -90,7 +90,6 @@ pub struct Figures {
     pub passes: u64,
 }
 
-/// A scheduled kernel.
 struct Kernel {
     /// For each pass that it contains: the nodes in the order of the code, the branch last, each
     /// with its stage.
@@ -448,7 +447,7 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
         for node in kernel.nodes() {
             // Besides the short form: each part of the kernel contains every stage, and a drain of
             // its own contains a stage as often as there are stages before it. The fill contains it
-            // as often as there are stages behind it. The branch back closes only the last part.
+            // as often as there are stages after it. The branch back closes only the last part.
             let more = if node.ends_block() {
                 1
             } else {

@@ -31,7 +31,6 @@ pub(super) struct Lines {
     pub end: usize,
 }
 
-/// The text of a source.
 pub(super) struct Source<'a> {
     pub lines: Vec<&'a str>,
 }
@@ -45,7 +44,6 @@ pub(super) struct Name<'a> {
     pub inside: bool,
 }
 
-/// An error and its line.
 type Fault = (u64, Unschedulable);
 
 impl<'a> Source<'a> {
@@ -62,8 +60,8 @@ impl<'a> Source<'a> {
                 at += 1;
                 continue;
             };
-            let behind = self.lines.iter().enumerate().skip(at + 1);
-            let mut ends = behind.filter(|(_, line)| ends(line, name));
+            let after = self.lines.iter().enumerate().skip(at + 1);
+            let mut ends = after.filter(|(_, line)| ends(line, name));
             let Some((end, _)) = ends.next() else {
                 return Err((at as u64 + 1, Unschedulable::NoEnd(name.to_owned())));
             };
@@ -177,10 +175,10 @@ impl<'a> Source<'a> {
             counts
                 && line.match_indices(name).any(|(at, _)| {
                     let before = line[..at].chars().next_back();
-                    let behind = line[at + name.len()..].chars().next();
+                    let after = line[at + name.len()..].chars().next();
                     at > 0
                         && !before.is_some_and(in_name)
-                        && !behind.is_some_and(in_name)
+                        && !after.is_some_and(in_name)
                         && !line[..at].trim().is_empty()
                 })
         })
@@ -215,9 +213,9 @@ impl<'a> Source<'a> {
         text: &mut String,
     ) {
         let header = self.lines.iter().take_while(|line| line.starts_with('#'));
-        let behind = header.count();
+        let after = header.count();
         for at in range {
-            if at == behind {
+            if at == after {
                 let name = Path::new(path).file_name().unwrap_or_default();
                 text.push_str("# Scheduled by spu schedule from ");
                 text.push_str(&name.to_string_lossy());
@@ -256,9 +254,9 @@ fn ends(line: &str, name: &str) -> bool {
 /// The text after `Out` in a line of the header.
 fn out(line: &str) -> Option<&str> {
     let text = line.strip_prefix('#')?;
-    let (before, behind) = text.split_once("Out ")?;
+    let (before, after) = text.split_once("Out ")?;
     let first = before.trim().is_empty();
-    (first && before.len() == 3 || before.ends_with("  ")).then_some(behind)
+    (first && before.len() == 3 || before.ends_with("  ")).then_some(after)
 }
 
 /// Parses registers and ranges of them, such as `$3` and `$10-$12`.

@@ -20,7 +20,6 @@ const INDENT: usize = 4;
 /// Constants from this value on are written in hexadecimal.
 const LARGE: i32 = 1024;
 
-/// A word of the schedule.
 pub(super) struct Word {
     pub node: Node,
     pub address: u32,
@@ -54,7 +53,6 @@ pub(super) fn names(made: &[(String, u8)]) -> String {
     text
 }
 
-/// Writes a function's words.
 pub(super) fn write(
     words: &[Word],
     labels: &BTreeMap<BlockId, String>,
@@ -79,10 +77,10 @@ pub(super) fn write(
             comment => comment,
         };
         let note = format!("{line:<NOTES$} # {}", word.slot).replacen("  #", " #", 1);
-        let room = WIDTH.saturating_sub(note.len() + 1);
+        let width = WIDTH.saturating_sub(note.len() + 1);
         let mut kept = String::new();
         for part in own.split_whitespace() {
-            if kept.len() + part.len() + usize::from(!kept.is_empty()) > room {
+            if kept.len() + part.len() + usize::from(!kept.is_empty()) > width {
                 break;
             }
             if !kept.is_empty() {

@@ -12,7 +12,6 @@ pub(super) enum Source {
     Entry(u8),
 }
 
-/// The values of a block.
 pub(super) struct Values {
     /// The fields that each node reads, with their origins.
     pub reads: Vec<Vec<(Field, Source)>>,

@@ -105,8 +105,8 @@ pub(super) fn text(
             return Err((line, Unschedulable::Miswritten { meant, found }));
         }
     }
-    let mut behind = placed.iter().skip(words.len());
-    match behind.find(|placed| !is_no_operation(placed.i)) {
+    let mut after = placed.iter().skip(words.len());
+    match after.find(|placed| !is_no_operation(placed.i)) {
         Some(more) => Err((line, Unschedulable::Foreign(shown(more.i)))),
         None => Ok(()),
     }
@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_lost_or_doubled_is_counted() {
+    fn lost_or_duplicated_instructions_are_counted() {
         let lost = fault(|words| drop(words.pop()));
         assert!(lost.contains("the schedule has `il $3,1 (0x40800083)` 0 times, not 1"), "{lost}");
         let doubled = fault(|words| words.extend(scheduled().pop()));
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_changed_or_foreign_is_named() {
+    fn changed_or_foreign_instructions_are_named() {
         // The stop's code, the addend, and an addition that no schedule makes.
         let changed = fault(|words| words[1].node.i.immediate = 0);
         assert!(changed.contains("`stop (0x00000000)`"), "{changed}");

@@ -69,7 +69,6 @@ pub(super) fn written(words: &[Word]) -> Registers {
     written.fold(0, |set, register| set | bit(register))
 }
 
-/// The words of each block.
 fn scheduled(function: &Function) -> Vec<Vec<Node>> {
     let liveness = function.liveness();
     let words = |(at, block): (usize, &Block)| match &block.cycles {

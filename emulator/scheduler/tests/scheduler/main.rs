@@ -98,7 +98,7 @@ fn the_sections_of_an_object_are_laid_out() {
         assert_eq!((outcome.notes, &outcome.differences[..]), (6, &[][..]));
         let names: Vec<_> = code.functions().iter().map(|f| f.name.as_str()).collect();
         assert_eq!(names, ["_start", "other"]);
-        // The branch to `other` goes back, even if only a relocation tells.
+        // The branch to `other` goes back, even if only a relocation shows that.
         let other = &code.functions()[1];
         let loops = find_loops(&code.words(other.start, other.end), Rules::default());
         assert_eq!(loops.len(), 1);
@@ -121,7 +121,7 @@ fn wrong_notes_are_named() {
 }
 
 #[test]
-fn notes_that_fit_no_instruction_are_named() {
+fn notes_without_an_instruction_are_reported() {
     let outcome = notes(&program("macros"), "macros", |text| text);
     let models: Vec<_> = outcome
         .differences
@@ -145,7 +145,7 @@ fn a_source_that_is_not_in_the_table_is_an_error() {
 }
 
 #[test]
-fn what_is_no_spu_file_is_an_error() {
+fn file_of_another_format_is_an_error() {
     assert!(matches!(Code::parse(b"no"), Err(CodeError::Elf(_))));
     let mut image = build("straight", |work| work.join("program"));
     // e_machine is at offset 18, big-endian.

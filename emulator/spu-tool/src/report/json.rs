@@ -8,7 +8,7 @@ use spu_scheduler::code::Code;
 
 use super::function::FunctionReport;
 
-/// What delayed an instruction.
+/// The cause of an instruction's delay.
 #[derive(Serialize)]
 struct Wait {
     cause: String,

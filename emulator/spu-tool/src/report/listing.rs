@@ -153,8 +153,8 @@ fn row(line: &Line, leads: bool) -> String {
 fn picture(issue: &Issue) -> String {
     let mut columns = [' '; COLUMNS];
     let in_flight = (issue.ready_cycle - issue.cycle).max(1);
-    let room = (COLUMNS as u64).saturating_sub(in_flight);
-    let waiting = issue.waited_cycles.min(room).min(issue.cycle);
+    let free_columns = (COLUMNS as u64).saturating_sub(in_flight);
+    let waiting = issue.waited_cycles.min(free_columns).min(issue.cycle);
     for cycle in issue.cycle - waiting..issue.cycle {
         columns[cycle as usize % COLUMNS] = '-';
     }

@@ -71,7 +71,7 @@ fn a_program_that_sleeps_for_ever_is_ended() {
     // Nobody reads a mailbox without a file, in simulated time or not.
     for (channel, option) in [(28, "--out-mbox"), (30, "--out-intr-mbox")] {
         let twice = format!(" wrch $ch{channel},$3\n wrch $ch{channel},$3\n stop 0x2000");
-        fault(&twice, &[], 125, &["waits for room", option, "<_start+0x4>"]);
+        fault(&twice, &[], 125, &["mailbox is full", option, "<_start+0x4>"]);
     }
     fault(" rdch $3,$ch3", &["--patience", "0"], 125, &["sleeps for ever"]);
 }

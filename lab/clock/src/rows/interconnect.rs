@@ -90,7 +90,7 @@ fn latency(other: usize) -> Result<f64, ClockError> {
     Ok(of(Benchmark::Stream)? - of(Benchmark::StreamWithoutCommand)?)
 }
 
-/// Cycles of a signal of SPU 0 to another one, and of its answer.
+/// Cycles of a signal of SPU 0 to another one, and of its reply.
 fn signals(other: usize) -> Result<f64, ClockError> {
     let passes = 1000;
     let measured = run(ALL, Mapped::Signals, Ppe::Waits, |place, number| {

@@ -85,13 +85,13 @@ fn atomics() -> Vec<Row> {
         ),
         Row::new(
             "fairness",
-            "atomic increments by six SPUs: the least share of an SPU, where 1 is a sixth",
+            "atomic increments by six SPUs: the min share of an SPU, where 1 is a sixth",
             "share",
             None,
             || {
                 let measured = on_one_line(ALL, Benchmark::Increments, 6000)?;
-                let least = measured.iter().map(|spu| spu.done).min().unwrap_or(0);
-                Ok(f64::from(least) * ALL as f64 / 6000.0)
+                let min = measured.iter().map(|spu| spu.done).min().unwrap_or(0);
+                Ok(f64::from(min) * ALL as f64 / 6000.0)
             },
         ),
         Row::new(

@@ -12,7 +12,6 @@ use crate::{CYCLES_PER_TICK, GIGAHERTZ};
 
 /// The number of SPEs that PS3 Linux has.
 const ALL: usize = 6;
-/// Bytes in a line.
 const LINE: f64 = 128.0;
 
 /// How certain a console's figure is.
@@ -158,7 +157,7 @@ impl Stream {
         }
     }
 
-    /// GB/s of all SPEs together. `ea` says where the commands of an SPE go.
+    /// GB/s of all SPEs together. `ea` returns the effective address for an SPE's commands.
     fn rate(
         self,
         spes: usize,

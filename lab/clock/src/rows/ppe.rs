@@ -17,7 +17,7 @@ pub fn rows() -> Vec<Row> {
     ]
 }
 
-/// Microseconds of a word to the PPE, which polls, and of its answer.
+/// Microseconds of a word to the PPE, which polls, and of its reply.
 fn round_trip(benchmark: Benchmark, ppe: Ppe) -> Result<f64, ClockError> {
     let passes = 300;
     let measured = run(1, Mapped::Nothing, ppe, |_, _| Order::new(benchmark, passes))?;

@@ -88,7 +88,6 @@ impl Choices<'_> {
         }
     }
 
-    /// A word of code.
     fn code(&mut self) -> u32 {
         const BRANCHES: [Op; 8] =
             [Op::Br, Op::Brz, Op::Brnz, Op::Brhz, Op::Brhnz, Op::Brsl, Op::Brnz, Op::Brz];

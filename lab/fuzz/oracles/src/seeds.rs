@@ -42,7 +42,7 @@ fn both_engines() {
     });
 }
 
-/// The seeds of so many random inputs, times `CELLRAY_TEST_ROUNDS`, from `SPU_FUZZ_SEED` on.
+/// The seeds of `count` random inputs, times `CELLRAY_TEST_ROUNDS`, from `SPU_FUZZ_SEED` on.
 fn seeds(count: u32) -> Range<u64> {
     let first = std::env::var("SPU_FUZZ_SEED").map_or(0, |seed| seed.parse().unwrap());
     first..first + u64::from(randomness::rounds(count))

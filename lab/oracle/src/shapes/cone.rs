@@ -72,8 +72,8 @@ impl Cone {
         let (radius, growth) = (self.radii[0] + self.slope * height, self.slope * rise);
         let a = (sweep.length() - growth) * (sweep.length() + growth);
         let b = across.dot(sweep) - radius * growth;
-        let least = rounding(ray.origin, from_base);
-        let (enter, leave) = if self.above(height, across.length()).abs() <= least {
+        let min = rounding(ray.origin, from_base);
+        let (enter, leave) = if self.above(height, across.length()).abs() <= min {
             let other = -2.0 * b / a;
             if b > 0.0 { (other, f64::NEG_INFINITY) } else { (f64::NEG_INFINITY, other) }
         } else {
@@ -91,7 +91,7 @@ impl Cone {
             if (0.0..=self.height).contains(&(height + t * rise)) { t } else { f64::NEG_INFINITY }
         };
         let crossings = [(within(enter), !self.hollow), (within(leave), self.hollow)];
-        nearest_seen(crossings, self.sides, least, limit)
+        nearest_seen(crossings, self.sides, min, limit)
     }
 
     pub(super) fn place(&self, point: DVec3, direction: DVec3) -> Place {

@@ -117,10 +117,10 @@ fn rounding(point: DVec3, from_own_origin: DVec3) -> f64 {
     64.0 * f64::EPSILON * (largest(point) + largest(from_own_origin))
 }
 
-/// The nearest visible one of two crossings, at a distance above `least` and below `limit`. Each
+/// The nearest visible one of two crossings, at a distance above `min` and below `limit`. Each
 /// crossing has its distance, and whether the ray goes against the normal.
-fn nearest_seen(crossings: [(f64, bool); 2], sides: Sides, least: f64, limit: f64) -> Option<f64> {
-    let seen = |&(t, against): &(f64, bool)| t > least && t < limit && sides.seen(against);
+fn nearest_seen(crossings: [(f64, bool); 2], sides: Sides, min: f64, limit: f64) -> Option<f64> {
+    let seen = |&(t, against): &(f64, bool)| t > min && t < limit && sides.seen(against);
     let distances = crossings.iter().filter(|it| seen(it)).map(|&(t, _)| t);
     distances.reduce(f64::min)
 }

@@ -126,8 +126,8 @@ impl Polygon {
             (whole > 0.0).then(|| parts / whole)
         };
         let facets = self.smooth.iter().filter_map(|facet| Some((facet, shares(facet)?)));
-        // Rounding may put a point on an inner edge outside of both: it is the least outside of
-        // one.
+        // Rounding may put a point on an inner edge outside of both: it is outside of
+        // one by the smallest distance.
         let (facet, shares) =
             facets.max_by(|(_, a), (_, b)| a.min_element().total_cmp(&b.min_element()))?;
         let [a, b, c] = facet.normals;

@@ -1,6 +1,6 @@
 //! Spheres.
 //!
-//! The ray's least distance from the centre decides about a hit, not b² - a c, which loses the
+//! The ray's smallest distance from the centre decides about a hit, not b² - a c, which loses the
 //! radius of a small sphere far away. The root that would cancel is the roots' product divided by
 //! the other.
 
@@ -29,8 +29,8 @@ impl Sphere {
         let to_centre = self.centre - ray.origin;
         let along = to_centre.dot(ray.direction);
         let distance = to_centre.length();
-        let least = rounding(ray.origin, to_centre);
-        let (enter, leave) = if (distance - self.radius).abs() <= least {
+        let min = rounding(ray.origin, to_centre);
+        let (enter, leave) = if (distance - self.radius).abs() <= min {
             (f64::NEG_INFINITY, 2.0 * along)
         } else {
             let offset = (to_centre - along * ray.direction).length();
@@ -43,7 +43,7 @@ impl Sphere {
             (near.min(far), near.max(far))
         };
         let crossings = [(enter, !self.hollow), (leave, self.hollow)];
-        nearest_seen(crossings, self.sides, least, limit)
+        nearest_seen(crossings, self.sides, min, limit)
     }
 
     pub(super) fn place(&self, point: DVec3) -> Place {

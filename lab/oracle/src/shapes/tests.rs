@@ -1,4 +1,4 @@
-//! Shapes where geometry tells what is met, and rays that leave surfaces.
+//! Shapes whose hits follow from geometry, and rays that leave surfaces.
 
 use glam::DVec3;
 use scenes::Shape;
@@ -207,7 +207,7 @@ fn cube(turn: glam::DQuat, size: f64) -> Vec<Surface> {
 }
 
 #[test]
-fn nothing_leaks_through_edges_and_corners_of_a_closed_mesh() {
+fn closed_mesh_is_tight_at_edges_and_corners() {
     let mut random = Random(3);
     let mut misses = 0;
     for round in 0..40_000 {
@@ -266,7 +266,6 @@ fn rays_leave_surfaces_at_any_scale() {
     assert!(left.iter().all(|&count| count > 10_000), "{left:?}");
 }
 
-/// A shape scaled, then moved.
 fn moved(shape: &Shape, scale: f64, by: DVec3) -> Shape {
     let place = |point: DVec3| scale * point + by;
     match shape {

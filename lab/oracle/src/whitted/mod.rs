@@ -1,4 +1,4 @@
-//! Renders pictures by the model of Whitted (1980), as `docs/shading.md` describes it.
+//! Renders pictures with the model of Whitted (1980), as `docs/shading.md` describes it.
 //!
 //! Owns what a primary ray sees. Invariant: the same scene and options give the same picture and
 //! the same counts, with any number of threads.
@@ -20,7 +20,7 @@ use path::Path;
 pub use probe::Probe;
 use stage::Stage;
 
-/// The greatest ray depth. Each hit on glass sends two rays, so a depth of n may cost 2^n.
+/// The maximum ray depth. Each hit on glass sends two rays, so a depth of n may cost 2^n.
 pub const MAX_DEPTH: u32 = 16;
 
 /// The settings of the model.

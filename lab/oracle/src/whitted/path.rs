@@ -20,8 +20,8 @@ pub struct Counts {
     pub totally_reflected: u64,
     /// Shadow rays.
     pub shadow: u64,
-    /// Lights in front of a patch's shading normal, but behind the patch. SPD, which speaks of one
-    /// normal only, sends shadow rays to these, too.
+    /// Lights in front of a patch's shading normal, but on the back side of the patch. SPD, which
+    /// speaks of one normal only, sends shadow rays to these, too.
     pub shadow_behind: u64,
     /// Primary, reflected and refracted rays that hit an object.
     pub hit: u64,

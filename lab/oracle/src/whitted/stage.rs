@@ -1,6 +1,6 @@
 //! Computes the colour that a ray sees, in a scene prepared for tracing.
 //!
-//! Invariant: a ray sends at most a reflected and a refracted ray, and none at the greatest depth.
+//! Invariant: a ray sends at most a reflected and a refracted ray, and none at the maximum depth.
 //! A ray with too little weight to matter is neither sent nor counted. If rays are counted as in
 //! SPD, it is sent and counted, but changes only the counts.
 
@@ -19,10 +19,8 @@ use crate::shapes::{MAX_PATCH_VERTICES, Surface};
 
 pub(super) struct Stage<'a> {
     tree: Bvh,
-    /// The material of each surface.
     materials: Vec<&'a Material>,
     textures: Textures,
-    /// Where primary rays start.
     eye: DVec3,
     /// The angle between the rays of neighbouring pixels in the middle of the picture.
     pixel: f64,
@@ -33,11 +31,10 @@ pub(super) struct Stage<'a> {
     /// The light at the zenith and the unit direction to it, if the background has a gradient.
     sky: Option<(DVec3, DVec3)>,
     options: Options,
-    /// The least weight of a ray that is sent.
-    least_weight: f64,
+    /// The minimum weight of a ray that is sent.
+    min_weight: f64,
 }
 
-/// The hit of a ray.
 struct Hit {
     finish: Finish,
     point: DVec3,
@@ -110,8 +107,11 @@ impl<'a> Stage<'a> {
         }
         let lights: Vec<(LightKind, DVec3)> =
             scene.lights.iter().map(|light| (light.kind, scene.brightness(light))).collect();
-        let least_weight =
-            if options.spd_rays { 0.0 } else { weight::least(scene, &materials, &lights, options) };
+        let min_weight = if options.spd_rays {
+            0.0
+        } else {
+            weight::minimum(scene, &materials, &lights, options)
+        };
         Ok(Self {
             tree: Bvh::new(surfaces),
             materials,
@@ -126,7 +126,7 @@ impl<'a> Stage<'a> {
                 Some((options.pixels.colour.light(sky.zenith), up))
             }),
             options: *options,
-            least_weight,
+            min_weight,
         })
     }
 
@@ -240,7 +240,7 @@ impl<'a> Stage<'a> {
             }
             let share = light::bound(finish, hit.smooth.dot(to_light));
             let shown = weight * share * weight::most(brightness);
-            let counts = self.least_weight == 0.0 || shown > weight::LEAST_LIGHT;
+            let counts = self.min_weight == 0.0 || shown > weight::MIN_LIGHT;
             path.counts.shadow += u64::from(counts && self.options.shadows);
             let hidden =
                 self.options.shadows && self.tree.any(&Ray::new(hit.point, to_light), distance);
@@ -262,7 +262,7 @@ impl<'a> Stage<'a> {
         weight: f64,
         path: &mut Path,
     ) -> DVec3 {
-        let is_sent = |share: f64| share > 0.0 && weight * share >= self.least_weight;
+        let is_sent = |share: f64| share > 0.0 && weight * share >= self.min_weight;
         let finish = &hit.finish;
         let (mut mirror, mut through) = (finish.mirror, None);
         if finish.transmittance > 0.0 {

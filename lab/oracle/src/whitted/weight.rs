@@ -1,8 +1,8 @@
 //! From which weight on a ray is worth starting.
 //!
-//! By `docs/numerics.md`: what a ray adds to its pixel is at most its weight times the greatest
-//! brightness that a ray can see, and one that can't add a sixteenth of a byte's step is not
-//! started.
+//! As in `docs/numerics.md`, a ray's contribution to its pixel is at most its weight times the
+//! largest brightness that a ray can see, and one that can't add a sixteenth of a byte's step is
+//! not started.
 
 use glam::DVec3;
 use scenes::{LightKind, Material, Scene, Shader};
@@ -12,8 +12,8 @@ use super::Options;
 /// Part of a step between bytes that a ray has to be able to add.
 const STEP: f64 = 1.0 / 255.0 / 16.0;
 
-/// What a shadow ray has to be able to add: a little less than [`STEP`].
-pub(super) const LEAST_LIGHT: f64 = 1.0 / 4096.0;
+/// The minimum contribution of a shadow ray that is sent: a little less than [`STEP`].
+pub(super) const MIN_LIGHT: f64 = 1.0 / 4096.0;
 
 /// A bound of a colour's channels, as quick to compute as it gets: the single whose bits are those
 /// of any channel.
@@ -22,21 +22,21 @@ pub(super) fn most(colour: DVec3) -> f64 {
     f64::from(f32::from_bits(bits[0] | bits[1] | bits[2]))
 }
 
-/// The least weight of a ray that is started, in a scene of these materials and lights.
-pub(super) fn least(
+/// The minimum weight of a ray that is started, in a scene of these materials and lights.
+pub(super) fn minimum(
     scene: &Scene,
     materials: &[&Material],
     lights: &[(LightKind, DVec3)],
     options: &Options,
 ) -> f64 {
-    let greatest = |colour: DVec3| options.pixels.colour.light(colour).max_element();
+    let largest_channel = |colour: DVec3| options.pixels.colour.light(colour).max_element();
     let lit: f64 = lights.iter().map(|(_, brightness)| brightness.max_element().max(0.0)).sum();
     let everywhere = scene.ambient.max_element().max(0.0);
-    let zenith = scene.sky.map_or(0.0, |sky| greatest(sky.zenith));
-    let background = greatest(scene.background).max(zenith).max(0.0);
+    let zenith = scene.sky.map_or(0.0, |sky| largest_channel(sky.zenith));
+    let background = largest_channel(scene.background).max(zenith).max(0.0);
     let seen = (0..options.depth).fold(0.0, |beyond, _| {
         let surfaces = materials.iter().map(|material| {
-            let own = greatest(material.colour);
+            let own = largest_channel(material.colour);
             let diffuse = |colour: f64| material.diffuse * colour * (lit + everywhere);
             let shares = [material.specular, material.transmittance];
             let shares: f64 = shares.map(|share| options.pixels.colour.share(share)).iter().sum();
@@ -45,7 +45,7 @@ pub(super) fn least(
                 Shader::Flat | Shader::Depth { .. } => own,
                 Shader::Lambert => diffuse(own) + others,
                 Shader::Checker { other, .. } => {
-                    diffuse(own.max(greatest(*other))) + material.specular * lit + others
+                    diffuse(own.max(largest_channel(*other))) + material.specular * lit + others
                 }
                 Shader::Phong | Shader::Own { .. } => {
                     diffuse(own) + material.specular * lit + others

@@ -16,8 +16,8 @@ fn text(bytes: &[u8]) -> &str {
     str::from_utf8(bytes).expect("UTF-8")
 }
 
-/// A folder with a picture of the sphereflake, one byte of which is wrong by 5. It says how it was
-/// made.
+/// A folder with a picture of the sphereflake, one byte of which is wrong by 5. Its metadata holds
+/// the settings.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let done = oracle(
@@ -114,7 +114,7 @@ fn errors_name_their_file_and_exit_1() {
 }
 
 #[test]
-fn sizes_that_are_none_are_a_wrong_use() {
+fn invalid_sizes_are_usage_errors() {
     let folder = tempfile::tempdir().expect("a folder");
     let form = "a size is written as WIDTHxHEIGHT";
     let limit = "each side must be 1 to 8192";
@@ -151,7 +151,7 @@ fn whitteds_model_counts_its_rays_and_compares() {
     let size = ["--size", "64x48", "--out", "w.png", "--stats", "--corners"];
     let done = oracle(folder.path(), &[&["render"], &scene[..], &size].concat());
     assert!(done.status.success(), "{}", text(&done.stderr));
-    // Everything is drawn, so nothing is told but the picture's name, its share and its settings.
+    // Everything is drawn, so the only output is the picture's name, its share and its settings.
     assert_eq!(
         text(&done.stderr),
         "w.png: 64x48, objects cover 100.0 %; made with --antialias 1 --colour linear --corners --model \
@@ -181,7 +181,7 @@ fn whitteds_model_counts_its_rays_and_compares() {
 }
 
 #[test]
-fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
+fn options_without_effect_on_depth_shading_are_usage_errors() {
     let folder = tempfile::tempdir().expect("a folder");
     let base = ["render", "sphereflake:1", "--out", "b.png", "--model", "depth"];
     for option in [
@@ -204,14 +204,14 @@ fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
     }
 }
 
-/// What `oracle` says of a comparison, and its exit code.
+/// The messages of `oracle` for a comparison, and its exit code.
 fn said(folder: &Path, arguments: &[&str]) -> (String, Option<i32>) {
     let done = oracle(folder, &[&["compare"], arguments].concat());
     (text(&done.stderr).to_owned(), done.status.code())
 }
 
 #[test]
-fn what_is_compared_is_said_with_where_each_setting_is_from() {
+fn settings_are_printed_with_their_sources() {
     let folder = folder();
     let path = folder.path();
     let (stderr, code) = said(path, &["a.png", "--colour", "srgb", "--angle", "40"]);
@@ -222,8 +222,8 @@ fn what_is_compared_is_said_with_where_each_setting_is_from() {
             env!("CARGO_PKG_VERSION"),
             ", 64x48, is compared with sphereflake:1 in double precision\n"
         ),
-        "oracle: the picture says: --antialias 1 --model depth\n",
-        "oracle: options say: --angle 40 --colour srgb\n",
+        "oracle: settings of the picture: --antialias 1 --model depth\n",
+        "oracle: settings of the command line: --angle 40 --colour srgb\n",
     ] {
         assert!(stderr.contains(line), "no {line:?} in {stderr}");
     }
@@ -241,16 +241,16 @@ fn what_is_compared_is_said_with_where_each_setting_is_from() {
     assert_eq!(code, Some(0), "{stderr}");
     for line in [
         "oracle: a.png, 64x48, is compared with",
-        "oracle: options say: --ray-depth 3\n",
+        "oracle: settings of the command line: --ray-depth 3\n",
         "oracle: assumed: --antialias 4 --colour srgb --contrast 32 --model whitted\n",
         "oracle: the reference has 4 samples in ",
     ] {
         assert!(stderr.contains(line), "no {line:?} in {stderr}");
     }
-    assert!(!stderr.contains("the picture says"), "{stderr}");
+    assert!(!stderr.contains("settings of the picture"), "{stderr}");
     let (stderr, code) = said(path, &["a.png"]);
     assert_eq!(code, Some(1));
-    assert!(stderr.contains("a.png does not say what it shows"), "{stderr}");
+    assert!(stderr.contains("a.png has no description of its scene"), "{stderr}");
 }
 
 #[test]
@@ -316,7 +316,7 @@ fn the_share_of_wrong_pixels_that_is_allowed() {
 }
 
 #[test]
-fn settings_that_mean_nothing_are_named() {
+fn unknown_settings_are_reported() {
     let folder = folder();
     let file = folder.path().join("a.png");
     let mut settings = Settings::of_png(&file).expect("settings");
@@ -326,7 +326,7 @@ fn settings_that_mean_nothing_are_named() {
     picture.write_png_with(&file, &settings).expect("written");
     let (stderr, code) = said(folder.path(), &["a.png"]);
     assert_eq!(code, Some(0), "{stderr}");
-    // What a file says can't control a terminal.
+    // Text from a file must not control a terminal.
     assert!(stderr.contains("unknown here: --fog thick\\u{1b}\n"), "{stderr}");
     assert!(stderr.contains("of no use to the reference: --quality fast\n"), "{stderr}");
     settings.set("contrast", "much");

@@ -1,4 +1,4 @@
-//! The scenes that come with the program show what their comments say.
+//! The scenes that come with the program match their comments.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-# What is done with a block of the mesh when it has arrived in local store.
+# Processes a block of the mesh when it has arrived in local store.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -1,4 +1,4 @@
-# Checks what the frame says of its mesh. The code that traces meshes has just arrived, and this is
+# Checks the mesh's fields in the frame. The code that traces meshes has just arrived, and this is
 # the first of it that runs.
 
         .include "work_unit.inc"
@@ -112,7 +112,7 @@ no_textures:
         brsl    $lr,colour_begin
 begun:  leave
 
-        # A number is right if its upper byte is, so that mesh_prepare need not know of the other.
+        # A number is right if its upper byte is, so that mesh_prepare needs no other check.
 in_main_memory:
         require_aligned materials,LINE,MeshMaterials
         require_from_one mesh_material_count,STREAMED_MATERIALS,MeshMaterials

@@ -86,7 +86,7 @@ function mesh_fetch
         ceq     $c_end,$found,$slots
         andc    $c_end,$found,$c_end
         stqa    $c_end,next_slot
-        # What was fetched to this slot before, but was never used, must have arrived.
+        # A block that was fetched to this slot before, but never used, must have arrived.
         il      $bit,1
         shl     $bit,$bit,$slot
         lqa     $bits,arriving

@@ -25,14 +25,14 @@ next_axes:                              # y, z, x
         .int    0x04050607,0x08090a0b,0x00010203,0x0c0d0e0f
 vertex_indices:                         # three bytes to the ends of three words
         .int    0x80808000,0x80808001,0x80808002,0x80808080
-object_end:                             # 0, leave, room for the material, the sides
+object_end:                             # 0, leave, space for the material, the sides
         .int    0x80808080,0x00010203,0x80808080,0x1c1d1e1f
-# The last words of a and b, and behind them that of c.
+# The last words of a and b, and after them that of c.
 last_of_two:
         .int    0x0c0d0e0f,0x1c1d1e1f,0x80808080,0x80808080
 and_a_third:
         .int    0x00010203,0x04050607,0x1c1d1e1f,0x80808080
-# A lane of x and y, and behind them the same lane of z.
+# A lane of x and y, and after them the same lane of z.
 lanes:
     .irp lane, 0,1,2
         .int    0x00010203+0x04040404*\lane,0x10111213+0x04040404*\lane,0x80808080,0x80808080
@@ -89,7 +89,7 @@ function mesh_hits
 list_call:
         brsl    $lr,mesh_list_hits_r16
         hbrr    patches_call,mesh_flat_patches
-        # Nothing is behind the last patch.
+        # 0 after the last patch ends the list.
         il      $number,0
         stqd    $number,0($3)
         stqd    $number,PATCH_SIZE($3)

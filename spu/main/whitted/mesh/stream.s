@@ -9,7 +9,7 @@
 
 # Blocks that are fetched before they are needed, with the first of these.
         .set    PREFETCHED,3
-# So few rays are tested with all of a leaf's lowest nodes. Their list has room for the children.
+# Up to FEW rays are tested with all of a leaf's lowest nodes. The children fit their list.
         .set    FEW,8
     .if FEW*64 > MESH_LIST_ENTRIES || FEW+LIST_MARGIN > MESH_MOST_NODES
         .error  "too many rays are few"
@@ -55,7 +55,7 @@ entry_block:                            # without the number of the box
 # mesh_stream   finds the nearest hits of packets with the mesh, ray by ray
 #   In      w_packets, w_traced as packets_trace has them; the packets' SHEARS
 #   Out     $3 0, or something else if they must go as packets: their rays stay together, as those
-#           that a flat mirror sends do, or the stack has no room for so deep a tree
+#           that a flat mirror sends do, or the stack is too small for so deep a tree
 #   Uses    $3-$79, w_plan, w_first, w_here, w_left
 function mesh_stream
         hbrr    rays_call,mesh_rays_r16
@@ -224,7 +224,7 @@ listed:
         brnz    $c_more,cones
         brsl    $lr,isect_bounced_spheres
 objects_tested:
-        # What rays have hit are addresses of objects in the block, which may leave the cache. They
+        # The rays' hits are addresses of objects in the block, which may leave the cache. They
         # get numbers, as triangles have: the offset in the block is in quadwords.
         brsl    $lr,of_packets
         splat_mask $m_word
@@ -337,7 +337,7 @@ of_packets:
         a       $3,$3,$offset
         bi      $lr
 
-        # The nearest of the children goes to the top of the stack. What was there stays below them.
+        # The nearest of the children goes to the top of the stack. Earlier entries stay below them.
 inner:  ori     $a_end,$m_top,0
         ori     $place,$m_top,0
         ori     $c_end,$3,0

@@ -2,7 +2,7 @@
 # textures are fetched into a cache, in which the oldest one leaves.
 #
 # This file and its kernels are in local store only in frames with FEATURE_TEXTURES, at
-# TEXTURE_CODE, and the tiles behind them, at TEXTURE_CACHE.
+# TEXTURE_CODE, and the tiles after them, at TEXTURE_CACHE.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -39,7 +39,7 @@ slots_and_1:
         .set    NEXT,15
         registers a_frame,value,limit,bad,table,levels,count,left,record,rows,first,material
 
-# texture_begin   checks what the frame says of its textures; gives up if any of it is wrong
+# texture_begin   checks the textures' fields in the frame; gives up if any is wrong
 #   Uses    $3, $15-$27
 function texture_begin
         ila     $a_frame,frame
@@ -196,7 +196,7 @@ places_call:
         il      $fetched,0
         splat_mask $m_splat
 next_tile:
-        # The greatest number of a tile that has no address yet, in all lanes.
+        # The largest number of a tile that has no address yet, in all lanes.
         ori     $most,$tile,0
     .irp row, 1,2,3
         ori     $other,$tile+\row,0
@@ -283,7 +283,7 @@ taken:  il      $bit,1
         ori     $slot,$found,0
         br      taken
 free:   stqa    $found,next_slot
-        # Whatever the records say, nothing but tiles is fetched.
+        # With any contents of the records, only tiles are fetched.
         ila     $slots,frame
         load_word $size,FRAME_texture_tiles,$slots
         clgt    $mask,$size,$most

@@ -426,7 +426,7 @@ objects_tested:
 cones:  brsl    $lr,isect_cone_pairs_r16
         br      objects_tested
 
-        # What rays have hit are addresses of objects in the block, which may leave the cache. They
+        # The rays' hits are addresses of objects in the block, which may leave the cache. They
         # get numbers, as triangles have: the offset in the block is in quadwords.
 to_numbers:
         splat_mask $m_word
@@ -459,7 +459,7 @@ last_numbers:
         brnz    $left,next_numbers
         br      numbered
 
-        # What curved surfaces send on goes every way.
+        # Secondary rays of curved surfaces are incoherent.
 one_by_one:
         brsl    $lr,mesh_stream
         brz     $3,traced
@@ -484,7 +484,7 @@ inner:
         lqd     $candidate,0($3)
 next_child:
         hbrr    last_child,next_child
-        # What waits for nothing stands between what does.
+        # Instructions without waits are placed between those that wait.
         rotmi   $box,$candidate,CANDIDATE_SIZE_LOG2-CHILD_SHIFT
         rotqbyi $packet,$candidate,MESH_CANDIDATE_packet
         ai      $3,$3,CANDIDATE_SIZE
@@ -510,7 +510,7 @@ next_child:
 last_child:
         brnz    $4,next_child
 
-        # They go to the stack, the nearest of them last. What was there stays below them.
+        # They go to the stack, the nearest of them last. Earlier entries stay below them.
         ila     $a_end,arena+MESH_MET
         sf      $step,$a_end,$a_met
         a       $step,$step,$m_top

@@ -119,7 +119,7 @@ impl File<'_> {
             Kind::MboxStat => spe.outbound_waiting() as u32,
             Kind::Ibox => self.wait(libc::POLLIN, || spe.read_outbound_interrupt(now()))?,
             Kind::IboxStat => spe.outbound_interrupt_waiting() as u32,
-            Kind::WboxStat => spe.inbound_room() as u32,
+            Kind::WboxStat => spe.inbound_free() as u32,
             Kind::Mfc => self.wait(libc::POLLIN, || self.complete_tags())?,
             _ => return Err(Errno(libc::EINVAL)),
         })

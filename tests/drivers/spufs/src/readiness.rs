@@ -114,7 +114,7 @@ impl Watcher for Levels {
         let _one_at_a_time = self.look.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(spe) = self.spe.get().and_then(Weak::upgrade) {
             self.interrupt.set(spe.outbound_interrupt_waiting() > 0);
-            self.inbound.set(spe.inbound_room() > 0);
+            self.inbound.set(spe.inbound_free() > 0);
         }
     }
 }

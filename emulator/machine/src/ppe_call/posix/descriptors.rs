@@ -30,7 +30,7 @@ pub(super) fn write(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
 pub(super) fn pread(block: Block<'_>) -> Result<i32, Errno> {
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
     let offset = block.int(3).into();
-    // SAFETY: the buffer is valid for as many bytes as the length says.
+    // SAFETY: the buffer is valid for the number of bytes that is passed.
     let read = check(unsafe {
         libc::pread64(block.int(0), bytes.as_mut_ptr().cast(), bytes.len(), offset)
     })?;
@@ -41,7 +41,7 @@ pub(super) fn pread(block: Block<'_>) -> Result<i32, Errno> {
 pub(super) fn pwrite(block: Block<'_>) -> Result<i32, Errno> {
     let bytes = block.guest.bytes(block.word(1), block.word(2));
     let offset = block.int(3).into();
-    // SAFETY: the buffer is valid for as many bytes as the length says.
+    // SAFETY: the buffer is valid for the number of bytes that is passed.
     let written =
         check(unsafe { libc::pwrite64(block.int(0), bytes.as_ptr().cast(), bytes.len(), offset) })?;
     moved(written as usize)

@@ -73,7 +73,7 @@ impl Directories {
         Ok(())
     }
 
-    pub(super) fn tell(&mut self, handle: u64) -> Result<i32, Errno> {
+    pub(super) fn position(&mut self, handle: u64) -> Result<i32, Errno> {
         Ok(self.find(handle)?.next as i32)
     }
 }

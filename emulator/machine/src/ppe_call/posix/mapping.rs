@@ -68,7 +68,7 @@ fn copy_file(
     while done < length as usize {
         let most = PIECE.min(length as usize - done);
         let at = i64::from(offset) + done as i64;
-        // SAFETY: the buffer is valid for as many bytes as the length says.
+        // SAFETY: the buffer is valid for the number of bytes that is passed.
         let read = unsafe { libc::pread64(descriptor, piece.as_mut_ptr().cast(), most, at) };
         let read = check(read)? as usize;
         if read == 0 {

@@ -76,7 +76,7 @@ pub(super) const CALLS: &[Call] = calls! {
     readdir => |library, block| directories::readdir(library, block),
     rewinddir => |library, block| library.directories().rewind(block.doubleword(0)).into(),
     seekdir => |library, block| library.directories().seek(block.doubleword(0), block.word(1)).into(),
-    telldir => |library, block| library.directories().tell(block.doubleword(0)).into(),
+    telldir => |library, block| library.directories().position(block.doubleword(0)).into(),
     // The kernel yields by itself.
     sched_yield => |_, _| 0.into(),
     umask => |_, block| process::umask(block).into(),

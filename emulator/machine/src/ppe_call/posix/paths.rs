@@ -152,7 +152,7 @@ pub(super) fn symlink(block: Block<'_>) -> Result<i32, Errno> {
 pub(super) fn readlink(block: Block<'_>) -> Result<i32, Errno> {
     let path = path(block, 0)?;
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
-    // SAFETY: the path ends in 0, and the buffer is valid for as many bytes as the length says.
+    // SAFETY: the path ends in 0, and the buffer is valid for the number of bytes that is passed.
     let length =
         check(unsafe { libc::readlink(path.as_ptr(), bytes.as_mut_ptr().cast(), bytes.len()) })?
             as usize;

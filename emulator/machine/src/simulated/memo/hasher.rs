@@ -47,7 +47,7 @@ impl Hasher for Mixer {
         self.add(value as u64);
     }
 
-    /// The table uses the lowest bits as the index, and in a product those are mixed least. So
+    /// The table uses the lowest bits as the index, and in a product those are the worst mixed. So
     /// rotate.
     fn finish(&self) -> u64 {
         self.0.rotate_left(26)

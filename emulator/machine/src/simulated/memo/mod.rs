@@ -58,7 +58,6 @@ pub(super) struct Memo {
     rules: Rules,
     states: Vec<KnownState>,
     numbers: HashMap<Arc<TimerState>, StateId, Mixing>,
-    /// The blocks by address.
     blocks: HashMap<u32, Vec<Arc<Block>>, Mixing>,
     transitions: Vec<Transition>,
     /// States after a hint by register, by the state before the target was known and the target.
@@ -72,7 +71,7 @@ impl Memo {
         Self { rules, ..Self::default() }
     }
 
-    /// Whether there is no room for another state and another transition.
+    /// Whether the table can't hold another state and another transition.
     #[inline]
     pub fn is_full(&self) -> bool {
         self.states.len().max(self.transitions.len()) + 2 > ROOM

@@ -9,7 +9,7 @@ use crate::timer::{Recorder, Timer, TimerState};
 use spu_isa::Instruction;
 use spu_isa::timing::{AccountDelta, Cause, Issue, Pipeline, Rules, Stalls, hints_by_register};
 
-/// What is assumed to have issued before a transition is computed. It is so much that everything
+/// The account that is assumed before a transition is computed. It is large enough that everything
 /// in a state has happened in some cycle.
 const BEFORE: AccountDelta =
     AccountDelta { instructions: 1 << 60, joined: 0, stalls: Stalls::NONE };

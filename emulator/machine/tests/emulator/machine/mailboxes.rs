@@ -32,7 +32,7 @@ fn words_go_to_and_fro() {
 fn a_full_mailbox_holds_its_writer_on_both_sides() {
     let (spe, entry) = Machine::new().loaded(Policy::AtOnce, ECHO);
     for n in 1..=4 {
-        assert_eq!(spe.inbound_room(), 5 - n);
+        assert_eq!(spe.inbound_free(), 5 - n);
         assert!(spe.write_inbound(n as u32 * 10, at_once()));
     }
     assert!(!spe.write_inbound(50, at_once()));

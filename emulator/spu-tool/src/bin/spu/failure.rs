@@ -22,14 +22,14 @@ pub enum Failure {
     Elf {
         path: PathBuf,
         error: ElfError,
-        /// What to do, if that is known.
+        /// A remedy, or empty.
         advice: String,
     },
     #[error("{path}: {what}")]
     Contents { path: PathBuf, what: String },
     #[error(transparent)]
     Output(io::Error),
-    /// What was typed makes no sense, and what would.
+    /// A mistake in the command line, and its correction.
     #[error("{0}")]
     Usage(String),
     /// An error that only one subcommand has.

@@ -60,7 +60,7 @@ struct Model {
     #[arg(long, value_name = "CYCLES", default_value_t = MISS_CYCLES,
         value_parser = clap::value_parser!(u64).range(18..=19))]
     miss_cycles: u64,
-    /// Least number of cycles between two channel instructions
+    /// Minimum number of cycles between two channel instructions
     #[arg(long, value_name = "CYCLES", default_value_t = 1,
         value_parser = clap::value_parser!(u64).range(1..=100))]
     channel_interval: u64,

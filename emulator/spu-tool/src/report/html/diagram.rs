@@ -12,12 +12,12 @@ use spu_scheduler::code::Code;
 
 use super::picture::{self, Entry, Frame, Link, NUMBERED};
 
-/// The greatest number of cycles in which the instructions of one part issue.
+/// The maximum number of cycles in which the instructions of one part issue.
 const SPAN: u64 = 48;
 
 /// How long a pass of a loop takes.
 pub(super) struct Extent {
-    /// The least number of cycles that a pass could take.
+    /// The minimum number of cycles of a pass.
     pub bound: u64,
     /// The mean number of cycles of a pass.
     pub cycles: f64,
@@ -25,7 +25,6 @@ pub(super) struct Extent {
     pub repeats: bool,
 }
 
-/// A row of the table.
 enum Row<'a> {
     Label(&'a str),
     Instruction(&'a Line),
@@ -41,9 +40,9 @@ pub(super) fn diagram(code: &Code, id: &str, lines: &[Line], extent: Option<Exte
             |line: &Line| line.issued.is_none_or(|(_, issue)| issue.cycle < base + SPAN);
         // An instruction that waits for longer than a part stands in one of its own.
         let end = rest.iter().position(|line| !issues_here(line));
-        let (part, behind) = rest.split_at(end.unwrap_or(rest.len()).max(1));
+        let (part, after) = rest.split_at(end.unwrap_or(rest.len()).max(1));
         parts.push(part);
-        rest = behind;
+        rest = after;
     }
     let last = parts.len().saturating_sub(1);
     html! {
@@ -82,7 +81,7 @@ fn part(code: &Code, id: &str, lines: &[Line], extent: Option<&Extent>, last: bo
     if let Some(extent) = extent {
         picture::bound(&mut picture, &frame, extent.bound);
     }
-    // What a pass still takes behind its last instruction is the miss of its branch.
+    // The cycles of a pass after its last instruction are the miss of its branch.
     let after = issues(lines).next_back().zip(pass_end);
     let missed = after.map(|(issue, end)| (issue.cycle + 1, end.saturating_sub(issue.cycle + 1)));
     let missed = missed.filter(|&(_, cycles)| cycles > 0);
@@ -135,8 +134,8 @@ fn joined(rows: &[Row], at: usize) -> bool {
         Row::Instruction(line) => line.issued.is_some_and(|(_, issue)| issue.dual),
         Row::Label(_) => false,
     };
-    let behind = rows[at + 1..].iter().find(|row| matches!(row, Row::Instruction(_)));
-    second(&rows[at]) || behind.is_some_and(second)
+    let after = rows[at + 1..].iter().find(|row| matches!(row, Row::Instruction(_)));
+    second(&rows[at]) || after.is_some_and(second)
 }
 
 fn columns(line: &Line, joined: bool) -> Markup {
@@ -157,7 +156,7 @@ fn columns(line: &Line, joined: bool) -> Markup {
     }
 }
 
-/// What the instruction waited for, with a link to where that comes from.
+/// The cause of the instruction's wait, with a link to its source.
 fn reason(id: &str, line: &Line) -> Markup {
     let Some((cause, issue)) =
         line.issued.as_ref().and_then(|(_, issue)| issue.waited.map(|cause| (cause, issue)))

@@ -1,7 +1,7 @@
 //! The report as one HTML page: a row for each instruction, a column for each cycle.
 //!
 //! The page needs no network and no script. Functions are folded unless there is only one, so that
-//! a browser lays out only what its reader opens. What comes from the file is escaped by `maud`.
+//! a browser lays out only what its reader opens. Text from the file is escaped by `maud`.
 
 mod diagram;
 mod picture;
@@ -178,7 +178,7 @@ fn loop_part(code: &Code, id: &str, found: &Loop) -> Markup {
     }
 }
 
-/// What the bound comes from.
+/// The causes of the bound.
 fn limits(found: &Loop) -> String {
     let recurrence = found.recurrence.as_ref().map_or(0, |r| r.ceiling());
     let limits = [

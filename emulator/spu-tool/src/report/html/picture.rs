@@ -14,7 +14,7 @@ const HEAD: u64 = 32;
 /// Every how many cycles a number stands. `style.css` draws its grid at the same distance.
 pub(super) const NUMBERED: u64 = 4;
 
-/// What part of a schedule a picture shows.
+/// The part of a schedule that a picture shows.
 pub(super) struct Frame {
     /// The cycle of the first column.
     pub base: u64,
@@ -24,7 +24,6 @@ pub(super) struct Frame {
     pub rows: usize,
 }
 
-/// An instruction in a picture.
 pub(super) struct Entry<'a> {
     /// Its row.
     pub row: usize,
@@ -88,7 +87,6 @@ pub(super) fn open(text: &mut String, frame: &Frame) {
     let _ = write!(text, "<svg width=\"{width}\" height=\"{height}\">");
 }
 
-/// Draws the instructions.
 pub(super) fn entries(text: &mut String, frame: &Frame, entries: &[Entry]) {
     let mut paths = Paths::default();
     let mut before: Option<&Entry> = None;
@@ -151,7 +149,7 @@ pub(super) fn bound(text: &mut String, frame: &Frame, cycles: u64) {
     let _ = write!(text, "<text class=\"bound\" x=\"{x}\" y=\"12\">bound {cycles}</text>");
 }
 
-/// Marks the cycles behind the last instruction in which nothing issues.
+/// Marks the cycles after the last instruction in which nothing issues.
 pub(super) fn miss(text: &mut String, frame: &Frame, from: u64, cycles: u64) {
     let mut miss = String::new();
     let y = frame.y(frame.rows - 1) + 2;

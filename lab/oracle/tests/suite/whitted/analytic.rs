@@ -1,4 +1,4 @@
-//! Mirrors, glass and shadows where geometry alone tells what is seen.
+//! Mirrors, glass and shadows whose colours follow from geometry alone.
 
 use oracle::whitted::{Options, trace};
 
@@ -97,7 +97,7 @@ fn glass_throws_an_opaque_shadow_and_bubbles_are_air() {
     let rest = format!("l 0 0 8 1 1 1\n{ground}{glass}");
     assert_eq!(colour(&scene([9.0, 0.0, 1.0], [0.1, 0.0, 0.0], &rest)), [0; 3]);
     // A bubble as large as its glass leaves nothing of it: rays go straight on. One ray sees four
-    // surfaces and the sphere behind them.
+    // surfaces and then the sphere.
     let hollow = "b 0 0 1\nf 1 1 1 0 0 1 1 1.5\ns 0 0 0 1\ns 0 0 0 -0.9999999999\n\
         f 1 0 0 0 0 1 0 1\ns 5 3 0 1e-3\n";
     let straight = scene([-5.0, -2.2, 0.0], [5.0, 3.0, 0.0], hollow);
@@ -107,13 +107,13 @@ fn glass_throws_an_opaque_shadow_and_bubbles_are_air() {
 }
 
 #[test]
-fn rooms_are_seen_into_from_outside_and_lit_from_inside() {
-    let room = |light: &str| {
+fn hollow_sphere_is_open_to_the_eye_and_lit_only_from_inside() {
+    let hollow_sphere = |light: &str| {
         let rest = format!("l {light} 1 1 1\nf 1 1 1 1 0 1 0 1\ns 0 0 0 -2\n");
         colour(&scene([0.0, -9.0, 0.0], [0.0; 3], &rest))
     };
-    assert_eq!(room("0 0 0"), [255; 3]);
-    assert_eq!(room("0 -4 0"), [0; 3]);
+    assert_eq!(hollow_sphere("0 0 0"), [255; 3]);
+    assert_eq!(hollow_sphere("0 -4 0"), [0; 3]);
     // An opaque sphere is not there from inside.
     let inside = "b 0 1 0\nf 1 1 1 1 0 1 0 1\ns 0 0 0 2\n";
     assert_eq!(colour(&scene([0.0; 3], [0.0, 1.0, 0.0], inside)), [0, 255, 0]);

@@ -1,4 +1,4 @@
-//! What can't be traced says why; what is odd is traced all the same.
+//! Scenes that can't be traced are refused with a reason; unusual ones are traced.
 
 use oracle::Error;
 use oracle::whitted::{MAX_DEPTH, Options, trace};

@@ -46,7 +46,7 @@ fn a_sky_by_hand() {
 fn colours_in_srgb_by_hand() {
     let srgb =
         Options { pixels: Pixels { colour: Colour::Srgb, ..Pixels::PLAIN }, ..Options::default() };
-    // What sends its own colour looks as the file says, and half of white in a mirror is
+    // An emitter has the colour of the file, and half of white in a mirror is
     // half as bright.
     let own = scene(EYE, [0.0; 3], "b 0.2 0.5 1\n");
     assert_eq!(look(&own, &srgb).0, [0.2, 0.5, 1.0].map(byte));
@@ -83,7 +83,7 @@ fn highlights_are_as_wide_as_phongs() {
 }
 
 #[test]
-fn nothing_is_lost_or_won_in_white_surroundings() {
+fn energy_is_conserved_in_white_surroundings() {
     let ball = |material: &str| {
         let rest = format!("b 1 1 1\nf 1 1 1 {material}\ns 0 0 0 2\n");
         scene([1.1, 0.0, 10.0], [1.1, 0.0, 0.0], &rest)

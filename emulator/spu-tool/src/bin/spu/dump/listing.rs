@@ -21,7 +21,7 @@ struct Words {
     sources: BTreeMap<u32, String>,
 }
 
-/// Writes the code. The error says what is wrong with the file.
+/// Writes the code. The error describes the fault of the file.
 pub fn write(bytes: &[u8], image: &Image<'_>, text: &mut String) -> Result<(), String> {
     let Words { words, sources } = match Code::parse(bytes) {
         Ok(code) => of_sections(&code),

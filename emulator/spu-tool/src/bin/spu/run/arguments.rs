@@ -13,8 +13,8 @@ use super::options::{Options, Register, Start};
 /// The handle that libspe2 passes to a program. Any number except 0 will do.
 const SPE_ID: u64 = 1;
 /// The largest size in bytes of the arguments that elfspe's start code copies: one transfer, so
-/// that room remains for the program.
-const MOST: usize = 16 << 10;
+/// that enough memory remains for the program.
+const MAX_SIZE: usize = 16 << 10;
 const QUADWORD: usize = 16;
 
 /// Puts the arguments into memory and returns the registers from $3 on.
@@ -64,7 +64,7 @@ fn copy_for_local_store(strings: &[Vec<u8>]) -> Result<(Vec<u8>, Vec<Quad>), Run
     let texts = (strings.len() + 1) * POINTER;
     let size = texts + strings.iter().map(Vec::len).sum::<usize>();
     let size = size.next_multiple_of(QUADWORD);
-    if size > MOST {
+    if size > MAX_SIZE {
         return Err(RunError::Arguments(size));
     }
     let address = SIZE - size as u32;

@@ -19,7 +19,7 @@ pub enum RunError {
     OutsideLocalStore { path: PathBuf, address: u64, size: usize },
     #[error(transparent)]
     Machine(TimingFileError),
-    #[error("the arguments take {0} bytes; there is no room for them in local store")]
+    #[error("the arguments take {0} bytes; they don't fit into local store")]
     Arguments(usize),
     #[error("--root {path}: {error}")]
     Root { path: PathBuf, error: io::Error },

@@ -1,4 +1,4 @@
-//! The machine of `spu run`: one SPE, main memory, and the code that answers the program.
+//! The machine of `spu run`: one SPE, main memory, and the code that handles the program's calls.
 
 use std::fs;
 use std::io::{self, BufRead, Write};
@@ -65,10 +65,8 @@ pub enum End {
 pub struct Machine {
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
-    /// The program's file.
     bytes: Box<[u8]>,
     library: Library,
-    /// Where the program continues.
     at: u32,
     /// What the registers are before the first instruction.
     arguments: Option<Vec<Quad>>,
@@ -198,7 +196,7 @@ impl Machine {
         Ok(end.unwrap_or(End::Limit(self.at)))
     }
 
-    /// Runs at most so many instructions, and handles library calls. Returns how the program
+    /// Runs at most `most` instructions, and handles library calls. Returns how the program
     /// ended, if it did.
     fn run_limited(&mut self, most: u64, bench: &mut Bench<'_>) -> Option<End> {
         let mut left = most;
@@ -286,8 +284,8 @@ impl Machine {
                 return End::Quit;
             }
             let Some(end) = self.after(stopped, bench) else {
-                // What the program has printed comes before the console's next answer. What can't
-                // be written is reported at the end.
+                // The program's output is printed before the console's next result. Output that
+                // can't be written is reported at the end.
                 let _ = self.library.flush();
                 continue;
             };
@@ -471,7 +469,7 @@ impl End {
         }
     }
 
-    /// What went wrong, where, and the exit status for it.
+    /// The error, its address, and the exit status for it.
     fn fault(&self) -> Option<(String, u32, Status)> {
         Some(match self {
             Self::Exit(_) | Self::Quit => return None,
@@ -496,7 +494,7 @@ impl End {
     }
 
     /// Reports a fault on standard error and returns the exit status.
-    pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
+    pub fn report(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
         let Some((message, at, status)) = self.fault() else {
             return self.status();
         };

@@ -104,14 +104,14 @@ impl Mailboxes {
             return;
         }
         self.stuck = match (instruction.op, instruction.ra) {
-            (Op::Rdch, IN_MBOX) if spe.inbound_room() == INBOUND_DEPTH => Some(
+            (Op::Rdch, IN_MBOX) if spe.inbound_free() == INBOUND_DEPTH => Some(
                 "it waits for the inbound mailbox, and there are no more words for it (--in-mbox)",
             ),
-            (Op::Wrch, OUT_MBOX) if spe.outbound_waiting() > 0 => {
-                Some("it waits for room in the outbound mailbox, which nobody reads (--out-mbox)")
-            }
+            (Op::Wrch, OUT_MBOX) if spe.outbound_waiting() > 0 => Some(
+                "it waits because the outbound mailbox is full, and no one reads it (--out-mbox)",
+            ),
             (Op::Wrch, OUT_INTR_MBOX) if spe.outbound_interrupt_waiting() > 0 => Some(
-                "it waits for room in the outbound interrupt mailbox, which nobody reads \
+                "it waits because the outbound interrupt mailbox is full, and no one reads it \
                  (--out-intr-mbox)",
             ),
             _ => None,

@@ -30,7 +30,7 @@ pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     with_program(options, |machine, image| {
         let end = machine.run(options, image)?;
         machine.dump(options)?;
-        Ok(end.tell(image, machine.local_store()))
+        Ok(end.report(image, machine.local_store()))
     })
 }
 

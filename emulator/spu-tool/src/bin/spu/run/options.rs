@@ -18,7 +18,7 @@ Examples:
   spu run --trace --max-instructions 100 loop.elf
   spu run --timing --json loop.elf       cycles, and warnings about DMA that nobody waits for
   spu run --profile loop.elf             which functions the cycles went to
-  spu run --in-mbox commands.txt --out-mbox answers.txt server.elf
+  spu run --in-mbox commands.txt --out-mbox results.txt server.elf
   spu run --main-memory 1M@0x60000000 --load-mem scene.bin@0x60000000 --arg 0x60000000:64 \\
           --dump-mem picture.bin@0x60080000:64K tracer.elf
 

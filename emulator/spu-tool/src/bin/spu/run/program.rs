@@ -1,5 +1,5 @@
-//! Reads the program's file. What is no program but was named as one gets a message that says what
-//! to type instead.
+//! Reads the program's file. If a file of another kind was named, the error suggests the command
+//! for it.
 
 use std::env;
 use std::path::Path;
