@@ -37,7 +37,7 @@ use state::{Halt, State};
 pub enum End {
     /// With this exit status.
     Exit(u8),
-    /// By what ends a program with this signal of gdb's.
+    /// The gdb signal that ended the program.
     Signal(u8),
 }
 

@@ -16,23 +16,21 @@
 //! Invariant: a transition's block is the code that the interpreter had decoded when
 //! [`Spu::code_changes`] had the transition's value.
 
-mod hasher;
 mod transition;
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::interp::{Block, Spu};
 use crate::local_store::LocalStore;
 use crate::profile::Recording;
 use crate::timer::{Timer, TimerState};
-use hasher::Mixing;
+use rustc_hash::FxHashMap;
 use spu_isa::timing::{AccountDelta, Rules};
 use transition::Transition;
 
 /// The largest number of states, and of transitions. Programs have some hundreds, but a program
 /// that keeps writing new code would have an unlimited number.
-const ROOM: usize = 1 << 14;
+const CAPACITY: usize = 1 << 14;
 /// The largest number of blocks that are kept for one address and one state.
 const VERSIONS: usize = 4;
 
@@ -45,7 +43,7 @@ pub(super) struct StateId(u32);
 pub(super) struct TransitionId(u32);
 
 #[derive(Debug)]
-struct KnownState {
+struct StoredState {
     state: Arc<TimerState>,
     /// The transitions from this state so far, with the addresses of their blocks. There are as
     /// many as the branches that end in this state have targets.
@@ -53,15 +51,18 @@ struct KnownState {
 }
 
 /// The results that have been computed so far.
+///
+/// The tables are bounded, so a guest whose keys collide slows only itself down. They need no hash
+/// function that resists such keys.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
     rules: Rules,
-    states: Vec<KnownState>,
-    numbers: HashMap<Arc<TimerState>, StateId, Mixing>,
-    blocks: HashMap<u32, Vec<Arc<Block>>, Mixing>,
+    states: Vec<StoredState>,
+    numbers: FxHashMap<Arc<TimerState>, StateId>,
+    blocks: FxHashMap<u32, Vec<Arc<Block>>>,
     transitions: Vec<Transition>,
     /// States after a hint by register, by the state before the target was known and the target.
-    hinted: HashMap<(StateId, u32), StateId, Mixing>,
+    hinted: FxHashMap<(StateId, u32), StateId>,
     /// Transitions that were taken since the last [`bring_up_to`](Self::bring_up_to).
     taken: Vec<TransitionId>,
 }
@@ -74,7 +75,7 @@ impl Memo {
     /// Whether the table can't hold another state and another transition.
     #[inline]
     pub fn is_full(&self) -> bool {
-        self.states.len().max(self.transitions.len()) + 2 > ROOM
+        self.states.len().max(self.transitions.len()) + 2 > CAPACITY
     }
 
     /// Forgets everything. All transitions must have been added to a timer.
@@ -91,7 +92,7 @@ impl Memo {
         let number = StateId(self.states.len() as u32);
         let state = Arc::new(state);
         self.numbers.insert(Arc::clone(&state), number);
-        self.states.push(KnownState { state, ways: Vec::new() });
+        self.states.push(StoredState { state, ways: Vec::new() });
         number
     }
 
