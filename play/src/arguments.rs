@@ -47,7 +47,7 @@ pub enum Command {
     View(ViewArguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
     /// Show a PNG file in the terminal
     Show {
         /// The picture

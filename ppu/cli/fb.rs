@@ -77,7 +77,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;
-    talk::say!("cellray: {}", framebuffer.describe());
+    messages::print!("cellray: {}", framebuffer.describe());
     let frames = arguments.frames.or_else(|| (!is_device(&arguments.device)).then_some(1));
     let enough = |traced: usize| {
         interrupted.signal().is_some() || frames.is_some_and(|frames| traced >= frames as usize)

@@ -69,7 +69,7 @@ enum Command {
     Shader(shader::Arguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
@@ -80,7 +80,7 @@ pub fn main() -> ExitCode {
     match dispatch(&Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            talk::say!("cellray: error: {error}");
+            messages::print!("cellray: error: {error}");
             ExitCode::FAILURE
         }
     }
@@ -97,7 +97,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Shader(arguments) => shader::run(arguments),
-        Command::Pages(arguments) => Ok(talk::manual::write(Arguments::command(), arguments)?),
+        Command::Pages(arguments) => Ok(messages::manual::write(Arguments::command(), arguments)?),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

@@ -109,7 +109,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         made.and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    talk::say!(
+    messages::print!(
         "cellray: made {0}; next: cd {0} && cargo run --release (the first build takes minutes)",
         folder.display()
     );

@@ -191,9 +191,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let mut watch = Watch::new(arguments.options.files());
     loop {
         if let Err(error) = once(arguments) {
-            talk::say!("cellray: error: {error}");
+            messages::print!("cellray: error: {error}");
         }
-        talk::say!("cellray: waiting for a change");
+        messages::print!("cellray: waiting for a change");
         watch.wait();
     }
 }

@@ -34,17 +34,17 @@ pub fn prepare(options: &Options, corners: bool) -> Result<Prepared, Failure> {
     let program = options.program()?;
     let meshes::Loaded { scene: mut source, notes, .. } = meshes::load(&options.scene.scene)?;
     for note in notes {
-        talk::say!("cellray: note: {note}");
+        messages::print!("cellray: note: {note}");
     }
     let own_view = source.view.clone();
     options.camera.place(&mut source.view);
     let render_options = options.render_options(&source, corners);
     let scene = Scene::new(&source, render_options, &program)?;
     if let Some(note) = offset_note(&source, render_options) {
-        talk::say!("cellray: note: {note}");
+        messages::print!("cellray: note: {note}");
     }
     for what in scene.not_drawn() {
-        talk::say!("cellray: note: {what}");
+        messages::print!("cellray: note: {what}");
     }
     tell_formulations(options, &scene, &program)?;
     let labels = options.labels(&scene, &own_view);
@@ -58,7 +58,7 @@ fn tell_formulations(options: &Options, scene: &Scene, program: &Program) -> Out
         let quality = options.quality.and_then(|quality| quality.to_possible_value());
         if let (Some(quality), Some(formulation)) = (quality, formulation) {
             let quality = quality.get_name();
-            talk::say!(
+            messages::print!(
                 "cellray: note: {shape}s are intersected by --{shape} {formulation}, and not as --quality \
                  {quality} would have it"
             );
@@ -67,7 +67,7 @@ fn tell_formulations(options: &Options, scene: &Scene, program: &Program) -> Out
     if let Some(requested) = &options.sphere {
         let used = scene.sphere_formulation(&program.formulations()?).name;
         if used != requested {
-            talk::say!(
+            messages::print!(
                 "cellray: note: {requested} has no kernel for this scene's rays; {used} is used instead"
             );
         }
@@ -116,10 +116,10 @@ pub fn traced(
 /// file of `--stats`.
 pub fn tell(options: &Options, what: &str, mut report: Report) -> Outcome {
     report.add_memory();
-    talk::say!("cellray: {what}: {}", report.summary());
+    messages::print!("cellray: {what}: {}", report.summary());
     if options.verbose {
         for line in report.to_string().lines().skip(1) {
-            talk::say!("cellray: {line}");
+            messages::print!("cellray: {line}");
         }
     }
     match &options.stats {
@@ -132,7 +132,7 @@ fn write_stats(path: &Path, report: &Report) -> Outcome {
     let mut text = serde_json::to_string_pretty(report)?;
     text.push('\n');
     if path == Path::new("-") {
-        return Ok(talk::print(text)?);
+        return Ok(messages::write_data(text)?);
     }
     Ok(fs::write(path, text).map_err(|error| format!("statistics {}: {error}", path.display()))?)
 }

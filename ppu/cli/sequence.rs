@@ -28,7 +28,7 @@ pub fn run(
     let what = format!("{} picture(s) written, {} existed already", made.written, made.kept);
     run::tell(options, &what, session.report().clone())?;
     if let Some(signal) = interrupted.signal() {
-        talk::say!("cellray: ended by signal {signal}");
+        messages::print!("cellray: ended by signal {signal}");
         emulate_default_handler(signal)?;
     }
     Ok(())

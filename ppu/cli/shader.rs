@@ -67,7 +67,7 @@ fn build(sources: &[PathBuf], out: Option<&Path>) -> Outcome {
     let shaders = Program::from_image(&image)?.shaders()?;
     let out = named(&sources[0], out, "elf");
     fs::write(&out, &image).map_err(|error| format!("{}: {error}", out.display()))?;
-    talk::say!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
+    messages::print!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
     Ok(())
 }
 
@@ -115,9 +115,9 @@ fn schedule(source: &Path, out: Option<&Path>) -> Outcome {
     })?;
     fs::write(&out, &scheduled.text).map_err(|error| format!("{}: {error}", out.display()))?;
     let (plain, made) = (Code::parse(&plain)?, Code::parse(&object)?);
-    talk::say!("cellray: {}: {} scheduled", out.display(), source.display());
+    messages::print!("cellray: {}: {} scheduled", out.display(), source.display());
     for line in cycles(&plain, &made, &scheduled.loops) {
-        talk::say!("cellray: {line}");
+        messages::print!("cellray: {line}");
     }
     Ok(())
 }

@@ -16,5 +16,5 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Outcome {
     let scene = scenes::sphereflake::generate(arguments.level)?;
-    Ok(talk::print_with(|out| write!(out, "{scene}"))?)
+    Ok(messages::write_data_with(|out| write!(out, "{scene}"))?)
 }

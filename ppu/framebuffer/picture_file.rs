@@ -47,7 +47,7 @@ pub fn write_labelled(
         Place::Output => {
             let mut bytes = Vec::new();
             format.encode(picture, labels, &mut bytes).map_err(failed)?;
-            talk::print(bytes).map_err(|error| failed(error.into()))
+            messages::write_data(bytes).map_err(|error| failed(error.into()))
         }
         Place::Direct => write_direct(path, format, picture, labels).map_err(failed),
         Place::File(place) => {
