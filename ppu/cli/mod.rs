@@ -51,21 +51,21 @@ Examples:
 
 #[derive(Subcommand)]
 enum Command {
-    /// Trace a scene into a PNG file, or into a sequence of them
+    /// Render a scene to a picture, or to a sequence of pictures
     Render(render::Arguments),
-    /// Trace a scene into a framebuffer, or into a file instead
+    /// Render a scene to a framebuffer, or to a file in its format
     Fb(fb::Arguments),
     /// Play a game with the program cellray-play; without a name, list the games
     Play(external::Arguments),
-    /// Look at a scene from all sides with the program cellray-play
+    /// View a scene from all sides with the program cellray-play
     View(external::Arguments),
     /// Measure run time, error and numerical stability with the program cellray-bench
     Bench(external::Arguments),
     /// Show a PNG file in the terminal with the program cellray-play
     Show(external::Arguments),
-    /// Make a folder with a game of your own, ready to run
+    /// Create a folder with a game of your own, ready to run
     New(new::Arguments),
-    /// Build shaders of your own into an SPU program, for --program
+    /// Assemble, schedule and link shaders of your own
     Shader(shader::Arguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
