@@ -66,8 +66,8 @@ pub struct LookChoices {
     antialias: Option<Samples>,
     /// Edge threshold (0-255)
     ///
-    /// A pixel is antialiased if a channel differs by at least this number from a neighbour. With 0,
-    /// every pixel is antialiased.
+    /// A pixel is antialiased if a channel differs by at least this number from a neighbour. With
+    /// 0, every pixel is antialiased.
     #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u8>(0..=255))]
     contrast: u8,
     /// Colour space of scene and output [default: srgb]

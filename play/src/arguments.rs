@@ -125,8 +125,8 @@ pub struct Options {
     pub display: Option<DisplayKind>,
     /// Width and height in pixels [default: depends on the display]
     ///
-    /// By default a window or a terminal has the largest resolution that runs smoothly, and its full
-    /// resolution when the picture is at rest.
+    /// By default a window or a terminal has the largest resolution that runs smoothly, and its
+    /// full resolution when the picture is at rest.
     #[arg(long, help_heading = "View", value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Geometry>,
     /// Framebuffer device, or a regular file to write

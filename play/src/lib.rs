@@ -280,7 +280,7 @@ fn pictures(
     let mut interrupted = Interrupted::install().map_err(PlayError::Signals)?;
     let picture = Box::new(Memory::new(size)?);
     let mut session = Session::start(game, options.settings()?, picture)?.with_seed(seed);
-    session.look(Some(options.look(DisplayKind::Images)));
+    session.set_look(Some(options.look(DisplayKind::Images)));
     let replay = options.replay.as_deref();
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let mut clock = FixedSteps(options.step());

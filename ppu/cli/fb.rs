@@ -28,7 +28,8 @@ pub struct Arguments {
     mode: Option<VideoMode>,
     /// Frames in the device's memory: 2 for double buffering
     ///
-    /// With 2, one frame is shown while the next is rendered. With less memory than that, 1 is used.
+    /// With 2, one frame is shown while the next is rendered. With less memory than that, 1 is
+    /// used.
     #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
     buffers: u32,
     /// Show frames without waiting for the vertical blank

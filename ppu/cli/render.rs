@@ -63,8 +63,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// Number of frames, or a range A..B for numbered pictures
     ///
-    /// The range ends with frame B - 1. Without a range all frames are equal, so that only the first
-    /// is traced unless --retrace is given.
+    /// The range ends with frame B - 1. Without a range all frames are equal, so that only the
+    /// first is traced unless --retrace is given.
     #[arg(long, default_value = "1", value_name = "A..B", allow_hyphen_values = true)]
     frames: Frames,
     /// Frames per revolution of the eye in numbered pictures

@@ -133,12 +133,12 @@ impl Projection {
         let Geometry { width, height } = self.geometry;
         let nothing = Rectangle { x: 0..0, y: 0..0 };
         let mut found: Option<Rectangle> = None;
-        let mut behind = false;
+        let mut crosses_eye = false;
         for (centre, radius) in spheres {
             let to_centre = self.to(centre);
             let ahead = self.axes.map_or(0.0, |axes| to_centre.dot(axes.ahead));
             if ahead < -seen_radius(to_centre.length(), radius) {
-                behind = true;
+                crosses_eye = true;
                 continue;
             }
             let bounds = self.bounds(centre, radius);
@@ -154,7 +154,7 @@ impl Projection {
         }
         match found {
             None => nothing,
-            Some(_) if behind => Rectangle { x: 0..width, y: 0..height },
+            Some(_) if crosses_eye => Rectangle { x: 0..width, y: 0..height },
             Some(found) => found,
         }
     }
