@@ -13,7 +13,6 @@ use crate::spe::{Program, ProgramError};
 
 /// A scene, and how light is traced in it.
 #[derive(Args, Debug)]
-#[command(next_help_heading = "Scene")]
 pub struct SceneChoices {
     /// Scene file, or a generated scene such as sphereflake:4
     ///
@@ -23,20 +22,20 @@ pub struct SceneChoices {
     /// Databases unless :SIZE follows the name.
     pub scene: PathBuf,
     /// Lighting model
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, help_heading = "Scene", value_enum, default_value_t)]
     model: Model,
     /// Maximum ray depth (1-16)
     ///
     /// The number of rays in a chain of reflected and refracted rays, including the primary ray.
-    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=16))]
+    #[arg(long, help_heading = "Scene", default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=16))]
     ray_depth: u32,
     /// Add Fresnel reflection to glass
     ///
     /// The reflection follows Schlick's approximation, and is added to that of the glass's Ks.
-    #[arg(long)]
+    #[arg(long, help_heading = "Scene")]
     fresnel: bool,
     /// Render without shadows
-    #[arg(long)]
+    #[arg(long, help_heading = "Scene")]
     no_shadows: bool,
 }
 
@@ -70,9 +69,9 @@ pub struct LookChoices {
     /// 0, every pixel is antialiased.
     #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u8>(0..=255))]
     contrast: u8,
-    /// Colour space of scene and output [default: srgb]
+    /// Colour space of scene and output
     ///
-    /// The default is linear for depth shading, whose shades are distances, and with render's
+    /// The default is srgb, but linear for depth shading, whose shades are distances, and with render's
     /// --corners.
     #[arg(long, value_enum)]
     colour: Option<Colour>,

@@ -13,36 +13,35 @@ use super::{Outcome, run};
 
 /// Render a scene to a framebuffer, or to a file in its format.
 #[derive(Args)]
-#[command(next_help_heading = "Output")]
 pub struct Arguments {
     #[command(flatten)]
     options: Options,
     /// Framebuffer device, or a regular file to write
-    #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
+    #[arg(long, help_heading = "Output", default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
     /// Width and height in pixels [default: the device's; required for a file]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    #[arg(long, help_heading = "Output", value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
     /// Video mode of ps3fb until the program ends [default: unchanged]
-    #[arg(long, value_enum, value_name = "MODE")]
+    #[arg(long, help_heading = "Output", value_enum, value_name = "MODE")]
     mode: Option<VideoMode>,
     /// Frames in the device's memory: 2 for double buffering
     ///
     /// With 2, one frame is shown while the next is rendered. With less memory than that, 1 is
     /// used.
-    #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
+    #[arg(long, help_heading = "Output", default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
     buffers: u32,
     /// Show frames without waiting for the vertical blank
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     no_vsync: bool,
     /// Memory in which frames are rendered [default: depends on the device]
     ///
     /// Frames in private memory are copied to the device's memory. The default is the device's
     /// memory for drivers that keep it in main memory, otherwise private memory.
-    #[arg(long, value_enum, value_name = "WHERE")]
+    #[arg(long, help_heading = "Output", value_enum, value_name = "WHERE")]
     made: Option<Made>,
     /// Number of frames [default: until Ctrl-C on a device, 1 in a file]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
+    #[arg(long, help_heading = "Output", value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
     frames: Option<u32>,
 }
 

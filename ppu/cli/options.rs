@@ -24,7 +24,7 @@ pub struct Options {
     pub camera: Camera,
     #[command(flatten)]
     look: LookChoices,
-    /// Trade run time for accuracy [default: default]
+    /// Trade run time for accuracy
     #[arg(long, help_heading = "Quality", value_enum, conflicts_with_all = ["program", "shaders"])]
     pub quality: Option<Quality>,
     /// Formulation of the ray-sphere test, instead of the quality's; see docs/accuracy.md

@@ -46,12 +46,11 @@ impl Frames {
 
 /// Render a scene to a picture, or to a sequence of pictures.
 #[derive(Args)]
-#[command(next_help_heading = "Output")]
 pub struct Arguments {
     #[command(flatten)]
     options: Options,
     /// Width and height in pixels [default: the scene's]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    #[arg(long, help_heading = "Output", value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
     /// Picture to write: a .png or .jpg file, - or none [default: SCENE.png]
     ///
@@ -59,16 +58,22 @@ pub struct Arguments {
     /// not written. If the name has a number, as in f-%05d.png, every frame is written to a file of
     /// that number, and files that exist are kept. The default is SCENE.png in the current folder;
     /// with --inspect, none.
-    #[arg(long, value_name = "F.png")]
+    #[arg(long, help_heading = "Output", value_name = "F.png")]
     out: Option<PathBuf>,
     /// Number of frames, or a range A..B for numbered pictures
     ///
     /// The range ends with frame B - 1. Without a range all frames are equal, so that only the
     /// first is traced unless --retrace is given.
-    #[arg(long, default_value = "1", value_name = "A..B", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        help_heading = "Output",
+        default_value = "1",
+        value_name = "A..B",
+        allow_hyphen_values = true
+    )]
     frames: Frames,
     /// Frames per revolution of the eye in numbered pictures
-    #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
+    #[arg(long, help_heading = "Output", default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
     turn: u32,
     /// Sample the corners of the pixels, as the Standard Procedural Databases do
     ///
@@ -78,13 +83,13 @@ pub struct Arguments {
     /// Render again whenever a file changes, until Ctrl-C
     ///
     /// Files are the scene, the SPU program and the sources of shaders.
-    #[arg(long)]
+    #[arg(long, help_heading = "Output")]
     watch: bool,
     /// HTML page to write on the time that a frame takes
     ///
     /// One frame is traced in simulated time. The page has maps of the tiles, the timelines of the
     /// SPUs, and cycles by function and by source line.
-    #[arg(long, value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
+    #[arg(long, help_heading = "Output", value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
     inspect: Option<PathBuf>,
 }
 

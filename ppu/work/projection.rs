@@ -119,8 +119,8 @@ impl Projection {
         };
         // The packet's middle is a pixel and a half from its outer rays in both directions. Rays
         // end in a plane. If a ray ends within `away` of the end of the middle ray, it is inside a
-        // cone about the middle ray with the sine `away` / length. The middle ray's length is at
-        // least the plane's distance.
+        // cone about the middle ray with the sine `away` / length. The plane's distance is
+        // the minimum length of the middle ray.
         let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
         if (0.0..1.0).contains(&sine) { libm::asin(sine) } else { f64::INFINITY }

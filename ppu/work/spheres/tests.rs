@@ -199,7 +199,7 @@ fn no_ray_enters_a_sphere_around_the_eye() {
 }
 
 #[test]
-fn sphere_that_the_eye_touches_is_visible_from_outside() {
+fn sphere_touching_the_eye_is_visible_from_outside() {
     let mut random = ChaCha8Rng::seed_from_u64(6);
     let camera = camera(&mut random, SIZE.width, SIZE.height);
     let projection = Projection::new(&camera, SIZE);
