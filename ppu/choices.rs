@@ -71,8 +71,8 @@ pub struct LookChoices {
     contrast: u8,
     /// Colour space of scene and output
     ///
-    /// The default is srgb, but linear for depth shading, whose shades are distances, and with render's
-    /// --corners.
+    /// The default is srgb, but linear for depth shading, whose shades are distances, and with
+    /// render's --corners.
     #[arg(long, value_enum)]
     colour: Option<Colour>,
     /// Roll off highlights smoothly
