@@ -69,6 +69,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut session = Session::start(Bounce::default(), Settings::default(), picture)?;
     let mut clock = FixedSteps(Duration::from_secs(1) / 12);
     pictures.write(&mut session, frames, &mut clock, &mut NoInput)?;
-    talk::say!("{}", session.report());
+    messages::print!("{}", session.report());
     Ok(())
 }

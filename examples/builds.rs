@@ -35,10 +35,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         let scene = loaded.ok_or(usage)?;
         let preparing = least(times, || prepare(&scene))?;
         let memory = most_memory()?;
-        talk::print(format!("{loading:.2} {preparing:.2} {memory:.1}\n"))?;
+        messages::write_data(format!("{loading:.2} {preparing:.2} {memory:.1}\n"))?;
     } else {
         let scene = objects(shape, count.parse()?).ok_or(usage)?;
-        talk::print(format!("{:.2}\n", least(times, || prepare(&scene))?))?;
+        messages::write_data(format!("{:.2}\n", least(times, || prepare(&scene))?))?;
     }
     Ok(())
 }

@@ -14,21 +14,28 @@ use crate::spe::{Program, ProgramError};
 /// A scene, and how light is traced in it.
 #[derive(Args, Debug)]
 pub struct SceneChoices {
-    /// Scene: an NFF file, a mesh (.obj, .ply or .glb), or a generated one: sphereflake:LEVEL,
-    /// tetra:LEVEL, terrain:LEVEL, or gears, mount, rings, teapot, tree, lattice, jacks, shells or
-    /// sombrero, with :SIZE if it is not to have SPD's
+    /// Scene file, or a generated scene such as sphereflake:4
+    ///
+    /// Files are NFF scenes and meshes in the formats OBJ, PLY, STL and glTF. Generated scenes are
+    /// sphereflake:LEVEL, tetra:LEVEL and terrain:LEVEL, and gears, mount, rings, teapot, tree,
+    /// lattice, jacks, shells and sombrero. The latter have the size of the Standard Procedural
+    /// Databases unless :SIZE follows the name.
     pub scene: PathBuf,
-    /// Model that the scene is rendered with
-    #[arg(long, value_enum, default_value_t)]
+    /// Lighting model
+    #[arg(long, help_heading = "Scene", value_enum, default_value_t)]
     model: Model,
-    /// Longest chain of reflected and refracted rays, including the primary ray, 1 to 16
-    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=16))]
+    /// Maximum ray depth (1-16)
+    ///
+    /// The number of rays in a chain of reflected and refracted rays, including the primary ray.
+    #[arg(long, help_heading = "Scene", default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=16))]
     ray_depth: u32,
-    /// Let glass reflect by Schlick's approximation, in addition to its Ks
-    #[arg(long)]
+    /// Add Fresnel reflection to glass
+    ///
+    /// The reflection follows Schlick's approximation, and is added to that of the glass's Ks.
+    #[arg(long, help_heading = "Scene")]
     fresnel: bool,
-    /// Trace no shadows
-    #[arg(long)]
+    /// Render without shadows
+    #[arg(long, help_heading = "Scene")]
     no_shadows: bool,
 }
 
@@ -48,20 +55,29 @@ impl SceneChoices {
 
 /// How pictures look.
 #[derive(Args, Debug)]
+#[command(next_help_heading = "Quality")]
 pub struct LookChoices {
-    /// Trace this many samples of a pixel that differs from a neighbour; in a window and a terminal
-    /// as soon as the picture is at rest [default: 4; 1 with render's --corners, and to play or view
-    /// on a framebuffer]
+    /// Samples per pixel along edges [default: 4]
+    ///
+    /// A window and a terminal antialias as soon as the picture is at rest. The default is 1 on a
+    /// framebuffer for play and view, and with render's --corners.
     #[arg(long, value_enum, value_name = "N")]
     antialias: Option<Samples>,
-    /// How much such a pixel differs in a channel at least, in 1/255; 0: antialias every pixel
+    /// Edge threshold (0-255)
+    ///
+    /// A pixel is antialiased if a channel differs by at least this number from a neighbour. With
+    /// 0, every pixel is antialiased.
     #[arg(long, default_value_t = CONTRAST, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u8>(0..=255))]
     contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light [default: srgb;
-    /// linear by depth shading, whose shades are distances, and with render's --corners]
+    /// Colour space of scene and output
+    ///
+    /// The default is srgb, but linear for depth shading, whose shades are distances, and with
+    /// render's --corners.
     #[arg(long, value_enum)]
     colour: Option<Colour>,
-    /// Limit light that is nearly white or brighter without a step
+    /// Roll off highlights smoothly
+    ///
+    /// Light that is nearly white or brighter approaches white gradually instead of being clamped.
     #[arg(long)]
     roll_off: bool,
 }
@@ -81,18 +97,25 @@ impl LookChoices {
 
 /// The SPU program.
 #[derive(Args, Debug)]
+#[command(next_help_heading = "SPUs")]
 pub struct ProgramChoices {
-    /// SPU program to trace with, such as one with a game's own shaders [default: the built-in
-    /// one]
+    /// SPU program to run [default: the built-in one]
+    ///
+    /// For example one with a game's own shaders, linked by cellray shader build.
     #[arg(long, value_name = "F.elf")]
     pub program: Option<PathBuf>,
-    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    /// Shader in SPU assembly to link into the SPU program
+    ///
+    /// Needs an SPU assembler. Give the option once for each shader.
     #[arg(long = "shader", value_name = "F.s", conflicts_with = "program")]
     pub shaders: Vec<PathBuf>,
-    /// Check at every call of a shader that it keeps the rules for shaders
-    #[arg(long)]
+    /// Check the rules for shaders at every call of a shader
+    #[arg(long, hide_short_help = true)]
     pub check_shaders: bool,
-    /// Seconds after which SPUs count as lost if none takes work, finishes any or answers
+    /// Time-out in seconds without progress by any SPU
+    ///
+    /// Afterwards the SPUs count as lost. Progress is to take a work unit, to finish one, or to
+    /// finish the frame.
     #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = whole::<u64>(1..=86_400))]
     timeout: u64,
 }
@@ -126,7 +149,7 @@ impl ProgramChoices {
         self.program.iter().chain(&self.shaders).cloned()
     }
 
-    /// How long SPUs may be silent.
+    /// How long SPUs may make no progress.
     #[must_use]
     pub fn timeout(&self) -> Duration {
         Duration::from_secs(self.timeout)
@@ -140,12 +163,12 @@ pub fn whole<N: TryFrom<u64>>(
     move |text| {
         let number = text.parse().ok().filter(|number| range.contains(number));
         number.and_then(|number| N::try_from(number).ok()).ok_or_else(|| {
-            let least = range.start();
+            let minimum = range.start();
             match *range.end() {
-                most if most >= u64::from(u32::MAX) => {
-                    format!("it is not a whole number from {least}")
+                maximum if maximum >= u64::from(u32::MAX) => {
+                    format!("it is not a whole number from {minimum}")
                 }
-                most => format!("it is not a whole number from {least} to {most}"),
+                maximum => format!("it is not a whole number from {minimum} to {maximum}"),
             }
         })
     }

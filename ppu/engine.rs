@@ -47,7 +47,7 @@ pub struct Engine {
     plan: Plan,
     /// The largest number of tiles of a frame, if it is limited.
     most_tiles: Option<u32>,
-    /// The SPUs' answers to the last frame, in their format; `statistics` has them in the
+    /// The SPUs' replies to the last frame, in their format; `statistics` has them in the
     /// caller's.
     lines: Vec<Statistics>,
     costs: Vec<UnitCost>,
@@ -134,7 +134,7 @@ impl Engine {
     ///
     /// # Errors
     /// - The camera can't be made for the framebuffer's size.
-    /// - An SPU refuses the frame, ends, or doesn't answer; see [`EngineError`].
+    /// - An SPU refuses the frame, ends, or doesn't reply; see [`EngineError`].
     /// - The framebuffer can't present the frame.
     pub fn render(
         &mut self,
@@ -207,11 +207,11 @@ impl Engine {
         Ok(())
     }
 
-    /// Sends a frame's record unchanged, and waits for every SPU's answer. Afterwards the contents
+    /// Sends a frame's record unchanged, and waits for every SPU's reply. Afterwards the contents
     /// of the framebuffer count as unknown.
     ///
     /// # Errors
-    /// An SPU refuses the frame, ends, or doesn't answer.
+    /// An SPU refuses the frame, ends, or doesn't reply.
     ///
     /// # Safety
     ///
@@ -249,10 +249,10 @@ impl Engine {
         Ok(())
     }
 
-    /// Mails `address` to every SPU as the address of `frame`, and waits for the answers.
+    /// Mails `address` to every SPU as the address of `frame`, and waits for the replies.
     ///
     /// # Errors
-    /// An SPU refuses the frame, ends, or doesn't answer.
+    /// An SPU refuses the frame, ends, or doesn't reply.
     ///
     /// # Safety
     ///
@@ -268,7 +268,7 @@ impl Engine {
         self.mail_watched(address, frame, progress)
     }
 
-    /// Mails an address to every SPU and waits for the answers. Abandons the SPUs if they are
+    /// Mails an address to every SPU and waits for the replies. Abandons the SPUs if they are
     /// lost.
     fn mail_watched(
         &mut self,

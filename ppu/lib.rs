@@ -7,7 +7,8 @@
 //!
 //! This is the PPU's part. Frame by frame, an [`Engine`] receives a [`Scene`]; its SPUs trace the
 //! scene and write finished rows directly into a [`framebuffer`]. Whether the libspe2 calls in
-//! [`spe`] reach a console's SPEs or emulated ones is decided at link time; this crate can't tell.
+//! [`spe`] reach a console's SPEs or emulated ones is decided at link time; this crate is
+//! independent of it.
 //!
 //! Without `cellray-play`, a [`Session`](game::Session) runs a game. This example renders a
 //! bouncing ball as numbered pictures:

@@ -1,4 +1,4 @@
-//! What nearly every game uses: `use cellray::prelude::*;`.
+//! The types that nearly every game uses: `use cellray::prelude::*;`.
 
 pub use crate::game::{
     Axis, Button, DAffine3, DVec3, Frame, Game, Input, Key, Label, Light, LightId, Material,

@@ -12,7 +12,7 @@ pub enum Quality {
     /// The fastest formulations with distances that are right to 2 units in the last place.
     #[default]
     Default,
-    /// The formulations with the least error, in double precision.
+    /// The formulations with the smallest error, in double precision.
     Exact,
 }
 

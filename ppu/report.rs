@@ -243,7 +243,7 @@ impl Report {
             (frames, traced) => format!("{frames} frame(s), {traced} traced, "),
         };
         format!(
-            "{}x{}, {frames}{rays} rays in {:.2} s on {} SPUs; by the SPUs' clock {:.2} frames/s",
+            "{}x{}, {frames}{rays} rays in {:.2} s on {} SPUs; {:.2} frames/s in SPU time",
             self.width, self.height, self.host_seconds, self.spus, self.frames_per_second
         )
     }
@@ -315,7 +315,7 @@ impl BlockReport {
         self.wait += blocks.wait as f64 / timebase;
     }
 
-    /// Computes the quotients from the sums, for so many rays and the time of all SPUs.
+    /// Computes the quotients from the sums, for this number of rays and the time of all SPUs.
     fn share(&mut self, rays: u64, seconds: f64) {
         let part = |of: f64, all: f64| if all > 0.0 { of / all } else { 0.0 };
         let found = self.used.saturating_sub(self.fetched) as f64;
@@ -357,12 +357,12 @@ impl fmt::Display for Report {
         }
         writeln!(
             f,
-            "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit, {:.2} million hidden\n\
+            "tests: {:.2} of {:.2} million made, {:.2} million computed, {:.2} million hidden\n\
              tiles: {} traced, {} filled ({} of them blank before), {} retained; packets: {} traced, {} \
              filled",
             tests.made as f64 / 1e6,
             all as f64 / 1e6,
-            tests.hits_looked_for as f64 / 1e6,
+            tests.intersections_computed as f64 / 1e6,
             tests.hidden as f64 / 1e6,
             tiles.traced,
             tiles.filled,

@@ -33,7 +33,7 @@ use protocol::layout::MAX_SPHERES;
 pub enum SceneError {
     /// Depth shading: the local store is too small for the scene's spheres.
     #[error(
-        "{file}: {count} spheres do not fit: the local store has room for {MAX_SPHERES}; leave out \
+        "{file}: {count} spheres do not fit: the maximum is {MAX_SPHERES}; leave out \
          {} of them", count - MAX_SPHERES as usize
     )]
     TooManySpheres {
@@ -143,7 +143,7 @@ impl Scene {
         let shader = |name: &str| program.shader(name).ok();
         let gathered = mesh::gathered(scene);
         let scene = match Self::whitted(&gathered, render_options, &shader) {
-            Err(SceneError::Block(error)) if error.is_lack_of_room() => {
+            Err(SceneError::Block(error)) if error.is_out_of_memory() => {
                 let all = mesh::gathered_all(scene).ok_or(error)?;
                 Self::whitted(&all, render_options, &shader)
             }
@@ -170,9 +170,9 @@ impl Scene {
         }
     }
 
-    /// [`Scene::new`] with room for more objects in Whitted's model, so that the scene can be
-    /// changed in place.
-    pub(crate) fn with_room(
+    /// [`Scene::new`] with spare capacity for more objects in Whitted's model, so that the scene
+    /// can be changed in place.
+    pub(crate) fn with_spare_capacity(
         scene: &scenes::Scene,
         render_options: RenderOptions,
         shaders: &ShaderEntries,
@@ -180,7 +180,7 @@ impl Scene {
         if !render_options.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, render_options);
         }
-        let block = SceneBlock::with_room(scene, render_options, shaders)?;
+        let block = SceneBlock::with_spare_capacity(scene, render_options, shaders)?;
         Ok(Self::by_whitted(scene, render_options, block))
     }
 

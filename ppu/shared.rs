@@ -11,7 +11,7 @@ struct Line(UnsafeCell<[u8; LINE as usize]>);
 /// Zeroed memory on 128-byte lines, for records of the work-unit protocol.
 ///
 /// SPUs access it by its address, unseen by the compiler, so it is never lent out as a slice.
-/// Bytes are copied in before the address is mailed, and out after the answer. The mailbox calls
+/// Bytes are copied in before the address is mailed, and out after the reply. The mailbox calls
 /// in between keep that order.
 pub struct SharedMemory(Box<[Line]>);
 

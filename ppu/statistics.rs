@@ -32,7 +32,7 @@ pub struct SpuStatistics {
     pub blocks: Blocks,
     /// Tiles of textures.
     pub texture_tiles: TextureTiles,
-    /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
+    /// With Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
     /// surfaces send on, their shadow rays, and the same for all later rays.
     pub generations: [Generation; GENERATIONS],
     /// Time at work, in ticks of the decrementer.
@@ -73,7 +73,7 @@ pub struct Tests {
     /// Tests that were made.
     pub made: u64,
     /// Tests that went on to compute a hit, because at least one of the packet's rays could hit.
-    pub hits_looked_for: u64,
+    pub intersections_computed: u64,
     /// Tests that the SPUs found unnecessary.
     pub skipped: u64,
     /// Skipped tests of packets whose rays had all hit something nearer.
@@ -104,7 +104,7 @@ pub struct TextureTiles {
     pub fetched: u64,
 }
 
-/// What an SPU did for the rays of one generation, or for their shadow rays.
+/// The work of an SPU for the rays of one generation, or for their shadow rays.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Generation {
     /// Number of rays, including those of primary rays' packets that are beyond the picture.
@@ -143,7 +143,7 @@ pub struct FrameStatistics {
     pub spus: Vec<SpuStatistics>,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
-    /// Tiles that were left for the next frame, because only so many were to be traced.
+    /// Tiles that were left for the next frame, because the number of tiles to trace was limited.
     pub tiles_left: u64,
     /// Whether nothing was traced because something has moved while tiles were left; see
     /// [`Engine::limit_tiles`](crate::Engine::limit_tiles).
@@ -183,7 +183,7 @@ impl FrameStatistics {
         })
     }
 
-    /// Ticks from the mail to the slowest SPU's answer.
+    /// Ticks from the mail to the slowest SPU's reply.
     #[must_use]
     pub fn ticks(&self) -> u64 {
         self.spus.iter().map(|spu| spu.busy + spu.dma_wait).max().unwrap_or(0)
@@ -207,7 +207,7 @@ impl SpuStatistics {
             rays: Rays::of(line),
             tests: Tests {
                 made: made * PACKET_RAYS,
-                hits_looked_for: line.hits_looked_for.get() * PACKET_RAYS,
+                intersections_computed: line.hits_looked_for.get() * PACKET_RAYS,
                 skipped: line.tests_possible.get().saturating_sub(made) * PACKET_RAYS,
                 hidden: line.tests_hidden.get() * PACKET_RAYS,
                 unseen: line.packets.get() * spheres_unseen * PACKET_RAYS,
@@ -298,7 +298,7 @@ impl std::ops::AddAssign for Rays {
 impl std::ops::AddAssign for Tests {
     fn add_assign(&mut self, other: Self) {
         self.made += other.made;
-        self.hits_looked_for += other.hits_looked_for;
+        self.intersections_computed += other.intersections_computed;
         self.skipped += other.skipped;
         self.hidden += other.hidden;
         self.unseen += other.unseen;

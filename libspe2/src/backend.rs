@@ -41,13 +41,13 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
         None => Choice::Emulator,
         Some(name) if name == "emulator" => Choice::Emulator,
         Some(name) if name == "spufs" && timing => {
-            talk::say!(
+            messages::print!(
                 "libspe2: {VARIABLE}=spufs does not go with simulated time (LIBSPE2_TIMING)"
             );
             return Err(Errno(libc::EINVAL));
         }
         Some(name) if name == "spufs" && debugged => {
-            talk::say!("libspe2: {VARIABLE}=spufs does not go with a debugger (LIBSPE2_GDB)");
+            messages::print!("libspe2: {VARIABLE}=spufs does not go with a debugger (LIBSPE2_GDB)");
             return Err(Errno(libc::EINVAL));
         }
         Some(name) if name == "spufs" => {
@@ -55,7 +55,7 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
             Choice::Spufs
         }
         Some(name) => {
-            talk::say!("libspe2: {VARIABLE} is spufs or emulator, not {name:?}");
+            messages::print!("libspe2: {VARIABLE} is spufs or emulator, not {name:?}");
             return Err(Errno(libc::EINVAL));
         }
     };

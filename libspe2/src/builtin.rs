@@ -78,7 +78,7 @@ unsafe fn serve(class: u8, ls_base: *mut c_void, ls_address: c_uint) -> c_int {
     match served {
         Ok(Ok(())) => 0,
         Ok(Err(error)) => {
-            talk::say!("libspe2: {error}");
+            messages::print!("libspe2: {error}");
             NO_FUNCTION
         }
         Err(_) => FAILED,

@@ -25,7 +25,7 @@ fn spes() -> Result<c_int, Errno> {
     };
     let number = text.to_str().and_then(|text| text.parse().ok());
     number.filter(|number| (1..=MAX_SPES).contains(number)).ok_or_else(|| {
-        talk::say!("libspe2: {VARIABLE} must be a number from 1 to {MAX_SPES}, not {text:?}");
+        messages::print!("libspe2: {VARIABLE} must be a number from 1 to {MAX_SPES}, not {text:?}");
         Errno(libc::EINVAL)
     })
 }

@@ -102,7 +102,7 @@ impl Emulated {
     fn after(&self, stopped: &Stopped) -> (u32, Ended) {
         let npc = stopped.npc;
         if let Some((_, difference)) = self.spe.difference() {
-            talk::say!("libspe2: {difference}");
+            messages::print!("libspe2: {difference}");
             return (npc, Ended::Return(Outcome::fatal(-1)));
         }
         let dma = |event, signal| {

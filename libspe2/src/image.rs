@@ -32,7 +32,7 @@ struct OpenImage {
 }
 
 fn refuse(error: &ElfError) -> Errno {
-    talk::say!("libspe2: {error}");
+    messages::print!("libspe2: {error}");
     Errno(libc::EINVAL)
 }
 

@@ -90,12 +90,12 @@ pub(crate) fn write_reports() {
 
 fn tell(name: &str, file: &ReportFile, written: io::Result<()>) {
     if let Err(error) = written {
-        talk::say!("libspe2: {name}: {}: {error}", file.path().display());
+        messages::print!("libspe2: {name}: {}: {error}", file.path().display());
     }
 }
 
 fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
-    talk::say!("libspe2: {name} {expected}, not {value:?}");
+    messages::print!("libspe2: {name} {expected}, not {value:?}");
     Errno(libc::EINVAL)
 }
 
@@ -130,9 +130,9 @@ fn debugger() -> Result<Option<Arc<Debugger>>, Errno> {
     };
     let debugger = Debugger::new(kill_this_process);
     match debugger.listen(port) {
-        Ok(address) => talk::say!("libspe2: waiting for a debugger: target remote {address}"),
+        Ok(address) => messages::print!("libspe2: waiting for a debugger: target remote {address}"),
         Err(error) => {
-            talk::say!("libspe2: {GDB}={port}: {error}");
+            messages::print!("libspe2: {GDB}={port}: {error}");
             return Err(Errno(error.raw_os_error().unwrap_or(libc::EIO)));
         }
     }
@@ -154,7 +154,7 @@ fn engine(timing: bool) -> Result<Engine, Errno> {
     };
     match (timing, switch(CHECK)?) {
         (false, true) if engine == Engine::Interpreter => {
-            talk::say!(
+            messages::print!(
                 "libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both"
             );
             Err(Errno(libc::EINVAL))
@@ -181,7 +181,9 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
         Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
     };
     if policy == Policy::AtLast && machine()?.emulated.simulation().is_some() {
-        talk::say!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
+        messages::print!(
+            "libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command"
+        );
         return Err(Errno(libc::ENOTSUP));
     }
     Ok(policy)
@@ -192,7 +194,7 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
     let Some(path) = path(name, timing)? else {
         return Ok(None);
     };
-    let told = |error: &io::Error| talk::say!("libspe2: {name}: {}: {error}", path.display());
+    let told = |error: &io::Error| messages::print!("libspe2: {name}: {}: {error}", path.display());
     Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
 }
 
@@ -205,7 +207,7 @@ fn path(name: &str, timing: bool) -> Result<Option<PathBuf>, Errno> {
         return Err(refused(name, "is a path", &path));
     }
     if !timing {
-        talk::say!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
+        messages::print!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
         return Err(Errno(libc::EINVAL));
     }
     Ok(Some(path.into()))
@@ -217,7 +219,7 @@ fn description(timing: bool) -> Result<Timing, Errno> {
         return Ok(Timing::default());
     };
     Timing::read(&path).map_err(|error| {
-        talk::say!("libspe2: {DESCRIPTION}: {error}");
+        messages::print!("libspe2: {DESCRIPTION}: {error}");
         Errno(libc::EINVAL)
     })
 }
@@ -272,7 +274,7 @@ impl Machine {
                     Some(image) => image.place(address),
                     None => format!("{address:#07x}"),
                 };
-                talk::say!("libspe2: warning: DMA race: {}", race.describe(place));
+                messages::print!("libspe2: warning: DMA race: {}", race.describe(place));
             });
         }
         Ok(Self { emulated, programs, debugger: debugger()?, report, profile, timeline })

@@ -48,10 +48,10 @@ impl Script {
 pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> ExitCode {
     let mut directives = Script::default();
     let worked = work(&mut directives);
-    match worked.and_then(|()| Ok(talk::print(directives.0)?)) {
+    match worked.and_then(|()| Ok(messages::write_data(directives.0)?)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            talk::say!("{error}");
+            messages::print!("{error}");
             ExitCode::FAILURE
         }
     }

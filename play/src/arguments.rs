@@ -16,7 +16,7 @@ use crate::error::PlayError;
 use crate::keys;
 use crate::spu_clock::SpuClock;
 
-/// Play games and look at scenes, traced by SPUs.
+/// Play games and view scenes, rendered by SPUs.
 #[derive(Debug, Parser)]
 #[command(name = "cellray-play", version, after_help = more_help(), after_long_help = more_help())]
 pub struct Arguments {
@@ -26,7 +26,7 @@ pub struct Arguments {
 }
 
 const MORE: &str = "
-  view: arrows or a drag turn, wheel or page keys zoom, Home goes back
+  view: arrow keys or dragging rotate, wheel or page keys zoom, Home resets the view
 
 Examples:
   cellray-play play billiards
@@ -43,11 +43,11 @@ fn more_help() -> String {
 pub enum Command {
     /// Play a game; without a name, list the games
     Play(PlayArguments),
-    /// Look at a scene from all sides
+    /// View a scene from all sides
     View(ViewArguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
     /// Show a PNG file in the terminal
     Show {
         /// The picture
@@ -77,8 +77,8 @@ pub struct OneGame {
 /// Options of a game.
 #[derive(Debug, Args)]
 pub struct GameOptions {
-    /// Random seed of the game [default: a different one each time, but 0 for pictures]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    /// Random seed of the game [default: a different one each time; 0 for pictures]
+    #[arg(long, help_heading = "Game", value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Options of the session.
     #[command(flatten)]
@@ -91,8 +91,8 @@ pub struct ViewArguments {
     /// The scene.
     #[command(flatten)]
     pub scene: SceneChoices,
-    /// Load the scene, the SPU program and its shaders again whenever their files change
-    #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
+    /// Reload the scene, the SPU program and its shaders whenever a file changes
+    #[arg(long, help_heading = "Scene", conflicts_with_all = ["record", "replay", "out"])]
     pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
@@ -108,55 +108,62 @@ pub enum DisplayKind {
     Terminal,
     /// The console's framebuffer.
     Fb,
-    /// Numbered pictures: needs --frames and --out.
+    /// Numbered pictures; needs --frames and --out.
     Images,
-    /// No display: frames are only traced and measured; needs --frames or --replay.
+    /// No display, to measure; needs --frames or --replay.
     None,
 }
 
 /// Options of a session.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Display to use [default: images with --out; otherwise a window if there is a display server,
-    /// otherwise the terminal]
-    #[arg(long, value_enum)]
+    /// Display [default: a window if possible]
+    ///
+    /// The default is images with --out. Otherwise it is a window if there is a display server, and
+    /// the terminal if there is none.
+    #[arg(long, help_heading = "View", value_enum)]
     pub display: Option<DisplayKind>,
-    /// Width and height in pixels [default: in a window or terminal, as many as run smoothly, and
-    /// all of them at rest]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    /// Width and height in pixels [default: depends on the display]
+    ///
+    /// By default a window or a terminal has the largest resolution that runs smoothly, and its
+    /// full resolution when the picture is at rest.
+    #[arg(long, help_heading = "View", value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Geometry>,
-    /// Framebuffer device, or a regular file that is written like one
-    #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
+    /// Framebuffer device, or a regular file to write
+    #[arg(long, help_heading = "View", default_value = "/dev/fb0", value_name = "PATH")]
     pub device: PathBuf,
-    /// Frames: A..B for frames A to B - 1, or N for the first N
-    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
+    /// Number of frames, or a range A..B
+    ///
+    /// The range ends with frame B - 1.
+    #[arg(long, help_heading = "Output", value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<FrameRange>,
-    /// Numbered pictures to write, such as f-%05d.png; pictures that exist are kept
-    #[arg(long, value_name = "F-%05d.png", value_parser = OsStringValueParser::new().try_map(NumberedPath::new))]
+    /// Numbered pictures to write, such as f-%05d.png; files that exist are kept
+    #[arg(long, help_heading = "Output", value_name = "F-%05d.png", value_parser = OsStringValueParser::new().try_map(NumberedPath::new))]
     pub out: Option<NumberedPath>,
-    /// Frames a second of game time, for pictures
-    #[arg(long, default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    /// Frames per second of game time, for pictures
+    #[arg(long, help_heading = "Output", default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: u32,
     /// Record the session to a new file
-    #[arg(long, value_name = "F")]
+    #[arg(long, help_heading = "Output", value_name = "F")]
     pub record: Option<PathBuf>,
-    /// Play a recorded session back
-    #[arg(long, value_name = "F", conflicts_with = "record")]
+    /// Replay a recorded session
+    #[arg(long, help_heading = "Output", value_name = "F", conflicts_with = "record")]
     pub replay: Option<PathBuf>,
-    /// Folder for the pictures that F12 takes
-    #[arg(long, default_value = ".", value_name = "FOLDER")]
+    /// Folder for the screenshots of F12
+    #[arg(long, help_heading = "Output", default_value = ".", value_name = "FOLDER")]
     pub screenshots: PathBuf,
     #[command(flatten)]
     look: LookChoices,
     /// Start without text on the screen; F1 shows it, and then statistics
-    #[arg(long)]
+    #[arg(long, help_heading = "View")]
     pub no_overlay: bool,
-    /// Print statistics at the end: rays, tests, tiles, what each SPU did
-    #[arg(long, short)]
+    /// Print statistics: rays, tests, tiles, time of each SPU
+    #[arg(long, short, help_heading = "Output")]
     pub verbose: bool,
-    /// SPUs to use [default: 6, but no more than the computer has processors, unless it is a
-    /// console or time is simulated]
-    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    /// Number of SPUs [default: 6]
+    ///
+    /// An emulator in real time uses at most as many as the computer has processors.
+    #[arg(long, help_heading = "SPUs", value_name = "N", allow_negative_numbers = true)]
     spus: Option<u32>,
     /// The SPU program.
     #[command(flatten)]

@@ -142,9 +142,9 @@ impl<'a> Show<'a> {
             .map_err(PlayError::Signals)?;
         let session = Session::start(game, options.settings()?, framebuffer)?;
         let mut session = session.with_seed(seed);
-        session.look(Some(look_now(player.look, pace.as_ref())));
+        session.set_look(Some(look_now(player.look, pace.as_ref())));
         let told = told_size(front.display.area(), pace.as_ref(), size);
-        session.tell_size(told);
+        session.set_input_size(told);
         front.display.measure_in(told);
         let replay = options.replay.as_deref();
         Ok(Self {
@@ -230,7 +230,7 @@ impl<'a> Show<'a> {
     /// Traces the last step's world again. In a pause that refines the picture, and shows the text
     /// where the SPUs write to the screen.
     fn trace_again(&mut self) -> Result<(), PlayError> {
-        self.traced(|session, _, tracing| session.trace_again(tracing))
+        self.traced(|session, _, tracing| session.redraw(tracing))
     }
 
     /// Has the session trace a frame, as many tiles as the pace allows. It is given the events for
@@ -292,7 +292,7 @@ impl<'a> Show<'a> {
 
     /// Chooses the picture's size, and makes a framebuffer for it.
     fn framebuffer(&mut self) -> Result<Box<dyn Framebuffer>, PlayError> {
-        self.session.look(Some(self.look_now()));
+        self.session.set_look(Some(self.look_now()));
         let display = &mut self.front.display;
         self.size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
         let refined = self.pace.as_ref().and_then(Pace::tiles);
@@ -322,7 +322,7 @@ impl<'a> Show<'a> {
         let display = &mut self.front.display;
         let size = told_size(display.area(), self.pace.as_ref(), self.size);
         display.measure_in(size);
-        self.session.tell_size(size);
+        self.session.set_input_size(size);
     }
 
     /// Loads the scene again if its files have changed. If that fails, it shows a message, and the
@@ -344,7 +344,7 @@ impl<'a> Show<'a> {
                 let framebuffer = self.framebuffer()?;
                 let settings = self.options.settings()?;
                 self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
-                self.session.look(Some(self.look_now()));
+                self.session.set_look(Some(self.look_now()));
                 self.tell_size();
                 // It compares reports, and the session's begins anew.
                 self.meter = Meter::new(Instant::now());

@@ -103,7 +103,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
         }
         Command::Show { picture } => show(picture),
         Command::Pages(pages) => {
-            talk::manual::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
+            messages::manual::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
             Ok(Ending::Over)
         }
         Command::View(view) => {
@@ -162,7 +162,7 @@ fn list(games: &[Entry]) -> String {
 }
 
 fn print(data: &[u8]) -> Result<Ending, PlayError> {
-    talk::print(data).map_err(PlayError::Output)?;
+    messages::write_data(data).map_err(PlayError::Output)?;
     Ok(Ending::Over)
 }
 
@@ -280,7 +280,7 @@ fn pictures(
     let mut interrupted = Interrupted::install().map_err(PlayError::Signals)?;
     let picture = Box::new(Memory::new(size)?);
     let mut session = Session::start(game, options.settings()?, picture)?.with_seed(seed);
-    session.look(Some(options.look(DisplayKind::Images)));
+    session.set_look(Some(options.look(DisplayKind::Images)));
     let replay = options.replay.as_deref();
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let mut clock = FixedSteps(options.step());
@@ -292,7 +292,7 @@ fn pictures(
 
 /// Prints a line on standard error.
 fn say(line: impl Display) {
-    talk::say!("cellray-play: {line}");
+    messages::print!("cellray-play: {line}");
 }
 
 /// Prints a line on a run, or all of its statistics.

@@ -5,17 +5,18 @@ use clap::Args;
 
 /// Another view than the scene's own.
 #[derive(Args)]
+#[command(next_help_heading = "View")]
 pub struct Camera {
-    /// Position of the eye [default: the scene's own]
+    /// Position of the eye [default: the scene's]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
     from: Option<DVec3>,
-    /// Point that the eye looks at [default: the scene's own]
+    /// Point that the eye looks at [default: the scene's]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
     look_at: Option<DVec3>,
-    /// Direction that is up in the picture [default: the scene's own]
+    /// Up direction [default: the scene's]
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = point)]
     up: Option<DVec3>,
-    /// Degrees between the top and the bottom of the picture [default: the scene's own]
+    /// Vertical field of view in degrees [default: the scene's]
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     angle: Option<f64>,
 }

@@ -1,4 +1,4 @@
-//! Commands that replace this process by a program of their own.
+//! Commands that replace this process by a separate program.
 //!
 //! Those programs need dependencies that a console, or a user who only renders, has no use for.
 
@@ -28,7 +28,7 @@ pub const PLAY: Program = Program { name: "cellray-play", package: "cellray-play
 #[derive(Args)]
 #[command(disable_help_flag = true)]
 pub struct Arguments {
-    /// Arguments of that program; --help lists them
+    /// Arguments of that program; --help prints them
     #[arg(trailing_var_arg = true, allow_hyphen_values = true, value_name = "ARGUMENTS")]
     arguments: Vec<OsString>,
 }

@@ -1,4 +1,4 @@
-//! `cellray fb`: traces a scene into a framebuffer.
+//! `cellray fb`: renders a scene to a framebuffer.
 
 use std::fs;
 use std::os::unix::fs::FileTypeExt as _;
@@ -11,34 +11,37 @@ use clap::{Args, ValueEnum};
 use super::options::Options;
 use super::{Outcome, run};
 
-/// Trace a scene into a framebuffer, or into a file instead.
+/// Render a scene to a framebuffer, or to a file in its format.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     options: Options,
-    /// Framebuffer device, or a regular file that is written like one
-    #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
+    /// Framebuffer device, or a regular file to write
+    #[arg(long, help_heading = "Output", default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
-    /// Width and height in pixels; a file needs it, a device has its own
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    /// Width and height in pixels [default: the device's; required for a file]
+    #[arg(long, help_heading = "Output", value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Set ps3fb's video mode until the program ends: with borders, or the full screen [default:
-    /// leave the mode unchanged]
-    #[arg(long, value_enum, value_name = "MODE")]
+    /// Video mode of ps3fb until the program ends [default: unchanged]
+    #[arg(long, help_heading = "Output", value_enum, value_name = "MODE")]
     mode: Option<VideoMode>,
-    /// How many frames the device's memory holds, if it has room: with 2, one is shown while the
-    /// next is made
-    #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
+    /// Frames in the device's memory: 2 for double buffering
+    ///
+    /// With 2, one frame is shown while the next is rendered. With less memory than that, 1 is
+    /// used.
+    #[arg(long, help_heading = "Output", default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=2))]
     buffers: u32,
-    /// Show a frame without waiting for the vertical blank
-    #[arg(long)]
+    /// Show frames without waiting for the vertical blank
+    #[arg(long, help_heading = "Output")]
     no_vsync: bool,
-    /// Where frames are made: in private memory, to be copied, or in the device's memory [default:
-    /// the device's, if that is known to be main memory]
-    #[arg(long, value_enum, value_name = "WHERE")]
+    /// Memory in which frames are rendered [default: depends on the device]
+    ///
+    /// Frames in private memory are copied to the device's memory. The default is the device's
+    /// memory for drivers that keep it in main memory, otherwise private memory.
+    #[arg(long, help_heading = "Output", value_enum, value_name = "WHERE")]
     made: Option<Made>,
-    /// Frames to show [default: 1 into a file; on a device, until Ctrl-C]
-    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
+    /// Number of frames [default: until Ctrl-C on a device, 1 in a file]
+    #[arg(long, help_heading = "Output", value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
     frames: Option<u32>,
 }
 
@@ -77,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;
-    talk::say!("cellray: {}", framebuffer.describe());
+    messages::print!("cellray: {}", framebuffer.describe());
     let frames = arguments.frames.or_else(|| (!is_device(&arguments.device)).then_some(1));
     let enough = |traced: usize| {
         interrupted.signal().is_some() || frames.is_some_and(|frames| traced >= frames as usize)

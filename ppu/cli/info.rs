@@ -50,5 +50,5 @@ pub fn run(arguments: &Arguments) -> Outcome {
         Ok(line) => writeln!(out, "framebuffer  {line}")?,
         Err(error) => writeln!(out, "framebuffer  none: {error}")?,
     }
-    Ok(talk::print(out)?)
+    Ok(messages::write_data(out)?)
 }

@@ -15,10 +15,10 @@ use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
 use super::Outcome;
 use super::options::Options;
-use super::run::{Prepared, tell, traced};
+use super::run::{Prepared, report_run, traced};
 
-/// What libspe2 records of this run. Without that, runs this program again with what makes libspe2
-/// record, and ends as that ends: it has told all errors.
+/// libspe2's recording of this run. If there is none, runs this program again with the environment
+/// that makes libspe2 record, and exits with that run's status: it has reported all errors.
 pub fn record() -> Result<Recording, Box<dyn std::error::Error>> {
     if let Some(recording) = Recording::of_this_run() {
         return Ok(recording);
@@ -83,7 +83,7 @@ pub fn frame(
     })?;
     fs::write(to, &text).map_err(|error| format!("page {}: {error}", to.display()))?;
     let what = format!("{}, {} bytes", to.display(), text.len());
-    tell(options, &what, report)
+    report_run(options, &what, report)
 }
 
 /// The picture as the bytes of a PNG file.
@@ -121,8 +121,8 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
         of(test, "made", tests.made, "a kernel computed them"),
         of(
             test,
-            "looked for a hit",
-            tests.hits_looked_for,
+            "computed",
+            tests.intersections_computed,
             "went on, because a ray of the packet could hit",
         ),
         of(

@@ -8,7 +8,7 @@ use super::Outcome;
 use super::options::Options;
 use super::run::Prepared;
 
-/// What a PC records; never made here.
+/// The recording of a PC; never created here.
 pub enum Recording {}
 
 /// Always an error.

@@ -51,25 +51,25 @@ Examples:
 
 #[derive(Subcommand)]
 enum Command {
-    /// Trace a scene into a PNG file, or into a sequence of them
+    /// Render a scene to a picture, or to a sequence of pictures
     Render(render::Arguments),
-    /// Trace a scene into a framebuffer, or into a file instead
+    /// Render a scene to a framebuffer, or to a file in its format
     Fb(fb::Arguments),
     /// Play a game with the program cellray-play; without a name, list the games
     Play(external::Arguments),
-    /// Look at a scene from all sides with the program cellray-play
+    /// View a scene from all sides with the program cellray-play
     View(external::Arguments),
     /// Measure run time, error and numerical stability with the program cellray-bench
     Bench(external::Arguments),
     /// Show a PNG file in the terminal with the program cellray-play
     Show(external::Arguments),
-    /// Make a folder with a game of your own, ready to run
+    /// Create a folder with a game of your own, ready to run
     New(new::Arguments),
-    /// Build shaders of your own into an SPU program, for --program
+    /// Assemble, schedule and link shaders of your own
     Shader(shader::Arguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
@@ -80,7 +80,7 @@ pub fn main() -> ExitCode {
     match dispatch(&Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            talk::say!("cellray: error: {error}");
+            messages::print!("cellray: error: {error}");
             ExitCode::FAILURE
         }
     }
@@ -97,7 +97,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Shader(arguments) => shader::run(arguments),
-        Command::Pages(arguments) => Ok(talk::manual::write(Arguments::command(), arguments)?),
+        Command::Pages(arguments) => Ok(messages::manual::write(Arguments::command(), arguments)?),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

@@ -69,23 +69,25 @@ struct Crate {
     name: &'static str,
     /// Its folder in cellray's sources.
     folder: &'static str,
-    /// What the dependency says of its features, as the end of the entry.
+    /// The features of the dependency, as the end of its entry in the manifest.
     features: &'static str,
 }
 
-/// Make a folder with a game of your own, ready to run.
+/// Create a folder with a game of your own, ready to run.
 #[derive(Args)]
 pub struct Arguments {
-    /// Folder to make; its name is the game's
+    /// Folder to create; its name becomes the game's
     folder: PathBuf,
-    /// The game to begin with
+    /// Game to begin with
     #[arg(long, value_enum, default_value_t)]
     template: Template,
-    /// Folder of cellray's sources that the game depends on [default: those that this program was
-    /// built from, or the repository that they were cloned from, if it has them as they are]
+    /// Folder of the cellray sources that the game depends on [default: this program's]
+    ///
+    /// The default is the repository from which this program's sources were cloned if they are
+    /// unchanged, otherwise their folder.
     #[arg(long, value_name = "FOLDER", conflicts_with = "git")]
     path: Option<PathBuf>,
-    /// Git repository of cellray that the game depends on
+    /// Git repository of the cellray sources that the game depends on
     #[arg(long, value_name = "ADDRESS")]
     git: Option<String>,
 }
@@ -109,7 +111,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         made.and_then(|()| fs::write(&path, bytes))
             .map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    talk::say!(
+    messages::print!(
         "cellray: made {0}; next: cd {0} && cargo run --release (the first build takes minutes)",
         folder.display()
     );

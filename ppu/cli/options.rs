@@ -22,49 +22,51 @@ pub struct Options {
     pub scene: SceneChoices,
     #[command(flatten)]
     pub camera: Camera,
-    /// SPUs to use
+    #[command(flatten)]
+    look: LookChoices,
+    /// Trade run time for accuracy
+    #[arg(long, help_heading = "Quality", value_enum, conflicts_with_all = ["program", "shaders"])]
+    pub quality: Option<Quality>,
+    /// Formulation of the ray-sphere test, instead of the quality's; see docs/accuracy.md
+    #[arg(long, help_heading = "Quality", hide_short_help = true, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
+    pub sphere: Option<String>,
+    /// Formulation of the ray-triangle test, instead of the quality's; see docs/accuracy.md
+    #[arg(long, help_heading = "Quality", hide_short_help = true, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
+    pub triangle: Option<String>,
+    /// Trace all rays that the Standard Procedural Databases count
+    ///
+    /// Even those that add nothing to the picture, such as reflected rays of glass with Ks 0.
+    #[arg(long, help_heading = "Quality", hide_short_help = true)]
+    pub spd_rays: bool,
+    /// Number of SPUs
     #[arg(
         long,
+        help_heading = "SPUs",
         default_value_t = 6,
         value_name = "N",
         allow_negative_numbers = true,
         value_parser = whole::<u32>(0..=u64::from(u32::MAX))
     )]
     pub spus: u32,
-    /// How the picture is split among the SPUs
-    #[arg(long, value_enum, default_value_t)]
+    /// Distribution of the picture among the SPUs
+    #[arg(long, help_heading = "SPUs", hide_short_help = true, value_enum, default_value_t)]
     pub split: Split,
-    /// Test every ray with every object, and trace every frame completely
-    #[arg(long)]
+    /// Disable culling: test every ray with every object, and trace every frame completely
+    #[arg(long, help_heading = "SPUs", hide_short_help = true)]
     pub no_skip: bool,
-    /// Trace the same rays as the Standard Procedural Databases count, even those that add nothing
-    /// to the picture, such as reflected rays of glass with Ks 0
-    #[arg(long)]
-    pub spd_rays: bool,
-    #[command(flatten)]
-    look: LookChoices,
-    /// Most blocks of a mesh that an SPU caches, for measurements
+    /// Trace every frame completely, even tiles that have not changed
+    #[arg(long, help_heading = "SPUs", hide_short_help = true)]
+    pub retrace: bool,
+    /// Maximum number of a mesh's blocks that an SPU caches, for measurements
     #[arg(long, default_value_t = MESH_MOST_SLOTS, value_name = "N", hide = true, value_parser = whole::<u32>(u64::from(MESH_LEAST_SLOTS)..=u64::from(MESH_MOST_SLOTS)))]
     pub mesh_cache: u32,
-    /// Trade run time for accuracy [default: default]
-    #[arg(long, value_enum, conflicts_with_all = ["program", "shaders"])]
-    pub quality: Option<Quality>,
-    /// Formulation for spheres, instead of the quality's; see docs/accuracy.md
-    #[arg(long, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
-    pub sphere: Option<String>,
-    /// Formulation for triangles, instead of the quality's; see docs/accuracy.md
-    #[arg(long, value_name = "FORMULATION", conflicts_with_all = ["program", "shaders"], value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
-    pub triangle: Option<String>,
     #[command(flatten)]
     program: ProgramChoices,
-    /// Trace every frame completely, even tiles that have not changed
-    #[arg(long)]
-    pub retrace: bool,
-    /// Print statistics: rays, tests, tiles, what each SPU did
-    #[arg(long, short)]
+    /// Print statistics: rays, tests, tiles, time of each SPU
+    #[arg(long, short, help_heading = "Output")]
     pub verbose: bool,
-    /// Write statistics as JSON to a file, or to standard output with -
-    #[arg(long, value_name = "S.json")]
+    /// JSON file of statistics to write, or - for standard output
+    #[arg(long, help_heading = "Output", value_name = "S.json")]
     pub stats: Option<PathBuf>,
 }
 
@@ -85,8 +87,8 @@ impl Options {
         look.of(options, scene.lights.len())
     }
 
-    /// What a picture's file says of how it was made of a scene that had this view: the options of
-    /// `cellray render` that determine it, including those that are not given.
+    /// The settings that a picture's file carries: the options of `cellray render` that determine
+    /// the picture, including those that are not given. `own_view` is the scene's own view.
     pub fn labels(&self, scene: &Scene, own_view: &scenes::View) -> Labels {
         let mut labels = Labels::default();
         labels.set("scene", self.scene.scene.display());

@@ -31,16 +31,16 @@ impl Progress {
         self.shown = Some(Instant::now());
         let text = format!("cellray: frame {frame}: {:.0} %", part * 100.0);
         if self.terminal {
-            talk::part(&format!("\r{text}  "));
+            messages::progress(&format!("\r{text}  "));
         } else {
-            talk::say!("{text}");
+            messages::print!("{text}");
         }
     }
 
     /// Ends the progress line.
     pub fn end(&mut self) {
         if self.terminal && self.shown.is_some() {
-            talk::part("\n");
+            messages::progress("\n");
         }
     }
 }

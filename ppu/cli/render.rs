@@ -1,4 +1,4 @@
-//! `cellray render`: traces a scene into a PNG file, or into a sequence of them.
+//! `cellray render`: renders a scene to a picture, or to a sequence of pictures.
 
 use std::ffi::OsString;
 use std::io::IsTerminal as _;
@@ -44,37 +44,52 @@ impl Frames {
     }
 }
 
-/// Trace a scene into a PNG file, or into a sequence of them.
+/// Render a scene to a picture, or to a sequence of pictures.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
     options: Options,
-    /// Width and height in pixels [default: the scene's own]
-    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
+    /// Width and height in pixels [default: the scene's]
+    #[arg(long, help_heading = "Output", value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Picture to write, a .png, a .jpg, or - for a PNG on standard output; with none, the frames
-    /// are traced and only measured. If the name has a place for the frame's number, as f-%05d.png,
-    /// every frame becomes a picture; pictures that exist are kept [default: SCENE.png in this
-    /// folder; with --inspect, none]
-    #[arg(long, value_name = "F.png")]
+    /// Picture to write: a .png or .jpg file, - or none [default: SCENE.png]
+    ///
+    /// With - a PNG is written to standard output. With none, frames are traced and measured, but
+    /// not written. If the name has a number, as in f-%05d.png, every frame is written to a file of
+    /// that number, and files that exist are kept. The default is SCENE.png in the current folder;
+    /// with --inspect, none.
+    #[arg(long, help_heading = "Output", value_name = "F.png")]
     out: Option<PathBuf>,
-    /// Frames: N for the first N, traced only once unless --retrace is given; or A..B for numbered
-    /// pictures from A to B - 1
-    #[arg(long, default_value = "1", value_name = "A..B", allow_hyphen_values = true)]
+    /// Number of frames, or a range A..B for numbered pictures
+    ///
+    /// The range ends with frame B - 1. Without a range all frames are equal, so that only the
+    /// first is traced unless --retrace is given.
+    #[arg(
+        long,
+        help_heading = "Output",
+        default_value = "1",
+        value_name = "A..B",
+        allow_hyphen_values = true
+    )]
     frames: Frames,
-    /// Frames in which the eye goes once around its target, in numbered pictures
-    #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
+    /// Frames per revolution of the eye in numbered pictures
+    #[arg(long, help_heading = "Output", default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
     turn: u32,
-    /// Trace primary rays through the corners of the pixels and average each pixel's four, as the
-    /// Standard Procedural Databases do
-    #[arg(long)]
+    /// Sample the corners of the pixels, as the Standard Procedural Databases do
+    ///
+    /// A pixel is the mean of its four corners.
+    #[arg(long, help_heading = "Quality", hide_short_help = true)]
     corners: bool,
-    /// Render again whenever the scene, the SPU program or a shader's source changes, until Ctrl-C
-    #[arg(long)]
+    /// Render again whenever a file changes, until Ctrl-C
+    ///
+    /// Files are the scene, the SPU program and the sources of shaders.
+    #[arg(long, help_heading = "Output")]
     watch: bool,
-    /// Trace one frame in simulated time, and write a page to this file that shows where its time
-    /// went: maps of the tiles, the SPUs' timelines, cycles by function and source line
-    #[arg(long, value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
+    /// HTML page to write on the time that a frame takes
+    ///
+    /// One frame is traced in simulated time. The page has maps of the tiles, the timelines of the
+    /// SPUs, and cycles by function and by source line.
+    #[arg(long, help_heading = "Output", value_name = "PAGE", conflicts_with_all = ["corners", "watch"])]
     inspect: Option<PathBuf>,
 }
 
@@ -118,14 +133,14 @@ impl Arguments {
         if path.exists() && !Labels::are_in(&path) {
             let name = path.display();
             return Err(format!(
-                "{name} exists, and is no picture by cellray: say --out {name} to replace it, --out \
-                 and another name to keep it, or --out none to write no picture"
+                "{name} exists, and was not written by cellray: use --out {name} to replace it, --out \
+                 with another name to keep it, or --out none to write no picture"
             ));
         }
         Ok(Some(path))
     }
 
-    /// Refuses numbered frames whose pictures have no place for a number in their names.
+    /// Refuses a range of frames if the pictures' name has no number.
     fn check_numbers(&self) -> Result<(), String> {
         let FrameRange { first, end } = self.frames.range;
         if !self.frames.are_numbered {
@@ -141,20 +156,20 @@ impl Arguments {
         pattern.push("-%05d.");
         pattern.push(extension.unwrap_or("png".as_ref()));
         Err(format!(
-            "--frames {first}..{end} makes numbered pictures, whose name needs a place for the number: \
-             --out '{}'; --frames {} traces that many frames and writes the last",
+            "--frames {first}..{end} writes numbered pictures, so the name needs a number: --out '{}'; \
+             --frames {} traces that many frames and writes only the last",
             pattern.display(),
             end - first
         ))
     }
 
-    /// Refuses what would mix something into a picture on standard output.
+    /// Refuses options that would write something else to standard output beside the picture.
     fn check_output(&self) -> Result<(), &'static str> {
         if self.options.stats.as_deref() == Some(Path::new("-")) {
-            return Err("--out - and --stats - can't both have standard output");
+            return Err("--out - and --stats - can't both use standard output");
         }
         if self.watch || !self.frames.is_one() {
-            return Err("--out - writes one picture: leave out --watch and --frames");
+            return Err("--out - writes one picture: remove --watch and --frames");
         }
         if std::io::stdout().is_terminal() {
             return Err("--out -: standard output is a terminal; redirect it to a file or a pipe");
@@ -167,7 +182,7 @@ impl Arguments {
         if self.corners {
             return Err("--corners can't be used with numbered pictures".into());
         }
-        // Notes on what can't be drawn come before the first frame.
+        // Notes on shapes that can't be drawn are printed before the first frame.
         let prepared = run::prepare(&self.options, false)?;
         let run::Prepared { program, source, scene, own_view, labels } = prepared;
         let size = self.geometry(scene.view())?;
@@ -191,9 +206,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let mut watch = Watch::new(arguments.options.files());
     loop {
         if let Err(error) = once(arguments) {
-            talk::say!("cellray: error: {error}");
+            messages::print!("cellray: error: {error}");
         }
-        talk::say!("cellray: waiting for a change");
+        messages::print!("cellray: waiting for a change");
         watch.wait();
     }
 }
@@ -229,7 +244,7 @@ fn once(arguments: &Arguments) -> Outcome {
 /// Traces one frame, and writes the page about it.
 fn inspected(arguments: &Arguments, page: &Path) -> Outcome {
     if arguments.numbered()?.is_some() || !arguments.frames.is_one() {
-        return Err("--inspect shows one frame: leave out --frames and the number in --out".into());
+        return Err("--inspect traces one frame: remove --frames and the number in --out".into());
     }
     let recording = inspect::record()?;
     let prepared = run::prepare(&arguments.options, false)?;

@@ -1,4 +1,4 @@
-//! The way of `render` and `fb`: a scene is prepared, its frames are traced, and the run is told.
+//! The steps of `render` and `fb`: prepare a scene, trace its frames, and report the run.
 
 use std::fs;
 use std::path::Path;
@@ -18,56 +18,56 @@ type Failure = Box<dyn std::error::Error>;
 /// A scene that is ready to be traced.
 pub struct Prepared {
     pub program: Program,
-    /// What the scene was made of.
+    /// The description that the scene was built from.
     pub source: scenes::Scene,
     pub scene: Scene,
     /// The view that the scene has by itself.
     pub own_view: scenes::View,
-    /// What a picture's file says of how it was made.
+    /// The settings that a picture's file carries.
     pub labels: Labels,
 }
 
 /// Loads a scene, prepares it for the SPU program that the options select, and prints notes about
-/// what will not be drawn, or not as requested. With `corners`, primary rays go through the corners
-/// of pixels.
+/// shapes that will not be drawn, or not as requested. With `corners`, primary rays go through the
+/// corners of pixels.
 pub fn prepare(options: &Options, corners: bool) -> Result<Prepared, Failure> {
     let program = options.program()?;
     let meshes::Loaded { scene: mut source, notes, .. } = meshes::load(&options.scene.scene)?;
     for note in notes {
-        talk::say!("cellray: note: {note}");
+        messages::print!("cellray: note: {note}");
     }
     let own_view = source.view.clone();
     options.camera.place(&mut source.view);
     let render_options = options.render_options(&source, corners);
     let scene = Scene::new(&source, render_options, &program)?;
     if let Some(note) = offset_note(&source, render_options) {
-        talk::say!("cellray: note: {note}");
+        messages::print!("cellray: note: {note}");
     }
     for what in scene.not_drawn() {
-        talk::say!("cellray: note: {what}");
+        messages::print!("cellray: note: {what}");
     }
-    tell_formulations(options, &scene, &program)?;
+    note_formulations(options, &scene, &program)?;
     let labels = options.labels(&scene, &own_view);
     Ok(Prepared { program, source, scene, own_view, labels })
 }
 
-/// Prints notes about formulations that replace others, or that this scene has no kernel of.
-fn tell_formulations(options: &Options, scene: &Scene, program: &Program) -> Outcome {
+/// Prints notes about formulations that replace others, or that have no kernel for this scene.
+fn note_formulations(options: &Options, scene: &Scene, program: &Program) -> Outcome {
     let replacing = [("sphere", &options.sphere), ("triangle", &options.triangle)];
     for (shape, formulation) in replacing {
         let quality = options.quality.and_then(|quality| quality.to_possible_value());
         if let (Some(quality), Some(formulation)) = (quality, formulation) {
             let quality = quality.get_name();
-            talk::say!(
-                "cellray: note: {shape}s are intersected by --{shape} {formulation}, and not as --quality \
-                 {quality} would have it"
+            messages::print!(
+                "cellray: note: {shape}s are intersected by --{shape} {formulation}, which replaces the formulation \
+                 of --quality {quality}"
             );
         }
     }
     if let Some(requested) = &options.sphere {
         let used = scene.sphere_formulation(&program.formulations()?).name;
         if used != requested {
-            talk::say!(
+            messages::print!(
                 "cellray: note: {requested} has no kernel for this scene's rays; {used} is used instead"
             );
         }
@@ -75,8 +75,8 @@ fn tell_formulations(options: &Options, scene: &Scene, program: &Program) -> Out
     Ok(())
 }
 
-/// Traces frames until `enough` returns true for their number, then reports. `what` is what they
-/// are shown on.
+/// Traces frames until `enough` returns true for their number, then reports. `what` names
+/// their destination.
 pub fn frames(
     options: &Options,
     prepared: &Prepared,
@@ -84,7 +84,7 @@ pub fn frames(
     enough: impl FnMut(usize) -> bool,
 ) -> Outcome {
     let (_, report) = traced(options, prepared, framebuffer, enough)?;
-    tell(options, what, report)
+    report_run(options, what, report)
 }
 
 /// Traces frames until `enough` returns true for their number. The engine still has the last one.
@@ -112,14 +112,14 @@ pub fn traced(
     Ok((engine, report))
 }
 
-/// Prints a line on what was made, and the statistics if they are asked for, and writes them to the
+/// Prints a line on the run, and the statistics if they are requested, and writes them to the
 /// file of `--stats`.
-pub fn tell(options: &Options, what: &str, mut report: Report) -> Outcome {
+pub fn report_run(options: &Options, what: &str, mut report: Report) -> Outcome {
     report.add_memory();
-    talk::say!("cellray: {what}: {}", report.summary());
+    messages::print!("cellray: {what}: {}", report.summary());
     if options.verbose {
         for line in report.to_string().lines().skip(1) {
-            talk::say!("cellray: {line}");
+            messages::print!("cellray: {line}");
         }
     }
     match &options.stats {
@@ -132,7 +132,7 @@ fn write_stats(path: &Path, report: &Report) -> Outcome {
     let mut text = serde_json::to_string_pretty(report)?;
     text.push('\n');
     if path == Path::new("-") {
-        return Ok(talk::print(text)?);
+        return Ok(messages::write_data(text)?);
     }
     Ok(fs::write(path, text).map_err(|error| format!("statistics {}: {error}", path.display()))?)
 }

@@ -26,9 +26,9 @@ pub fn run(
     let mut clock = FixedSteps(Duration::ZERO);
     let made = pictures.write(&mut session, frames, &mut clock, &mut interrupted)?;
     let what = format!("{} picture(s) written, {} existed already", made.written, made.kept);
-    run::tell(options, &what, session.report().clone())?;
+    run::report_run(options, &what, session.report().clone())?;
     if let Some(signal) = interrupted.signal() {
-        talk::say!("cellray: ended by signal {signal}");
+        messages::print!("cellray: ended by signal {signal}");
         emulate_default_handler(signal)?;
     }
     Ok(())

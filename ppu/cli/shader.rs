@@ -1,4 +1,4 @@
-//! `cellray shader`: shaders of one's own, in an SPU program, as an object, or scheduled.
+//! `cellray shader`: assembles, schedules and links shaders.
 
 use std::error::Error;
 use std::fs;
@@ -12,7 +12,7 @@ use spu_scheduler::{LoopReport, Outcome as Form, ScheduleError};
 
 use super::Outcome;
 
-/// Build shaders of your own into an SPU program.
+/// Assemble, schedule and link shaders of your own.
 #[derive(Args)]
 pub struct Arguments {
     #[command(subcommand)]
@@ -21,31 +21,33 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Assemble shaders and link them with the tracer; needs an SPU assembler
+    /// Assemble shaders and link them into an SPU program, for --program
     Build {
-        /// Sources in SPU assembly; docs/shaders.md has the rules
+        /// Sources in SPU assembly; the rules are in docs/shaders.md
         #[arg(value_name = "F.s", required = true)]
         sources: Vec<PathBuf>,
-        /// SPU program to write [default: the first source's name with .elf, in this folder]
+        /// SPU program to write [default: the first source's name with .elf, in the current folder]
         #[arg(long, value_name = "F.elf")]
         out: Option<PathBuf>,
     },
-    /// Assemble one shader into an object, which `spu time` and `spu schedule` take
+    /// Assemble a shader into an object file, for spu time and spu schedule
     Assemble {
         /// Source in SPU assembly
         #[arg(value_name = "F.s")]
         source: PathBuf,
-        /// Object to write [default: the source's name with .o, in this folder]
+        /// Object file to write [default: the source's name with .o, in the current folder]
         #[arg(long, value_name = "F.o")]
         out: Option<PathBuf>,
     },
-    /// Schedule one shader for both pipes of the SPU, and tell its cycles before and after
+    /// Schedule a shader for both pipes of the SPU, and print its cycles before and after
     Schedule {
-        /// Source in SPU assembly, its functions between `function` and `endfunction`, or with
-        /// `.type` and `.size`; docs/spu-programming.md has the rules
+        /// Source in SPU assembly; the rules are in docs/spu-programming.md
+        ///
+        /// Its functions are between function and endfunction, or have .type and .size.
         #[arg(value_name = "F.s")]
         source: PathBuf,
-        /// Scheduled source to write [default: the source's name with .scheduled.s, in this folder]
+        /// Scheduled source to write [default: the source's name with .scheduled.s, in the current
+        /// folder]
         #[arg(short, long, value_name = "F.s")]
         out: Option<PathBuf>,
     },
@@ -67,11 +69,11 @@ fn build(sources: &[PathBuf], out: Option<&Path>) -> Outcome {
     let shaders = Program::from_image(&image)?.shaders()?;
     let out = named(&sources[0], out, "elf");
     fs::write(&out, &image).map_err(|error| format!("{}: {error}", out.display()))?;
-    talk::say!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
+    messages::print!("cellray: {}: shaders {}", out.display(), shaders.join(", "));
     Ok(())
 }
 
-/// The file to write: as asked for, or after the source, in this folder.
+/// The file to write: the requested one, or the source's name in the current folder.
 fn named(source: &Path, out: Option<&Path>, extension: &str) -> PathBuf {
     let stem = Path::new(source.file_stem().unwrap_or_default());
     out.map_or_else(|| stem.with_extension(extension), Path::to_path_buf)
@@ -115,9 +117,9 @@ fn schedule(source: &Path, out: Option<&Path>) -> Outcome {
     })?;
     fs::write(&out, &scheduled.text).map_err(|error| format!("{}: {error}", out.display()))?;
     let (plain, made) = (Code::parse(&plain)?, Code::parse(&object)?);
-    talk::say!("cellray: {}: {} scheduled", out.display(), source.display());
+    messages::print!("cellray: {}: {} scheduled", out.display(), source.display());
     for line in cycles(&plain, &made, &scheduled.loops) {
-        talk::say!("cellray: {line}");
+        messages::print!("cellray: {line}");
     }
     Ok(())
 }

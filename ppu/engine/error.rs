@@ -11,7 +11,7 @@ use protocol::layout::MAX_SPUS;
 /// Why the engine made no frame.
 #[derive(Debug, thiserror::Error)]
 pub enum EngineError {
-    /// The number of SPUs is 0, or more than a frame's record has room for.
+    /// The number of SPUs is 0, or more than a frame's record holds.
     #[error("{0} SPUs: must be 1 to {MAX_SPUS}")]
     SpuCount(u32),
     /// An SPU program ended; no further frame can be traced.
@@ -34,12 +34,12 @@ pub enum EngineError {
         /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,
     },
-    /// An SPU did not answer, and no SPU did anything until the timeout.
+    /// An SPU did not reply, and no SPU did anything until the timeout.
     #[error("SPU {spu} {silence}{unchecked}")]
     Silent {
-        /// Number of the first SPU that did not answer.
+        /// Number of the first SPU that did not reply.
         spu: u32,
-        /// What is known about that SPU.
+        /// The state of that SPU.
         silence: Silence,
         /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,

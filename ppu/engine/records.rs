@@ -38,16 +38,16 @@ pub(super) struct Records {
     materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
-    /// The rays of each SPU that have no room in local store.
+    /// The rays of each SPU that do not fit into local store.
     waiting: SharedMemory,
-    /// Room for the largest possible number of units.
+    /// Capacity for the largest possible number of units.
     units: SharedMemory,
     costs: SharedMemory,
     pub framebuffer: Box<dyn Framebuffer>,
 }
 
 impl Records {
-    /// Allocates room for frames of this framebuffer's size.
+    /// Allocates memory for frames of this framebuffer's size.
     pub fn new(framebuffer: Box<dyn Framebuffer>, program: &Program) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
         let [(mesh_code, mesh_code_bytes), (texture_code, texture_code_bytes)] =
@@ -80,7 +80,7 @@ impl Records {
         }
     }
 
-    /// Takes another framebuffer, with room for its frames, and returns the previous one.
+    /// Takes another framebuffer, with memory for its frames, and returns the previous one.
     pub fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Box<dyn Framebuffer> {
         [self.units, self.costs] = units_and_costs(framebuffer.as_ref());
         std::mem::replace(&mut self.framebuffer, framebuffer)
@@ -161,7 +161,8 @@ impl Records {
     }
 }
 
-/// Room for the most units that a picture can be split into, of one tile each, and their costs.
+/// Capacity for the maximum number of units that a picture can be split into, of one tile each, and
+/// their costs.
 fn units_and_costs(framebuffer: &dyn Framebuffer) -> [SharedMemory; 2] {
     let most = tile_count(framebuffer.geometry()) as usize;
     [size_of::<WorkUnit>(), size_of::<UnitCost>()].map(|size| SharedMemory::new(most * size))

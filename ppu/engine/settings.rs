@@ -20,8 +20,8 @@ pub struct Settings {
     /// Whether the SPUs check at each call of a shader that it keeps the rules of
     /// `docs/shaders.md`.
     pub check_shaders: bool,
-    /// The timeout: the SPUs count as lost when none of them has taken a work unit, finished one
-    /// or answered for so long.
+    /// The timeout: the SPUs count as lost after this time in which no SPU has taken a work unit,
+    /// finished one or replied.
     pub timeout: Duration,
     /// The program that the SPUs run.
     pub program: Program,

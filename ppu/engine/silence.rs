@@ -1,15 +1,15 @@
-//! The timeout of a frame, and the report about an SPU that doesn't answer.
+//! The timeout of a frame, and the report about an SPU that doesn't reply.
 //!
-//! Owns the decision whether a frame can still be expected. A frame's duration doesn't tell: on
-//! emulated SPUs it may be hours. What counts is whether any SPU still takes a work unit, finishes
-//! one, or answers.
+//! Owns the decision whether a frame can still be expected. A frame's duration is no criterion: on
+//! emulated SPUs it may be hours. The criterion is whether any SPU still takes a work unit,
+//! finishes one, or replies.
 
 use std::fmt;
 use std::time::{Duration, Instant};
 
 /// The shortest time between two calls that report progress.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
-/// The shortest sleep that libspe2 knows.
+/// The shortest sleep that libspe2 supports.
 const SHORTEST: Duration = Duration::from_millis(1);
 /// How long to sleep at a time. libspe2's clock may differ from this program's: a millisecond of
 /// an emulator's may take seconds. So sleeps begin short, and grow only while they take no longer
@@ -37,7 +37,7 @@ impl Pause {
     }
 }
 
-/// Measures the time since the SPUs last showed a sign of work. It is told what time it is.
+/// Measures the time since the SPUs last showed a sign of work. The caller passes the time.
 pub(super) struct Watchdog {
     timeout: Duration,
     since: Instant,
@@ -71,7 +71,7 @@ impl Watchdog {
     }
 }
 
-/// What is known about an SPU that did not answer.
+/// The state of an SPU that did not reply.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Silence {
     /// How long no SPU has shown a sign of work.
@@ -106,7 +106,7 @@ impl fmt::Display for Silence {
         let Self { waited, begun, units, activity } = self;
         write!(
             f,
-            "has not answered, and for {} s no SPU has taken or finished any work ({begun} of {units} work units \
+            "has not replied, and for {} s no SPU has taken or finished any work ({begun} of {units} work units \
              were begun); it ",
             waited.as_secs_f64()
         )?;

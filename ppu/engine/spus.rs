@@ -48,7 +48,7 @@ impl Spus {
         Ok(started)
     }
 
-    /// Mails `address` as the address of `frame`, and waits for the answers.
+    /// Mails `address` as the address of `frame`, and waits for the replies.
     pub fn exchange(
         &mut self,
         address: u64,
@@ -70,7 +70,7 @@ impl Spus {
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
         // All SPUs are waited for, even after an error, because they write to the frame's memory
-        // until they answer.
+        // until they reply.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
             let began = Instant::now();
             let left = watchdog.left(began);
@@ -89,17 +89,17 @@ impl Spus {
             watchdog.restart(Instant::now());
             let spu = &mut self.spus[number as usize];
             let error = match event {
-                Event::Answer => {
-                    let Some(answer) = spu.context.answer()? else {
+                Event::Reply => {
+                    let Some(reply) = spu.context.reply()? else {
                         continue;
                     };
                     // The names are looked up only after a refusal, because that allocates memory.
                     // An image without the table has no names.
-                    let shaders = match answer {
+                    let shaders = match reply {
                         0 => Vec::new(),
                         _ => settings.program.shaders().unwrap_or_default(),
                     };
-                    Refusal::of(answer, frame, address, &shaders).map(|refusal| {
+                    Refusal::of(reply, frame, address, &shaders).map(|refusal| {
                         let unchecked = match refusal.names_shader() {
                             true => Unchecked::default(),
                             false => unchecked(),
@@ -124,9 +124,9 @@ impl Spus {
         first_error.map_or(Ok(()), Err)
     }
 
-    /// Finds out what an SPU that doesn't answer is doing. It is lost anyway, so it is stopped to
+    /// Finds out what an SPU that doesn't reply is doing. It is lost anyway, so it is stopped to
     /// learn where it is. So are the others: in simulated time, its stop shows only when they have
-    /// got as far, and they may be far behind.
+    /// got as far, and they may have much left to run.
     fn silence(
         &mut self,
         number: usize,
@@ -161,7 +161,7 @@ impl Spus {
         }
     }
 
-    /// Waits a while for the end of an SPU's program. The other SPUs' answers are discarded.
+    /// Waits a while for the end of an SPU's program. The other SPUs' replies are discarded.
     fn until_ended(&mut self, number: usize) -> Option<Ended> {
         let asked = Instant::now();
         while asked.elapsed() < UNTIL_HALTED {
@@ -170,8 +170,8 @@ impl Spus {
                 continue;
             };
             let spu = &mut self.spus[of as usize];
-            if event == Event::Answer {
-                spu.context.answer().ok()?;
+            if event == Event::Reply {
+                spu.context.reply().ok()?;
                 continue;
             }
             spu.context.take_stop_record().ok()?;

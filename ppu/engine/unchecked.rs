@@ -11,7 +11,7 @@ use crate::spe::Program;
 pub struct Unchecked(bool);
 
 impl Unchecked {
-    /// For a frame with these settings, by Whitted's model or by depth shading.
+    /// For a frame with these settings, with Whitted's model or with depth shading.
     pub(super) fn of(settings: &Settings, is_whitted: bool) -> Self {
         let shaders = |program: &Program| program.shaders().unwrap_or_default();
         let known = shaders(&Program::tracer());

@@ -1,5 +1,5 @@
-//! The virtual terminal behind the screen. While frames are shown, the kernel must not draw text
-//! there. Before the user sees another terminal, the program releases the screen.
+//! The virtual terminal that the screen shows. While frames are shown, the kernel must not draw
+//! text there. Before the user sees another terminal, the program releases the screen.
 //!
 //! Invariant: the terminal's modes are restored when a [`Console`] is dropped, on return, on an
 //! error or when a panic unwinds. If the program ends in any other way that it can catch, the text
@@ -20,7 +20,7 @@ pub(super) struct Console {
     name: &'static str,
     terminal: Box<dyn Terminal>,
     found: i32,
-    /// The terminal that was on the screen at the start, if the kernel tells.
+    /// The terminal that was on the screen at the start, if the kernel reports it.
     on_screen: Option<u16>,
     /// How the kernel switched terminals before; `None` if it doesn't ask this program now.
     changes: Option<VtMode>,
@@ -67,7 +67,7 @@ impl Console {
                 self.switching.leave();
                 // The kernel refuses this if nobody waits for the screen: the user switched back,
                 // or the signal wasn't the kernel's. Then the screen will not be returned either.
-                self.away = self.terminal.answer(VT_RELEASED).is_ok();
+                self.away = self.terminal.acknowledge(VT_RELEASED).is_ok();
             }
             ScreenRequest::Stop => {
                 self.restore();
@@ -82,8 +82,8 @@ impl Console {
     pub(super) fn come_back(&mut self) -> bool {
         if self.away && self.switching.wait_until_back() {
             self.away = false;
-            // The kernel doesn't wait for this answer.
-            let _ = self.terminal.answer(VT_ACKACQ);
+            // The kernel doesn't wait for this acknowledgement.
+            let _ = self.terminal.acknowledge(VT_ACKACQ);
         }
         !self.away
     }

@@ -44,7 +44,7 @@ pub struct Device {
     console: io::Result<Console>,
 }
 
-/// A driver that has answered. So far only its video mode may have been changed.
+/// A driver that has responded. So far only its video mode may have been changed.
 struct Found {
     driver: VideoModeGuard,
     var: FbVarScreeninfo,
@@ -64,7 +64,7 @@ impl Found {
             Err(_) => String::new(),
         };
         format!(
-            "{}, driver {}, {}, stride {} bytes, room for {frames}{mode}",
+            "{}, driver {}, {}, stride {} bytes, memory for {frames}{mode}",
             path.display(),
             surface.driver,
             surface.geometry,
@@ -77,7 +77,7 @@ impl Device {
     /// Opens the device at `path`, and takes over the screen and its console.
     ///
     /// # Errors
-    /// The device can't be opened, its driver's answers are not supported, or the options don't
+    /// The device can't be opened, its driver's replies are not supported, or the options don't
     /// suit it.
     pub fn open(path: &Path, options: Options) -> Result<Device, FramebufferError> {
         let driver = KernelDriver::open(path)
@@ -92,7 +92,7 @@ impl Device {
     /// A line of text about the device at `path`, which is not changed.
     ///
     /// # Errors
-    /// The device can't be opened, or its driver's answers are not supported.
+    /// The device can't be opened, or its driver's replies are not supported.
     pub fn inspect(path: &Path) -> Result<String, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;

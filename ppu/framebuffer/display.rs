@@ -1,6 +1,6 @@
 //! Selects the frame that is on the screen, and the time when it changes.
 //!
-//! Tries the calls that a driver's numbers promise. A call that the driver doesn't know is not
+//! Tries the calls that a driver's numbers promise. A call that the driver doesn't support is not
 //! made again. Invariant: all changes of the device are undone on drop.
 
 use super::FramebufferError;
@@ -22,7 +22,7 @@ pub(super) struct Display {
     scheme: Scheme,
     frames: u32,
     vsync: bool,
-    /// Whether the driver has answered a request to wait.
+    /// Whether the driver has fulfilled a request to wait.
     waited: bool,
     /// Whether the screen was restored because it was released.
     left: bool,
@@ -66,7 +66,7 @@ impl Display {
         self.frames
     }
 
-    /// A text that says whether showing waits for the vertical blank.
+    /// A text on whether showing waits for the vertical blank.
     pub(super) fn vsync(&self) -> &'static str {
         match (self.vsync, self.waited) {
             (true, true) => "vsync",
@@ -182,7 +182,7 @@ impl Display {
         Ok(())
     }
 
-    /// `None` if the driver doesn't know the request.
+    /// `None` if the driver doesn't support the request.
     fn optional<T>(
         &self,
         request: &'static str,

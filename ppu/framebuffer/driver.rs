@@ -59,7 +59,7 @@ pub(super) trait Driver: Send {
     fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<RestorePromise>;
 }
 
-/// The kernel's driver behind a device node.
+/// The kernel's driver of a device node.
 pub(super) struct KernelDriver {
     device: File,
 }

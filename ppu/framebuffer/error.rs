@@ -85,7 +85,7 @@ pub enum FramebufferError {
         path: PathBuf,
         /// The name of the request.
         request: &'static str,
-        /// The driver's answer.
+        /// The driver's error.
         source: io::Error,
     },
     /// The driver's pixels are not 32 bits of 8-bit channels.
@@ -125,7 +125,7 @@ pub enum FramebufferError {
         path: PathBuf,
         /// The requested raster.
         raster: Raster,
-        /// The obstacle, or the driver's answer.
+        /// The obstacle, or the driver's error.
         why: String,
     },
     /// There is not enough memory for a frame.

@@ -57,7 +57,7 @@ impl File {
             });
         }
         allocate(&file, expected)
-            .map_err(|source| FramebufferError::io("make room in", path, source))?;
+            .map_err(|source| FramebufferError::io("allocate", path, source))?;
         let map = MmapOptions::new()
             .len(expected as usize)
             .map_raw(&file)
@@ -68,7 +68,7 @@ impl File {
 
 fn length(file: &fs::File, path: &Path) -> Result<u64, FramebufferError> {
     let metadata =
-        file.metadata().map_err(|source| FramebufferError::io("look at", path, source))?;
+        file.metadata().map_err(|source| FramebufferError::io("inspect", path, source))?;
     Ok(metadata.len())
 }
 

@@ -81,7 +81,7 @@ pub(super) fn watch() -> io::Result<()> {
 }
 
 /// Whether the program was asked to stop.
-pub(super) fn came() -> bool {
+pub(super) fn stop_requested() -> bool {
     SIGNAL.load(Ordering::SeqCst) != 0
 }
 

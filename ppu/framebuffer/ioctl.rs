@@ -161,7 +161,7 @@ pub(super) struct FbFixScreeninfo {
     pub(super) reserved: [u16; 2],
 }
 
-/// The answer to PS3FB_IOCTL_SCREENINFO. Only `num_frames` is useful. The other fields describe
+/// The result of PS3FB_IOCTL_SCREENINFO. Only `num_frames` is useful. The other fields describe
 /// the raster of the driver's first version.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
@@ -173,7 +173,7 @@ pub(super) struct Ps3fbIoctlRes {
     pub(super) num_frames: u32,
 }
 
-/// The answer to VT_GETSTATE.
+/// The result of VT_GETSTATE.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct VtStat {
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn the_hosts_encoding_is_that_of_its_libc() {
-        // A request that writes an int, which libc knows for every machine.
+        // A request that writes an int, which libc defines for every machine.
         let host = Encoding::HOST;
         assert_eq!(
             host.request(host.write, b'T', 202, size_of::<u32>()) as libc::Ioctl,

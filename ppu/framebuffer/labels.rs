@@ -1,5 +1,4 @@
-//! What a picture's file says about the picture besides its pixels: its settings, as text chunks of
-//! PNG.
+//! The settings of a picture in its file, as text chunks of PNG.
 //!
 //! Invariant: the same settings give the same bytes. There is no date among them, and nothing that
 //! leaves the pixels as they are, such as the number of SPUs.
@@ -65,7 +64,7 @@ impl Labels {
         }
     }
 
-    /// Whether a file is a PNG whose labels say that cellray made it.
+    /// Whether a file is a PNG with the labels of a picture by cellray.
     #[must_use]
     pub fn are_in(path: &Path) -> bool {
         let Ok(file) = File::open(path) else {

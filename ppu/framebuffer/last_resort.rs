@@ -63,7 +63,7 @@ impl RestorePromise {
         request: u32,
         argument: Argument,
     ) -> RestorePromise {
-        catch_ends();
+        install_handlers();
         let call = NonNull::from(Box::leak(Box::new(Call {
             descriptor: descriptor.as_raw_fd(),
             request,
@@ -117,7 +117,7 @@ impl LastResort {
     /// As for [`LastResort::arm`].
     pub(super) unsafe fn take_place(&'static self) {
         ARMED.store(ptr::from_ref(self).cast_mut(), Ordering::SeqCst);
-        catch_ends();
+        install_handlers();
     }
 
     /// The armed one, if there is one.
@@ -156,7 +156,7 @@ pub(crate) fn restore_screen() {
 }
 
 /// Faults and other signals that end a program unless it handles them.
-const ENDS: [i32; 15] = [
+const FATAL_SIGNALS: [i32; 15] = [
     libc::SIGSEGV,
     libc::SIGBUS,
     libc::SIGILL,
@@ -174,21 +174,21 @@ const ENDS: [i32; 15] = [
     libc::SIGPWR,
 ];
 
-/// The first so many of [`ENDS`] are faults. Their instruction is executed again, so they go on to
-/// the earlier handler: at a SIGSEGV the Rust runtime reports a stack overflow and ends the
-/// program. Other signals that already have a handler are not touched.
+/// The number of faults, which are first in [`FATAL_SIGNALS`]. Their instruction is executed again,
+/// so they go on to the earlier handler: at a SIGSEGV the Rust runtime reports a stack overflow and
+/// ends the program. Other signals that already have a handler are not touched.
 const FAULTS: usize = 4;
 
-static BEFORE: [AtomicPtr<libc::sigaction>; ENDS.len()] =
-    [const { AtomicPtr::new(ptr::null_mut()) }; ENDS.len()];
+static BEFORE: [AtomicPtr<libc::sigaction>; FATAL_SIGNALS.len()] =
+    [const { AtomicPtr::new(ptr::null_mut()) }; FATAL_SIGNALS.len()];
 
-fn catch_ends() {
-    static CATCH: Once = Once::new();
-    CATCH.call_once(catch_each_end);
+fn install_handlers() {
+    static INSTALLED: Once = Once::new();
+    INSTALLED.call_once(install_each_handler);
 }
 
-fn catch_each_end() {
-    for (index, &signal) in ENDS.iter().enumerate() {
+fn install_each_handler() {
+    for (index, &signal) in FATAL_SIGNALS.iter().enumerate() {
         let mut before = MaybeUninit::<libc::sigaction>::zeroed();
         // SAFETY: without a new action this only writes the current one.
         let before = unsafe {
@@ -202,10 +202,10 @@ fn catch_each_end() {
             continue;
         }
         BEFORE[index].store(Box::leak(Box::new(before)), Ordering::SeqCst);
-        let handler: extern "C" fn(i32, *mut libc::siginfo_t, *mut libc::c_void) = on_end;
-        // SAFETY: zeros are an action with an empty mask. `on_end` has the type that SA_SIGINFO
-        // requires, and uses only atomics and calls that handlers may use. SA_ONSTACK is needed
-        // for a stack overflow.
+        let handler: extern "C" fn(i32, *mut libc::siginfo_t, *mut libc::c_void) = on_fatal_signal;
+        // SAFETY: zeros are an action with an empty mask. `on_fatal_signal` has the type that
+        // SA_SIGINFO requires, and uses only atomics and calls that handlers may use. SA_ONSTACK is
+        // needed for a stack overflow.
         unsafe {
             let mut action: libc::sigaction = mem::zeroed();
             action.sa_sigaction = handler as libc::sighandler_t;
@@ -215,9 +215,9 @@ fn catch_each_end() {
     }
 }
 
-extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_void) {
+extern "C" fn on_fatal_signal(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_void) {
     restore_screen();
-    let Some(index) = ENDS.iter().position(|&end| end == signal) else {
+    let Some(index) = FATAL_SIGNALS.iter().position(|&fatal| fatal == signal) else {
         return;
     };
     // SAFETY: the kernel passes a siginfo_t to a handler with SA_SIGINFO. The earlier action is
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn whatever_ends_the_program_the_promise_is_kept() {
+    fn promise_is_kept_at_every_fatal_signal() {
         let segv: fn() -> i32 = || {
             let _promise = promise();
             // SAFETY: not sound on purpose: the test is about the fault, in a process of its own.
@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_armed_is_put_back_by_all_that_ends_the_program() {
+    fn last_resort_runs_at_every_fatal_signal() {
         fn raise(signal: i32) {
             // SAFETY: the test is about the signal, in a process of its own.
             unsafe { libc::raise(signal) };

@@ -1,8 +1,8 @@
 //! Framebuffers: the console's screen, a file instead of it, memory, or PNG pictures.
 //!
 //! Owns the geometry, pixel format and addresses of the buffer that a frame is written to, and the
-//! time at which a finished frame is shown. It doesn't know scenes or work units: the SPUs write
-//! finished rows by DMA through a [`Target`], and then the frame loop calls
+//! time at which a finished frame is shown. It is independent of scenes and work units: the SPUs
+//! write finished rows by DMA through a [`Target`], and then the frame loop calls
 //! [`Framebuffer::present`].
 //!
 //! Invariant: every [`Target`] follows the DMA rules stated there, whatever the driver offers. If
@@ -77,7 +77,7 @@ pub struct Geometry {
 
 impl Geometry {
     /// The largest width and height, which the SPUs accept too. With it every byte offset fits 32
-    /// bits, with room for padding.
+    /// bits, including padding.
     pub const MAX_SIDE: u32 = {
         assert!(scenes::MAX_SIDE == protocol::layout::MAX_SIDE);
         scenes::MAX_SIDE
@@ -205,7 +205,7 @@ pub struct Options {
     /// known to be main memory (mainline ps3fb) and is aligned for DMA, otherwise
     /// [`Mode::Shadow`].
     pub mode: Option<Mode>,
-    /// Whether a device with room for two frames shows one while the other is made.
+    /// Whether a device with memory for two frames shows one while the other is rendered.
     pub two_frames: bool,
     /// Whether a device waits for the vertical blank before a frame is shown.
     pub vsync: bool,

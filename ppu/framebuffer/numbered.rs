@@ -39,13 +39,13 @@ impl NumberedPath {
         let mut text = Vec::new();
         let mut found = None;
         let mut rest = pattern;
-        while let Some((&byte, behind)) = rest.split_first() {
-            rest = behind;
+        while let Some((&byte, after)) = rest.split_first() {
+            rest = after;
             if byte != b'%' {
                 text.push(byte);
-            } else if let Some(behind) = rest.strip_prefix(b"%") {
+            } else if let Some(after) = rest.strip_prefix(b"%") {
                 text.push(b'%');
-                rest = behind;
+                rest = after;
             } else {
                 let end = rest.iter().position(|&byte| byte == b'd')?;
                 let digits = match str::from_utf8(&rest[..end]).ok()? {

@@ -38,7 +38,7 @@ pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, 
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
             return file();
         }
-        Err(source) => return Err(FramebufferError::io("look at", path, source)),
+        Err(source) => return Err(FramebufferError::io("inspect", path, source)),
     };
     if kind.is_char_device() {
         Ok(Box::new(Device::open(path, options)?))
@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn another_character_device_is_refused_by_its_answer() {
+    fn character_device_without_framebuffer_requests_is_refused() {
         let error = open(Path::new("/dev/null"), None).err().unwrap();
         let text = error.to_string();
         assert!(text.contains("/dev/null") && text.contains("FBIOGET_VSCREENINFO"), "{text}");

@@ -47,7 +47,7 @@ pub fn write_labelled(
         Place::Output => {
             let mut bytes = Vec::new();
             format.encode(picture, labels, &mut bytes).map_err(failed)?;
-            talk::print(bytes).map_err(|error| failed(error.into()))
+            messages::write_data(bytes).map_err(|error| failed(error.into()))
         }
         Place::Direct => write_direct(path, format, picture, labels).map_err(failed),
         Place::File(place) => {
@@ -55,11 +55,11 @@ pub fn write_labelled(
             let written = write_whole(&partial, format, picture, labels).map_err(failed);
             let placed = written.and_then(|()| {
                 fs::rename(&partial, &place)
-                    .map_err(|source| FramebufferError::io("put a picture at", &place, source))
+                    .map_err(|source| FramebufferError::io("write the picture", &place, source))
             });
             if placed.is_err() {
                 // The first error is the one to report. A partial file that can't be removed can
-                // be told by its name.
+                // be recognized by its name.
                 let _ = fs::remove_file(&partial);
             }
             placed
@@ -162,7 +162,7 @@ impl Place {
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
                 match folder.filter(|folder| !folder.is_dir()) {
-                    // Told before a frame is traced in vain.
+                    // Reported before a frame is traced in vain.
                     Some(folder) => {
                         let missing = format!("there is no folder {}", folder.display());
                         Err(FramebufferError::io("write", path, io::Error::other(missing)))
@@ -170,7 +170,7 @@ impl Place {
                     None => Ok(Self::File(path.to_owned())),
                 }
             }
-            Err(source) => Err(FramebufferError::io("look at", path, source)),
+            Err(source) => Err(FramebufferError::io("inspect", path, source)),
         }
     }
 }

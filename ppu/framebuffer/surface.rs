@@ -136,7 +136,7 @@ impl Surface {
     /// `None` if they can.
     pub(super) fn direct_obstacle(&self, address: usize, offset: u64) -> Option<String> {
         let line = self.line_length;
-        // If both are multiples of a quadword, a line with room for the shown pixels also has room
+        // If both are multiples of a quadword, a line that holds the shown pixels also has space
         // for their last group of four.
         if !address.is_multiple_of(DMA_ALIGN) {
             Some(format!("a frame starts at address {address:#x}, not on {DMA_ALIGN} bytes"))

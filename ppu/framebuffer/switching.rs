@@ -76,7 +76,7 @@ impl Switching {
             if BACK.swap(false, Ordering::SeqCst) {
                 return true;
             }
-            if interrupted::came() {
+            if interrupted::stop_requested() {
                 return false;
             }
             sleep();
@@ -100,7 +100,7 @@ pub(super) fn stop() {
     // SIGSTOP can't be refused.
     let _ = low_level::raise(libc::SIGSTOP);
     // A program that is continued only to end doesn't need the things again.
-    if let Some(armed) = armed.filter(|_| !interrupted::came()) {
+    if let Some(armed) = armed.filter(|_| !interrupted::stop_requested()) {
         (armed.retake)();
     }
 }

@@ -28,9 +28,9 @@ pub struct OrbitCamera {
     pub rise: f64,
     /// The distance from the point.
     pub distance: f64,
-    /// The least and the greatest distance.
+    /// The minimum and the maximum distance.
     pub distances: (f64, f64),
-    /// The least and the greatest rise.
+    /// The minimum and the maximum rise.
     pub rises: (f64, f64),
 }
 

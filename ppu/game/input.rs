@@ -1,8 +1,8 @@
 //! The state of keys, mouse and pads, from frame to frame.
 //!
-//! Owns the state that results from [`InputEvent`]s. It knows no device: the code that reads a
-//! device makes the events. Invariants: the state depends only on the events; every number in it is
-//! finite, and axes are from -1 to 1.
+//! Owns the state that results from [`InputEvent`]s. It is independent of devices: the code that
+//! reads a device makes the events. Invariants: the state depends only on the events; every number
+//! in it is finite, and axes are from -1 to 1.
 
 mod event;
 mod names;

@@ -1,6 +1,6 @@
 //! Text that a display draws over the picture, at a place of the picture or of the world.
 //!
-//! Owns labels and where they are in a picture. Doesn't know how a display draws text. Invariant: a
+//! Owns labels and where they are in a picture. A display decides how it draws text. Invariant: a
 //! placed label is within the picture.
 
 use glam::DVec3;
@@ -37,7 +37,7 @@ pub enum Anchor {
     /// mouse's position.
     Pixel([f32; 2]),
     /// A point of the world. The label is shown while the point is in the picture, also if
-    /// something hides it: whether that matters is for the game to say.
+    /// something hides it: whether that matters is for the game to decide.
     Point(DVec3),
 }
 
@@ -85,16 +85,16 @@ impl Label {
         Self { colour: DVec3::new(red, green, blue), ..self }
     }
 
-    /// The label on a picture of a world; `None` if its place isn't in the picture. `told` is the
-    /// size in whose pixels the game measures, and `size` the picture's.
+    /// The label on a picture of a world; `None` if its place isn't in the picture. `input_size` is
+    /// the size in whose pixels the game measures, and `size` the picture's.
     pub(super) fn placed(
         self,
         world: &World,
-        told: (u32, u32),
+        input_size: (u32, u32),
         size: (u32, u32),
     ) -> Option<PlacedLabel> {
         let ([x, y], (width, height)) = match self.anchor {
-            Anchor::Pixel(pixel) => (pixel, told),
+            Anchor::Pixel(pixel) => (pixel, input_size),
             Anchor::Point(point) => (world.project(point, size)?, size),
         };
         // The middle of a pixel is at whole numbers.
@@ -161,7 +161,7 @@ mod tests {
         assert_eq!(place(Label::at_point("", DVec3::ZERO)), Some([0.5; 2]));
         assert_eq!(place(Label::at_point("", [0.0, 0.0, 11.0])), None);
         assert_eq!(place(Label::at_point("", [99.0, 0.0, 0.0])), None);
-        // Pixels are those that the game is told, whatever the size of the picture.
+        // Pixels are those of the input size, whatever the size of the picture.
         let pixel = |x: f32| place(Label::at_pixel("", [x, 179.5]));
         assert_eq!(pixel(159.5), Some([0.25, 0.5]));
         assert_eq!((pixel(640.0), pixel(-1.0), pixel(f32::NAN)), (None, None, None));

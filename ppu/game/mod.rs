@@ -1,8 +1,8 @@
 //! The user layer: a [`Game`] is called once a frame and changes its [`World`], which the engine
 //! then traces.
 //!
-//! Owns everything that a game sees: the world, the input, the frame. It knows neither windows nor
-//! devices: the program that shows a game gives its [`Session`] a framebuffer and the
+//! Owns everything that a game sees: the world, the input, the frame. It depends neither on windows
+//! nor on devices: the program that shows a game gives its [`Session`] a framebuffer and the
 //! [`InputEvent`]s. Invariant: except for [`Frame::last`], everything that a game sees depends only
 //! on the frames' times, sizes and inputs, so a recorded session plays back bit for bit.
 
@@ -69,8 +69,8 @@ pub trait Game {
         &[]
     }
 
-    /// What a display shows in words beside the picture, such as the score and whose turn it is:
-    /// short lines of text, or nothing. It is drawn on the display only, never into the picture
+    /// The status text that a display shows beside the picture, such as the score and whose turn it
+    /// is: short lines of text, or nothing. It is drawn on the display only, never into the picture
     /// that the SPUs trace, so pictures and recordings are the same with or without it.
     fn status(&self) -> String {
         String::new()
@@ -100,7 +100,7 @@ pub struct Entry {
     pub new: fn() -> Box<dyn Game>,
 }
 
-/// What a game receives before its first frame.
+/// The information that a game receives before its first frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Start {
     /// The random seed. A game that takes all its random numbers from it plays back as recorded.
@@ -118,7 +118,7 @@ impl Start {
     }
 }
 
-/// What a game receives for a frame.
+/// The information that a game receives for a frame.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
     /// Number of the frame, from 0.

@@ -85,7 +85,7 @@ pub struct Session<G> {
     look: Option<Look>,
     engine: Engine,
     settings: Settings,
-    /// The width and height in pixels that the game is told.
+    /// The width and height in pixels that the game receives.
     size: (u32, u32),
     start: Option<Start>,
     seed: u64,
@@ -122,7 +122,7 @@ impl<G: Game> Session<G> {
         }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
-        // The engine also refuses a number of SPUs for which a report has no room.
+        // The engine also refuses a number of SPUs that exceeds the capacity of a report.
         let engine = Engine::start(settings, framebuffer)?;
         let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
@@ -225,8 +225,8 @@ impl<G: Game> Session<G> {
             return Ok(ControlFlow::Break(()));
         };
         let mut events = std::mem::take(&mut self.events);
-        let heard = source.poll(&mut events).map_err(SessionError::Input)?;
-        let flow = match heard {
+        let polled = source.poll(&mut events).map_err(SessionError::Input)?;
+        let flow = match polled {
             ControlFlow::Continue(()) => {
                 self.step(step, &mut events, &mut |part| source.tracing(part))
             }
@@ -286,7 +286,7 @@ impl<G: Game> Session<G> {
     ///
     /// # Errors
     /// The game fails, or a recording can't be read or written, or its world differs from this one.
-    pub fn pass_over(
+    pub fn skip_frame(
         &mut self,
         step: Duration,
         events: &mut Vec<InputEvent>,
@@ -300,7 +300,7 @@ impl<G: Game> Session<G> {
 
     /// Sets how the world is looked at, from the next frame on. The game does not notice, and its
     /// [`RenderOptions`](crate::scene::RenderOptions) stay as they are; with `None` they count.
-    pub fn look(&mut self, look: Option<Look>) {
+    pub fn set_look(&mut self, look: Option<Look>) {
         self.look = look;
     }
 
@@ -322,7 +322,7 @@ impl<G: Game> Session<G> {
     ///
     /// # Errors
     /// The world can't be traced, or the engine fails.
-    pub fn trace_again(&mut self, tracing: &mut dyn FnMut(f64)) -> Result<(), SessionError> {
+    pub fn redraw(&mut self, tracing: &mut dyn FnMut(f64)) -> Result<(), SessionError> {
         let began = LoopTime::now();
         let traced = self.trace(tracing);
         self.report.add_time_since(began);
@@ -430,7 +430,7 @@ impl<G: Game> Session<G> {
     }
 
     /// Shows the game on another framebuffer from now on, for example one of another size, which
-    /// the game is told. Returns the previous framebuffer.
+    /// the game receives. Returns the previous framebuffer.
     ///
     /// # Errors
     /// As for [`Engine::show_on`]; the previous framebuffer then stays.
@@ -444,10 +444,10 @@ impl<G: Game> Session<G> {
         Ok(before)
     }
 
-    /// Tells the game another width and height than the framebuffer's, from the next frame on until
-    /// the framebuffer is changed. It is the size of the player's display, in whose pixels the
-    /// mouse moves, if the picture is traced at a lower resolution.
-    pub fn tell_size(&mut self, geometry: Geometry) {
+    /// Passes the game another width and height than the framebuffer's, from the next frame on
+    /// until the framebuffer is changed. It is the size of the player's display, in whose pixels
+    /// the mouse moves, if the picture is traced at a lower resolution.
+    pub fn set_input_size(&mut self, geometry: Geometry) {
         self.size = (geometry.width, geometry.height);
     }
 
@@ -486,9 +486,9 @@ impl<G: Game> Session<G> {
     /// The game's labels that are in the last frame's picture.
     #[must_use]
     pub fn labels(&self) -> Vec<PlacedLabel> {
-        let told = self.record.size.unwrap_or(self.size);
+        let input_size = self.record.size.unwrap_or(self.size);
         let labels = self.game.labels().into_iter();
-        let placed = labels.map(|label| label.placed(&self.world, told, self.size));
+        let placed = labels.map(|label| label.placed(&self.world, input_size, self.size));
         placed.flatten().collect()
     }
 

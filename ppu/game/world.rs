@@ -260,7 +260,7 @@ impl World {
         }
     }
 
-    /// Whether a world without lights gets a default light, as a [`World::new`] does: a sun behind
+    /// Whether a world without lights gets a default light, as a [`World::new`] does: a sun over
     /// the right shoulder, some ambient light, and the sky of a day unless the world has a
     /// background. It goes out as soon as a light is added. Without it, and without lights, a world
     /// is traced with depth shading, as it is with [`Model::Depth`] or [`World::set_fade`].
@@ -402,8 +402,8 @@ impl World {
         }
     }
 
-    /// Sets how the world is looked at, instead of as its [`RenderOptions`] say. This is for who
-    /// shows a game, not for the game: [`Session::look`](super::Session::look).
+    /// Sets the look, which replaces that of its [`RenderOptions`]. This is for the program that
+    /// shows a game, not for the game: [`Session::set_look`](super::Session::set_look).
     pub fn set_look(&mut self, look: Option<Look>) {
         if self.look != look {
             self.look = look;

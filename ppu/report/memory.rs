@@ -23,7 +23,7 @@ mod tests {
         assert_eq!(peak_of(status), Some(1234 * 1024));
         assert_eq!(peak_of("VmHWM:\t1234 pages\n"), None);
         assert_eq!(peak_of("Name:\tcellray\n"), None);
-        let here = peak_bytes().expect("Linux tells");
+        let here = peak_bytes().expect("Linux reports it");
         assert!(here > 1 << 20, "{here}");
     }
 }

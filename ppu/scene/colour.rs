@@ -1,17 +1,17 @@
-//! What colours say about light.
+//! Colour spaces.
 
 use glam::DVec3;
 
-/// What the channels of colours say about light: those of a scene's materials and background, and
-/// those of pixels. The shares of what mirrors and glass show follow the colours, so that a share
+/// The colour space of the channels of a scene's materials and background, and
+/// of pixels. The shares of what mirrors and glass show follow the colours, so that a share
 /// of a colour looks like that. Lights, ambient light, Kd and highlights are linear in any case.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "choices", derive(clap::ValueEnum))]
 pub enum Colour {
-    /// They are proportional to it, as in pictures of the Standard Procedural Databases.
+    /// Channels are proportional to light, as in pictures of the Standard Procedural Databases.
     #[default]
     Linear,
-    /// They have sRGB's values, which displays and viewers of pictures expect.
+    /// Channels have sRGB's values, which displays and viewers of pictures expect.
     Srgb,
 }
 
@@ -25,7 +25,7 @@ impl Colour {
     }
 
     /// The share of light with which a surface shows the colours that it reflects or lets through,
-    /// if the material says that it shows this share of them.
+    /// if that is the share of them in the material.
     pub(crate) fn seen(self, share: f64) -> f64 {
         match self {
             Self::Linear => share,

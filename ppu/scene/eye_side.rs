@@ -1,24 +1,24 @@
-//! On which side of a sphere the eye is, where singles can't tell.
+//! On which side of a sphere the eye is, computed in double precision.
 //!
 //! A ray that starts on a surface doesn't hit it there, because a hit is at a distance above 0; it
 //! hits a sphere only where it crosses it again. A kernel computes both crossings from a centre and
 //! a radius that are rounded, so the first is at a distance of some ulps, of either sign, from ray
-//! to ray. The PPU knows the side in double precision. It moves such a surface away from the eye by
-//! [`LEAST_GAP`], to the side on which each crossing has the sign that it should have.
+//! to ray. The PPU computes the side in double precision. It moves such a surface away from the eye
+//! by [`LEAST_GAP`], to the side on which each crossing has the sign that it should have.
 //!
 //! A crossing is at t = b -+ root, where root^2 = b^2 + e and e is twice the gap times the radius.
 //! With u = 2^-23, the errors of b (three ulps of the distance), of the direction's length and of
 //! the discriminant change the sign of t as an e of 20 u r^2 would, and the sign of b^2 - root^2 as
 //! one of 12 u r^2. The gap makes it 32 u r^2. That holds for roots with a Newton step. It is also
-//! half of the least distance from a surface at which rays leave it, so that the picture shows the
-//! gap nowhere else.
+//! half of the minimum distance from a surface at which rays leave it, so that the picture shows
+//! the gap nowhere else.
 //!
 //! Known weakness: a ray within 2^-9 of the tangent plane passes a sphere that it should cross
 //! again very near the eye.
 
 use glam::DVec3;
 
-/// The least gap between the eye and a surface, relative to the radius.
+/// The minimum gap between the eye and a surface, relative to the radius.
 const LEAST_GAP: f64 = 1.0 / (1 << 19) as f64;
 
 /// The side of a surface that the eye is on.

@@ -61,10 +61,11 @@ pub struct RenderOptions {
     pub ray_depth: u32,
     /// Whitted's model: whether transparent surfaces reflect by Schlick's approximation.
     pub fresnel: bool,
-    /// Whitted's model: whether to trace all rays that the Standard Procedural Databases count, even
-    /// those that add nothing to the picture. Then every surface that reflects or lets light through
-    /// sends a reflected ray, whatever its share. Every lit surface sends a shadow ray to each light
-    /// in front of it, whether or not it uses the light. No ray is left out for its small weight.
+    /// Whitted's model: whether to trace all rays that the Standard Procedural Databases count,
+    /// even those that add nothing to the picture. Then every surface that reflects or lets light
+    /// through sends a reflected ray, whatever its share. Every lit surface sends a shadow ray to
+    /// each light in front of it, whether or not it uses the light. No ray is left out for its
+    /// small weight.
     pub spd_rays: bool,
     /// Whitted's model: whether objects cast shadows.
     pub shadows: bool,
@@ -73,7 +74,7 @@ pub struct RenderOptions {
     /// A pixel is antialiased if a channel differs by at least this, in 1/255, from a neighbour in
     /// its tile; 0: every pixel is.
     pub contrast: u8,
-    /// What the channels of the scene's colours and of pixels say about light.
+    /// The colour space of the scene's colours and of pixels.
     pub colour: Colour,
     /// Whether light that is nearly white or brighter is limited to less than white without a
     /// step, instead of all becoming white.
@@ -81,8 +82,8 @@ pub struct RenderOptions {
     /// Whether rays go through the corners of the pixels instead of their centres. The picture of
     /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
-    /// The most blocks of a mesh that an SPU caches, for measurements: 4 to 28. Without a limit,
-    /// there are as many as local store has room for.
+    /// The maximum number of blocks of a mesh that an SPU caches, for measurements: 4 to 28.
+    /// Without a limit, there are as many as fit into local store.
     pub mesh_cache: u32,
     /// When the meshes of a world have moved, their tree is refitted, and serves rays worse. A new
     /// one is built when rays have made as many more tests for it as they make in this many
@@ -113,7 +114,7 @@ impl Default for RenderOptions {
 }
 
 impl RenderOptions {
-    /// Whether a scene with `lights` lights is traced by Whitted's model.
+    /// Whether a scene with `lights` lights is traced with Whitted's model.
     pub(crate) fn is_whitted(self, lights: usize) -> bool {
         match self.model {
             Model::Scene => lights > 0,
@@ -123,7 +124,7 @@ impl RenderOptions {
     }
 }
 
-/// The part of the [`RenderOptions`] that whoever looks at a picture decides, not its author. The
+/// The part of the [`RenderOptions`] that the viewer of a picture chooses, not its author. The
 /// default is that of the command line: antialiased, in sRGB unless shades are distances.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Look {
@@ -131,8 +132,8 @@ pub struct Look {
     pub samples: Samples,
     /// [`RenderOptions::contrast`].
     pub contrast: u8,
-    /// [`RenderOptions::colour`]. With `None` it is sRGB by Whitted's model, and linear by depth
-    /// shading, whose shades are distances and not light.
+    /// [`RenderOptions::colour`]. With `None` it is sRGB with Whitted's model, and linear with
+    /// depth shading, whose shades are distances and not light.
     pub colour: Option<Colour>,
     /// [`RenderOptions::roll_off`].
     pub roll_off: bool,

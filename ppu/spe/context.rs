@@ -204,8 +204,8 @@ impl Context {
     #[must_use]
     pub fn has_unread_mail(&self) -> bool {
         // SAFETY: the context lives.
-        let room = unsafe { sys::spe_in_mbox_status(self.as_ptr()) };
-        (0..MAILBOX_DEPTH).contains(&room)
+        let free = unsafe { sys::spe_in_mbox_status(self.as_ptr()) };
+        (0..MAILBOX_DEPTH).contains(&free)
     }
 
     /// Writes all words to the inbound mailbox. Sleeps while the mailbox is full.
@@ -241,7 +241,7 @@ impl Context {
     ///
     /// # Errors
     /// libspe2 fails.
-    pub fn answer(&self) -> Result<Option<u32>, SpeError> {
+    pub fn reply(&self) -> Result<Option<u32>, SpeError> {
         let mut word: c_uint = 0;
         // SAFETY: the context lives, and one word is valid for writing.
         let read = unsafe {
@@ -291,7 +291,7 @@ pub fn usable_spes() -> Result<u32, SpeError> {
 }
 
 /// The file that libspe2 was loaded from: a shared library, or this program itself. `None` if the
-/// system doesn't tell.
+/// system doesn't report it.
 #[must_use]
 pub fn library_path() -> Option<PathBuf> {
     use std::os::unix::ffi::OsStrExt as _;

@@ -108,13 +108,13 @@ pub(super) fn name_of(image: &[u8], address: u32) -> Option<(String, u32)> {
         section.is_ok_and(|section| section.kind() == SectionKind::Text)
     };
     let names = file.symbols().filter_map(|symbol| {
-        let behind = u64::from(address).checked_sub(symbol.address())?;
+        let offset = u64::from(address).checked_sub(symbol.address())?;
         let name = symbol.name().ok().filter(|name| !name.is_empty())?;
         let is_code = symbol.section_index().is_some_and(is_code);
-        is_code.then(|| (behind as u32, name.to_owned()))
+        is_code.then(|| (offset as u32, name.to_owned()))
     });
-    let (behind, name) = names.min()?;
-    Some((name, behind))
+    let (offset, name) = names.min()?;
+    Some((name, offset))
 }
 
 fn parse(image: &[u8]) -> Result<ElfFile32<'_, BigEndian>, ProgramError> {

@@ -48,9 +48,9 @@ pub enum ProgramError {
         /// The name of their formulation for triangles.
         of_triangles: &'static str,
     },
-    /// The image names formulations that this program doesn't know.
+    /// The image names formulations that this program doesn't have.
     #[error(
-        "the SPU program has the formulations {0}, which this cellray does not know: one of the two is too old"
+        "the SPU program has the formulations {0}, which this version of cellray does not support: one of the two is too old"
     )]
     Formulations(String),
     /// An entry of the table of shaders is damaged.

@@ -11,7 +11,7 @@ use super::{Context, SpeError};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Event {
     /// Its outbound interrupt mailbox has a word.
-    Answer,
+    Reply,
     /// Its program ended.
     Stopped,
 }
@@ -64,7 +64,7 @@ impl Events {
         match count {
             0 => Ok(None),
             1 if unit.events == sys::SPE_EVENT_OUT_INTR_MBOX => {
-                Ok(Some((unit.data as u32, Event::Answer)))
+                Ok(Some((unit.data as u32, Event::Reply)))
             }
             1 => Ok(Some((unit.data as u32, Event::Stopped))),
             _ => Err(SpeError::last("spe_event_wait")),

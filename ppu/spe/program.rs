@@ -130,23 +130,23 @@ impl Program {
     /// loaded from `EYE_CODE` on, in whole quadwords. It is empty if the program has none.
     #[must_use]
     pub fn mesh_code(&self) -> Vec<u8> {
-        let room = EYE_CODE..EYE_CODE + EYE_CODE_ROOM + MESH_CODE_ROOM;
-        elf::loaded(self.image, room).unwrap_or_default()
+        let addresses = EYE_CODE..EYE_CODE + EYE_CODE_ROOM + MESH_CODE_ROOM;
+        elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The code that looks up textures, in the same way: what is loaded from `TEXTURE_CODE` on.
     #[must_use]
     pub fn texture_code(&self) -> Vec<u8> {
-        let room = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
-        elf::loaded(self.image, room).unwrap_or_default()
+        let addresses = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
+        elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The code that interpolates colours of vertices, from `COLOUR_CODE` on, with zeros up to the
-    /// end of its room. It is empty if the program has none.
+    /// end of its range. It is empty if the program has none.
     #[must_use]
     pub fn colour_code(&self) -> Vec<u8> {
-        let room = COLOUR_CODE..COLOUR_CODE + COLOUR_CODE_ROOM;
-        let mut code = elf::loaded(self.image, room).unwrap_or_default();
+        let addresses = COLOUR_CODE..COLOUR_CODE + COLOUR_CODE_ROOM;
+        let mut code = elf::loaded(self.image, addresses).unwrap_or_default();
         if !code.is_empty() {
             code.resize(COLOUR_CODE_ROOM as usize, 0);
         }
@@ -156,8 +156,8 @@ impl Program {
     /// The code that tests boxes, in the same way: what is loaded from `BOX_CODE` on.
     #[must_use]
     pub fn box_code(&self) -> Vec<u8> {
-        let room = BOX_CODE..BOX_CODE + BOX_CODE_ROOM;
-        elf::loaded(self.image, room).unwrap_or_default()
+        let addresses = BOX_CODE..BOX_CODE + BOX_CODE_ROOM;
+        elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The ranges of its instructions in local store; empty if it has no sections.
@@ -169,10 +169,10 @@ impl Program {
     /// symbols.
     #[must_use]
     pub fn name_of(&self, address: u32) -> Option<String> {
-        let (name, behind) = elf::name_of(self.image, address)?;
-        Some(match behind {
+        let (name, offset) = elf::name_of(self.image, address)?;
+        Some(match offset {
             0 => name,
-            _ => format!("{name}+{behind:#x}"),
+            _ => format!("{name}+{offset:#x}"),
         })
     }
 

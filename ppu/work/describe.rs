@@ -37,7 +37,7 @@ pub struct Addresses {
     pub unit_counter: u64,
     /// The statistics records.
     pub statistics: u64,
-    /// The room for rays that wait, for each SPU.
+    /// The capacity of each SPU's queue of rays.
     pub waiting: u64,
     /// The work units.
     pub units: u64,

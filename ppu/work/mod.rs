@@ -1,4 +1,4 @@
-//! Work units: the records that the PPU sends to the SPUs for a frame, and the SPUs' answers.
+//! Work units: the records that the PPU sends to the SPUs for a frame, and the SPUs' replies.
 
 #[cfg(test)]
 mod arithmetic;

@@ -36,7 +36,7 @@ struct Place {
     format: PixelFormat,
 }
 
-/// What a page shows, compared with the frame that it will show.
+/// The contents of a page, compared with the frame that it will show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Contents {
     /// Nothing is known about it.

@@ -56,7 +56,7 @@ impl Plan {
         let contents = self.pages.open(target, scene, camera, &projection, &mut self.tiles);
         let most = policy.most_tiles.filter(|_| policy.retain);
         let is_put_off = most.is_some() && contents == Contents::Moved;
-        // What was put off is begun anew.
+        // A postponed frame starts again with all tiles.
         if !policy.retain || is_put_off {
             self.tiles.add_all();
         }

@@ -119,8 +119,8 @@ impl Projection {
         };
         // The packet's middle is a pixel and a half from its outer rays in both directions. Rays
         // end in a plane. If a ray ends within `away` of the end of the middle ray, it is inside a
-        // cone about the middle ray with the sine `away` / length. The middle ray's length is at
-        // least the plane's distance.
+        // cone about the middle ray with the sine `away` / length. The plane's distance is
+        // the minimum length of the middle ray.
         let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
         if (0.0..1.0).contains(&sine) { libm::asin(sine) } else { f64::INFINITY }
@@ -133,12 +133,12 @@ impl Projection {
         let Geometry { width, height } = self.geometry;
         let nothing = Rectangle { x: 0..0, y: 0..0 };
         let mut found: Option<Rectangle> = None;
-        let mut behind = false;
+        let mut crosses_eye = false;
         for (centre, radius) in spheres {
             let to_centre = self.to(centre);
             let ahead = self.axes.map_or(0.0, |axes| to_centre.dot(axes.ahead));
             if ahead < -seen_radius(to_centre.length(), radius) {
-                behind = true;
+                crosses_eye = true;
                 continue;
             }
             let bounds = self.bounds(centre, radius);
@@ -154,7 +154,7 @@ impl Projection {
         }
         match found {
             None => nothing,
-            Some(_) if behind => Rectangle { x: 0..width, y: 0..height },
+            Some(_) if crosses_eye => Rectangle { x: 0..width, y: 0..height },
             Some(found) => found,
         }
     }

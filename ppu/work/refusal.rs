@@ -6,7 +6,7 @@ use zerocopy::IntoBytes as _;
 
 use protocol::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
 
-/// An SPU's answer that isn't "done".
+/// An SPU's reply that isn't "done".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The status word.
@@ -20,7 +20,7 @@ pub struct Refusal {
     shader: Option<ShaderFault>,
 }
 
-/// The fault of a shader. The answer has the broken rule in the second lowest byte, the register
+/// The fault of a shader. The reply has the broken rule in the second lowest byte, the register
 /// above it, and the shader in the highest byte.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct ShaderFault {
@@ -38,13 +38,13 @@ impl Refusal {
         self.shader.is_some()
     }
 
-    /// Decodes an answer; `None` means "done". `shaders` are the names of the program's shaders.
+    /// Decodes a reply; `None` means "done". `shaders` are the names of the program's shaders.
     #[must_use]
-    pub fn of(answer: u32, frame: &Frame, address: u64, shaders: &[String]) -> Option<Self> {
-        if answer == Status::Done as u32 {
+    pub fn of(reply: u32, frame: &Frame, address: u64, shaders: &[String]) -> Option<Self> {
+        if reply == Status::Done as u32 {
             return None;
         }
-        let [shader, register, rule, status] = answer.to_be_bytes().map(u32::from);
+        let [shader, register, rule, status] = reply.to_be_bytes().map(u32::from);
         if status == Status::Shader as u32 && (RULE_KNOWN..=RULE_LANES).contains(&rule) {
             return Some(Self {
                 status,
@@ -61,12 +61,12 @@ impl Refusal {
             });
         }
         // A status of a block has the block's number in the higher bytes.
-        let block = (status == Status::MeshBlock as u32).then_some(answer >> 8);
-        let answer = block.map_or(answer, |_| status);
-        let known = Status::ALL.iter().find(|(_, status, ..)| *status as u32 == answer);
+        let block = (status == Status::MeshBlock as u32).then_some(reply >> 8);
+        let reply = block.map_or(reply, |_| status);
+        let known = Status::ALL.iter().find(|(_, status, ..)| *status as u32 == reply);
         let Some(&(_, status, field, rule)) = known else {
             return Some(Self {
-                status: answer,
+                status: reply,
                 field: "",
                 rule: "",
                 values: Vec::new(),
@@ -81,7 +81,7 @@ impl Refusal {
         } else {
             field.split(", ").filter_map(|field| value_of(frame, field)).collect()
         };
-        Some(Self { status: answer, field, rule: rule.trim(), values, block, shader: None })
+        Some(Self { status: reply, field, rule: rule.trim(), values, block, shader: None })
     }
 }
 
@@ -119,7 +119,7 @@ impl fmt::Display for Refusal {
             return fault.fmt(f);
         }
         if self.field.is_empty() {
-            return write!(f, "answered with the unknown status {}", self.status);
+            return write!(f, "replied with the unknown status {}", self.status);
         }
         if let Some(block) = self.block {
             write!(f, "refused block {block} of the mesh")?;
@@ -151,28 +151,28 @@ mod tests {
 
     use super::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Refusal, Status};
 
-    fn told(rule: u32, register: u32, shader: u32) -> String {
-        let answer = Status::Shader as u32 | rule << 8 | register << 16 | shader << 24;
+    fn message(rule: u32, register: u32, shader: u32) -> String {
+        let reply = Status::Shader as u32 | rule << 8 | register << 16 | shader << 24;
         let names = ["checker", "depth"].map(String::from);
-        let refusal = Refusal::of(answer, &Frame::new_zeroed(), 0, &names);
-        refusal.expect("an answer other than done").to_string()
+        let refusal = Refusal::of(reply, &Frame::new_zeroed(), 0, &names);
+        refusal.expect("a reply other than done").to_string()
     }
 
     #[test]
-    fn a_shader_is_told_with_what_it_broke() {
+    fn message_names_the_shader_and_the_broken_rule() {
         assert_eq!(
-            told(RULE_REGISTER, 90, 1),
+            message(RULE_REGISTER, 90, 1),
             "found that the shader depth breaks its contract: it changed $90, which it must preserve"
         );
         assert_eq!(
-            told(RULE_STACK, 0, 7),
+            message(RULE_STACK, 0, 7),
             "found that shader 7 breaks its contract: it wrote below its 1024 bytes of stack"
         );
         assert_eq!(
-            told(RULE_LANES, 0, 0),
+            message(RULE_LANES, 0, 0),
             "found that the shader checker breaks its contract: it changed surfaces that it must not shade"
         );
-        assert_eq!(told(RULE_KNOWN, 0, 255), "has no shader 255, which a material names");
-        assert_eq!(told(9, 1, 1), "answered with the unknown status 16845084");
+        assert_eq!(message(RULE_KNOWN, 0, 255), "has no shader 255, which a material names");
+        assert_eq!(message(9, 1, 1), "replied with the unknown status 16845084");
     }
 }

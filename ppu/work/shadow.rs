@@ -1,8 +1,8 @@
 //! Finds the pixels that a sphere's shadow may fall on.
 //!
-//! The shadow is covered by a row of spheres behind the first one. Their centres are on the ray
+//! The shadow is covered by a row of spheres beyond the first one. Their centres are on the ray
 //! from the light through the sphere's centre, and they all touch the cone from the light around
-//! the sphere. Invariant: the result has every pixel in the shadow, with much room for the
+//! the sphere. Invariant: the result has every pixel in the shadow, with a wide margin for the
 //! rounding of the SPU's shadow rays.
 
 use glam::DVec3;
@@ -113,12 +113,12 @@ impl Shadow {
             let height = (self.from - point).dot(normal);
             let rise = self.way.dot(normal);
             for side in [1.0, -1.0] {
-                let (slope, least) = (side * rise - self.growth, side * height - self.radius);
+                let (slope, constant) = (side * rise - self.growth, side * height - self.radius);
                 if slope < 0.0 {
-                    first = first.max(-least / slope);
+                    first = first.max(-constant / slope);
                 } else if slope > 0.0 {
-                    last = last.min(-least / slope);
-                } else if least > 0.0 {
+                    last = last.min(-constant / slope);
+                } else if constant > 0.0 {
                     return None;
                 }
             }

@@ -1,6 +1,6 @@
 //! Snapshots of the content of a picture, and the tiles in which two of them differ. This is the
-//! only place that looks for differences. A changed world doesn't tell where the picture changes,
-//! and a new scene is compared in the same way as a scene that was changed in place.
+//! only place that looks for differences. A changed world has no record of where the picture
+//! changes, and a new scene is compared in the same way as a scene that was changed in place.
 //!
 //! With depth shading, the picture changes where a changed sphere is or was visible. With
 //! Whitted's model, it also changes where the shadow of a changed object falls or fell. In
@@ -279,9 +279,9 @@ impl Snapshot {
 /// Whether two records have the same surface. Their materials may differ.
 fn same_form(one: &[u8], other: &[u8]) -> bool {
     let material = std::mem::offset_of!(layout::Object, material);
-    let behind = material + size_of::<u32>();
+    let end = material + size_of::<u32>();
     one.len() == other.len()
-        && one.len() >= behind
+        && one.len() >= end
         && one[..material] == other[..material]
-        && one[behind..] == other[behind..]
+        && one[end..] == other[end..]
 }

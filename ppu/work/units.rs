@@ -78,9 +78,9 @@ impl Units {
         let mut rest = tiles;
         while !rest.is_empty() {
             let share = rest.len() / (PARTS_OF_UNKNOWN_COST * spus as usize);
-            let (unit, behind) = rest.split_at(share.clamp(1, length));
+            let (unit, following) = rest.split_at(share.clamp(1, length));
             self.push(unit);
-            rest = behind;
+            rest = following;
         }
     }
 
@@ -103,7 +103,7 @@ impl Units {
         self.by_cost.extend_from_slice(tiles);
         self.by_cost.sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
         let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
-        let least = left / (PARTS_OF_THE_WHOLE * spus);
+        let minimum = left / (PARTS_OF_THE_WHOLE * spus);
         let expensive =
             self.by_cost.partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
@@ -112,18 +112,18 @@ impl Units {
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
         while let Some((&first, others)) = rest.split_first() {
-            let share = (left / (PARTS_OF_A_SHARE * spus)).max(least);
+            let share = (left / (PARTS_OF_A_SHARE * spus)).max(minimum);
             let mut taken = cost(first);
-            let room = others.iter().take(UNIT_TILES as usize - 1);
-            let more = room.take_while(|&&tile| {
+            let others = others.iter().take(UNIT_TILES as usize - 1);
+            let more = others.take_while(|&&tile| {
                 let fits = taken + cost(tile) <= share;
                 taken += if fits { cost(tile) } else { 0 };
                 fits
             });
-            let (unit, behind) = rest.split_at(1 + more.count());
+            let (unit, following) = rest.split_at(1 + more.count());
             self.push(unit);
             left -= taken;
-            rest = behind;
+            rest = following;
         }
         self.order = order;
     }
@@ -207,8 +207,8 @@ pub(super) fn tiles_and_costs<'a>(
     units: &'a [WorkUnit],
     costs: &'a [UnitCost],
 ) -> impl Iterator<Item = (u32, u32)> + 'a {
-    let answered = units.iter().zip(costs).filter(|(unit, cost)| unit.count == cost.count);
-    answered.flat_map(|(unit, cost)| {
+    let measured = units.iter().zip(costs).filter(|(unit, cost)| unit.count == cost.count);
+    measured.flat_map(|(unit, cost)| {
         let tiles = unit.tiles.iter().take(unit.count.get() as usize);
         let tiles = tiles.map(|tile| tile.get() & !TILE_BLANK);
         tiles.zip(cost.ticks.iter().map(|ticks| ticks.get()))

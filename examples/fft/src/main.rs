@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             std::fs::write(path, page).map_err(|error| format!("{path}: {error}"))?;
         }
         Some(other) => return Err(format!("{other}: the only option is --write").into()),
-        None => talk::print(page)?,
+        None => messages::write_data(page)?,
     }
     Ok(())
 }

@@ -42,6 +42,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;
         demo.play(SIZE, frames, show)?;
     }
-    talk::print(format!("{:.2}\n", report.frames_per_second))?;
+    messages::write_data(format!("{:.2}\n", report.frames_per_second))?;
     Ok(())
 }

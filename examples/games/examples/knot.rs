@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let path = folder.join(format!("knot-{frame:03}.png"));
         let mut engine = Engine::start(settings, Box::new(PictureFile::new(&path, geometry)?))?;
         engine.render(scene, &mut |_| {})?;
-        talk::say!("{}: {took:.1} ms for the scene", path.display());
+        messages::print!("{}: {took:.1} ms for the scene", path.display());
     }
     Ok(())
 }

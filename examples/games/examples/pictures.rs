@@ -32,7 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             engine.render(world.scene(&settings.program)?, &mut |_| {})?;
             Ok(())
         })?;
-        talk::say!("{}", path.display());
+        messages::print!("{}", path.display());
     }
     Ok(())
 }

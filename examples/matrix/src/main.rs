@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let product = multiply(&example(1), &example(2), &example(3), 100)?;
     let cycles = product.cycles;
     let flops = 2.0 * 64.0 * 64.0 * 64.0;
-    Ok(talk::print(format!(
+    Ok(messages::write_data(format!(
         "{cycles:.0} cycles a multiplication, of at least 65536; {:.2} Gflop/s of 25.54\n",
         flops / cycles * 3.192
     ))?)

@@ -58,7 +58,7 @@ pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
     let mut text = text.map_err(OutputError::of("results as JSON"))?;
     text.push('\n');
     if path == Path::new("-") {
-        return talk::print(text).map_err(OutputError::of("results"));
+        return messages::write_data(text).map_err(OutputError::of("results"));
     }
     fs::write(path, text).map_err(OutputError::of(path.display()))
 }

@@ -107,7 +107,7 @@ fn main() -> ExitCode {
     match run(Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            talk::say!("kernels: {error}");
+            messages::print!("kernels: {error}");
             ExitCode::FAILURE
         }
     }
@@ -122,11 +122,11 @@ fn run(command: Command) -> Result<(), Failure> {
             let found = sources.iter().find(|source| source.name == name);
             let known = || sources.iter().map(|source| source.name).collect();
             let source = found.ok_or_else(|| unknown(&name, known()))?;
-            Ok(talk::print(workshop.schedule(source)?.text)?)
+            Ok(messages::write_data(workshop.schedule(source)?.text)?)
         }
         Command::Check { names } => {
             let kernels = chosen(&names)?;
-            Ok(check(&kernels, &mut talk::Output)?)
+            Ok(check(&kernels, &mut messages::Output)?)
         }
         Command::Image { sphere, triangle, out } => {
             let sphere = formulation::sphere(&sphere).expect("clap has checked the name");
@@ -147,9 +147,9 @@ fn measure(arguments: &Measure) -> Result<(), Failure> {
     } else if let Some(file) = &arguments.check {
         document::check(file, &markdown(&measured))?;
     } else if arguments.json {
-        talk::print(serde_json::to_string_pretty(&measured)? + "\n")?;
+        messages::write_data(serde_json::to_string_pretty(&measured)? + "\n")?;
     } else {
-        talk::print(markdown(&measured))?;
+        messages::write_data(markdown(&measured))?;
     }
     Ok(())
 }

@@ -76,7 +76,7 @@ enum Verb {
     },
     /// Write man pages and shell completions.
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
 }
 
 /// How the picture is made: the options of `cellray render` that determine it. A flag can be turned
@@ -204,13 +204,13 @@ fn main() -> ExitCode {
             render(&scene, &options, size, &out, stats)
         }
         Verb::Pages(arguments) => {
-            talk::manual::write(Cli::command(), &arguments).map_err(Into::into)
+            messages::manual::write(Cli::command(), &arguments).map_err(Into::into)
         }
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            talk::say!("oracle: {error}");
+            messages::print!("oracle: {error}");
             ExitCode::FAILURE
         }
     }
@@ -254,7 +254,7 @@ fn compare(
     let by = said
         .software()
         .map_or(String::new(), |software| format!(" by {}", software.escape_debug()));
-    talk::say!(
+    messages::print!(
         "oracle: {}{by}, {}x{}, is compared with {} in double precision",
         path.display(),
         size.0,
@@ -262,7 +262,7 @@ fn compare(
         name.display()
     );
     if let Some(other) = said.scene().filter(|&other| Path::new(other) != name) {
-        talk::say!("oracle: note: the picture is of {}", other.escape_debug());
+        messages::print!("oracle: note: the picture is of {}", other.escape_debug());
     }
     for (who, options) in [
         ("settings of the picture", said.without(&given).followed()),
@@ -272,7 +272,7 @@ fn compare(
         ("note: ignored, since unknown here", said.unknown()),
     ] {
         if !options.is_empty() {
-            talk::say!("oracle: {who}: {}", options.join(" "));
+            messages::print!("oracle: {who}: {}", options.join(" "));
         }
     }
 
@@ -285,7 +285,7 @@ fn compare(
         Samples::Sixteen => 16,
     };
     if count > 1 {
-        talk::say!(
+        messages::print!(
             "oracle: the reference has {count} samples in {} pixels, where its own pixels of one sample \
              differ",
             reference.refined
@@ -294,11 +294,11 @@ fn compare(
     let result = oracle::compare(&picture, &reference)?;
     if let Some(diff) = diff {
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
-        talk::say!("{}: the difference, {DIFFERENCE_SCALE} times amplified", diff.display());
+        messages::print!("{}: the difference, {DIFFERENCE_SCALE} times amplified", diff.display());
     }
     let mut text = if json { serde_json::to_string(&result)? } else { report(&result, &picture) };
     text.push('\n');
-    talk::print(text)?;
+    messages::write_data(text)?;
     Ok(result)
 }
 
@@ -317,7 +317,7 @@ fn check_share(result: &Comparison, most: Option<f64>) -> Done {
 fn report_left_out(model: &Model, scene: &Scene) {
     if let Model::Depth(_) = model {
         for left_out in not_drawn(scene) {
-            talk::say!("{left_out}");
+            messages::print!("{left_out}");
         }
     }
 }
@@ -359,7 +359,7 @@ fn render(
         Model::Depth(_) => "spheres",
         Model::Whitted(_) => "objects",
     };
-    talk::say!(
+    messages::print!(
         "{}: {width}x{height}, {what} cover {covered:.1} %; made with {}",
         out.display(),
         settings.followed().join(" ")
@@ -367,7 +367,7 @@ fn render(
     if let Some(counts) = counts.filter(|_| stats) {
         let mut text = serde_json::to_string(&counts)?;
         text.push('\n');
-        talk::print(text)?;
+        messages::write_data(text)?;
     }
     Ok(())
 }
@@ -376,7 +376,7 @@ fn render(
 fn load(name: &Path) -> Result<Scene, meshes::Error> {
     let loaded = meshes::load(name)?;
     for note in loaded.notes {
-        talk::say!("{note}");
+        messages::print!("{note}");
     }
     Ok(loaded.scene)
 }

@@ -64,7 +64,7 @@ impl Picture {
             |error: std::io::Error| Error::Png { path: path.to_owned(), source: error.into() };
         if path == Path::new("-") {
             let bytes = self.encode(settings).map_err(|error| failed(error.into()))?;
-            return talk::print(bytes).map_err(failed);
+            return messages::write_data(bytes).map_err(failed);
         }
         if path.extension().is_some_and(|extension| !extension.eq_ignore_ascii_case("png")) {
             return Err(Error::Format { path: path.to_owned() });

@@ -51,7 +51,7 @@ unsafe extern "C" fn on_fault(signal: c_int, info: *mut siginfo_t, context: *mut
         // SAFETY: the kernel passes the context of the thread that made the access.
         let decoded = unsafe { access::decode(context) };
         let Some(decoded) = decoded else {
-            talk::say!(
+            messages::print!(
                 "libspe2: offset {offset:#x} of a problem-state area is accessed by an instruction \
                  that is no plain 32-bit load or store"
             );

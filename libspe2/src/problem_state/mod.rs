@@ -46,7 +46,7 @@ pub(crate) struct Areas {
 impl Areas {
     pub(crate) fn map(spe: &Arc<Spe>, run: &Arc<RunState>) -> Result<Self, Errno> {
         if !access::SUPPORTED {
-            talk::say!("libspe2: SPE_MAP_PS: not on this kind of processor");
+            messages::print!("libspe2: SPE_MAP_PS: not on this kind of processor");
             return Err(Errno(libc::ENOTSUP));
         }
         handler::install()?;

@@ -137,7 +137,7 @@ impl Spufs {
     /// device memory, to which the C library's block copies may not be made.
     pub(super) fn write_to_local_store(&self, address: u32, bytes: &[u8]) {
         if let Err(error) = self.memory.write_all_at(bytes, u64::from(address)) {
-            talk::say!("libspe2: {}/mem: {error}", self.directory.path());
+            messages::print!("libspe2: {}/mem: {error}", self.directory.path());
         }
     }
 

@@ -28,7 +28,7 @@ impl Directory {
         match calls::create(&name, flags, neighbor) {
             Ok(descriptor) => Ok(Self { descriptor, path }),
             Err(error) => {
-                talk::say!("libspe2: spu_create {path}: {error}");
+                messages::print!("libspe2: spu_create {path}: {error}");
                 Err(refusal(&error))
             }
         }

@@ -42,7 +42,7 @@ pub(crate) fn check() -> Result<(), Errno> {
     if calls::are_there() {
         return Ok(());
     }
-    talk::say!(
+    messages::print!(
         "libspe2: LIBSPE2_BACKEND=spufs: this kernel has no SPEs (spu_run: {})",
         io::Error::from_raw_os_error(libc::ENOSYS)
     );

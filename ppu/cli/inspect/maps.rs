@@ -73,7 +73,7 @@ pub fn of_tiles(
 }
 
 /// How many samples each pixel has, of a picture with `samples` beyond the first rays; `None` if
-/// they can't be told.
+/// they are unknown.
 pub fn of_samples(
     settings: Settings,
     scene: &scenes::Scene,

@@ -25,8 +25,8 @@ pub(super) trait Terminal: Send {
     fn changes(&self) -> io::Result<VtMode>;
     /// VT_SETMODE.
     fn set_changes(&self, changes: VtMode) -> io::Result<()>;
-    /// VT_RELDISP: the answer when the kernel requests the screen or returns it.
-    fn answer(&self, answer: i32) -> io::Result<()>;
+    /// VT_RELDISP: the acknowledgement when the kernel requests the screen or returns it.
+    fn acknowledge(&self, reply: i32) -> io::Result<()>;
     /// Discards input that was typed but not read.
     fn discard_input(&self);
 }
@@ -50,18 +50,18 @@ impl VirtualTerminal {
         let (terminal, request) = (self.file.as_raw_fd(), request as libc::Ioctl);
         // SAFETY: the descriptor is open, and each caller passes the type that its request reads
         // or writes, which outlives the call.
-        answered(unsafe { libc::ioctl(terminal, request, argument as *mut T) })
+        checked(unsafe { libc::ioctl(terminal, request, argument as *mut T) })
     }
 
     /// A request that takes a number.
-    fn tell(&self, request: u32, value: i32) -> io::Result<()> {
+    fn set(&self, request: u32, value: i32) -> io::Result<()> {
         let (terminal, request) = (self.file.as_raw_fd(), request as libc::Ioctl);
         // SAFETY: the descriptor is open; the requests used here take their argument by value.
-        answered(unsafe { libc::ioctl(terminal, request, libc::c_long::from(value)) })
+        checked(unsafe { libc::ioctl(terminal, request, libc::c_long::from(value)) })
     }
 }
 
-fn answered(result: libc::c_int) -> io::Result<()> {
+fn checked(result: libc::c_int) -> io::Result<()> {
     if result < 0 { Err(io::Error::last_os_error()) } else { Ok(()) }
 }
 
@@ -77,7 +77,7 @@ impl Terminal for VirtualTerminal {
             let text = Argument::Value(KD_TEXT.into());
             RestorePromise::promise(Place::Console, self.file.as_fd(), KDSETMODE, text)
         });
-        self.tell(KDSETMODE, mode)?;
+        self.set(KDSETMODE, mode)?;
         self._promise = promise;
         Ok(())
     }
@@ -98,8 +98,8 @@ impl Terminal for VirtualTerminal {
         self.request(VT_SETMODE, &mut changes)
     }
 
-    fn answer(&self, answer: i32) -> io::Result<()> {
-        self.tell(VT_RELDISP, answer)
+    fn acknowledge(&self, reply: i32) -> io::Result<()> {
+        self.set(VT_RELDISP, reply)
     }
 
     fn discard_input(&self) {

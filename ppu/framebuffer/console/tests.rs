@@ -6,28 +6,28 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Told {
+enum Call {
     Mode(i32),
     Changes(VtMode),
-    Answer(i32),
+    Acknowledge(i32),
     Discard,
 }
 
 /// The calls of a terminal, and the number that it reports to be on the screen.
 #[derive(Clone, Default)]
 struct Notes {
-    told: Arc<Mutex<Vec<Told>>>,
+    calls: Arc<Mutex<Vec<Call>>>,
     on_screen: Arc<Mutex<Option<u16>>>,
 }
 
 impl Notes {
     /// The calls since the last question.
-    fn told(&self) -> Vec<Told> {
-        std::mem::take(&mut *self.told.lock().unwrap())
+    fn calls(&self) -> Vec<Call> {
+        std::mem::take(&mut *self.calls.lock().unwrap())
     }
 
-    fn note(&self, told: Told) {
-        self.told.lock().unwrap().push(told);
+    fn note(&self, call: Call) {
+        self.calls.lock().unwrap().push(call);
     }
 
     fn show(&self, terminal: Option<u16>) {
@@ -52,7 +52,7 @@ impl Terminal for Noted {
     }
 
     fn set_mode(&mut self, mode: i32) -> io::Result<()> {
-        self.notes.note(Told::Mode(mode));
+        self.notes.note(Call::Mode(mode));
         if self.denied { Err(io::Error::from(io::ErrorKind::PermissionDenied)) } else { Ok(()) }
     }
 
@@ -66,17 +66,17 @@ impl Terminal for Noted {
     }
 
     fn set_changes(&self, changes: VtMode) -> io::Result<()> {
-        self.notes.note(Told::Changes(changes));
+        self.notes.note(Call::Changes(changes));
         Ok(())
     }
 
-    fn answer(&self, answer: i32) -> io::Result<()> {
-        self.notes.note(Told::Answer(answer));
+    fn acknowledge(&self, reply: i32) -> io::Result<()> {
+        self.notes.note(Call::Acknowledge(reply));
         if self.unasked { Err(io::Error::from(io::ErrorKind::InvalidInput)) } else { Ok(()) }
     }
 
     fn discard_input(&self) {
-        self.notes.note(Told::Discard);
+        self.notes.note(Call::Discard);
     }
 }
 
@@ -91,8 +91,8 @@ fn the_mode_found_comes_back() {
     for found in [KD_TEXT, KD_GRAPHICS] {
         let (terminal, notes) = noted(Ok(found), false);
         drop(Console::take("tty", terminal).unwrap());
-        let told = [Told::Mode(KD_GRAPHICS), Told::Mode(found), Told::Discard];
-        assert_eq!(notes.told(), told);
+        let calls = [Call::Mode(KD_GRAPHICS), Call::Mode(found), Call::Discard];
+        assert_eq!(notes.calls(), calls);
     }
 }
 
@@ -105,18 +105,18 @@ fn the_mode_found_comes_back_after_a_panic() {
         std::panic::resume_unwind(Box::new(()));
     }));
     assert!(panicked.is_err());
-    let told = [Told::Mode(KD_GRAPHICS), Told::Mode(KD_TEXT), Told::Discard];
-    assert_eq!(notes.told(), told);
+    let calls = [Call::Mode(KD_GRAPHICS), Call::Mode(KD_TEXT), Call::Discard];
+    assert_eq!(notes.calls(), calls);
 }
 
 #[test]
-fn what_is_no_terminal_is_left_alone() {
+fn file_without_terminal_requests_is_not_changed() {
     let (terminal, notes) = noted(Err(io::Error::from_raw_os_error(UNKNOWN)), false);
     assert!(Console::take("tty", terminal).is_err());
-    assert_eq!(notes.told(), []);
+    assert_eq!(notes.calls(), []);
     let (terminal, notes) = noted(Ok(KD_TEXT), true);
     assert!(Console::take("tty", terminal).is_err());
-    assert_eq!(notes.told()[0], Told::Mode(KD_GRAPHICS));
+    assert_eq!(notes.calls()[0], Call::Mode(KD_GRAPHICS));
 }
 
 #[test]
@@ -140,20 +140,20 @@ fn the_screen_is_lost_while_another_terminal_is_on_it() {
 const AUTO: VtMode = VtMode { mode: 0, waitv: 3, relsig: 0, acqsig: 0, frsig: 5 };
 
 #[test]
-fn the_kernel_says_what_is_no_terminal() {
+fn kernel_refuses_terminal_requests_on_other_files() {
     let mut null = VirtualTerminal::open(Path::new("/dev/null")).unwrap();
-    let answers = [
+    let results = [
         null.mode().map(drop),
         null.set_mode(KD_GRAPHICS),
         null.on_screen().map(drop),
         null.changes().map(drop),
         null.set_changes(AUTO),
-        null.answer(VT_RELEASED),
+        null.acknowledge(VT_RELEASED),
     ];
-    for answer in answers {
-        // The user-mode emulator returns the second for a request that it doesn't know.
+    for result in results {
+        // The user-mode emulator returns the second for a request that it doesn't support.
         let unknown = [Some(libc::ENOTTY), Some(libc::ENOSYS)];
-        assert!(unknown.contains(&answer.unwrap_err().raw_os_error()));
+        assert!(unknown.contains(&result.unwrap_err().raw_os_error()));
     }
 }
 
@@ -179,7 +179,7 @@ mod switching {
     fn the_screen_goes_to_another_terminal_and_comes_back() {
         let status = in_child(|| {
             let (mut console, notes) = taken();
-            let [Told::Mode(KD_GRAPHICS), Told::Changes(ours)] = notes.told()[..] else {
+            let [Call::Mode(KD_GRAPHICS), Call::Changes(ours)] = notes.calls()[..] else {
                 return 1;
             };
             let signals = (i32::from(ours.relsig), i32::from(ours.acqsig));
@@ -187,11 +187,11 @@ mod switching {
             assert_eq!((ours.mode, ours.waitv, ours.frsig), (VT_PROCESS, 3, 5));
             for _ in 0..3 {
                 assert!(console.request().is_none() && console.come_back());
-                assert_eq!(notes.told(), []);
+                assert_eq!(notes.calls(), []);
                 raise(signals.0);
                 assert_eq!(console.request(), Some(ScreenRequest::Leave));
                 console.leave(ScreenRequest::Leave);
-                assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
+                assert_eq!(notes.calls(), [Call::Acknowledge(VT_RELEASED)]);
                 // SAFETY: names this thread, which outlives the one that sends to it.
                 let waits = unsafe { libc::pthread_self() };
                 let kernel = thread::spawn(move || {
@@ -201,11 +201,11 @@ mod switching {
                 });
                 assert!(console.come_back());
                 kernel.join().unwrap();
-                assert_eq!(notes.told(), [Told::Answer(VT_ACKACQ)]);
+                assert_eq!(notes.calls(), [Call::Acknowledge(VT_ACKACQ)]);
             }
             drop(console);
-            let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
-            assert_eq!(notes.told(), told);
+            let calls = [Call::Changes(AUTO), Call::Mode(KD_TEXT), Call::Discard];
+            assert_eq!(notes.calls(), calls);
             7
         });
         assert!(libc::WIFEXITED(status), "{status:#x}");
@@ -213,27 +213,28 @@ mod switching {
     }
 
     #[test]
-    fn a_screen_that_nobody_waits_for_is_kept() {
+    fn screen_is_kept_if_no_terminal_waits_for_it() {
         let status = in_child(|| {
             let (mut terminal, notes) = noted(Ok(KD_TEXT), false);
             terminal.changes = Some(AUTO);
             terminal.unasked = true;
             let mut console = Console::take("tty", terminal).unwrap();
-            notes.told();
+            notes.calls();
             raise(libc::SIGRTMIN());
             console.leave(console.request().unwrap());
             // Returns immediately, because nobody would return the screen.
             assert!(console.come_back());
-            assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
+            assert_eq!(notes.calls(), [Call::Acknowledge(VT_RELEASED)]);
             7
         });
         assert!(libc::WIFEXITED(status), "{status:#x}");
         assert_eq!(libc::WEXITSTATUS(status), 7);
     }
 
-    /// A program that starts behind another terminal gets the screen without having released it.
+    /// A program that starts while another terminal is shown gets the screen without having
+    /// released it.
     #[test]
-    fn an_earlier_giving_back_is_no_answer_to_a_later_leaving() {
+    fn earlier_acquisition_does_not_count_after_a_later_release() {
         let status = in_child(|| {
             let interrupted = Interrupted::install().unwrap();
             let (mut console, _) = taken();
@@ -261,10 +262,10 @@ mod switching {
             raise(libc::SIGTERM);
             assert!(!console.come_back() && console.request().is_none());
             assert_eq!(interrupted.signal(), Some(libc::SIGTERM));
-            notes.told();
+            notes.calls();
             drop(console);
-            let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
-            assert_eq!(notes.told(), told);
+            let calls = [Call::Changes(AUTO), Call::Mode(KD_TEXT), Call::Discard];
+            assert_eq!(notes.calls(), calls);
             7
         });
         assert!(libc::WIFEXITED(status), "{status:#x}");
@@ -272,10 +273,10 @@ mod switching {
     }
 
     #[test]
-    fn a_program_that_is_stopped_leaves_text_behind() {
+    fn stopped_program_restores_text_mode() {
         let status = in_child(|| {
             let (mut console, notes) = taken();
-            let [_, Told::Changes(ours)] = notes.told()[..] else {
+            let [_, Call::Changes(ours)] = notes.calls()[..] else {
                 return 1;
             };
             raise(libc::SIGTSTP);
@@ -297,14 +298,14 @@ mod switching {
                 libc::waitpid(shell, std::ptr::null_mut(), 0);
             }
             assert!(console.come_back());
-            let told = [
-                Told::Changes(AUTO),
-                Told::Mode(KD_TEXT),
-                Told::Discard,
-                Told::Mode(KD_GRAPHICS),
-                Told::Changes(ours),
+            let calls = [
+                Call::Changes(AUTO),
+                Call::Mode(KD_TEXT),
+                Call::Discard,
+                Call::Mode(KD_GRAPHICS),
+                Call::Changes(ours),
             ];
-            assert_eq!(notes.told(), told);
+            assert_eq!(notes.calls(), calls);
             7
         });
         assert!(libc::WIFEXITED(status), "{status:#x}");

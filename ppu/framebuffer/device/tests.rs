@@ -75,14 +75,14 @@ fn ps3fb_with_one_frame_selects_it_alone() {
 }
 
 #[test]
-fn ps3fb_that_knows_one_frame_less_uses_one() {
+fn ps3fb_with_one_frame_less_uses_one() {
     let (device, witness) = Script::ps3fb().failing([(Fsel(1), libc::EINVAL)]).open(None, None);
     show(&mut device.unwrap(), 0);
     assert_eq!(witness.calls(), [Screeninfo, On, Fsel(1), Fsel(0), Vsync, Fsel(0), Off]);
 }
 
 #[test]
-fn ps3fb_that_cannot_select_copies_to_the_visible_frame() {
+fn ps3fb_without_selection_copies_to_the_visible_frame() {
     let selects = [(Fsel(0), libc::ENOTTY), (Fsel(1), libc::ENOTTY)];
     let (device, witness) = Script::ps3fb().failing(selects).open(None, None);
     let mut device = device.unwrap();
@@ -189,7 +189,7 @@ fn the_frame_shown_first_is_black() {
 }
 
 #[test]
-fn drivers_that_cannot_pan_show_one_frame() {
+fn drivers_without_panning_show_one_frame() {
     let mut short = Script::panning();
     short.var.yres_virtual = 57 * 2 - 1;
     let mut fixed = Script::panning();
@@ -314,7 +314,7 @@ fn other_pixels_are_refused_in_the_drivers_words() {
 }
 
 #[test]
-fn numbers_that_contradict_each_other_are_refused() {
+fn contradictory_numbers_are_refused() {
     let plain = || Script::new("odd", 64, 48, 256, 256 * 48);
     assert!(plain().open(None, None).0.is_ok());
     let mut offset = plain();

@@ -22,7 +22,7 @@ pub trait Clock {
 /// world that stands still, which takes no time to trace.
 #[derive(Clone, Copy, Debug)]
 pub struct RealTime {
-    least: Duration,
+    minimum: Duration,
     last: Option<Instant>,
 }
 
@@ -31,7 +31,7 @@ impl RealTime {
     #[must_use]
     pub fn at_most(frames_per_second: u32) -> Self {
         Self {
-            least: Duration::from_secs(1).checked_div(frames_per_second).unwrap_or_default(),
+            minimum: Duration::from_secs(1).checked_div(frames_per_second).unwrap_or_default(),
             last: None,
         }
     }
@@ -56,7 +56,7 @@ impl Default for RealTime {
 
 impl Clock for RealTime {
     fn tick(&mut self) -> Duration {
-        self.wait(self.least)
+        self.wait(self.minimum)
     }
 
     fn pace(&mut self, step: Duration) {
@@ -86,9 +86,12 @@ mod tests {
         let mut clock = RealTime::at_most(100);
         let start = Instant::now();
         assert_eq!(clock.tick(), Duration::ZERO);
-        let told: Duration = (0..5).map(|_| clock.tick()).sum();
+        let counted: Duration = (0..5).map(|_| clock.tick()).sum();
         let passed = start.elapsed();
-        assert!(told >= Duration::from_millis(50) && told <= passed, "{told:?} of {passed:?}");
+        assert!(
+            counted >= Duration::from_millis(50) && counted <= passed,
+            "{counted:?} of {passed:?}"
+        );
 
         let start = Instant::now();
         clock.pace(Duration::from_millis(30));
@@ -98,6 +101,6 @@ mod tests {
 
     #[test]
     fn without_a_bound_nothing_waits() {
-        assert_eq!(RealTime::at_most(0).least, Duration::ZERO);
+        assert_eq!(RealTime::at_most(0).minimum, Duration::ZERO);
     }
 }

@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn events_that_are_not_finite_change_nothing() {
+    fn infinite_and_nan_events_are_ignored() {
         let axis = |value| InputEvent::PadAxis { pad: PadId(0), axis: Axis::R2, value };
         let by = |x: f32| InputEvent::MouseMotion { by: [x, 0.0] };
         let mut events = vec![axis(0.5), axis(f32::NAN), by(3.0), by(f32::INFINITY), by(4.0)];

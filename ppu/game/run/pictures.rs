@@ -96,15 +96,15 @@ impl Pictures {
             let Some(step) = session.wait(clock)? else {
                 break;
             };
-            let heard = input.poll(&mut events).map_err(SessionError::Input)?;
-            if heard.is_break() {
+            let polled = input.poll(&mut events).map_err(SessionError::Input)?;
+            if polled.is_break() {
                 break;
             }
             let path = self.paths.of(number);
             let is_wanted = number >= frames.first;
             let flow = if !is_wanted || path.is_file() {
                 made.kept += u64::from(is_wanted);
-                session.pass_over(step, &mut events)?
+                session.skip_frame(step, &mut events)?
             } else {
                 let flow = session.step(step, &mut events, &mut |part| input.tracing(part))?;
                 let picture = session.picture().ok_or(FramebufferError::NoPicture)?;

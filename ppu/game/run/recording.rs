@@ -19,7 +19,7 @@ const FORMAT: &str = "cellray recording";
 const VERSION: u32 = 1;
 /// Frames from one checksum of the world to the next.
 const CHECK_EVERY: u64 = 16;
-/// The longest line, in bytes. No frame has so many events.
+/// The longest line, in bytes. No frame has events for a longer one.
 const LONGEST_LINE: u64 = 1 << 20;
 
 /// Why a recording can't be written or read.

@@ -15,7 +15,7 @@ pub trait InputSource {
     fn poll(&mut self, events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>>;
 
     /// Called from time to time while a frame is traced, with the part of it that is done, 0 to 1.
-    /// A window uses it to keep answering its window system.
+    /// A window uses it to respond to its window system.
     fn tracing(&mut self, _part: f64) {}
 }
 

@@ -108,7 +108,8 @@ impl Checksum {
         ] {
             self.float(share);
         }
-        // What most materials lack is left out, so that sums of older recordings stay valid.
+        // Properties that most materials lack are omitted, so that sums of older recordings stay
+        // valid.
         if material.emission != DVec3::ZERO {
             self.vector(material.emission);
         }

@@ -15,7 +15,7 @@ pub(super) struct Traced {
     pub shaders: ShaderEntries,
     /// The program that has the shaders.
     pub program: Program,
-    /// All meshes as one, with the polygons that local store has no room for.
+    /// All meshes as one, with the polygons that do not fit into local store.
     pub mesh: Option<Arc<Mesh>>,
     /// Whether there are such polygons.
     pub has_gathered: bool,

@@ -20,20 +20,20 @@ pub struct WorldError {
 /// Why a change of a world is refused, or why it can't be traced.
 #[derive(Debug, thiserror::Error)]
 pub enum WorldErrorKind {
-    /// The handle's object was removed, or never was in this world.
-    #[error("there is no such object: it was removed, or never was in this world")]
+    /// The handle's object was removed, or belongs to another world.
+    #[error("there is no such object: it was removed, or belongs to another world")]
     NoObject,
-    /// The handle's mesh was removed, or never was in this world.
-    #[error("there is no such mesh: it was removed, or never was in this world")]
+    /// The handle's mesh was removed, or belongs to another world.
+    #[error("there is no such mesh: it was removed, or belongs to another world")]
     NoMesh,
     /// A mesh whose parts don't belong together.
     #[error("the mesh is not valid: {0}")]
     BadMesh(String),
-    /// The handle's material was removed, or never was in this world.
-    #[error("there is no such material: it was removed, or never was in this world")]
+    /// The handle's material was removed, or belongs to another world.
+    #[error("there is no such material: it was removed, or belongs to another world")]
     NoMaterial,
-    /// The handle's light was removed, or never was in this world.
-    #[error("there is no such light: it was removed, or never was in this world")]
+    /// The handle's light was removed, or belongs to another world.
+    #[error("there is no such light: it was removed, or belongs to another world")]
     NoLight,
     /// A material can't be removed while objects or meshes are made of it.
     #[error("the material can't be removed: {users} object(s) or mesh(es) are made of it")]

@@ -36,7 +36,7 @@ pub struct Material {
     pub emission: DVec3,
     /// The shader that computes the colour; [`Shader::Own`] names one of the SPU program's.
     pub shader: Shader,
-    /// What the colour is multiplied by on meshes with texture coordinates.
+    /// A factor of the colour on meshes with texture coordinates.
     pub texture: Option<Arc<Texture>>,
 }
 

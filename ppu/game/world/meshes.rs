@@ -51,7 +51,7 @@ impl WorldMesh {
         self.place.matrix3.determinant() < 0.0
     }
 
-    /// Writes the positions relative to an origin, and the normals if there is room for any.
+    /// Writes the positions relative to an origin, and the normals if there is space for any.
     fn write(&self, origin: DVec3, positions: &mut [[f32; 3]], normals: &mut [[f32; 3]]) {
         if self.place == DAffine3::IDENTITY && origin == self.mesh.origin {
             positions.copy_from_slice(&self.mesh.positions);

@@ -1,5 +1,5 @@
-//! Which object or mesh a ray meets first, computed on the PPU in `f64`: what is under the pointer, or in
-//! a shot's way.
+//! Which object or mesh a ray meets first, computed on the PPU in `f64`: what is under the pointer,
+//! or in a shot's way.
 //!
 //! Invariant: only sums, products, square roots and `libm` are used, so that a recorded session
 //! finds the same objects on every machine.
@@ -287,15 +287,15 @@ mod tests {
     fn the_nearest_object_under_a_pixel_is_found() {
         let mut world = world();
         let red = world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap();
-        let behind = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();
+        let farther = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();
         let middle = [31.5, 23.5];
         let found = world.pick(middle, SIZE).unwrap();
-        assert_eq!((found.target, found.distance), (Target::Object(behind), 11.0));
+        assert_eq!((found.target, found.distance), (Target::Object(farther), 11.0));
         assert_eq!((found.point, found.normal), (DVec3::NEG_Z, DVec3::Z));
         let before = world.add_sphere([0.0; 3], 1.0, red).unwrap();
         assert_eq!(world.pick(middle, SIZE).unwrap().target, Target::Object(before));
         world.show(before, false).unwrap();
-        assert_eq!(world.pick(middle, SIZE).unwrap().target, Target::Object(behind));
+        assert_eq!(world.pick(middle, SIZE).unwrap().target, Target::Object(farther));
         assert_eq!(world.pick([0.0, 0.0], SIZE), None);
         assert_eq!(world.pick(middle, (0, 0)), None);
         assert_eq!(world.cast_ray([0.0; 3], [0.0; 3]), None);
@@ -317,14 +317,14 @@ mod tests {
         assert_eq!(back(&world).unwrap().normal, DVec3::NEG_Z);
         assert_eq!(world.cast_ray([1.5, 0.0, 5.0], [0.0, 0.0, -1.0]), None);
         world.remove(wall).unwrap();
-        let room = world.add_sphere([0.0; 3], -4.0, red).unwrap();
+        let enclosing = world.add_sphere([0.0; 3], -4.0, red).unwrap();
         assert_eq!(ahead(&world).unwrap().distance, 5.0 + (16.0_f64 - 0.13).sqrt());
-        assert_eq!(ahead(&world).unwrap().target, Target::Object(room));
+        assert_eq!(ahead(&world).unwrap().target, Target::Object(enclosing));
     }
 
     /// The reference tracer shows a flat colour exactly where an object is picked.
     #[test]
-    fn what_is_picked_is_what_the_reference_shows() {
+    fn picked_pixels_equal_the_reference() {
         let mut random = ChaCha8Rng::seed_from_u64(7);
         let mut text = String::from(
             "v\nfrom 0 0 10\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 64 48\nb 0 0 0\n\

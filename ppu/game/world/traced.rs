@@ -32,10 +32,10 @@ impl World {
     ///
     /// Changes since the last call are made in place. No memory is allocated if objects were moved,
     /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
-    /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
-    /// new scene is made. A new scene is also made when lights or meshes are added or removed, when
-    /// the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere, a cone or a
-    /// polygon changes that is in main memory. Meshes that move get new blocks.
+    /// Added objects and materials use the space of removed ones, or spare capacity. If there is
+    /// none, a new scene is made. A new scene is also made when lights or meshes are added or
+    /// removed, when the [`RenderOptions`](crate::scene::RenderOptions) change, or when a sphere, a
+    /// cone or a polygon changes that is in main memory. Meshes that move get new blocks.
     ///
     /// # Errors
     /// - The world doesn't fit the SPUs' local store.
@@ -83,7 +83,7 @@ impl World {
     fn lay_out(&mut self, program: &Program) -> Result<Traced, WorldError> {
         // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
-        // Whitted's model keeps room for hidden objects.
+        // Whitted's model keeps space for hidden objects.
         let options = self.traced_options();
         let is_whitted = options.is_whitted(self.light_count());
         let shown = self.content(|object| object.visible);
@@ -100,19 +100,19 @@ impl World {
         };
         let streams_objects =
             |scene: &Scene| scene.block().is_some_and(SceneBlock::streams_objects);
-        let mut outcome = Scene::with_room(&content, options, &shaders);
+        let mut outcome = Scene::with_spare_capacity(&content, options, &shaders);
         if keeps_hidden && outcome.as_ref().map_or(true, streams_objects) {
             keeps_hidden = false;
             content = Cow::Borrowed(&shown);
-            outcome = Scene::with_room(&content, options, &shaders);
+            outcome = Scene::with_spare_capacity(&content, options, &shaders);
         }
         if let Err(SceneError::Block(error)) = &outcome
-            && error.is_lack_of_room()
+            && error.is_out_of_memory()
             && let Some(all) = gathered_all(&shown)
         {
             has_gathered = true;
             content = Cow::Owned(all);
-            outcome = Scene::with_room(&content, options, &shaders);
+            outcome = Scene::with_spare_capacity(&content, options, &shaders);
         }
         let mut scene = outcome?;
         scene.check_streaming(program)?;

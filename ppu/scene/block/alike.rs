@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use scenes::{Material, Shader, Texture};
 
-/// What makes a material: everything but its line. Numbers are compared as bits, textures by their
-/// place in memory.
+/// The identity of a material: everything but its line. Numbers are compared as bits, textures by
+/// their place in memory.
 #[derive(PartialEq, Eq, Hash)]
 struct Key<'a> {
     numbers: [u64; 11],

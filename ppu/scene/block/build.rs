@@ -24,10 +24,10 @@ use crate::scene::mesh::{MeshError, NumberWidth, Numbers};
 use crate::scene::render_options::{NodeVolumes, RenderOptions};
 use protocol::layout::{self, BOX_CODE_ROOM, MAX_DEPTH, SCENE_ADDRESS};
 
-/// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
+/// Amounts of spare capacity to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
 const PARTS: [usize; 4] = [1, 2, 4, 8];
-/// Spare room that is added to each of these.
+/// Spare capacity that is added to each of these.
 const FEW: usize = 4;
 
 /// What a block is made of.
@@ -40,7 +40,7 @@ pub(super) struct Builder<'a> {
     firsts: Vec<u32>,
 }
 
-/// Room for materials and primitives that may be added.
+/// Spare capacity for materials and primitives.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Spare {
     materials: usize,
@@ -49,9 +49,9 @@ pub(super) struct Spare {
 
 impl SceneBlock {
     /// Makes the block of a scene that stays as it is, and writes it for the scene's own view. Its
-    /// mesh goes to main memory if it is large, or if local store has no room for it, and so do its
-    /// spheres, its cones or both. `shader` looks up the entry of a shader of the SPU program by its
-    /// name.
+    /// mesh goes to main memory if it is large, or if it does not fit into local store, and so do
+    /// its spheres, its cones or both. `shader` looks up the entry of a shader of the SPU program
+    /// by its name.
     ///
     /// # Errors
     /// - The scene doesn't fit the local store, or has more lights, or more primitives of a kind,
@@ -68,14 +68,14 @@ impl SceneBlock {
         Builder::new(scene, options, shader).fitting()
     }
 
-    /// [`SceneBlock::new`] with spare room for objects and materials: as much as makes the batches
-    /// no smaller or, if any would, as little as there is, if they stay small batches.
-    pub(crate) fn with_room(
+    /// [`SceneBlock::new`] with spare capacity for objects and materials: as much as makes the
+    /// batches no smaller or, if any would, as little as there is, if they stay small batches.
+    pub(crate) fn with_spare_capacity(
         scene: &Scene,
         options: RenderOptions,
         shaders: &ShaderEntries,
     ) -> Result<Self, BlockError> {
-        Builder::new(scene, options, &|name| shaders.entry(name)).with_room()
+        Builder::new(scene, options, &|name| shaders.entry(name)).with_spare_capacity()
     }
 }
 
@@ -89,7 +89,7 @@ impl<'a> Builder<'a> {
         Self { scene, options, shader, firsts: alike::firsts(&scene.materials) }
     }
 
-    /// The block with as much in local store as there is room for: everything; or all but the
+    /// The block with as much in local store as fits: everything; or all but the
     /// mesh; or all but the mesh, and some kinds of objects.
     pub fn fitting(&self) -> Result<SceneBlock, BlockError> {
         let stays = may_stay(self.scene);
@@ -101,15 +101,15 @@ impl<'a> Builder<'a> {
         let mesh = (stays && self.scene.mesh.is_some()).then_some(mesh);
         for kinds in mesh.into_iter().chain(InMainMemory::choices(self.scene)) {
             match &outcome {
-                Err(error) if error.is_lack_of_room() => outcome = self.in_main_memory(kinds),
+                Err(error) if error.is_out_of_memory() => outcome = self.in_main_memory(kinds),
                 _ => break,
             }
         }
         outcome
     }
 
-    /// [`Builder::fitting`], and spare room if everything is in local store.
-    pub fn with_room(mut self) -> Result<SceneBlock, BlockError> {
+    /// [`Builder::fitting`], and spare capacity if everything is in local store.
+    pub fn with_spare_capacity(mut self) -> Result<SceneBlock, BlockError> {
         // Each material has a record of its own, so that it can be changed alone, unless they take
         // more than local store.
         let own: Vec<u32> = (0..).take(self.firsts.len()).collect();
@@ -129,12 +129,12 @@ impl<'a> Builder<'a> {
         }
         let tight = outcome?;
         if tight.streamed.is_some() {
-            // What would be spare is the mesh's cache.
+            // The mesh's cache takes the capacity that would be spare.
             return Ok(tight);
         }
         // Added objects may reflect, even if nothing does so far.
         let deepest = self.options.ray_depth;
-        let mut least = None;
+        let mut smallest = None;
         for part in PARTS {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
             let spare = Spare {
@@ -142,21 +142,23 @@ impl<'a> Builder<'a> {
                 objects: tight.primitives.each_ref().map(|primitives| more(primitives.count())),
             };
             match self.in_local_store(spare) {
-                Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
-                    return Ok(roomy);
+                Ok(spacious) if spacious.batch_at(deepest) == tight.batch_at(deepest) => {
+                    return Ok(spacious);
                 }
-                Ok(roomy) if roomy.small_batch_at(deepest) == tight.small_batch_at(deepest) => {
-                    least = Some(roomy)
+                Ok(spacious)
+                    if spacious.small_batch_at(deepest) == tight.small_batch_at(deepest) =>
+                {
+                    smallest = Some(spacious)
                 }
                 Ok(_) | Err(BlockError::TooLarge { .. }) => {}
                 Err(error) => return Err(error),
             }
         }
-        Ok(least.unwrap_or(tight))
+        Ok(smallest.unwrap_or(tight))
     }
 
     /// A block that has everything in local store. The nodes of a tree become boxes if that is
-    /// worth it, and their code and larger nodes take no room that batches need.
+    /// worth it, and their code and larger nodes take no space that batches need.
     pub fn in_local_store(&self, spare: Spare) -> Result<SceneBlock, BlockError> {
         let spheres = [Volumes::Spheres; 4];
         let plain = self.lay_out(spare, spheres, None)?;
@@ -183,18 +185,18 @@ impl<'a> Builder<'a> {
     }
 
     /// A block whose mesh is in main memory, and so are its objects of these kinds. If local store
-    /// lacks room for the materials, these are in main memory, too.
+    /// lacks space for the materials, these are in main memory, too.
     pub fn in_main_memory(&self, kinds: InMainMemory) -> Result<SceneBlock, BlockError> {
-        let streamed = |least| {
-            let numbers = Numbers { firsts: &self.firsts, least };
+        let streamed = |minimum| {
+            let numbers = Numbers { firsts: &self.firsts, minimum };
             Streamed::of(self.scene, kinds, numbers, self.options.colour)
         };
         let lay_out = |streamed| self.lay_out(Spare::default(), [Volumes::Spheres; 4], streamed);
         let narrow = streamed(NumberWidth::Byte)?;
         let materials = narrow.as_ref().map_or(0, Streamed::resident_materials);
         match lay_out(narrow) {
-            Err(BlockError::TooLarge { needed, room, .. })
-                if needed - room <= materials * size_of::<layout::Material>() =>
+            Err(BlockError::TooLarge { needed, capacity, .. })
+                if needed - capacity <= materials * size_of::<layout::Material>() =>
             {
                 lay_out(streamed(NumberWidth::TwoBytes)?)
             }
@@ -202,8 +204,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The block with this spare room and these volumes in the trees' nodes; with `streamed`, its
-    /// mesh is in main memory.
+    /// The block with this spare capacity and these volumes in the trees' nodes; with `streamed`,
+    /// its mesh is in main memory.
     fn lay_out(
         &self,
         spare: Spare,
@@ -229,7 +231,7 @@ impl<'a> Builder<'a> {
             streamed.add_textures(&mut block);
         }
         let materials = self.add_materials(&found, streamed.as_mut(), &mut block)?;
-        let material_room =
+        let spare_materials =
             (0..spare.materials).map(|_| block.reserve(size_of::<layout::Material>())).collect();
         let material = |object: &Object| {
             let surface = materials[object.material as usize].as_ref();
@@ -256,7 +258,7 @@ impl<'a> Builder<'a> {
             lights,
             light_address,
             materials,
-            material_room,
+            spare_materials,
             primitives,
             objects,
             parts,
@@ -267,7 +269,7 @@ impl<'a> Builder<'a> {
             objects_eye: scene.view.from,
         };
         scene_block.bound_chains();
-        scene_block.check_room()?;
+        scene_block.check_size()?;
         scene_block.write_for(scene.view.from)?;
         Ok(scene_block)
     }
@@ -285,8 +287,8 @@ impl<'a> Builder<'a> {
     }
 
     /// Adds the records of materials that objects have, and returns the materials by their numbers
-    /// in the scene. Those of a mesh in main memory come first and are in a row, in the order of its
-    /// blocks' numbers: in local store, or in main memory, too.
+    /// in the scene. Those of a mesh in main memory come first and are in a row, in the order of
+    /// its blocks' numbers: in local store, or in main memory, too.
     fn add_materials(
         &self,
         found: &[Vec<Object>; 4],

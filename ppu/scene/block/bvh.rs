@@ -378,8 +378,8 @@ fn box_node(eye: DVec3, boxes: &[Bounds], child: &dyn Fn(usize) -> U32) -> BoxNo
 
 /// Sorts objects so that those of a node are near each other, by their boxes: of all axes and all
 /// places where one of the parts fills whole nodes, the objects are recursively split where the sum
-/// of the parts' surface areas, each times its objects, is least. The part that fills whole nodes
-/// becomes the left one. `areas` is a buffer.
+/// of the parts' surface areas, each times its objects, is smallest. The part that fills whole
+/// nodes becomes the left one. `areas` is a buffer.
 fn split_by_area(order: &mut [usize], hulls: &[Option<Hull>], areas: &mut Vec<f64>) {
     let count = order.len();
     if count <= LANES {
@@ -438,7 +438,7 @@ fn split_by_area(order: &mut [usize], hulls: &[Option<Hull>], areas: &mut Vec<f6
 /// across their longest extent, and the left part fills whole nodes of as many levels as possible.
 ///
 /// Tried: of all axes, both directions and all places where the left part fills whole nodes, the
-/// split with the least surface area heuristic. Frames were 0 to 2 % faster and shapes.nff 5 %, for
+/// split with the best surface area heuristic. Frames were 0 to 2 % faster and shapes.nff 5 %, for
 /// six sorts at each step instead of one selection.
 fn split(order: &mut [usize], spheres: &[BoundingSphere]) {
     let count = order.len();

@@ -1,15 +1,15 @@
-//! Bounds of the chains of rays: how long they can get, and the least weight of a ray that is
+//! Bounds of the chains of rays: how long they can get, and the minimum weight of a ray that is
 //! sent.
 //!
 //! The weight of a ray is its share of its pixel's colour: the product of the shares that the
 //! surfaces on its way reflect or let through. The ray adds to its pixel at most its weight times
-//! the greatest brightness that any ray can see. If that is less than [`LEAST_CHANGE`] of a byte's
+//! the maximum brightness that any ray can see. If that is less than [`LEAST_CHANGE`] of a byte's
 //! step, the ray is not sent. The materials' largest share also bounds the depth at which a ray
 //! can still have enough weight. `docs/numerics.md` derives the bound.
 //!
-//! Nothing is bounded if an object has a game's own shader, because the material doesn't tell what
-//! the shader adds. Nothing is bounded either if rays are counted as in the Standard Procedural
-//! Databases, which have no weights.
+//! Nothing is bounded if an object has a game's own shader, because the light that
+//! the shader adds is unknown. Nothing is bounded either if rays are counted as in the Standard
+//! Procedural Databases, which have no weights.
 
 use scenes::{Material, Shader};
 use zerocopy::big_endian::F32;
@@ -30,7 +30,7 @@ const ROUNDING: f64 = 1e-5;
 pub(crate) struct Chains {
     /// The longest chain of rays, including the primary ray.
     pub ray_depth: u32,
-    /// The least weight of a secondary ray; lighter rays are not sent.
+    /// The minimum weight of a secondary ray; lighter rays are not sent.
     pub least_weight: f32,
 }
 
@@ -57,7 +57,7 @@ impl Sends {
         let emission = match material.shader {
             // Brightest at the near distance.
             Shader::Depth { .. } => own.max_element(),
-            _ => greatest(&record.emission),
+            _ => largest_channel(&record.emission),
         };
         Self {
             share: single(record.mirror) + single(record.transmittance),
@@ -74,8 +74,8 @@ impl Sends {
     }
 }
 
-/// The greatest channel of a colour.
-pub(super) fn greatest(colour: &[F32]) -> f64 {
+/// The largest channel of a colour.
+pub(super) fn largest_channel(colour: &[F32]) -> f64 {
     let channels = colour.iter().map(|channel| f64::from(channel.get()));
     channels.fold(0.0, f64::max)
 }
@@ -84,7 +84,7 @@ impl Chains {
     /// The bounds without any knowledge of a scene.
     pub const UNBOUNDED: Self = Self { ray_depth: MAX_DEPTH, least_weight: 0.0 };
 
-    /// The bounds of a scene with these materials. The array has the greatest channels of the
+    /// The bounds of a scene with these materials. The array has the largest channels of the
     /// background, of the ambient light, and of the sum of all lights.
     pub(super) fn of(
         options: RenderOptions,
@@ -99,7 +99,7 @@ impl Chains {
         if options.spd_rays || !is_bounded {
             return Self { ray_depth: options.ray_depth, ..Self::UNBOUNDED };
         }
-        // The greatest brightness that a ray can see: a surface's own light, and a share of the
+        // The maximum brightness that a ray can see: a surface's own light, and a share of the
         // brightness that the next ray of the chain sees.
         let mut seen = 0.0;
         for _ in 0..options.ray_depth {
@@ -109,13 +109,13 @@ impl Chains {
             });
             seen = surfaces.fold(background, f64::max);
         }
-        let least = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
+        let least_weight = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
         let (mut ray_depth, mut weight) = (1, share * (1.0 + ROUNDING));
-        while ray_depth < options.ray_depth && weight > 0.0 && weight >= least {
+        while ray_depth < options.ray_depth && weight > 0.0 && weight >= least_weight {
             ray_depth += 1;
             weight *= share * (1.0 + ROUNDING);
         }
-        Self { ray_depth, least_weight: least as f32 }
+        Self { ray_depth, least_weight: least_weight as f32 }
     }
 }
 
@@ -163,10 +163,10 @@ mod tests {
 
     #[test]
     fn the_brighter_a_scene_the_lighter_the_rays_that_are_sent() {
-        let least = |lights| {
+        let least_weight = |lights| {
             Chains::of(to(5), [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight
         };
-        assert!(least(2.0) < least(1.0));
-        assert!(least(0.0) > 1e30);
+        assert!(least_weight(2.0) < least_weight(1.0));
+        assert!(least_weight(0.0) > 1e30);
     }
 }

@@ -1,5 +1,4 @@
-//! What a packet's tests of a tree are expected to cost, by which the volumes of its nodes are
-//! chosen.
+//! The expected cost of a packet's tests of a tree, which decides the volumes of its nodes.
 //!
 //! As in the surface area heuristic, the probability of a test is that of a random ray through the
 //! scene to meet a volume. A packet is wider than a ray, so volumes are widened first; the surface
@@ -42,9 +41,9 @@ const INDEPENDENT: i32 = 4;
 /// The cycles a packet by which the estimate may be off.
 const MARGIN: f64 = 32.0;
 
-/// The part of the faces that remain when those are left out that are seen from behind.
+/// The part of the faces that remain after backface culling.
 const FACES: f64 = 0.6;
-/// The cycles of leaving them out.
+/// The cycles of backface culling.
 const CULL_FACES: f64 = 16.0;
 
 impl Volumes {

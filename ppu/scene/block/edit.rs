@@ -142,7 +142,7 @@ impl SceneBlock {
     }
 
     /// Adds a material, which no object has yet, and returns its number; `None` if there is no
-    /// room.
+    /// space.
     pub(crate) fn add_material(&mut self) -> Option<usize> {
         let number = self.materials.len();
         if number == MOST_NUMBERS {
@@ -163,7 +163,7 @@ impl SceneBlock {
             None => Ok(None),
             Some(Some(Surface { address: Some(address), .. })) => Ok(Some(*address)),
             Some(_) => {
-                let Some(address) = self.material_room.pop() else {
+                let Some(address) = self.spare_materials.pop() else {
                     return Ok(None);
                 };
                 self.write_material(number, Some(address), material, shaders)?;
@@ -237,7 +237,7 @@ impl SceneBlock {
         Ok(fits && parts.next().is_none())
     }
 
-    /// Takes an object out of the scene, and keeps its room for it.
+    /// Takes an object out of the scene, and keeps its space reserved.
     pub(crate) fn hide_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get(number) {
             for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
@@ -246,7 +246,7 @@ impl SceneBlock {
         }
     }
 
-    /// Takes an object out of the scene, and frees its room. Its number stays unused.
+    /// Takes an object out of the scene, and frees its space. Its number stays unused.
     pub(crate) fn remove_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get_mut(number) {
             for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
@@ -256,7 +256,7 @@ impl SceneBlock {
         }
     }
 
-    /// Adds an object, and returns its number; `None` if there is no room.
+    /// Adds an object, and returns its number; `None` if there is no space.
     pub(crate) fn add_object(
         &mut self,
         shape: &Shape,

@@ -15,7 +15,7 @@ pub enum BlockError {
         what: &'static str,
         /// About how many the scene has.
         count: usize,
-        /// A text that says about how much fits.
+        /// A text that estimates how much fits.
         fits: String,
     },
     /// An object is added to a tree that is full.
@@ -34,7 +34,7 @@ pub enum BlockError {
         /// The number of its vertices.
         vertices: usize,
     },
-    /// The scene has more lights than the SPUs have room for.
+    /// The scene has more lights than the SPUs' memory holds.
     #[error("{file}:{line}: more than {MAX_LIGHTS} lights")]
     TooManyLights {
         /// Name of the file.
@@ -82,7 +82,7 @@ pub enum BlockError {
     },
     /// The local store is too small for the scene.
     #[error(
-        "{file}: the scene takes {needed} bytes of local store, but {room} are free (with a queue for rays of depth {ray_depth}): {consumers}; {fits}"
+        "{file}: the scene takes {needed} bytes of local store, but {capacity} are free (with a queue for rays of depth {ray_depth}): {consumers}; {fits}"
     )]
     TooLarge {
         /// Name of the file.
@@ -90,12 +90,12 @@ pub enum BlockError {
         /// The bytes that the scene takes.
         needed: usize,
         /// The bytes that are available.
-        room: usize,
-        /// The longest chain of rays, which determines the room for queued rays.
+        capacity: usize,
+        /// The longest chain of rays, which determines the space for queued rays.
         ray_depth: u32,
         /// A text that lists the largest consumers of memory.
         consumers: String,
-        /// A text that says about how much fits.
+        /// A text that estimates how much fits.
         fits: String,
     },
     /// The scene's mesh has more textures than the SPUs support.
@@ -120,8 +120,8 @@ pub enum BlockError {
 }
 
 impl BlockError {
-    /// Whether local store has no room for the scene, so that more of it must be in main memory.
-    pub(crate) fn is_lack_of_room(&self) -> bool {
+    /// Whether the scene does not fit into local store, so that more of it must be in main memory.
+    pub(crate) fn is_out_of_memory(&self) -> bool {
         matches!(self, Self::TooLarge { .. } | Self::TooManyObjects { .. })
     }
 }

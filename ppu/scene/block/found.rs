@@ -6,7 +6,7 @@ use protocol::layout::{MAX_OBJECTS, SIDES_BOTH};
 use scenes::{Scene, Shape};
 
 use super::error::BlockError;
-use super::memory_use::{MemoryUse, room};
+use super::memory_use::{MemoryUse, capacity};
 use super::objects::{self, Object, sides_seen_from};
 use super::primitive::{Primitive, PrimitiveId, PrimitiveKind};
 use super::source_location::SourceLocation;
@@ -90,12 +90,12 @@ impl Found {
                 place: place.to_string(),
                 what: kind.name(),
                 count: counts.of_kinds[kind as usize],
-                fits: MemoryUse::of(scene, counts.of_kinds).fits(room(1, ray_depth)),
+                fits: MemoryUse::of(scene, counts.of_kinds).fits(capacity(1, ray_depth)),
             }),
         }
     }
 
-    /// Counts a primitive, and adds it if there may be so many.
+    /// Counts a primitive, and adds it unless that exceeds the maximum.
     fn add<'a>(
         &mut self,
         primitive: Primitive,

@@ -1,13 +1,13 @@
 //! Materials and lights in the SPUs' format.
 //!
-//! Invariant: if a material's shares can have an effect, its flags tell so.
+//! Invariant: if a material's shares can have an effect, its flags are set.
 
 use glam::DVec3;
 use scenes::{LightKind, Material, Scene, Shader, Sky, unit};
 use zerocopy::big_endian::F32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use super::chains::greatest;
+use super::chains::largest_channel;
 use super::error::BlockError;
 use super::objects::taxicab;
 use super::source_location::SourceLocation;
@@ -138,7 +138,7 @@ pub(super) fn record(
     {
         place.number(what, value)?;
     }
-    // The index of an opaque material is not used, whatever the file says.
+    // The index of an opaque material is not used, whatever the file has.
     let index = if transmittance > 0.0 {
         if refraction_index == 0.0 {
             let file = file.to_owned();
@@ -248,9 +248,9 @@ impl Light {
         Ok(Self { kind, record: self.record })
     }
 
-    /// The greatest channel of its brightness.
+    /// The largest channel of its brightness.
     pub fn brightness(&self) -> f64 {
-        greatest(&self.record.brightness)
+        largest_channel(&self.record.brightness)
     }
 
     pub fn kind(&self) -> LightKind {
@@ -284,7 +284,7 @@ impl Light {
     }
 }
 
-/// The greatest channel of light that a ray which hits nothing can see.
+/// The largest channel of light that a ray which hits nothing can see.
 pub(super) fn brightest(background: DVec3, sky: Option<Sky>, colour: Colour) -> f64 {
     let zenith = sky.map_or(background, |sky| sky.zenith);
     colour.light(background.max(zenith)).max_element()

@@ -71,23 +71,23 @@ impl MemoryUse {
         self.0.iter().map(consumer).collect::<Vec<_>>().join(", ")
     }
 
-    /// A text that says about how much fits into `room` bytes: how many records of the largest
+    /// A text that estimates how much fits into `capacity` bytes: how many records of the largest
     /// sort, if all others are kept, or what part of the scene, if the others don't fit alone.
-    pub fn fits(&self, room: usize) -> String {
+    pub fn fits(&self, capacity: usize) -> String {
         let needed = FIXED + self.0.iter().map(|consumer| consumer.bytes).sum::<usize>();
         match self.0.first() {
-            Some(most) if needed - most.bytes < room => {
+            Some(most) if needed - most.bytes < capacity => {
                 let Consumer { what, count, bytes } = *most;
-                let fit = (room - (needed - bytes)) * count / bytes;
+                let fit = (capacity - (needed - bytes)) * count / bytes;
                 format!("about {} of its {count} {what} fit", fit.min(count))
             }
-            _ => format!("about {} % of the scene fits", room * 100 / needed),
+            _ => format!("about {} % of the scene fits", capacity * 100 / needed),
         }
     }
 }
 
 /// The bytes that the queue of rays leaves for a scene.
-pub(super) fn room(batch: u32, ray_depth: u32) -> usize {
+pub(super) fn capacity(batch: u32, ray_depth: u32) -> usize {
     (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
 }
 

@@ -6,7 +6,7 @@
 //! computed in `f64` and rounded once, so a scene far from its origin loses no precision near the
 //! eye. The block begins with the background's object, for rays that hit nothing.
 //!
-//! The block of a scene that changes has spare room, and is edited in place.
+//! The block of a scene that changes has spare capacity, and is edited in place.
 //!
 //! Invariant: a block fits the local store together with the queue of rays, and all addresses in
 //! it are within it. The order of the file is not kept: a ray that hits several surfaces at equal
@@ -47,8 +47,8 @@ use zerocopy::big_endian::F32;
 
 use self::bvh::Volumes;
 use self::bytes::Block;
-use self::chains::{Sends, greatest};
-use self::memory_use::{MemoryUse, large_batch_bytes, queue_bytes, room};
+use self::chains::{Sends, largest_channel};
+use self::memory_use::{MemoryUse, capacity, large_batch_bytes, queue_bytes};
 use self::primitive::PrimitiveId;
 use self::primitives::Primitives;
 use self::source_location::SourceLocation;
@@ -72,15 +72,15 @@ pub(crate) use visible::VisiblePrimitive;
 pub struct SceneBlock {
     file: String,
     options: RenderOptions,
-    /// The greatest channel of the background's light.
+    /// The largest channel of the background's light.
     background: f64,
     ambient: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
     /// The materials by their numbers in the scene; `None` for materials that no object has.
     materials: Vec<Option<Surface>>,
-    /// Addresses of spare room for materials.
-    material_room: Vec<u32>,
+    /// Addresses of unused records of materials.
+    spare_materials: Vec<u32>,
     primitives: [Primitives; 4],
     /// For each object, by its number in the scene, the range of its primitives in `parts`.
     objects: Vec<Range<usize>>,
@@ -145,8 +145,8 @@ impl SceneBlock {
         self.primitives.each_ref().map(Primitives::record)
     }
 
-    /// The trees whose nodes are boxes, as the frame has them. With any, the block has room for the
-    /// code that tests boxes, at `BOX_CODE`.
+    /// The trees whose nodes are boxes, as the frame has them. With any, the block has space for
+    /// the code that tests boxes, at `BOX_CODE`.
     #[must_use]
     pub fn box_trees(&self) -> u32 {
         let trees = (0..).zip(&self.primitives);
@@ -182,24 +182,24 @@ impl SceneBlock {
         self.chains.ray_depth
     }
 
-    /// The least weight of a secondary ray; lighter rays are not sent.
+    /// The minimum weight of a secondary ray; lighter rays are not sent.
     #[must_use]
     pub fn least_weight(&self) -> f32 {
         self.chains.least_weight
     }
 
-    /// The number of packets in a batch: as many as there is room for.
+    /// The number of packets in a batch: as many as fit.
     #[must_use]
     pub fn batch(&self) -> u32 {
         self.batch_at(self.ray_depth()).unwrap_or(1)
     }
 
-    /// The number of packets in a batch that there is room for with chains of `ray_depth` rays.
+    /// The number of packets in a batch that fits with chains of `ray_depth` rays.
     fn batch_at(&self, ray_depth: u32) -> Option<u32> {
-        let fits = |batch: &u32| self.bytes().len() <= self.room(*batch, ray_depth);
+        let fits = |batch: &u32| self.bytes().len() <= self.capacity(*batch, ray_depth);
         let counts = self.primitives.iter().map(Primitives::count);
         let may_be_large = self.streamed.is_none() && counts.max() <= Some(LARGE_OBJECTS as usize);
-        // Batches between these gained nothing in the scenes that have no room for the largest.
+        // Batches between these gained nothing in the scenes that have no space for the largest.
         let large = may_be_large.then_some(MAX_BATCH);
         large.into_iter().chain((1..=SMALL_BATCH).rev()).find(fits)
     }
@@ -212,11 +212,11 @@ impl SceneBlock {
 
     /// The bytes that the queue of rays, the buffers of a large batch, and a mesh's cache and code
     /// leave for the scene.
-    fn room(&self, batch: u32, ray_depth: u32) -> usize {
-        let mesh = self.streamed.as_ref().map_or(0, Streamed::least_room);
+    fn capacity(&self, batch: u32, ray_depth: u32) -> usize {
+        let mesh = self.streamed.as_ref().map_or(0, Streamed::minimum_size);
         let has_triangles = self.primitives[BVH_TRIANGLES as usize].count() > 0;
         let large = large_batch_bytes(batch, has_triangles);
-        room(batch, ray_depth).saturating_sub(mesh + large)
+        capacity(batch, ray_depth).saturating_sub(mesh + large)
     }
 
     /// The mesh that SPUs stream from main memory; `None` if the scene has none, or if it is small
@@ -230,19 +230,19 @@ impl SceneBlock {
     }
 
     /// Computes the bounds of the chains from the scene's materials and lights. Call it after
-    /// these have changed. Returns whether there is room for the chains' rays.
+    /// these have changed. Returns whether there is space for the chains' rays.
     pub(crate) fn bound_chains(&mut self) -> bool {
         let lights = self.lights.iter().map(Light::brightness).sum();
-        let bright = [self.background, greatest(&self.ambient), lights];
+        let bright = [self.background, largest_channel(&self.ambient), lights];
         let materials = self.materials.iter().flatten();
         let sends = materials.map(|surface| surface.sends);
         self.chains = Chains::of(self.options, sends, bright);
         self.batch_at(self.ray_depth()).is_some()
     }
 
-    fn check_room(&self) -> Result<(), BlockError> {
-        let (needed, room) = (self.bytes().len(), self.room(1, self.ray_depth()));
-        if needed <= room {
+    fn check_size(&self) -> Result<(), BlockError> {
+        let (needed, capacity) = (self.bytes().len(), self.capacity(1, self.ray_depth()));
+        if needed <= capacity {
             return Ok(());
         }
         let objects = self.primitives.each_ref();
@@ -254,10 +254,10 @@ impl SceneBlock {
         Err(BlockError::TooLarge {
             file: self.file.clone(),
             needed,
-            room,
+            capacity,
             ray_depth: self.ray_depth(),
             consumers: memory_use.consumers(),
-            fits: memory_use.fits(room),
+            fits: memory_use.fits(capacity),
         })
     }
 }

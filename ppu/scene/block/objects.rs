@@ -41,7 +41,7 @@ struct Head {
     axis: DVec3,
     slope: f64,
     offset: f64,
-    /// How far the surface extends from its centre, if the offset doesn't tell.
+    /// How far the surface extends from its centre, if the offset doesn't determine it.
     extent: f64,
 }
 

@@ -3,7 +3,7 @@
 //! A ray starts off the surface that it leaves, by an offset that grows with the object's numbers
 //! relative to the eye, because a hit is off by their rounding; docs/numerics.md has the formula.
 //! It can't see what is nearer to the surface than that. So a ground of a million times the size of
-//! what stands on it shows none of its shadows. All numbers are in range there, and every ray is
+//! what stands on it shows no shadows. All numbers are in range there, and every ray is
 //! right for where it starts.
 
 use scenes::{Scene, Shape};

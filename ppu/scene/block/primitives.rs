@@ -1,5 +1,5 @@
 //! The part of a block that has the primitives of one kind: first their records, in the order of
-//! the leaves of their BVH, then spare room for more records, then the nodes.
+//! the leaves of their BVH, then spare capacity for more records, then the nodes.
 //!
 //! Invariant: for the same eye only the records that have changed are written again.
 
@@ -15,11 +15,11 @@ use super::objects::Object;
 use super::primitive::PrimitiveKind;
 use protocol::layout;
 
-/// Room for one object.
+/// Reserved space for one object.
 #[derive(Clone, Debug)]
 struct Slot {
     address: u32,
-    room: usize,
+    capacity: usize,
     object: Option<Placed>,
     /// Whether the slot belongs to an object, which may be hidden.
     taken: bool,
@@ -51,11 +51,11 @@ pub(super) struct Primitives {
     outgrown: bool,
     /// The address of the nodes, and below it the bytes that are reserved for them.
     nodes: u32,
-    nodes_room: usize,
+    nodes_size: usize,
 }
 
 impl Primitives {
-    /// Reserves room for objects, for `spare` more, and for a tree over all of them. `material`
+    /// Reserves space for objects, for `spare` more, and for a tree over all of them. `material`
     /// returns the address of an object's material. The slots' numbers are the objects' places in
     /// the tree; `number` is called with each object's index and its slot.
     pub fn new(
@@ -87,21 +87,21 @@ impl Primitives {
             slots.push(Slot::reserve(kind.least_size(), block));
             in_order.push(None);
         }
-        let nodes_room = bvh::size(slots.len(), volumes);
+        let nodes_size = bvh::size(slots.len(), volumes);
         Self {
             kind,
             slots,
             hulls: in_order,
             bvh,
             outgrown: false,
-            nodes: block.reserve(nodes_room),
-            nodes_room,
+            nodes: block.reserve(nodes_size),
+            nodes_size,
         }
     }
 
     /// Takes a free slot with at least `size` bytes, and returns its number.
     pub fn take(&mut self, size: usize) -> Option<usize> {
-        let is_free = |slot: &Slot| !slot.taken && slot.room >= size;
+        let is_free = |slot: &Slot| !slot.taken && slot.capacity >= size;
         let number = self.slots.iter().position(is_free)?;
         self.slots[number].taken = true;
         Some(number)
@@ -115,7 +115,8 @@ impl Primitives {
 
     /// Whether an object fits a slot.
     pub fn fits(&self, number: usize, object: &Object) -> bool {
-        object.primitive.kind() == self.kind && object.primitive.size() <= self.slots[number].room
+        object.primitive.kind() == self.kind
+            && object.primitive.size() <= self.slots[number].capacity
     }
 
     /// Puts an object that fits into a slot, in place of another or of none.
@@ -170,7 +171,7 @@ impl Primitives {
         let slots = &mut self.slots;
         slots.iter_mut().for_each(|slot| slot.moved = false);
         let object = |number: usize| U32::new(slots[number].address);
-        let nodes = block.at(self.nodes, self.nodes_room);
+        let nodes = block.at(self.nodes, self.nodes_size);
         self.bvh.write(eye, self.nodes, object, nodes);
     }
 
@@ -231,8 +232,8 @@ impl Primitives {
 
     /// The bytes that are reserved for all objects and nodes.
     pub fn size(&self) -> usize {
-        let slots: usize = self.slots.iter().map(|slot| slot.room).sum();
-        slots + self.nodes_room
+        let slots: usize = self.slots.iter().map(|slot| slot.capacity).sum();
+        slots + self.nodes_size
     }
 
     /// The number of slots, taken or free.
@@ -264,10 +265,10 @@ impl Primitives {
 }
 
 impl Slot {
-    fn reserve(room: usize, block: &mut Block) -> Self {
+    fn reserve(capacity: usize, block: &mut Block) -> Self {
         Self {
-            address: block.reserve(room),
-            room,
+            address: block.reserve(capacity),
+            capacity,
             object: None,
             taken: false,
             stale: false,

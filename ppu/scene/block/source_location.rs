@@ -18,7 +18,7 @@ pub(super) struct SourceLocation<'a> {
 impl fmt::Display for SourceLocation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.file)?;
-        // What no file has a line for has line 0.
+        // Line 0 stands for shapes that are in no file.
         let line = self.line.filter(|&line| line > 0);
         line.map_or(Ok(()), |line| write!(f, ":{line}"))
     }

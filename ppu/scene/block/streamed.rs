@@ -26,7 +26,7 @@ use crate::scene::mesh::{
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
-/// The fewest blocks that the cache has room for.
+/// The minimum capacity of the cache, in blocks.
 const LEAST_SLOTS: usize = 8;
 
 /// The kinds of a scene's objects that are in main memory beside its mesh.
@@ -41,7 +41,7 @@ impl InMainMemory {
     const CONES: Self = Self { spheres: false, cones: true };
     const BOTH: Self = Self { spheres: true, cones: true };
 
-    /// What may be in main memory of a scene that local store has no room for, in the order in
+    /// What may be in main memory of a scene that does not fit into local store, in the order in
     /// which it is to be tried: one kind if that is enough, as objects in local store are quicker.
     /// Choices that leave more there than it could ever hold are left out, for a tree of very many
     /// spheres takes time.
@@ -51,12 +51,12 @@ impl InMainMemory {
             objects.filter(|object| kind.holds(&object.shape)).count()
         };
         let [spheres, cones] = [Self::SPHERES, Self::CONES].map(count);
-        let room = (EYE_CODE - SCENE_ADDRESS) as usize - LEAST_SLOTS * MESH_BLOCK as usize;
+        let capacity = (EYE_CODE - SCENE_ADDRESS) as usize - LEAST_SLOTS * MESH_BLOCK as usize;
         let mut choices = Vec::new();
-        if spheres > 0 && cones * size_of::<layout::Cone>() <= room {
+        if spheres > 0 && cones * size_of::<layout::Cone>() <= capacity {
             choices.push(Self::SPHERES);
         }
-        if cones > 0 && spheres * size_of::<layout::Object>() <= room {
+        if cones > 0 && spheres * size_of::<layout::Object>() <= capacity {
             choices.push(Self::CONES);
         }
         if spheres > 0 && cones > 0 {
@@ -98,7 +98,7 @@ pub(super) struct Streamed {
     texture_records: u32,
 }
 
-/// What a frame tells SPUs of a scene's mesh.
+/// The part of a frame that describes a scene's mesh to the SPUs.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshPlace<'a> {
     /// The blocks in main memory.
@@ -111,7 +111,7 @@ pub struct MeshPlace<'a> {
     pub material_count: u32,
     /// The local-store address of the cache.
     pub cache: u32,
-    /// The number of blocks that the cache has room for.
+    /// The capacity of the cache, in blocks.
     pub slots: u32,
     /// The textures in main memory, if there are any.
     pub textures: Option<&'a Arc<Textures>>,
@@ -217,7 +217,7 @@ impl Streamed {
         true
     }
 
-    /// Counts a picture, and says whether rays have wasted fewer tests than they make in `most`
+    /// Counts a picture, and returns whether rays have wasted fewer tests than they make in `most`
     /// pictures with a new tree. So what refitting has cost is never much more than a new tree
     /// would have, whether a tree is worn a little for long or much at once.
     pub fn is_worth_keeping(&mut self, most: u32) -> bool {
@@ -241,8 +241,8 @@ impl Streamed {
         }
     }
 
-    /// The bytes that the mesh takes from the room of a scene and its queue, at least.
-    pub fn least_room(&self) -> usize {
+    /// The minimum number of bytes that the mesh takes from the space of a scene and its queue.
+    pub fn minimum_size(&self) -> usize {
         let code = SCENE_ADDRESS + SCENE_ROOM - self.end();
         code as usize + LEAST_SLOTS * MESH_BLOCK as usize
     }
@@ -254,11 +254,11 @@ impl Streamed {
         Some(self.texture_records + (number * size) as u32)
     }
 
-    /// Its place beside a scene's block and queue of these sizes, with at most so many blocks in
-    /// the cache.
+    /// Its place beside a scene's block and queue of these sizes, with at most `most` blocks
+    /// in the cache.
     pub fn place(&self, used: usize, eye: DVec3, most: u32) -> MeshPlace<'_> {
-        let room = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
-        let slots = (room / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
+        let capacity = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
+        let slots = (capacity / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
         let [x, y, z] = singles(eye - self.origin);
         MeshPlace {
             blocks: &self.blocks,

@@ -37,7 +37,7 @@ fn of(scene: &Scene, options: RenderOptions) -> SceneBlock {
     SceneBlock::new(scene, options, &entry).expect("a block")
 }
 
-/// The block of a scene that has no room for all, with everything in local store.
+/// The block of a scene that does not fit as a whole, with everything in local store.
 fn in_local_store(scene: &Scene, options: RenderOptions) -> Result<SceneBlock, BlockError> {
     Builder::new(scene, options, &entry).in_local_store(Spare::default())
 }

@@ -8,7 +8,7 @@ use zerocopy::big_endian::F32;
 use super::tree::Bounds;
 use crate::scene::single::{down, single, up};
 
-/// A cone or cylinder of a scene that local store has no room for.
+/// A cone or cylinder of a scene that does not fit into local store.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshCone {
     /// The middle of its base, relative to the mesh's origin.

@@ -27,7 +27,7 @@ pub fn gathered(scene: &Scene) -> Cow<'_, Scene> {
 }
 
 /// The scene with all of its polygons and patches in its mesh, for scenes whose other shapes need
-/// their room; `None` if it has none that can be there, so that this changes nothing.
+/// their space; `None` if it has none that can be there, so that this changes nothing.
 #[must_use]
 pub(crate) fn gathered_all(scene: &Scene) -> Option<Scene> {
     let mut shapes = scene.objects.iter().map(|object| &object.shape);
@@ -63,7 +63,7 @@ fn with_polygons_in_mesh(scene: &Scene, keeps_quads: bool) -> Scene {
     }
 }
 
-/// Whether so many of the shapes are polygons and patches that these are gathered.
+/// Whether enough of the shapes are polygons and patches to gather these.
 pub(crate) fn are_many<'a>(shapes: impl Iterator<Item = &'a Shape> + Clone) -> bool {
     let keeps_quads = keeps_quads(shapes.clone());
     let moved = shapes.filter(|shape| !(keeps_quads && is_quad(shape)));

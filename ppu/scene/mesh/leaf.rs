@@ -38,8 +38,8 @@ fn parts(pieces: &mut [Piece], count: usize, most: usize, found: &mut dyn FnMut(
     parts(second, count / 2, most, found);
 }
 
-/// Sorts at least two pieces so that it costs least to divide them at the returned index, with at
-/// most `most` on either side.
+/// Sorts at least two pieces so that dividing them at the returned index has the minimum cost, with
+/// at most `most` on either side.
 fn halve(pieces: &mut [Piece], most: usize) -> usize {
     let length = pieces.len();
     let legal = length.saturating_sub(most).max(1)..=most.min(length - 1);

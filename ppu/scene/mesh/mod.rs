@@ -69,7 +69,7 @@ const CONES: usize = KINDS.len() - 1;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
     /// No triangle has an area.
-    #[error("none of the mesh's {0} triangles has an area")]
+    #[error("all {0} triangles of the mesh are degenerate: their area is 0")]
     NoArea(usize),
     /// A coordinate is outside of the range in which the SPU's single format can hold its square.
     #[error("vertex {vertex} is at {position:?}: coordinates must be at most 2^62")]
@@ -95,7 +95,7 @@ struct Block([u8; MESH_BLOCK as usize]);
 /// How wide the materials' numbers are in blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NumberWidth {
-    /// A byte. So many materials may be in local store.
+    /// A byte, for materials in local store.
     Byte,
     /// Two bytes, for materials in main memory.
     TwoBytes,
@@ -106,8 +106,8 @@ pub enum NumberWidth {
 pub(super) struct Numbers<'a> {
     /// For each material the first one that shares its number.
     pub firsts: &'a [u32],
-    /// How wide they are at least.
-    pub least: NumberWidth,
+    /// Their minimum width.
+    pub minimum: NumberWidth,
 }
 
 /// A mesh in blocks.
@@ -144,17 +144,17 @@ impl MeshBlocks {
         materials: &[Material],
     ) -> Result<Self, MeshError> {
         let own: Vec<u32> = (0..).take(materials.len()).collect();
-        let numbers = Numbers { firsts: &own, least: NumberWidth::Byte };
+        let numbers = Numbers { firsts: &own, minimum: NumberWidth::Byte };
         Self::numbered(mesh, objects, materials, numbers, Colour::Linear)
     }
 
-    /// [`MeshBlocks::new`] where materials may share their numbers, and where `colour` says what
-    /// the colours of vertices are.
+    /// [`MeshBlocks::new`] where materials may share their numbers. `colour` is the colour space of
+    /// vertices.
     pub(super) fn numbered(
         mesh: &Mesh,
         objects: &MeshObjects,
         materials: &[Material],
-        Numbers { firsts, least }: Numbers<'_>,
+        Numbers { firsts, minimum }: Numbers<'_>,
         colour: Colour,
     ) -> Result<Self, MeshError> {
         let in_range = |position: &[f32; 3]| {
@@ -213,7 +213,7 @@ impl MeshBlocks {
                 return Err(MeshError::TooManyMaterials(count));
             }
             count if count > MESH_MATERIALS as usize => NumberWidth::TwoBytes,
-            _ => least,
+            _ => minimum,
         };
 
         let ranges = kinds.each_ref().map(Vec::len);

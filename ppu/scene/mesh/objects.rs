@@ -5,7 +5,7 @@ use zerocopy::IntoBytes as _;
 use super::tree::{Bounds, Kind, Piece};
 use super::{MeshCone, MeshSphere};
 
-/// What a scene has in main memory besides triangles.
+/// The objects of a scene in main memory besides triangles.
 #[derive(Clone, Debug, Default)]
 pub struct MeshObjects {
     /// Spheres.

@@ -7,7 +7,7 @@ use zerocopy::big_endian::F32;
 
 use super::tree::Bounds;
 
-/// A sphere of a scene that local store has no room for.
+/// A sphere of a scene that does not fit into local store.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeshSphere {
     /// Centre, relative to the mesh's origin.

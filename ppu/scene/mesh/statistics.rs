@@ -1,9 +1,9 @@
-//! What is known of a mesh's blocks without tracing a ray.
+//! Statistics of a mesh's blocks that need no ray.
 
 use protocol::layout::MESH_BLOCK;
 
-/// The size of a mesh's blocks, and the work for a ray that meets the mesh's box, expected by the
-/// surface area heuristic: rays from all sides that nothing stops.
+/// The size of a mesh's blocks, and the work for a ray that meets the mesh's box, expected
+/// according to the surface area heuristic: rays from all sides that nothing stops.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MeshStatistics {
     /// Triangles in blocks.
@@ -31,7 +31,7 @@ pub struct MeshStatistics {
 }
 
 impl MeshStatistics {
-    /// What is in blocks: triangles, spheres and cones.
+    /// The number of shapes in blocks: triangles, spheres and cones.
     #[must_use]
     pub fn objects(&self) -> usize {
         self.triangles + self.spheres + self.cones

@@ -2,9 +2,9 @@
 
 use super::tree::{Bounds, Piece};
 
-/// Sorts at least two pieces so that it costs least to divide them at the returned index. `weights`
-/// has for an index what the parts before and after it weigh, or `None` if it may not be chosen; it
-/// must allow at least one index.
+/// Sorts at least two pieces so that dividing them at the returned index has the minimum cost.
+/// `weights` has for an index what the parts before and after it weigh, or `None` if it may not be
+/// chosen; it must allow at least one index.
 pub(super) fn sweep(pieces: &mut [Piece], weights: &dyn Fn(usize) -> Option<[usize; 2]>) -> usize {
     let length = pieces.len();
     let mut best = (f64::INFINITY, length / 2);

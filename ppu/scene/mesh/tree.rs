@@ -19,14 +19,14 @@ use scenes::Mesh;
 
 /// Bins of an axis.
 const BINS: usize = 16;
-/// The part of a leaf block's room that its triangles are planned to take. Blocks differ in how
+/// The planned part of a leaf block's capacity that its triangles take. Blocks differ in how
 /// many vertices are on their border, and pieces that don't fit become two blocks.
 const FILL: f64 = 0.82;
 /// Nodes of a leaf block with two levels.
 const LEAF_NODES: usize = 5;
 /// Spheres or cones of a leaf block: four for each of its lowest nodes.
 const OBJECTS: usize = WIDTH * (LEAF_NODES - 1);
-/// Up to so many blocks' pieces are divided into whole blocks.
+/// Pieces of at most this number of blocks are divided into whole blocks.
 const FEW_BLOCKS: usize = 8;
 
 /// A box; without points its lower corner is above its upper one.
@@ -53,7 +53,7 @@ impl Bounds {
     }
 }
 
-/// What pieces are.
+/// The kind of pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Triangles with these `SIDES_` bits.
@@ -169,13 +169,13 @@ impl<'a> Tree<'a> {
 
     /// About how many triangles of a kind a leaf block holds.
     fn capacity(&self, kind: Kind) -> usize {
-        let room = self.block() - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
+        let capacity = self.block() - size_of::<MeshHeader>() - LEAF_NODES * size_of::<Boxes>();
         let vertex = kind.vertex(!self.mesh.colours.is_empty()) as f64;
         let each = size_of::<MeshFace>() as f64 + self.vertices * vertex;
-        ((FILL * room as f64 / each) as usize).clamp(8, MESH_FACES as usize)
+        ((FILL * capacity as f64 / each) as usize).clamp(8, MESH_FACES as usize)
     }
 
-    /// Whether a leaf block has room for triangles of a kind.
+    /// Whether a leaf block has capacity for triangles of a kind.
     fn fits(&mut self, kind: Kind, pieces: Range<usize>) -> bool {
         if pieces.len() > MESH_FACES as usize {
             return false;
@@ -196,7 +196,7 @@ impl<'a> Tree<'a> {
         needed <= self.block()
     }
 
-    /// The bytes of so many vertices, with what fills up quadwords between arrays.
+    /// The bytes of the vertices, including the padding to quadwords between arrays.
     fn arrays(&self, kind: Kind, vertices: usize) -> usize {
         match self.mesh.colours.is_empty() {
             true => vertices * kind.vertex(false),
@@ -250,7 +250,7 @@ fn bin_of(middle: f32, low: f32, scale: f32) -> usize {
     (((middle - low) * scale) as usize).min(BINS - 1)
 }
 
-/// The axis, the bins per length, and the last bin of the first part, where the cost is least.
+/// The axis, the bins per length, and the last bin of the first part, with the minimum cost.
 fn best(pieces: &[Piece], span: Bounds) -> Option<(usize, f32, usize)> {
     let size = span.high - span.low;
     let scales = size.to_array().map(|size| {
@@ -269,7 +269,7 @@ fn best(pieces: &[Piece], span: Bounds) -> Option<(usize, f32, usize)> {
         }
     }
     let mut best = None;
-    let mut least = f64::INFINITY;
+    let mut minimum = f64::INFINITY;
     for axis in 0..3 {
         let Some(scale) = scales[axis] else { continue };
         let bins = &bins[axis];
@@ -286,8 +286,8 @@ fn best(pieces: &[Piece], span: Bounds) -> Option<(usize, f32, usize)> {
                 continue;
             }
             let cost = before.0.area() * before.1 as f64 + after.0.area() * after.1 as f64;
-            if cost < least || best.is_none() {
-                least = cost;
+            if cost < minimum || best.is_none() {
+                minimum = cost;
                 best = Some((axis, scale, index));
             }
         }

@@ -85,9 +85,9 @@ impl Part {
     }
 }
 
-/// What the texels of the next level cover of a row of `count`. An odd row is cut between its
-/// texels by steps of 1 / count: of n = (count - 1) / 2 new ones, the texel number k has the parts
-/// n - k, n and k + 1 of three old ones, divided by count.
+/// The parts of a row of `count` texels that the texels of the next level cover. An odd row is cut
+/// between its texels by steps of 1 / count: of n = (count - 1) / 2 new ones, the texel number k
+/// has the parts n - k, n and k + 1 of three old ones, divided by count.
 fn parts(count: usize) -> Vec<Part> {
     if count == 1 {
         return vec![Part { first: 0, parts: [1.0, 0.0, 0.0] }];

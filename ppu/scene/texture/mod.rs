@@ -43,8 +43,8 @@ pub struct Textures {
 }
 
 impl Textures {
-    /// Cuts textures into tiles. None of them should be there twice. `colour` says what the colours
-    /// of the scene are. If they are sRGB's, tiles have the square roots of their light: of light
+    /// Cuts textures into tiles. They should be distinct. `colour` is the colour space of the
+    /// scene. If it is sRGB's, tiles have the square roots of their light: of light
     /// itself, bytes would have too few steps in the dark.
     #[must_use]
     pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {

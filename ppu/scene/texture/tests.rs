@@ -101,7 +101,7 @@ fn tiles_of_srgb_have_roots_of_light() {
     let texture = plain(256, 1, |x, _| [x as u8, 255, 0]);
     let textures = Textures::new(vec![Arc::new(texture)], Colour::Srgb);
     for (byte, place) in (0..256_usize).map(|byte| (byte, byte + 1)) {
-        // The second row of a tile is the texture's only one, behind a texel of its edge.
+        // The second row of a tile is the texture's only one, after a texel of its edge.
         let tile = place / STEP * TEXTURE_TILE as usize;
         let texel = &textures.bytes()[tile + 4 * (STEP + 1 + place % STEP)..][..4];
         let shown = 255.0 * encode((f64::from(texel[0]) / 255.0).powi(2));

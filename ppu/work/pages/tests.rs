@@ -63,7 +63,7 @@ impl Screen {
 }
 
 #[test]
-fn what_a_page_shows_is_not_traced_again() {
+fn unchanged_page_is_not_traced_again() {
     assert_eq!(tile_count(SIZE) as usize, TILES);
     let scene = scene(&format!("{HEAD}{SPHERES}"));
     let mut screen = Screen::new();
@@ -76,7 +76,7 @@ fn what_a_page_shows_is_not_traced_again() {
 }
 
 #[test]
-fn of_what_has_moved_old_and_new_place_are_traced() {
+fn moved_sphere_is_traced_at_its_old_and_new_place() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
     // The middle sphere moves to the right by three spheres' widths.
     let after = scene(&format!("{HEAD}{}", SPHERES.replace("s 0 0 0", "s 0.6 0 0")));
@@ -105,15 +105,15 @@ fn a_new_colour_is_a_change() {
 }
 
 #[test]
-fn what_comes_and_goes_is_a_change() {
+fn added_and_removed_spheres_are_changes() {
     let two = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\n"));
     let three = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 0 0 0.1\n"));
     let mut screen = Screen::new();
     screen.show(0, &two);
     assert_eq!(screen.show(0, &three), [44, 45, 54, 55]);
     assert_eq!(screen.show(0, &two), [44, 45, 54, 55]);
-    let behind = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 -16 0 0.1\n"));
-    assert!(screen.show(0, &behind).is_empty());
+    let unseen = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 -16 0 0.1\n"));
+    assert!(screen.show(0, &unseen).is_empty());
 }
 
 #[test]

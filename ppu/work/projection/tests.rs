@@ -80,7 +80,7 @@ fn bounds_are_close() {
 }
 
 #[test]
-fn what_is_behind_or_beside_has_no_pixels_and_what_is_around_has_all() {
+fn bounds_are_empty_beside_the_view_and_full_around_the_eye() {
     let mut random = ChaCha8Rng::seed_from_u64(13);
     for _ in 0..200 {
         let camera = camera(&mut random, SIZE.width, SIZE.height);

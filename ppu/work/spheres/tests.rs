@@ -33,8 +33,8 @@ fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) ->
 fn enters(sphere: &scene::Sphere, eye: DVec3, direction: DVec3) -> bool {
     let to_centre = sphere.centre - eye;
     let along = to_centre.dot(direction.normalize());
-    let least = to_centre.reject_from(direction).length();
-    along > 0.0 && to_centre.length() > sphere.radius && least < sphere.radius
+    let nearest = to_centre.reject_from(direction).length();
+    along > 0.0 && to_centre.length() > sphere.radius && nearest < sphere.radius
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn no_ray_enters_a_sphere_around_the_eye() {
 }
 
 #[test]
-fn what_the_eye_touches_is_seen_from_outside_alone() {
+fn sphere_touching_the_eye_is_visible_from_outside() {
     let mut random = ChaCha8Rng::seed_from_u64(6);
     let camera = camera(&mut random, SIZE.width, SIZE.height);
     let projection = Projection::new(&camera, SIZE);

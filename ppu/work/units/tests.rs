@@ -8,7 +8,7 @@ fn tiles(unit: &WorkUnit) -> Vec<u32> {
     unit.tiles[..unit.count.get() as usize].iter().map(|tile| tile.get()).collect()
 }
 
-/// Checks that the units have every wanted tile once, and no more tiles than a line has room for.
+/// Checks that the units have every wanted tile once, and no more tiles than a line holds.
 fn check(units: &Units, wanted: &[u32]) {
     for unit in units.lines() {
         assert!((1..=UNIT_TILES).contains(&unit.count.get()));
@@ -155,14 +155,14 @@ fn costs_are_those_of_the_last_time() {
     let cost =
         |unit: &WorkUnit, ticks: u32| UnitCost { count: unit.count, ticks: [ticks.into(); 31] };
     units.split(&[0, 1, 2, 3, 4, 5, 6, 7], 1, Split::Units, None);
-    let answers: Vec<UnitCost> =
+    let costs_of_units: Vec<UnitCost> =
         (10..).zip(units.lines()).map(|(ticks, unit)| cost(unit, ticks)).collect();
-    costs.learn(geometry, units.lines(), &answers);
+    costs.learn(geometry, units.lines(), &costs_of_units);
     assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 16, 17][..]));
     units.split(&[2, 6], 1, Split::Units, costs.of(geometry));
     assert_eq!(units.lines().iter().flat_map(tiles).collect::<Vec<_>>(), [6, 2]);
-    let answers = [cost(&units.lines()[0], 50), UnitCost::new_zeroed()];
-    costs.learn(geometry, units.lines(), &answers);
+    let costs_of_units = [cost(&units.lines()[0], 50), UnitCost::new_zeroed()];
+    costs.learn(geometry, units.lines(), &costs_of_units);
     assert_eq!(costs.of(geometry), Some(&[10, 11, 12, 13, 14, 15, 50, 17][..]));
     let other = Geometry { width: 32, height: 256 };
     assert_eq!(costs.of(other), None);

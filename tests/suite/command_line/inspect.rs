@@ -73,7 +73,7 @@ fn one_frame_is_inspected_and_a_page_that_cannot_be_written_is_named() {
     let page = ["--inspect", "/nowhere/at/all.html", "--size", "64x16"];
     let start = ["render", scene];
     let inspect = |more: &[&str], part| bad(&[&start[..], &page, more].concat(), &[part]);
-    inspect(&["--frames", "2"], "--inspect shows one frame");
+    inspect(&["--frames", "2"], "--inspect traces one frame");
     inspect(&["--watch", "--out", "p.png"], "--watch");
     inspect(&[], "/nowhere/at/all.html");
 }

@@ -61,7 +61,9 @@ fn renders_a_picture_with_statistics() {
     let tests = |kind: &str| stats["tests"][kind].as_u64().unwrap();
     assert_eq!(tests("made") + tests("skipped") + tests("unseen"), 2 * 160 * 92 * 16);
     assert!(tests("made") < 2 * 160 * 92 * 4);
-    assert!(tests("hits_looked_for") <= tests("made") && tests("hidden") <= tests("skipped"));
+    assert!(
+        tests("intersections_computed") <= tests("made") && tests("hidden") <= tests("skipped")
+    );
     assert!(tests("cull") > 0);
     let tiles = |kind: &str| stats["tiles"][kind].as_u64().unwrap();
     assert_eq!(tiles("traced") + tiles("filled"), 2 * 3 * 6);
@@ -255,7 +257,7 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}p 4000000000\n0 0 0\n"), &["bad.nff:9"]);
     bad_scene(&format!("{VIEW}q 1 2\n"), &["bad.nff:9", "q"]);
     let many = "s 0 0 0 1\n".repeat(2049);
-    bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "room for 1024"]);
+    bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "the maximum is 1024"]);
     bad(&["render", "no/such/scene.nff"], &["no/such/scene.nff"]);
     bad(&["render", "sphereflake:99"], &["99"]);
     bad(&["render", "tetra:99"], &["tetra of level 99"]);

@@ -45,7 +45,7 @@ fn the_time_allowed_is_the_hosts_where_time_is_simulated() {
             .unwrap();
         let err = text(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{err}");
-        let begin = format!("SPU 0 has not answered, and for {seconds} s");
+        let begin = format!("SPU 0 has not replied, and for {seconds} s");
         assert!(err.contains(&begin), "no {begin:?} in: {err}");
         if err.contains("has not read its mailbox") {
             continue;

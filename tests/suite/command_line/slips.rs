@@ -13,7 +13,7 @@ fn numbered_frames_need_a_place_for_the_number() {
         (&[], "--out 'paper13-%05d.png'"),
     ] {
         let arguments = ["render", SCENE, "--frames", "0..3"];
-        let parts = ["--frames 0..3 makes numbered pictures", name, "--frames 3 "];
+        let parts = ["--frames 0..3 writes numbered pictures", name, "--frames 3 "];
         bad(&[&arguments[..], out].concat(), &parts);
     }
 }
@@ -98,8 +98,7 @@ fn a_formulation_beside_a_quality_is_told() {
         let arguments = ["render", SCENE, "--size", "64x36", "--out", "none"];
         good(&[&arguments[..], options].concat()).1
     };
-    let note =
-        "note: spheres are intersected by --sphere paper, and not as --quality fast would have it";
+    let note = "note: spheres are intersected by --sphere paper, which replaces the formulation of --quality fast";
     let said = render(&["--quality", "fast", "--sphere", "paper"]);
     assert!(said.contains(note), "{said}");
     for options in [&["--sphere", "paper"][..], &["--quality", "fast"]] {

@@ -143,7 +143,7 @@ fn silent_for(seconds: u64, program: Program) -> String {
     assert!(matches!(error, EngineError::Silent { spu: 0, .. }), "{error}");
     let text = error.to_string();
     let begin = format!(
-        "SPU 0 has not answered, and for {seconds} s no SPU has taken or finished any work (0 of 4 work units"
+        "SPU 0 has not replied, and for {seconds} s no SPU has taken or finished any work (0 of 4 work units"
     );
     assert!(text.starts_with(&begin) && text.contains("--timeout"), "{text}");
     text

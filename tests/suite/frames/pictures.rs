@@ -70,7 +70,7 @@ fn every_packet_is_accounted_for_with_every_sphere() {
             let tests = statistics.tests();
             assert_eq!(tests.made + tests.skipped + tests.unseen, packets * 16 * 13);
             assert!(tests.hidden <= tests.skipped);
-            assert!(tests.hits_looked_for <= tests.made, "{tests:?}");
+            assert!(tests.intersections_computed <= tests.made, "{tests:?}");
             if skip == Skip::Nothing {
                 assert_eq!((tests.skipped, tests.unseen, tests.cull), (0, 0, 0));
             } else {
@@ -95,8 +95,8 @@ fn tests_that_skipping_leaves_out_are_of_spheres_that_no_ray_comes_near() {
         });
         // The test with a packet's own rays is closer than the one with its cone.
         let near = skipping.made + skipping.hidden;
-        assert!(without.hits_looked_for <= near, "{name}: {skipping:?} {without:?}");
-        assert!(without.hits_looked_for > near / 2, "{name}: {skipping:?} {without:?}");
+        assert!(without.intersections_computed <= near, "{name}: {skipping:?} {without:?}");
+        assert!(without.intersections_computed > near / 2, "{name}: {skipping:?} {without:?}");
     }
 }
 

@@ -78,7 +78,7 @@ fn untouched(session: &Session<Pushed>) -> usize {
 fn in_one_go(session: &mut Session<Pushed>) -> RgbImage {
     session.engine().limit_tiles(None);
     session.show_on(framebuffer()).expect("a framebuffer");
-    session.trace_again(&mut |_| ()).expect("a picture");
+    session.redraw(&mut |_| ()).expect("a picture");
     assert_eq!(tiles(session.engine()), (TILES, 0));
     session.picture().expect("a picture")
 }
@@ -130,7 +130,7 @@ fn what_moves_puts_a_refined_picture_off_at_once() {
         session.engine().limit_tiles(None);
         let coarse = Box::new(Memory::new(coarse).expect("a framebuffer"));
         session.show_on(coarse).expect("a framebuffer");
-        session.trace_again(&mut |_| ()).expect("a picture");
+        session.redraw(&mut |_| ()).expect("a picture");
         assert_eq!(session.engine().statistics().primary_rays(), 75 * 18);
         assert_eq!(session.report().frames, counted + 1);
 

@@ -198,7 +198,7 @@ fn a_recording_is_played_back_antialiased_by_any_number_of_spus() {
         let settings = Settings { spus, ..Settings::default() };
         let session = Session::start(Driven::new(), settings, framebuffer).unwrap();
         let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
-        session.look(look);
+        session.set_look(look);
         replayed(&mut session, &shown)
     };
     let smooth = Some(Look::default());

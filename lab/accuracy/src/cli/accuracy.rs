@@ -78,7 +78,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if arguments.json.is_none() {
         output::folder(&arguments.out)?;
     }
-    let results = run::run(&order, |next| talk::say!("cellray-bench: {next}"))?;
+    let results = run::run(&order, |next| messages::print!("cellray-bench: {next}"))?;
     let document = Document { origin: order.host_time.then(Origin::here), results };
     if let Some(file) = &arguments.json {
         output::json(&document, file)?;
@@ -87,12 +87,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
     output::write(&document, &arguments.out)?;
     let plots = plots::plots(&document.results);
     plots::write(&plots, &arguments.out, "", &[Format::Svg, Format::Png])?;
-    talk::say!("cellray-bench: {}", arguments.out.display());
+    messages::print!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));
         plots::write(&plots, beside, document::PREFIX, &[Format::Svg])?;
         document::write(&document, file)?;
-        talk::say!("cellray-bench: {}", file.display());
+        messages::print!("cellray-bench: {}", file.display());
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -100,17 +100,17 @@ pub fn run(arguments: &Arguments) -> Outcome {
 /// Measures antialiasing, and writes its plots and, if asked to, its document.
 fn antialiasing(arguments: &Arguments) -> Outcome {
     output::folder(&arguments.out)?;
-    let rows = antialiasing::measure(|next| talk::say!("cellray-bench: {next}"))
+    let rows = antialiasing::measure(|next| messages::print!("cellray-bench: {next}"))
         .map_err(RunError::Picture)?;
     let plots = plots::antialiasing(&rows);
     let prefix = document::antialiasing::PREFIX;
     plots::write(&plots, &arguments.out, prefix, &[Format::Svg, Format::Png])?;
-    talk::say!("cellray-bench: {}", arguments.out.display());
+    messages::print!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));
         plots::write(&plots, beside, prefix, &[Format::Svg])?;
         document::antialiasing::write(&rows, &plots, &Origin::here(), file)?;
-        talk::say!("cellray-bench: {}", file.display());
+        messages::print!("cellray-bench: {}", file.display());
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -32,10 +32,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let rows = rows::named(&arguments.only)?;
     let mut values = Vec::new();
     for row in &rows {
-        talk::say!("cellray-bench: {}", row.name);
+        messages::print!("cellray-bench: {}", row.name);
         values.push(row.measure()?);
     }
-    talk::print(table(&rows, &values))?;
+    messages::write_data(table(&rows, &values))?;
     if arguments.write {
         let model = serde_json::to_string_pretty(&values)? + "\n";
         save(Path::new("lab/clock/model.json"), &model)?;

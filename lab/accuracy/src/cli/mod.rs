@@ -39,7 +39,7 @@ pub fn main() -> ExitCode {
     if !matches!(command, Command::Clock(_) | Command::MeshCache(_))
         && let Err(error) = kernels::set::Kernels::here()
     {
-        talk::say!("cellray-bench: error: {error}");
+        messages::print!("cellray-bench: error: {error}");
         return ExitCode::FAILURE;
     }
     let outcome = match command {
@@ -49,7 +49,7 @@ pub fn main() -> ExitCode {
         Command::MeshCache(arguments) => mesh_cache::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
-        talk::say!("cellray-bench: error: {error}");
+        messages::print!("cellray-bench: error: {error}");
         ExitCode::FAILURE
     })
 }

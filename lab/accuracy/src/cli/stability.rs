@@ -49,7 +49,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         _ => Size::Default,
     };
     let kept = Regressions::kept()?;
-    talk::say!("cellray-bench: seed {}", arguments.seed);
+    messages::print!("cellray-bench: seed {}", arguments.seed);
     let only = arguments.only.as_deref();
     let report = stability::run(size, arguments.seed, only, &kept)?;
     if let Some(path) = &arguments.json {
@@ -59,6 +59,6 @@ pub fn run(arguments: &Arguments) -> Outcome {
     if let Some(folder) = &arguments.keep {
         keep(&report, folder)?;
     }
-    talk::print(report.to_string())?;
+    messages::write_data(report.to_string())?;
     Ok(if report.held() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

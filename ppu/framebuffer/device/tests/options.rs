@@ -113,9 +113,9 @@ fn a_look_tells_of_the_driver_and_changes_nothing() {
     let mut script = Script::ps3fb();
     script.mode = 131;
     let expected =
-        "/dev/fb0, driver ps3fb, 1280x720, stride 5120 bytes, room for 2 frames, video mode 131";
+        "/dev/fb0, driver ps3fb, 1280x720, stride 5120 bytes, memory for 2 frames, video mode 131";
     assert_eq!(script.inspect(), (expected.to_owned(), vec![Getmode]));
     let other = Script::panning().failing([(Getmode, libc::ENOTTY)]);
-    let expected = "/dev/fb0, driver simple, 101x57, stride 404 bytes, room for 2 frames";
+    let expected = "/dev/fb0, driver simple, 101x57, stride 404 bytes, memory for 2 frames";
     assert_eq!(other.inspect(), (expected.to_owned(), vec![Getmode]));
 }

@@ -1,4 +1,4 @@
-//! A driver that answers by a script and records the calls. A witness can read its memory.
+//! A driver that follows a script and records the calls. A witness can read its memory.
 
 use super::super::super::driver::{Driver, Mapping};
 use super::super::super::ioctl::{FbBitfield, FbFixScreeninfo, FbVarScreeninfo, Ps3fbIoctlRes};
@@ -29,7 +29,7 @@ pub(super) struct Script {
     pub(super) var: FbVarScreeninfo,
     pub(super) fix: FbFixScreeninfo,
     pub(super) num_frames: u32,
-    /// The video mode, and the answers to FBIOGET after another mode was set.
+    /// The video mode, and the results of FBIOGET after another mode was set.
     pub(super) mode: u32,
     pub(super) other_mode: Option<(FbVarScreeninfo, FbFixScreeninfo)>,
     /// The number of bytes in the mapping before the framebuffer.

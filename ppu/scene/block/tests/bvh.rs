@@ -70,7 +70,7 @@ fn objects_are_inside(volumes: NodeVolumes) {
         };
         for kind in PrimitiveKind::ALL {
             let has_boxes = block.box_trees() >> kind as u32 & 1 != 0;
-            // The largest of these scenes has no room for boxes.
+            // The largest of these scenes has no space for boxes.
             assert!(has_boxes == boxed(kind) || count == 500, "{count} {kind:?}");
         }
         let eye = around + unit(&mut random) * magnitude(&mut random, -3.0, 8.0);
@@ -102,7 +102,7 @@ fn objects_are_inside(volumes: NodeVolumes) {
 
 /// Moves, hides, adds and removes objects. The trees are refitted or rebuilt, and lose no object.
 #[test]
-fn bvhs_that_change_hold_their_objects() {
+fn edited_bvhs_bound_their_objects() {
     for volumes in [NodeVolumes::Spheres, NodeVolumes::Boxes] {
         changing_bvhs_hold_their_objects(volumes);
     }
@@ -120,7 +120,7 @@ fn changing_bvhs_hold_their_objects(volumes: NodeVolumes) {
     let first = scene(&texts);
     let options = RenderOptions { ray_depth: 1, volumes, ..Default::default() };
     let shaders = ShaderEntries::new(Vec::new());
-    let mut block = SceneBlock::with_room(&first, options, &shaders).expect("a block");
+    let mut block = SceneBlock::with_spare_capacity(&first, options, &shaders).expect("a block");
     assert_eq!(block.box_trees() != 0, volumes == NodeVolumes::Boxes);
     let material = (0, &first.materials[0]);
     let mut there: Vec<bool> = vec![true; first.objects.len()];
@@ -292,7 +292,7 @@ fn boxes_are_chosen_for_the_scenes_that_gain() {
     }
 }
 
-/// Boxes take no room that small batches need: then nodes are spheres.
+/// Boxes take no space that small batches need: then nodes are spheres.
 #[test]
 fn without_room_for_boxes_nodes_are_spheres() {
     let mut has_been = [0; 2];

@@ -10,11 +10,12 @@ const MATT: &str = "l 0 9 0\nf 1 1 1 1 0 0 0 1\n";
 /// Its number is 1, because the view comes with a material of its own.
 const MATERIAL: usize = 1;
 
-/// A block with spare room, and the material of its spheres.
+/// A block with spare capacity, and the material of its spheres.
 fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
     let scene = scene(&(MATT.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
     let shaders = ShaderEntries::new(vec!["rings".to_owned()]);
-    let block = SceneBlock::with_room(&scene, RenderOptions::default(), &shaders).unwrap();
+    let block =
+        SceneBlock::with_spare_capacity(&scene, RenderOptions::default(), &shaders).unwrap();
     (block, scene.materials[MATERIAL].clone(), shaders)
 }
 

@@ -180,7 +180,7 @@ fn where_edges_cross_what_is_inside_is_cut() {
 }
 
 #[test]
-fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
+fn nonplanar_polygon_is_projected_onto_its_mean_plane() {
     let bent = block("p 4\n0 0 -5\n2 0 -6\n2 2 -5\n0 2 -6\n");
     for leaf in bent.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = bent.at(leaf);
@@ -305,7 +305,7 @@ fn shaders() {
     };
     let shares =
         |it: &Material| [it.diffuse, it.highlight, it.mirror, it.transmittance].map(F32::get);
-    let told = |it: &Material| (it.shader.get(), it.parameters.map(F32::get));
+    let shading = |it: &Material| (it.shader.get(), it.parameters.map(F32::get));
     let glass = MATERIAL_TRANSMITS | MATERIAL_MIRRORS | MATERIAL_LIT;
     let colour = DVec3::new(0.5, 0.25, 1.0);
 
@@ -323,15 +323,15 @@ fn shaders() {
     let checker = material("checker 0 0.5 1 4");
     assert_eq!(shares(&checker), shares(&phong));
     assert_eq!(checker.flags.get(), glass | MATERIAL_SHINES | MATERIAL_SHADED);
-    assert_eq!(told(&checker), (0, [0.0, 0.5, 1.0, 0.25]));
+    assert_eq!(shading(&checker), (0, [0.0, 0.5, 1.0, 0.25]));
     let depth = material("depth 10 2");
     assert_eq!((shares(&depth), depth.flags.get()), ([0.0; 4], MATERIAL_SHADED));
-    assert_eq!(told(&depth), (1, [10.0, 0.125, 0.0, 0.0]));
+    assert_eq!(shading(&depth), (1, [10.0, 0.125, 0.0, 0.0]));
     assert_eq!(wide(depth.colour), colour);
     let own = material("rings 1 -2 3");
     assert_eq!(shares(&own), shares(&phong));
     assert_eq!(own.flags.get(), checker.flags.get());
-    assert_eq!(told(&own), (2, [1.0, -2.0, 3.0, 0.0]));
+    assert_eq!(shading(&own), (2, [1.0, -2.0, 3.0, 0.0]));
 }
 
 #[test]

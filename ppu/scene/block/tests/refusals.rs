@@ -125,14 +125,14 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
         MIRROR.to_owned() + &(0..count).map(each).collect::<String>()
     };
     let message = refusal(&triangles(1000));
-    let [needed, room, fit] = numbers_of(&message);
-    assert!(needed > room);
+    let [needed, capacity, fit] = numbers_of(&message);
+    assert!(needed > capacity);
     assert!(
         message
             .contains("for rays of depth 5): 1000 triangles 122640, 1 material 96, 1 light 32; "),
         "{message}"
     );
-    assert_eq!(room, SCENE_ROOM as usize - 16 * 32 * 3);
+    assert_eq!(capacity, SCENE_ROOM as usize - 16 * 32 * 3);
     // "About" means within some per cent.
     let fewer = fit - fit / 50;
     assert_eq!(block(&triangles(fewer)).leaves(PrimitiveKind::Triangle).len(), fewer);
@@ -141,7 +141,7 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
 }
 
 #[test]
-fn what_takes_the_room_is_named() {
+fn largest_consumers_of_memory_are_named() {
     let each_its_own = |count: usize, object: &str| {
         let material = |index: usize| format!("f 0 0 {index} 1 0 0 0 1\n{object}");
         (0..count).map(material).collect::<String>()
@@ -174,10 +174,10 @@ fn what_takes_the_room_is_named() {
 fn numbers_of(message: &str) -> [usize; 3] {
     let words = message.split(|c: char| !c.is_ascii_digit());
     let numbers: Vec<usize> = words.filter_map(|digits| digits.parse().ok()).collect();
-    let [needed, room, .., fit, 1000] = numbers[..] else {
+    let [needed, capacity, .., fit, 1000] = numbers[..] else {
         panic!("{message}");
     };
-    [needed, room, fit]
+    [needed, capacity, fit]
 }
 
 #[test]

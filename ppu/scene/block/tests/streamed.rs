@@ -163,7 +163,7 @@ fn materials_of_what_changes_have_records_of_their_own() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(40, 2);
     let options = RenderOptions::default();
-    let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
+    let mut block = SceneBlock::with_spare_capacity(&scene, options, &shaders).expect("a block");
     let changed = scenes::Material { colour: DVec3::ONE, ..scene.materials[3].clone() };
     assert!(block.set_material(3, &changed, &shaders).expect("a record"));
     let white = |block: &SceneBlock| {
@@ -176,9 +176,9 @@ fn materials_of_what_changes_have_records_of_their_own() {
         materials.filter(is_white).count()
     };
     assert_eq!(white(&block), 1);
-    // Without room for all of them, equal ones are shared, and a change needs a new block.
+    // Without space for all of them, equal ones are shared, and a change needs a new block.
     let scene = fills(1300, 3);
-    let mut block = SceneBlock::with_room(&scene, options, &shaders).expect("a block");
+    let mut block = SceneBlock::with_spare_capacity(&scene, options, &shaders).expect("a block");
     assert!(block.mesh().is_some_and(|mesh| mesh.table.is_none()));
     assert!(!block.set_material(3, &changed, &shaders).expect("a record"));
 }
@@ -187,7 +187,8 @@ fn materials_of_what_changes_have_records_of_their_own() {
 fn a_material_in_main_memory_is_changed_in_place() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(1300, 1300);
-    let mut block = SceneBlock::with_room(&scene, RenderOptions::default(), &shaders).unwrap();
+    let mut block =
+        SceneBlock::with_spare_capacity(&scene, RenderOptions::default(), &shaders).unwrap();
     let numbers = block.mesh().unwrap().blocks.materials().to_vec();
     let number = numbers.iter().position(|&it| it == 700).unwrap();
     let read = |block: &SceneBlock| block.mesh().unwrap().table.unwrap().bytes().to_vec();
@@ -201,7 +202,7 @@ fn a_material_in_main_memory_is_changed_in_place() {
     }
 }
 
-/// A scene of so many spheres, cones and triangles.
+/// A scene with these numbers of spheres, cones and triangles.
 fn crowd(spheres: u32, cones: u32, triangles: u32) -> Scene {
     let mut text = String::from("l 0 99 0\n");
     for number in 0..spheres {
@@ -228,8 +229,8 @@ fn places(scene: &Scene) -> [[usize; 3]; 2] {
 }
 
 #[test]
-fn only_what_does_not_fit_goes_to_main_memory() {
-    // What fits stays, also if it is almost too much.
+fn only_kinds_beyond_local_store_go_to_main_memory() {
+    // A scene that just fits stays in local store.
     assert_eq!(places(&crowd(400, 300, 0)), [[0; 3], [400, 300, 0]]);
     assert_eq!(places(&crowd(0, 700, 0)), [[0; 3], [0, 700, 0]]);
     // One kind goes if that is enough.
@@ -241,13 +242,13 @@ fn only_what_does_not_fit_goes_to_main_memory() {
     assert_eq!(places(&crowd(600, 400, 0)), [[600, 400, 0], [0; 3]]);
 }
 
-/// Polygons that local store has room for alone, but not beside the code for meshes.
+/// Polygons that fit into local store alone, but not beside the code for meshes.
 #[test]
 fn polygons_make_room_for_nothing_else() {
     let crowd = crowd(1500, 1500, 400);
     let options = RenderOptions::default();
     let error = SceneBlock::new(&crowd, options, &entry).unwrap_err();
-    assert!(error.is_lack_of_room(), "{error}");
+    assert!(error.is_out_of_memory(), "{error}");
     let all = crate::scene::mesh::gathered_all(&crowd).expect("polygons");
     assert_eq!(places(&all), [[1500, 1500, 400], [0; 3]]);
     let whole = crate::Scene::from_nff(&crowd).expect("a scene");

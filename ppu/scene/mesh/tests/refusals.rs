@@ -10,7 +10,7 @@ fn refused(mesh: &scenes::Mesh, materials: &[scenes::Material]) -> String {
 #[test]
 fn meshes_without_an_area() {
     let flat = mesh(vec![[1.0; 3]; 3], vec![[0, 1, 2]; 2]);
-    let message = "none of the mesh's 2 triangles has an area";
+    let message = "all 2 triangles of the mesh are degenerate: their area is 0";
     assert_eq!(refused(&flat, &materials()), message);
     let empty = mesh(Vec::new(), Vec::new());
     assert_eq!(

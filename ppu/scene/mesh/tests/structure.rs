@@ -117,14 +117,14 @@ fn materials_with_wide_numbers() {
 }
 
 #[test]
-fn materials_that_share_a_number() {
+fn equal_materials_share_a_number() {
     let materials = vec![materials().remove(0); 3];
     let mut mesh = ball(20);
     for (triangle, material) in mesh.materials.iter_mut().enumerate() {
         *material = triangle as u32 % 3;
     }
     let firsts = [0, 1, 0];
-    let numbers = Numbers { firsts: &firsts, least: NumberWidth::TwoBytes };
+    let numbers = Numbers { firsts: &firsts, minimum: NumberWidth::TwoBytes };
     let blocks =
         MeshBlocks::numbered(&mesh, &MeshObjects::default(), &materials, numbers, Colour::Linear);
     let blocks = blocks.unwrap();

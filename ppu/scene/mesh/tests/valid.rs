@@ -63,15 +63,15 @@ impl Parts {
             <[MeshColour]>::ref_from_prefix_with_elems(&rest[gap..], colours).unwrap();
         let is_wide = header.sides.get() & SIDES_WIDE != 0;
         let mut upper = vec![0; faces.len()];
-        let (rest, behind) = match is_wide {
+        let (rest, following) = match is_wide {
             true => rest.split_at(rest.len() - (MESH_BLOCK - MESH_UPPER) as usize),
             false => (rest, &[][..]),
         };
         assert!(rest.iter().all(|&byte| byte == 0), "block {number}");
         if is_wide {
-            let (own, behind) = behind.split_at(faces.len());
+            let (own, following) = following.split_at(faces.len());
             upper.copy_from_slice(own);
-            assert!(behind.iter().all(|&byte| byte == 0), "block {number}");
+            assert!(following.iter().all(|&byte| byte == 0), "block {number}");
         }
         Self {
             header,

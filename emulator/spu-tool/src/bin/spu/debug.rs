@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             console = console.interrupted_by(interrupt::has_come);
         }
         let end = machine.run_in_console(&arguments.run, image, &mut console)?;
-        talk::unless_closed(console.finish()).map_err(Failure::Output)?;
+        messages::unless_closed(console.finish()).map_err(Failure::Output)?;
         machine.dump(&arguments.run)?;
         Ok(end.status())
     })

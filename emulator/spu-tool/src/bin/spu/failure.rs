@@ -50,7 +50,7 @@ impl Failure {
 
 /// Prints a failure and returns the exit status.
 pub fn fail(failure: &Failure) -> ExitCode {
-    talk::say!("spu: {failure}");
+    messages::print!("spu: {failure}");
     let status = match failure {
         Failure::Elf { .. } => BAD_ELF,
         _ => USAGE,

@@ -36,7 +36,7 @@ enum Command {
     Schedule(Box<schedule::Arguments>),
     /// Write man pages and shell completions
     #[command(hide = true)]
-    Pages(talk::manual::Arguments),
+    Pages(messages::manual::Arguments),
 }
 
 /// A program was named where a subcommand belongs.
@@ -45,7 +45,7 @@ fn suggest_run() {
         return;
     };
     if Path::new(&first).is_file() {
-        talk::say!("  tip: to run a program: spu run {}", first.display());
+        messages::print!("  tip: to run a program: spu run {}", first.display());
     }
 }
 
@@ -68,7 +68,7 @@ fn main() -> ExitCode {
         Command::Time(arguments) => time::run(&arguments).map_err(Into::into),
         Command::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
         Command::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
-        Command::Pages(arguments) => talk::manual::write(CommandLine::command(), &arguments)
+        Command::Pages(arguments) => messages::manual::write(CommandLine::command(), &arguments)
             .map(|()| ExitCode::SUCCESS)
             .map_err(Failure::command),
     };

@@ -95,7 +95,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     } else {
         view.functions_text()
     };
-    talk::print(text).map_err(Error::Output)?;
+    messages::write_data(text).map_err(Error::Output)?;
     Ok(ExitCode::SUCCESS)
 }
 

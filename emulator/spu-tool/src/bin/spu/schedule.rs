@@ -95,12 +95,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
             Outcome::Pipelined(figures) if arguments.verbose => describe(figures),
             Outcome::Pipelined(_) => continue,
         };
-        talk::say!("{path}:{}: loop {}: {result}", found.line, found.name);
+        messages::print!("{path}:{}: loop {}: {result}", found.line, found.name);
     }
     match &arguments.output {
         Some(output) => fs::write(output, scheduled.text)
             .map_err(|source| Error::File { path: output.clone(), source })?,
-        None => talk::print(scheduled.text).map_err(Error::Output)?,
+        None => messages::write_data(scheduled.text).map_err(Error::Output)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -148,14 +148,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     if let Some(page) = &arguments.html {
         let text = report.html(&path.display().to_string());
         fs::write(page, &text).map_err(|source| TimeError::Write { path: page.clone(), source })?;
-        talk::say!("{}: {} bytes", page.display(), text.len());
+        messages::print!("{}: {} bytes", page.display(), text.len());
         return Ok(ExitCode::SUCCESS);
     }
     let text = match arguments.json {
         true => report.json(),
         false => report.text(),
     };
-    talk::print(text).map_err(TimeError::Output)?;
+    messages::write_data(text).map_err(TimeError::Output)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -178,8 +178,8 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
     }
     let lines = outcome.differences.iter();
     let text: String = lines.map(|difference| format!("{difference}\n")).collect();
-    talk::print(text).map_err(TimeError::Output)?;
+    messages::write_data(text).map_err(TimeError::Output)?;
     let wrong = outcome.differences.len();
-    talk::say!("{} notes, {wrong} differ from the model", outcome.notes);
+    messages::print!("{} notes, {wrong} differ from the model", outcome.notes);
     Ok(ExitCode::from(u8::from(wrong > 0)))
 }

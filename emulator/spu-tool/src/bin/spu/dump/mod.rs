@@ -41,6 +41,6 @@ pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
         let listed = listing::write(&bytes, &image, &mut text);
         listed.map_err(|what| Failure::Contents { path: options.program.clone(), what })?;
     }
-    talk::print(text).map_err(Failure::Output)?;
+    messages::write_data(text).map_err(Failure::Output)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -220,7 +220,7 @@ impl Machine {
     fn debug(&mut self, port: u16, bench: &mut Bench<'_>) -> Result<End, RunError> {
         let debugger = Debugger::new(|| ());
         let address = debugger.listen(port).map_err(|error| RunError::Debugger { port, error })?;
-        talk::say!("spu: waiting for a debugger: target remote {address}");
+        messages::print!("spu: waiting for a debugger: target remote {address}");
         let thread = debugger.attach(&self.spe);
         let end = loop {
             let stopped = self.run_under(&thread, bench);
@@ -308,7 +308,7 @@ impl Machine {
     fn flush(&mut self) -> Result<(), Failure> {
         let flushed = self.library.flush();
         let flushed = flushed.map_err(|errno| io::Error::from_raw_os_error(errno.0));
-        talk::unless_closed(flushed).map_err(Failure::file(Path::new("standard output")))
+        messages::unless_closed(flushed).map_err(Failure::file(Path::new("standard output")))
     }
 
     /// Runs the program until it stops, and obeys the debugger before each instruction.
@@ -442,7 +442,7 @@ fn warn_of_races(simulation: &Simulation, bytes: &[u8]) {
                 None => place,
             }
         };
-        talk::say!("spu: warning: DMA race: {}", race.describe(place));
+        messages::print!("spu: warning: DMA race: {}", race.describe(place));
     });
 }
 
@@ -500,7 +500,7 @@ impl End {
         };
         let instruction = instruction_text(store.load_word(at), at);
         let place = image.place(at);
-        talk::say!("spu: {message}\n     at {place}: {instruction}");
+        messages::print!("spu: {message}\n     at {place}: {instruction}");
         status.into()
     }
 }

@@ -19,7 +19,7 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
         Some(path) => write_file(path, text.as_bytes()),
         None => {
             let path = Path::new("standard error");
-            talk::unless_closed(io::stderr().write_all(text.as_bytes()))
+            messages::unless_closed(io::stderr().write_all(text.as_bytes()))
                 .map_err(Failure::file(path))
         }
     }

@@ -71,6 +71,6 @@ impl<'a> Trace<'a> {
 
     pub fn finish(mut self) -> Result<(), Failure> {
         let flushed = self.result.and_then(|()| self.output.flush());
-        talk::unless_closed(flushed).map_err(Failure::file(&self.path))
+        messages::unless_closed(flushed).map_err(Failure::file(&self.path))
     }
 }

@@ -1,5 +1,5 @@
-//! What programs tell their users: messages on standard error, data on standard output, and with
-//! the feature `manual` their manual pages and completions.
+//! Output of programs: messages on standard error, data on standard output, and with the feature
+//! `manual` their manual pages and completions.
 //!
 //! Invariants:
 //! - A message that can't be printed is lost, and nothing else: the work that it is about goes on.
@@ -16,21 +16,21 @@ pub mod manual;
 
 /// Prints a line on standard error, as `eprintln!` does, but never panics.
 #[macro_export]
-macro_rules! say {
+macro_rules! print {
     ($($line:tt)*) => {
         $crate::line(::std::format_args!($($line)*))
     };
 }
 
-/// Prints a line on standard error; see [`say!`].
+/// Prints a line on standard error; see [`print!`].
 pub fn line(line: fmt::Arguments<'_>) {
-    // One write, so that the lines of several threads and programs stay whole.
-    part(&format!("{line}\n"));
+    // One write, so that the lines of several threads and programs stay whole. There is nowhere
+    // else to report an error.
+    let _ = io::stderr().write_all(format!("{line}\n").as_bytes());
 }
 
 /// Prints text on standard error that ends no line, such as progress.
-pub fn part(text: &str) {
-    // There is nowhere else to report an error.
+pub fn progress(text: &str) {
     let _ = io::stderr().write_all(text.as_bytes());
 }
 
@@ -39,8 +39,8 @@ pub fn part(text: &str) {
 /// # Errors
 ///
 /// Data can't be written, for another reason than that its reader has closed the pipe.
-pub fn print(data: impl AsRef<[u8]>) -> io::Result<()> {
-    print_with(|out| out.write_all(data.as_ref()))
+pub fn write_data(data: impl AsRef<[u8]>) -> io::Result<()> {
+    write_data_with(|out| out.write_all(data.as_ref()))
 }
 
 /// Writes data to standard output in parts. `write` gets an error after the reader has closed the
@@ -48,8 +48,8 @@ pub fn print(data: impl AsRef<[u8]>) -> io::Result<()> {
 ///
 /// # Errors
 ///
-/// As for [`print()`].
-pub fn print_with(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+/// As for [`write_data()`].
+pub fn write_data_with(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     print_to(&mut io::stdout().lock(), write)
 }
 
@@ -66,13 +66,13 @@ pub fn unless_closed(written: io::Result<()>) -> io::Result<()> {
 }
 
 /// Standard output for work that is also done if nobody reads about it, such as a check. After the
-/// reader has closed the pipe, what is written is dropped.
+/// reader has closed the pipe, the rest is dropped.
 #[derive(Clone, Copy, Debug)]
 pub struct Output;
 
 impl Write for Output {
     fn write(&mut self, data: &[u8]) -> io::Result<usize> {
-        print(data)?;
+        write_data(data)?;
         Ok(data.len())
     }
 
@@ -87,7 +87,7 @@ fn print_to(
 ) -> io::Result<()> {
     let mut buffered = BufWriter::new(out);
     let written = write(&mut buffered).and_then(|()| buffered.flush());
-    // What is left would be written once more when the buffer is dropped.
+    // Dropping the buffer would write the rest again.
     let (out, _) = buffered.into_parts();
     unless_closed(written.and_then(|()| out.flush()))
         .map_err(|error| io::Error::new(error.kind(), format!("standard output: {error}")))
@@ -98,17 +98,17 @@ mod tests {
     use super::*;
     use std::io::ErrorKind;
 
-    /// An output that fails in this way after it has taken some bytes.
+    /// An output that fails with this error after it has accepted this number of bytes.
     struct Fails(ErrorKind, usize);
 
     impl Write for Fails {
         fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-            let Self(kind, room) = self;
-            if *room == 0 {
+            let Self(kind, left) = self;
+            if *left == 0 {
                 return Err((*kind).into());
             }
-            let taken = bytes.len().min(*room);
-            *room -= taken;
+            let taken = bytes.len().min(*left);
+            *left -= taken;
             Ok(taken)
         }
 
@@ -118,15 +118,15 @@ mod tests {
     }
 
     #[test]
-    fn a_reader_that_has_gone_is_no_error() {
-        for room in [0, 3] {
-            print_to(&mut Fails(ErrorKind::BrokenPipe, room), |out| out.write_all(b"data"))
+    fn closed_pipe_is_no_error() {
+        for accepted in [0, 3] {
+            print_to(&mut Fails(ErrorKind::BrokenPipe, accepted), |out| out.write_all(b"data"))
                 .unwrap();
         }
     }
 
     #[test]
-    fn a_writer_learns_that_its_reader_has_gone() {
+    fn writer_gets_an_error_after_the_pipe_is_closed() {
         let mut parts = 0;
         print_to(&mut Fails(ErrorKind::BrokenPipe, 0), |out| {
             loop {
@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_full_disk_is_an_error_that_names_the_output() {
+    fn full_disk_is_an_error_that_names_the_output() {
         let error = print_to(&mut Fails(ErrorKind::StorageFull, 3), |out| out.write_all(b"data"))
             .unwrap_err();
         assert_eq!(error.kind(), ErrorKind::StorageFull);
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_is_written() {
+    fn large_output_is_written_whole() {
         let mut out = Vec::new();
         print_to(&mut out, |out| (0..10_000).try_for_each(|number| writeln!(out, "{number}")))
             .unwrap();
