@@ -49,10 +49,10 @@ pub struct Meter {
     frames: u32,
     /// The quality of the last frame.
     quality: Option<Quality>,
-    /// What was traced before the time that is measured, and by the last frame.
+    /// The rays traced before the measured time, and up to the last frame.
     before: Traced,
     last: Traced,
-    /// How fast the SPUs alone are, in words that say at which quality.
+    /// The speed of the SPUs alone, as text that names the quality.
     limit: Option<String>,
     loop_seconds: f64,
     shown: f64,
@@ -162,7 +162,7 @@ mod tests {
     use cellray::statistics::SpuStatistics;
 
     #[test]
-    fn tiles_that_are_left_are_told() {
+    fn remaining_tiles_are_shown() {
         let now = Instant::now();
         let report = Report::new("a scene", (64, 36), 1);
         let mut last = FrameStatistics {

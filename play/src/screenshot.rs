@@ -65,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_overwritten() {
+    fn existing_files_are_kept() {
         let folder = tempfile::tempdir().expect("a folder");
         let name = |number: u32| folder.path().join(format!("s-{number:04}.png"));
         fs::write(name(2), "a file of the user").expect("a file");

@@ -2,7 +2,7 @@
 //!
 //! Owns the interface between displays and the frame loop. Invariants: a display's changes of the
 //! system are undone when it is dropped. Positions of the mouse are in pixels of the size that the
-//! game is told, whatever the resolution of the picture and its size on the display.
+//! game uses, whatever the resolution of the picture and its size on the display.
 
 mod fit;
 mod none;

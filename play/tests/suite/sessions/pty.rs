@@ -217,7 +217,7 @@ impl Pty {
 
 impl Drop for Pty {
     fn drop(&mut self) {
-        // A test that failed leaves no program behind.
+        // A test that failed leaves no program running.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
