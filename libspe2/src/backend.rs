@@ -62,7 +62,7 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
     Ok(*CHOSEN.get_or_init(|| choice))
 }
 
-/// A context's SPE. What has a default concerns only one of the two.
+/// A context's SPE. Functions with a default concern only one of the two backends.
 pub(crate) trait Backend: Send + Sync {
     /// The mapping of local store.
     fn local_store(&self) -> *mut u8;

@@ -90,7 +90,7 @@ enum Next {
     Return(Outcome),
 }
 
-/// The next instruction after a library call: behind the stop and the word that follows it.
+/// The next instruction after a library call: after the stop and the word that follows it.
 pub(crate) fn after_call(npc: u32) -> u32 {
     npc.wrapping_add(CALL_WORD) & LIMIT_MASK
 }

@@ -153,7 +153,7 @@ impl Registers {
             MFC_EAH => self.command().ea[0],
             MFC_EAL => self.command().ea[1],
             MFC_SIZE_TAG => self.command().size_and_tag,
-            // The queue is never full: a command that finds no room waits for it.
+            // The queue is never full: a command waits until an entry is free.
             MFC_COMMAND_STATUS => self.command().sequence.end(),
             MFC_QUEUE_STATUS => {
                 let idle = spe.proxy_tags(u32::MAX, TagWait::Immediate) == u32::MAX;

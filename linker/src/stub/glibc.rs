@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_moved_is_where_it_was() {
+    fn moved_function_keeps_its_former_library() {
         assert_eq!(home("pthread_create"), "libpthread.so.0");
         assert_eq!(home("dlsym"), "libdl.so.2");
         assert_eq!(home("timer_create"), "librt.so.1");
