@@ -20,7 +20,7 @@ pub(crate) struct Decoded {
     pub texture: Arc<Texture>,
     /// Alpha of each texel, if the picture has any.
     pub alpha: Option<Arc<Vec<u8>>>,
-    /// What a user should know.
+    /// A note for the user.
     pub note: Option<String>,
 }
 

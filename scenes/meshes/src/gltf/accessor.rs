@@ -24,7 +24,7 @@ pub(super) struct Data<'a> {
 pub(super) enum Use {
     /// Whole numbers are taken as they are.
     Positions,
-    /// Whole numbers are parts of the greatest one, unless the file is quantised.
+    /// Whole numbers are parts of the largest one, unless the file is quantised.
     Shares,
     /// Indices of vertices.
     Indices,
