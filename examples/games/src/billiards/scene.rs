@@ -63,7 +63,7 @@ impl Scene {
     pub fn add(world: &mut World, balls: &Balls) -> Result<Self, WorldError> {
         world.set_background(DVec3::new(0.075, 0.06, 0.055))?;
         world.set_ambient(DVec3::splat(0.2))?;
-        add_room(world)?;
+        add_surroundings(world)?;
         add_bed(world)?;
         add_rails(world)?;
         add_pockets(world)?;
@@ -266,7 +266,7 @@ fn add_fixed(world: &mut World, corners: &[DVec3], of: MaterialId) -> Result<(),
     world.fix(object)
 }
 
-fn add_room(world: &mut World) -> Result<(), WorldError> {
+fn add_surroundings(world: &mut World) -> Result<(), WorldError> {
     let floor = world.add_material(Material {
         shader: Shader::Checker { other: DVec3::new(0.17, 0.11, 0.08), size: 0.45 },
         ..Material::matte(0.26, 0.18, 0.13)
