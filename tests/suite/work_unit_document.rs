@@ -27,7 +27,7 @@ fn tables() -> String {
             let _ = writeln!(text, "| {offset} | {size} | `{name}` | `{kind}` |{doc} |");
         }
     }
-    text.push_str("\n## Answers\n\n| status | name | field | rule |\n|---|---|---|---|\n");
+    text.push_str("\n## Statuses\n\n| status | name | field | rule |\n|---|---|---|---|\n");
     for (name, status, field, rule) in Status::ALL {
         let _ = writeln!(text, "| {} | `{name}` | {field} |{rule} |", *status as u32);
     }

@@ -203,7 +203,7 @@ fn the_model_follows_the_lights() {
     }
 }
 
-/// Objects are added until there is no more room, and then the scene's layout is rebuilt.
+/// Objects are added until the memory is full, and then the scene's layout is rebuilt.
 #[test]
 fn worlds_grow_and_shrink() {
     let mut random = ChaCha8Rng::seed_from_u64(6);

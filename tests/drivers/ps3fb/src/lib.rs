@@ -1,5 +1,5 @@
 //! A stand-in for ps3fb and a virtual terminal: an object to preload into the console's program,
-//! which answers `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
+//! which handles `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
 //!
 //! | variable | |
 //! | --- | --- |
@@ -88,7 +88,7 @@ fn open(path: &CStr) -> Option<c_int> {
     Some(descriptor)
 }
 
-/// The answer to a request, if `descriptor` is one that [`open`] gave.
+/// The result of a request, if `descriptor` is one that [`open`] gave.
 ///
 /// # Safety
 /// `argument` must be what `request` takes.

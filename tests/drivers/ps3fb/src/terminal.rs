@@ -11,7 +11,7 @@ pub(super) struct Terminal {
 }
 
 impl Terminal {
-    /// Answers a request.
+    /// Handles a request.
     ///
     /// # Safety
     /// `argument` must be what `request` takes.

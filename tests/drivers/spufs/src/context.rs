@@ -139,7 +139,7 @@ pub(crate) fn create(path: &str, flags: u32) -> Result<i32, Errno> {
     if flags & ISOLATE != 0 {
         return Err(Errno(libc::ENODEV));
     }
-    // A PlayStation 3's kernel does not know where its SPEs are.
+    // A PlayStation 3's kernel has no record of where its SPEs are.
     if flags & AFFINITY != 0 {
         return Err(Errno(libc::EINVAL));
     }

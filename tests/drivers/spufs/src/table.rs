@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use crate::context::{Context, lock};
 use crate::file::Kind;
 
-/// What a descriptor stands for.
+/// The file of a descriptor.
 #[derive(Clone)]
 pub(crate) enum Open {
     /// The directory of a gang.
