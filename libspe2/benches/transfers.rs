@@ -33,7 +33,6 @@ const LOOP: &str = "
         cwd     $14,0($15)
 ";
 
-/// Transfers of a size.
 fn plain(opcode: &str, size: u32) -> String {
     format!(
         "{LOOP}

@@ -94,7 +94,6 @@ pub(crate) trait Backend: Send + Sync {
     fn read_outbound_interrupt(&self, wait: bool) -> Result<Option<u32>, Errno>;
     /// Number of words in the outbound interrupt mailbox.
     fn outbound_interrupt_waiting(&self) -> Result<usize, Errno>;
-    /// Writes a signal-notification register.
     fn signal(&self, register: SignalRegister, word: u32) -> Result<(), Errno>;
 
     /// Whether the problem state is mapped.

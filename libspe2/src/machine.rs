@@ -35,7 +35,6 @@ const GDB: &str = "LIBSPE2_GDB";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
-/// The process's machine.
 pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,

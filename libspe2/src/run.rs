@@ -73,7 +73,6 @@ pub(crate) fn stop_status(code: u16) -> c_int {
 
 /// Why the SPU has stopped.
 pub(crate) enum Ended {
-    /// A stop instruction.
     Stop {
         code: u16,
         status: c_int,

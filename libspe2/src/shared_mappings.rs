@@ -29,7 +29,6 @@ pub(crate) fn place(ea: u64) -> Option<Place> {
     }
 }
 
-/// A mapping that is shared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mapping {
     start: u64,

@@ -51,7 +51,6 @@ pub struct Requests {
 
 /// The player's side of a session.
 pub struct Frontend {
-    /// The display that shows the frames.
     pub display: Box<dyn Display>,
     devices: Option<InputDevices>,
     foreground: Box<dyn Foreground>,

@@ -32,15 +32,12 @@ const LEAST_SIDE: u32 = 8;
 /// tracing a tile or two.
 const REFINED_EVERY: Duration = Duration::from_millis(80);
 
-/// The notice in a pause.
 const PAUSED: &str = "Paused - press P to resume";
 /// The notice at the end of a game.
 const OVER: &str = "Game over - press Q to close";
 
-/// The result of a session.
 #[derive(Debug)]
 pub struct Played {
-    /// Why the session ended.
     pub ending: Ending,
     /// The statistics of its frames.
     pub report: Report,
@@ -95,9 +92,7 @@ struct Show<'a> {
     front: Frontend,
     options: &'a Options,
     may_print: bool,
-    /// How a picture at rest looks.
     look: Look,
-    /// The size of the traced picture.
     size: Geometry,
     /// Chooses the size, if none was requested.
     pace: Option<Pace>,
@@ -106,7 +101,6 @@ struct Show<'a> {
     /// When a frame was last drawn.
     drawn: Option<Instant>,
     texts: Texts,
-    /// The text that was last shown.
     overlay: Overlay,
     /// Messages to print at the end.
     kept: Vec<String>,

@@ -47,7 +47,6 @@ pub struct Meter {
     clock: SpuClock,
     began: Instant,
     frames: u32,
-    /// The quality of the last frame.
     quality: Option<Quality>,
     /// The rays traced before the measured time, and up to the last frame.
     before: Traced,
@@ -63,7 +62,6 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// Starts to measure.
     #[must_use]
     pub fn new(now: Instant) -> Self {
         Self {

@@ -5,7 +5,6 @@ use cellray::game::PlacedLabel;
 /// A line of text. Its beginning may be emphasised.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Line {
-    /// The text.
     pub text: String,
     /// The number of characters at the beginning that are emphasised.
     pub emphasised: usize,

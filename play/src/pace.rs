@@ -68,7 +68,6 @@ const GROWTH: f64 = 4.0;
 /// What a frame has traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Traced {
-    /// The time that it took.
     pub took: Duration,
     /// The number of tiles that were traced; 0 if the picture was there already.
     pub tiles: u64,

@@ -18,7 +18,6 @@ pub enum ScreenshotError {
     /// The file can't be created.
     #[error("cannot write {}: {source}", path.display())]
     Io {
-        /// The file.
         path: PathBuf,
         /// The system's error.
         source: io::Error,
@@ -29,7 +28,6 @@ pub enum ScreenshotError {
     /// All numbers are in use.
     #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png exist already", folder.display())]
     Full {
-        /// The folder.
         folder: PathBuf,
         /// The beginning of the names.
         stem: String,

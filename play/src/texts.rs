@@ -29,13 +29,11 @@ enum Level {
     Nothing,
 }
 
-/// Chooses the texts of a session.
 #[derive(Debug)]
 pub struct Texts {
     /// When a picture was first shown.
     began: Option<Instant>,
     level: Level,
-    /// Whether the keys are listed.
     has_help: bool,
     message: Option<(String, Instant)>,
 }

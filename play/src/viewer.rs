@@ -36,14 +36,12 @@ const STEEPEST: f64 = 0.995;
 /// The factor by which the distance may become larger or smaller.
 const FARTHEST: f64 = 100.0;
 
-/// The controls.
 const CONTROLS: &[&str] = &[
     "arrows, a drag, left stick: turn the camera",
     "wheel, page keys, right stick: nearer, farther",
     "Home, Start: back to the scene's view",
 ];
 
-/// A viewer of one scene.
 pub struct Viewer {
     name: String,
     scene: scenes::Scene,

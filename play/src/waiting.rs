@@ -16,7 +16,6 @@ impl Waiting {
         Self(now)
     }
 
-    /// Records that the display was drawn.
     pub fn is_over(&mut self, now: Instant) {
         self.0 = now;
     }

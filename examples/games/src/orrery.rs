@@ -91,7 +91,6 @@ pub struct Orrery {
     moons: [ObjectId; MOONS.len()],
     /// For every stone: its ring, its number in the ring, and its object.
     stones: Vec<(&'static Ring, u32, ObjectId)>,
-    /// The positions of the planets.
     places: [DVec3; PLANETS.len()],
     steps: Steps,
     days: f64,

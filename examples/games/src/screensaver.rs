@@ -44,7 +44,6 @@ const HALF_SIZE: DVec3 = DVec3::new(4.4, 2.6, 3.2);
 const ROUND: f64 = 100.0;
 /// Seconds after the player's last input until the eye moves by itself again.
 const PATIENCE: f64 = 5.0;
-/// The ray depth.
 const RAY_DEPTH: u32 = 3;
 
 /// The game.

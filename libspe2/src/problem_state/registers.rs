@@ -9,7 +9,6 @@ use spu_emulator::mfc::PROXY_QUEUE_DEPTH;
 use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::{ProxyCommand, Spe, TagWait};
 
-/// Size of the map in bytes.
 pub(crate) const SIZE: usize = 0x20000;
 
 pub(super) const SIGNAL_1: usize = 0x1400c;
@@ -129,7 +128,6 @@ struct Command {
     query_mask: u32,
 }
 
-/// The registers of one context.
 pub(super) struct Registers {
     spe: Arc<Spe>,
     run: Arc<RunState>,

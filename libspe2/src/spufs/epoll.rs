@@ -9,7 +9,6 @@ use libc::c_int;
 
 use crate::error::Errno;
 
-/// An epoll descriptor.
 pub(crate) struct Epoll(OwnedFd);
 
 impl Epoll {

@@ -37,7 +37,6 @@ fn start_block(start: &StartRegisters, entry: u32) -> [u8; START_BLOCK] {
     const STACK_POINTER: u32 = 1;
     /// `il $2,0`
     const CLEAR_ENVIRONMENT: u32 = 0x081 << 23 | 2;
-    /// `nop $0`
     const NOP: u32 = 0x201 << 21;
     let mut block = [0; START_BLOCK];
     for (at, quad) in block.chunks_exact_mut(16).zip(start.arguments()) {

@@ -179,7 +179,6 @@ fn names(library: &Path) -> Result<Names, Error> {
     Ok(names)
 }
 
-/// Compiles a stub.
 fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<(), Error> {
     let mut source = String::new();
     let mut versions = BTreeMap::<_, Vec<_>>::new();

@@ -41,7 +41,6 @@ const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
 
 type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
 
-/// A window.
 pub struct Window {
     events: EventLoop<()>,
     state: State,

@@ -59,7 +59,6 @@ fn mouse() -> Capabilities {
     device("A mouse", &[0x110, 0x111, 0x112], &[], &[0, 1, 8])
 }
 
-/// The devices of a test.
 #[derive(Clone, Default)]
 struct Bench(Rc<RefCell<BTreeMap<PathBuf, Plugged>>>, Rc<Cell<usize>>);
 

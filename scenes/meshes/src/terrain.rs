@@ -87,7 +87,6 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     Ok(())
 }
 
-/// The height at a place.
 fn height(place: DVec2) -> f64 {
     let mut sum = 0.0;
     let (mut scale, mut share) = (HILLS / (2.0 * HALF), 1.0);

@@ -96,7 +96,6 @@ fn cones() -> scenes::Scene {
     scene
 }
 
-/// A block's word.
 fn word(block: u32, index: usize) -> usize {
     block as usize * MESH_BLOCK as usize + 4 * index
 }

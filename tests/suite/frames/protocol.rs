@@ -33,7 +33,6 @@ c
 3 0 2 0
 ";
 
-/// A frame with depth shading.
 fn fixture(spus: u32) -> Fixture {
     Fixture::of(&nff_scene("paper13.nff"), spus)
 }

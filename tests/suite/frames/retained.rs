@@ -37,7 +37,6 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     }
 }
 
-/// A change of a scene.
 type Change = fn(&mut scenes::Scene);
 
 /// With Whitted's model too, a change is traced wherever it is visible.

@@ -14,7 +14,6 @@ use crate::recorder::{Recorder, Snapshot};
 const SIZE: (u32, u32) = (132, 66);
 const TILES: u64 = 3 * 5;
 
-/// A world and its contents.
 struct Played {
     world: World,
     goes_on: bool,

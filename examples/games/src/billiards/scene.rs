@@ -40,7 +40,6 @@ const COLOURS: [[f64; 3]; 7] = [
     [0.48, 0.08, 0.12],
 ];
 
-/// The objects.
 #[derive(Default)]
 pub(super) struct Scene {
     /// Each ball with its two caps.
@@ -198,7 +197,6 @@ fn shown_player(rules: &Rules) -> usize {
     rules.winner().unwrap_or(rules.turn())
 }
 
-/// The position of the marker.
 fn marker_place(rules: &Rules) -> DVec3 {
     let player = shown_player(rules);
     let rail = |half: f64| half + CUSHION + RAIL / 2.0;
@@ -216,7 +214,6 @@ fn part(ends: &[(f64, f64)], place: impl Fn((f64, f64)) -> DVec3) -> Shape {
     Shape::Cone { base: place(first), base_radius: first.1, apex: place(last), apex_radius: last.1 }
 }
 
-/// A ball and its two caps.
 fn shapes(ball: &Ball) -> [Shape; 3] {
     let centre = ball.body.centre;
     // The edge of the caps: the cosine of the angle from their centres.

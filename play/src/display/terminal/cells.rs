@@ -13,7 +13,6 @@ use super::super::Fit;
 use super::texts::Text;
 
 const HALF: &str = "\u{2580}";
-/// The colour of emphasised text.
 const EMPHASIS: [u8; 3] = [255, 215, 135];
 
 /// How colours are encoded.

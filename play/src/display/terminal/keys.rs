@@ -12,7 +12,6 @@ use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers, ModifierKe
 /// How long a key counts as held if it is not repeated.
 const HELD: Duration = Duration::from_millis(150);
 
-/// The keys that are held.
 #[derive(Debug, Default)]
 pub struct Keys {
     held: Vec<(Key, Instant)>,

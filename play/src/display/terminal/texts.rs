@@ -8,9 +8,7 @@ use crate::overlay::Overlay;
 /// Text at a place of the terminal, all in one row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text {
-    /// Its first column.
     pub column: usize,
-    /// Its row.
     pub row: usize,
     /// The characters. The first ones are emphasised.
     pub letters: String,

@@ -75,7 +75,6 @@ impl Grid {
 /// A panel and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// The panel.
     pub panel: Panel,
     /// Its left and its top.
     pub corner: (usize, usize),

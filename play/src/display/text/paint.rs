@@ -27,7 +27,6 @@ const HEIGHTS: (usize, usize) = (10, 80);
 
 /// Pixels to draw on: big-endian words, as an SPU stores them.
 pub struct Canvas<'a> {
-    /// The words, row by row.
     pub words: &'a mut [u32],
     /// The number of words from a row to the next.
     pub stride: usize,

@@ -36,7 +36,6 @@ pub struct Pty {
 /// Flags of a terminal: input, output, control, local.
 type Modes = [libc::tcflag_t; 4];
 
-/// Sends a signal.
 pub fn signal(process: u32, signal: i32) {
     // SAFETY: the process is a child that has not been waited for.
     assert_eq!(unsafe { libc::kill(process as libc::pid_t, signal) }, 0);

@@ -26,7 +26,6 @@ pub(super) enum Use {
     Positions,
     /// Whole numbers are parts of the largest one, unless the file is quantised.
     Shares,
-    /// Indices of vertices.
     Indices,
 }
 
@@ -176,7 +175,6 @@ impl Data<'_> {
         Ok(items)
     }
 
-    /// The bytes of a view.
     pub fn view(&self, index: usize) -> Result<&[u8], String> {
         let view = self.root.buffer_views.get(index);
         let view = view.ok_or_else(|| format!("has buffer view {index}, which doesn't exist"))?;

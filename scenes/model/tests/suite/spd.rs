@@ -7,7 +7,6 @@ use glam::DVec3;
 use scenes::spd::{Error, GENERATORS};
 use scenes::{Object, Scene, Shape, area_vector};
 
-/// The scene of a name.
 fn scene(name: &str) -> Scene {
     scenes::load(Path::new(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }

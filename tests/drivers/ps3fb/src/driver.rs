@@ -32,7 +32,6 @@ const MODES: [[(u32, u32); 2]; 13] = [
     [(1920, 1200), (1920, 1200)],
 ];
 
-/// The driver and its memory.
 pub(super) struct Driver {
     memory: File,
     screen: File,

@@ -26,7 +26,6 @@ use std::os::fd::IntoRawFd;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use terminal::Terminal;
 
-/// An error number.
 type Errno = c_int;
 
 /// What stands in for something, and the descriptors that the program has of it.

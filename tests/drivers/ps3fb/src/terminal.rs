@@ -3,7 +3,6 @@
 use super::Errno;
 use libc::c_void;
 
-/// The terminal's modes.
 #[derive(Default)]
 pub(super) struct Terminal {
     mode: u32,

@@ -32,7 +32,6 @@ pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A context of spufs.
 pub(crate) struct Context {
     pub flags: u32,
     modes: Mutex<[SignalMode; 2]>,

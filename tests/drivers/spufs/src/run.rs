@@ -18,7 +18,6 @@ const SPE_ERROR: u32 = 0x10;
 const DMA_STORAGE: u32 = 0x40;
 const INVALID_DMA: u32 = 0x800;
 
-/// The kernel's action after a stop.
 enum Next {
     Return {
         status: i32,

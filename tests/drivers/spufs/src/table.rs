@@ -12,15 +12,9 @@ use crate::file::Kind;
 /// The file of a descriptor.
 #[derive(Clone)]
 pub(crate) enum Open {
-    /// The directory of a gang.
     Gang(String),
-    /// The directory of a context.
     Context(String, Arc<Context>),
-    File {
-        context: Arc<Context>,
-        kind: Kind,
-        waits: bool,
-    },
+    File { context: Arc<Context>, kind: Kind, waits: bool },
 }
 
 /// Everything that the program has.
