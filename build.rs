@@ -101,7 +101,7 @@ fn stubs(out: &Path, script: &mut Script) -> Outcome<()> {
         &folder.join("libspe2.so"),
     )?;
     stub::glibc::build(&compiler, &folder)?;
-    script.tell(format_args!("rustc-link-search=native={}", folder.display()));
-    script.tell("rustc-link-lib=dylib=spe2");
+    script.add(format_args!("rustc-link-search=native={}", folder.display()));
+    script.add("rustc-link-lib=dylib=spe2");
     Ok(())
 }

@@ -16,7 +16,7 @@ spu_gcc=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-gcc
 linux=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/linux
 out=$top/target/ci
 
-say() { printf '== %s\n' "$*" >&2; }
+report() { printf '== %s\n' "$*" >&2; }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
@@ -56,7 +56,7 @@ put() {
         !inside { print }' "$document" >"$out/document"
     grep -q . "$out/document" || die "$document would be empty"
     cat "$out/document" >"$document"
-    say "written to $document: $name"
+    report "written to $document: $name"
 }
 
 # Whether checks that take long and seldom find anything are run, too: ci/full asks for them.
@@ -66,12 +66,12 @@ full() { [ -n "${CELLRAY_FULL:-}" ]; }
 step() {
     local what=$1 start=$SECONDS
     shift
-    say "$what"
+    report "$what"
     "$@"
-    say "$what: $((SECONDS - start)) s"
+    report "$what: $((SECONDS - start)) s"
 }
 
-# Begins a step that runs beside those that follow. What it says goes to a file, so that it is not
+# Begins a step that runs beside those that follow. Its output goes to a file, so that it is not
 # mixed with theirs; `join` waits for it, and prints that. If another step fails before, the
 # script's end ends it.
 beside() {
@@ -79,7 +79,7 @@ beside() {
     shift
     mkdir -p "$out"
     beside_what=$what beside_log=$out/beside-${0##*/}.txt
-    say "$what, beside what follows: $beside_log"
+    report "$what, beside what follows: $beside_log"
     # In a process group of its own, with all that it starts.
     set -m
     step "$what" "$@" </dev/null >"$beside_log" 2>&1 &

@@ -1,9 +1,9 @@
-# An SPU program that takes frames and traces nothing: it answers as if all tiles of the work units
+# An SPU program that takes frames and traces nothing: it replies as if all tiles of the work units
 # had been traced. With it, QEMU counts what the PPE's program does and wastes no time on emulated
 # SPUs. All tiles must be whole: 64x16 pixels.
 #
-#   Entry   $4 word 1: the number of this SPU; SPU 0 answers for all tiles
-#   Mail, answer, exit   as spu/main/main.s
+#   Entry   $4 word 1: the number of this SPU; SPU 0 replies for all tiles
+#   Mail, reply, exit   as spu/main/main.s
 
         .set    high, 80
         .set    low, 81
@@ -39,7 +39,7 @@ next_mail:
         rdch    $low,$ch29
         or      $2,$high,$low
         brz     $2,exit
-        brnz    $number,answer
+        brnz    $number,reply
         move    frame, $low, 448, 0x40
         lqa     $left,frame+80                  # unit_count
         rotqbyi $left,$left,8
@@ -65,7 +65,7 @@ next_mail:
         shufb   $2,$pixels,$4,$2
         stqa    $2,record
         move    record, $3, 16, 0x20
-answer: il      $2,0
+reply:  il      $2,0
         wrch    $ch30,$2
         br      next_mail
 exit:   stop    0x2000

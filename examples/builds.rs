@@ -1,5 +1,5 @@
 //! How long the PPU takes to prepare a scene: its trees, or its blocks if it does not fit the local
-//! store. Prints the least of several times in milliseconds. For a file it prints the least times of
+//! store. Prints the shortest of several times in milliseconds. For a file it prints the shortest times of
 //! loading and of preparing it, and then the most memory that the program had, in MB. `ci/ppe` also
 //! counts the instructions.
 //!
@@ -31,14 +31,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     if shape == "file" {
         let mut loaded = None;
         let load = || meshes::load(Path::new(count)).map(|it| loaded = Some(it.scene));
-        let loading = least(times, load)?;
+        let loading = shortest(times, load)?;
         let scene = loaded.ok_or(usage)?;
-        let preparing = least(times, || prepare(&scene))?;
+        let preparing = shortest(times, || prepare(&scene))?;
         let memory = most_memory()?;
         messages::write_data(format!("{loading:.2} {preparing:.2} {memory:.1}\n"))?;
     } else {
         let scene = objects(shape, count.parse()?).ok_or(usage)?;
-        messages::write_data(format!("{:.2}\n", least(times, || prepare(&scene))?))?;
+        messages::write_data(format!("{:.2}\n", shortest(times, || prepare(&scene))?))?;
     }
     Ok(())
 }
@@ -52,16 +52,16 @@ fn most_memory() -> Result<f64, Box<dyn Error>> {
     Ok(kilobytes / 1024.0)
 }
 
-/// The least time that something takes, in milliseconds.
-fn least<T, E>(times: u32, mut done: impl FnMut() -> Result<T, E>) -> Result<f64, E> {
-    let mut least = f64::INFINITY;
+/// The shortest time that something takes, in milliseconds.
+fn shortest<T, E>(times: u32, mut done: impl FnMut() -> Result<T, E>) -> Result<f64, E> {
+    let mut shortest = f64::INFINITY;
     for _ in 0..times {
         let began = Instant::now();
         let made = done()?;
-        least = least.min(began.elapsed().as_secs_f64());
+        shortest = shortest.min(began.elapsed().as_secs_f64());
         drop(made);
     }
-    Ok(1e3 * least)
+    Ok(1e3 * shortest)
 }
 
 /// A scene of small objects that are spread evenly in a cube.

@@ -17,13 +17,13 @@ fn main() -> ExitCode {
 fn link(script: &mut Script) -> Result<(), Box<dyn Error>> {
     script.watch(Path::new("build.rs"));
     if env::var("CARGO_CFG_TARGET_OS")? == "linux" {
-        script.tell("rustc-cdylib-link-arg=-Wl,-soname,libspe2.so.2");
+        script.add("rustc-cdylib-link-arg=-Wl,-soname,libspe2.so.2");
     }
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
         let folder = PathBuf::from(env::var("OUT_DIR")?).join("stub");
         fs::create_dir_all(&folder)?;
         stub::glibc::build(&stub::compiler(script), &folder)?;
-        script.tell(format_args!("rustc-link-search=native={}", folder.display()));
+        script.add(format_args!("rustc-link-search=native={}", folder.display()));
     }
     Ok(())
 }

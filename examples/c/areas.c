@@ -30,7 +30,7 @@ int main(void)
         perror("areas: spe_ps_area_get");
         return 1;
     }
-    printf("room for %u words\n", control->SPU_Mbox_Stat >> 8 & 0xff);
+    printf("%u words free\n", control->SPU_Mbox_Stat >> 8 & 0xff);
     control->SPU_In_Mbox = 1000;
     signal->SPU_Sig_Notify_1 = 234;
 

@@ -1,5 +1,5 @@
 # Prints a line by the C library's printf, and exits with the number of characters. printf runs on
-# the PPE: a stop asks for it, and the word behind the stop says what is asked for. hello_spu.c is
+# the PPE: a stop asks for it, and the word after the stop is the call's number. hello_spu.c is
 # the same for a compiler.
         .set    PRINTF,37
 
@@ -23,7 +23,7 @@ exit:   stop    0x2000
         nop
         nop
 
-# Each argument has a quadword. What follows the format is a va_list: where the arguments are, and
+# Each argument has a quadword. After the format comes a va_list: where the arguments are, and
 # where the stack had more of them if there were too many for registers.
         .data
         .align  4

@@ -1,4 +1,4 @@
-/* Words by mailbox: the SPU program doubles each and answers by its interrupt mailbox. */
+/* Words by mailbox: the SPU program doubles each and replies by its interrupt mailbox. */
 #include <libspe2.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -32,14 +32,14 @@ int main(void)
         return 1;
     }
     for (int n = 0; n < count; n++) {
-        unsigned int answer;
+        unsigned int reply;
 
         if (spe_in_mbox_write(spe, &words[n], 1, SPE_MBOX_ALL_BLOCKING) != 1 ||
-            spe_out_intr_mbox_read(spe, &answer, 1, SPE_MBOX_ALL_BLOCKING) != 1) {
+            spe_out_intr_mbox_read(spe, &reply, 1, SPE_MBOX_ALL_BLOCKING) != 1) {
             perror("mailboxes: a mailbox");
             return 1;
         }
-        printf("%u doubled is %u\n", words[n], answer);
+        printf("%u doubled is %u\n", words[n], reply);
     }
     pthread_join(thread, NULL);
     if (spe_out_mbox_read(spe, &total, 1) != 1) {

@@ -1,4 +1,4 @@
-# Doubles each inbound word and answers by the interrupt mailbox. A 0 is the last word, after which
+# Doubles each inbound word and replies by the interrupt mailbox. A 0 is the last word, after which
 # the outbound mailbox gets their number.
         .text
         .global _start

@@ -126,7 +126,7 @@ multiply:
     line(&format!("ila ${B_MIDDLE},matrix_b+8192"));
     line(&format!("il ${LEFT},{}", 64 / BLOCK));
     line(&format!("il ${STRIDE},{ROWS}"));
-    // What the first step needs. The block before the first is stored too, in front of C, where
+    // The inputs of the first step. The block before the first is stored too, in front of C, where
     // nothing is.
     for index in 0..BLOCK * BLOCK {
         let (row, column) = (index / BLOCK, index % BLOCK);

@@ -1,7 +1,7 @@
 //! Measures the processor time that the emulated MFC takes for a transfer, in the memory of this
 //! process. The figures are recorded, not checked.
 //!
-//! A figure is the least of several runs, because other activity on the host can only slow a run
+//! A figure is the minimum of several runs, because other activity on the host can only slow a run
 //! down. It counts the time of all threads, so it does not show how long they waited for each
 //! other; the time that passed, in the second column, does.
 
@@ -33,7 +33,6 @@ const LOOP: &str = "
         cwd     $14,0($15)
 ";
 
-/// Transfers of a size.
 fn plain(opcode: &str, size: u32) -> String {
     format!(
         "{LOOP}
@@ -122,8 +121,8 @@ fn measure(program: &str, spes: usize, apart: usize, times: u32, memory: u64) ->
         let each = |time: Duration| time.as_secs_f64() * 1e9 / f64::from(times);
         (each(processor_time() - processor), each(start.elapsed()))
     };
-    let least = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.min(b.1));
-    (0..RUNS).map(|_| run()).fold((f64::MAX, f64::MAX), least)
+    let min = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.min(b.1));
+    (0..RUNS).map(|_| run()).fold((f64::MAX, f64::MAX), min)
 }
 
 fn main() {

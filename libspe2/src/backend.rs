@@ -62,7 +62,7 @@ pub(crate) fn chosen() -> Result<Choice, Errno> {
     Ok(*CHOSEN.get_or_init(|| choice))
 }
 
-/// A context's SPE. What has a default concerns only one of the two.
+/// A context's SPE. Functions with a default concern only one of the two backends.
 pub(crate) trait Backend: Send + Sync {
     /// The mapping of local store.
     fn local_store(&self) -> *mut u8;
@@ -94,7 +94,6 @@ pub(crate) trait Backend: Send + Sync {
     fn read_outbound_interrupt(&self, wait: bool) -> Result<Option<u32>, Errno>;
     /// Number of words in the outbound interrupt mailbox.
     fn outbound_interrupt_waiting(&self) -> Result<usize, Errno>;
-    /// Writes a signal-notification register.
     fn signal(&self, register: SignalRegister, word: u32) -> Result<(), Errno>;
 
     /// Whether the problem state is mapped.

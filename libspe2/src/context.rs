@@ -30,7 +30,7 @@ const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
     | SPE_AFFINITY_MEMORY
     | SPE_NOSCHED;
 
-/// The object behind a context pointer. Every user holds a reference to it, so a program may
+/// The object that a context pointer refers to. Every user holds a reference to it, so a program may
 /// destroy a context while another thread still runs it.
 pub(crate) struct Context {
     pub(crate) backend: Box<dyn Backend>,
@@ -52,7 +52,7 @@ impl Context {
     }
 }
 
-/// Returns the context behind a pointer from the program.
+/// Returns the context that a pointer from the program refers to.
 ///
 /// # Safety
 /// `pointer` is NULL or came from `spe_context_create` and was not destroyed.

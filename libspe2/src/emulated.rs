@@ -1,4 +1,4 @@
-//! An emulated SPE behind a context.
+//! A context's emulated SPE.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
@@ -48,7 +48,7 @@ impl Emulated {
         if has(SPE_ISOLATE) {
             return Err(Errno(libc::ENODEV));
         }
-        // A PlayStation 3 kernel does not know where its SPEs are, so affinity is not supported.
+        // A PlayStation 3 kernel has no record of where its SPEs are, so affinity is not supported.
         if has(SPE_AFFINITY_MEMORY) {
             return Err(Errno(libc::EINVAL));
         }

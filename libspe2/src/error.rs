@@ -6,7 +6,6 @@ use std::ptr;
 
 use libc::c_int;
 
-/// An errno value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Errno(pub c_int);
 

@@ -41,11 +41,11 @@ impl Bell {
         self.rings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Sleeps until the bell has rung more than `heard` times. Returns `false` if the deadline
+    /// Sleeps until the bell has rung more than `seen` times. Returns `false` if the deadline
     /// passes first.
-    fn wait(&self, heard: u64, deadline: Option<Instant>) -> bool {
+    fn wait(&self, seen: u64, deadline: Option<Instant>) -> bool {
         let mut rings = self.rings();
-        while *rings == heard {
+        while *rings == seen {
             rings = match deadline {
                 None => self.rung.wait(rings).unwrap_or_else(PoisonError::into_inner),
                 Some(deadline) => {
@@ -72,7 +72,7 @@ impl Watcher for Bell {
 }
 
 struct Registration {
-    /// The pointer by which the program knows the context.
+    /// The pointer that the program has to the context.
     pointer: *mut SpeContext,
     context: Arc<Context>,
     /// Index in [`EVENTS`].
@@ -105,7 +105,7 @@ impl Registration {
     }
 }
 
-/// The object behind an event handler pointer.
+/// The object that an event handler pointer refers to.
 struct Handler {
     bell: Arc<Bell>,
     registrations: Mutex<Vec<Registration>>,
@@ -213,9 +213,9 @@ impl Handler {
         }
         let deadline = limit.map(|limit| Instant::now() + limit);
         loop {
-            let heard = *self.bell.rings();
+            let seen = *self.bell.rings();
             let units = self.up(most);
-            if !units.is_empty() || !self.bell.wait(heard, deadline) {
+            if !units.is_empty() || !self.bell.wait(seen, deadline) {
                 return units;
             }
         }
@@ -231,7 +231,7 @@ impl Drop for Handler {
     }
 }
 
-/// Returns the handler behind a pointer from the program.
+/// Returns the handler that a pointer from the program refers to.
 ///
 /// # Safety
 /// `pointer` is NULL or came from `spe_event_handler_create` and was not destroyed.
@@ -358,7 +358,7 @@ pub unsafe extern "C" fn spe_event_handler_deregister(
 /// number. `timeout` is in milliseconds: 0 only checks, and a negative one waits for ever.
 ///
 /// # Safety
-/// `evhandler` is NULL or a live handler, `events` NULL or room for `max_events` units.
+/// `evhandler` is NULL or a live handler, `events` NULL or a buffer for `max_events` units.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_wait(
     evhandler: *mut c_void,
@@ -375,7 +375,7 @@ pub unsafe extern "C" fn spe_event_wait(
         };
         let limit = u64::try_from(timeout).ok().map(Duration::from_millis);
         let units = handler.wait(most, limit)?;
-        // SAFETY: the caller vouches for the room, and there are at most as many units.
+        // SAFETY: the caller vouches for the buffer, and there are at most as many units.
         unsafe { ptr::copy_nonoverlapping(units.as_ptr(), events, units.len()) };
         Ok(units.len() as c_int)
     })

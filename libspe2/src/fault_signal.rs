@@ -90,7 +90,7 @@ impl FaultSignal {
     unsafe fn send(self) {
         /// Offset of `si_addr` in a 64-bit `siginfo_t`.
         const ADDRESS_OFFSET: usize = 16;
-        // SAFETY: all zeros are a valid siginfo_t, which has room for an address at this offset.
+        // SAFETY: all zeros are a valid siginfo_t, which can hold an address at this offset.
         // The kernel lets a thread choose every field of a signal to itself.
         let sent = unsafe {
             let mut info = MaybeUninit::<libc::siginfo_t>::zeroed().assume_init();

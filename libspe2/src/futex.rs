@@ -2,12 +2,12 @@
 
 use std::ptr;
 
-/// The kernel's answer about a word.
+/// The kernel's reply about a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Writable {
     Yes,
     No,
-    /// This kernel can't answer.
+    /// This kernel doesn't support the question.
     Unknown,
 }
 

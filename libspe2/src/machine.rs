@@ -35,7 +35,6 @@ const GDB: &str = "LIBSPE2_GDB";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
-/// The process's machine.
 pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
@@ -78,17 +77,17 @@ pub(crate) fn write_reports() {
         return;
     };
     if let Some(file) = &machine.report {
-        tell(REPORT, file, file.write_report(simulation));
+        report_failure(REPORT, file, file.write_report(simulation));
     }
     if let (Some(file), Some(profile)) = (&machine.profile, simulation.profile()) {
-        tell(PROFILE, file, file.write_profile(&profile));
+        report_failure(PROFILE, file, file.write_profile(&profile));
     }
     if let (Some(file), Some(timeline)) = (&machine.timeline, simulation.timeline()) {
-        tell(TIMELINE, file, file.write_timeline(&timeline));
+        report_failure(TIMELINE, file, file.write_timeline(&timeline));
     }
 }
 
-fn tell(name: &str, file: &ReportFile, written: io::Result<()>) {
+fn report_failure(name: &str, file: &ReportFile, written: io::Result<()>) {
     if let Err(error) = written {
         messages::print!("libspe2: {name}: {}: {error}", file.path().display());
     }
@@ -194,8 +193,9 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
     let Some(path) = path(name, timing)? else {
         return Ok(None);
     };
-    let told = |error: &io::Error| messages::print!("libspe2: {name}: {}: {error}", path.display());
-    Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
+    let print =
+        |error: &io::Error| messages::print!("libspe2: {name}: {}: {error}", path.display());
+    Ok(Some(ReportFile::new(path.clone()).inspect_err(print)?))
 }
 
 /// The path in this variable, which needs simulated time.

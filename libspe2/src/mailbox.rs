@@ -47,7 +47,7 @@ fn move_words(
 /// Reads up to `count` words of `take` into `data`.
 ///
 /// # Safety
-/// `data` has room for `count` words.
+/// `data` is a buffer for `count` words.
 unsafe fn read_words(
     data: *mut c_uint,
     count: usize,
@@ -67,7 +67,7 @@ unsafe fn read_words(
 /// Reads the words in the outbound mailbox without waiting.
 ///
 /// # Safety
-/// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
+/// `spe` is NULL or a live context; `data` is NULL or a buffer for `count` words.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_out_mbox_read(
     spe: *mut SpeContext,
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn spe_out_mbox_read(
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
         let count = checked_count(data, count)?;
-        // SAFETY: the caller vouches for the room.
+        // SAFETY: the caller vouches for the buffer.
         unsafe { read_words(data, count, 0, |_| context.backend.read_outbound()) }
     })
 }
@@ -143,7 +143,7 @@ pub unsafe extern "C" fn spe_in_mbox_status(spe: *mut SpeContext) -> c_int {
 /// Reads words from the outbound interrupt mailbox and returns how many.
 ///
 /// # Safety
-/// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
+/// `spe` is NULL or a live context; `data` is NULL or a buffer for `count` words.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_out_intr_mbox_read(
     spe: *mut SpeContext,
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn spe_out_intr_mbox_read(
         let context = unsafe { context(spe)? };
         let count = checked_count(data, count)?;
         let wait_for = words_to_wait_for(count, behavior)?;
-        // SAFETY: the caller vouches for the room.
+        // SAFETY: the caller vouches for the buffer.
         unsafe {
             read_words(data, count, wait_for, |wait| context.backend.read_outbound_interrupt(wait))
         }

@@ -64,7 +64,7 @@ impl ReportFile {
 struct Report {
     cycles_per_second: u64,
     timebase_per_second: u64,
-    /// The greatest of the SPEs' clocks.
+    /// The latest of the SPEs' times.
     cycles: u64,
     seconds: f64,
     /// Times that the SPEs did not wait for the PPE any longer.

@@ -73,7 +73,6 @@ pub(crate) fn stop_status(code: u16) -> c_int {
 
 /// Why the SPU has stopped.
 pub(crate) enum Ended {
-    /// A stop instruction.
     Stop {
         code: u16,
         status: c_int,
@@ -90,7 +89,7 @@ enum Next {
     Return(Outcome),
 }
 
-/// The next instruction after a library call: behind the stop and the word that follows it.
+/// The next instruction after a library call: after the stop and the word that follows it.
 pub(crate) fn after_call(npc: u32) -> u32 {
     npc.wrapping_add(CALL_WORD) & LIMIT_MASK
 }

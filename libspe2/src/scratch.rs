@@ -99,7 +99,7 @@ impl Scratch {
     /// error is the first address that can't be written, as far as it is known.
     pub(crate) fn store_pieces(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> Result<(), u64> {
         let mut done = self.store_at_once(pieces, from);
-        // What is missing is tried again piece by piece, which says where it fails.
+        // The rest is tried again piece by piece, to find the piece that fails.
         let mut rest = from;
         for &(ea, length) in pieces {
             let (piece, others) = rest.split_at(length);
@@ -129,7 +129,7 @@ impl Scratch {
             target.iov_len = length;
         }
         // SAFETY: the kernel checks the range of each target and ends at the first that can't be
-        // written. The program asked its MFC to write there. There are at least so many targets.
+        // written. The program asked its MFC to write there. There are at least `targets` of them.
         let written = unsafe {
             libc::preadv(self.file.as_raw_fd(), targets.as_ptr(), pieces.len() as i32, 0)
         };

@@ -1,6 +1,6 @@
 //! Which bytes of this process have several addresses: those of mappings that are shared.
 //!
-//! The kernel knows. From Linux 6.11 on it is asked about each address. Older kernels, and QEMU's
+//! From Linux 6.11 on, the kernel is asked about each address. Older kernels, and QEMU's
 //! user emulation, only have a text of all mappings, which takes a hundred times as long. So it is
 //! kept for some milliseconds, and a program that unmaps a page and maps another one there in
 //! less time may have a reservation on it that a write by another address does not end.
@@ -29,7 +29,6 @@ pub(crate) fn place(ea: u64) -> Option<Place> {
     }
 }
 
-/// A mapping that is shared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Mapping {
     start: u64,

@@ -38,7 +38,7 @@ struct Records {
 impl Records {
     fn count_up(&self) {
         if let Some(mut counter) = self.counter.as_ref() {
-            // The counter has room for more records than memory has.
+            // The counter can count more records than memory holds.
             let _ = counter.write_all(&1_u64.to_ne_bytes());
         }
     }

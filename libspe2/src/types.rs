@@ -165,7 +165,7 @@ pub const SPE_INVALID_DMA: c_int = 0x0800;
 
 /// Event: a word in the outbound interrupt mailbox.
 pub const SPE_EVENT_OUT_INTR_MBOX: c_uint = 1;
-/// Event: room in the inbound mailbox.
+/// Event: a free entry in the inbound mailbox.
 pub const SPE_EVENT_IN_MBOX: c_uint = 2;
 /// Event: a proxy tag is complete.
 pub const SPE_EVENT_TAG_GROUP: c_uint = 4;

@@ -105,7 +105,7 @@ fn run(source: &str) -> Outcome {
     }
 }
 
-/// What is printed to standard output meanwhile, by C's streams.
+/// The output of `body` to standard output, through C's streams.
 fn printed(body: impl FnOnce()) -> String {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("output");
@@ -127,7 +127,7 @@ fn printed(body: impl FnOnce()) -> String {
     fs::read_to_string(path).unwrap()
 }
 
-fn say(text: &std::ffi::CStr) {
+fn print(text: &std::ffi::CStr) {
     // SAFETY: the format prints one string.
     unsafe { libc::printf(c"%s".as_ptr(), text.as_ptr()) };
 }
@@ -149,11 +149,11 @@ unsafe extern "C" fn counting(ls_base: *mut libc::c_void, ls_address: u32) -> i3
 fn hello_world() {
     let hello = include_str!("../../emulator/spu-tool/tests/programs/hello.s");
     let output = printed(|| {
-        say(c"before\n");
+        print(c"before\n");
         let outcome = run(hello);
         // main returns what printf returned.
         assert_eq!((outcome.reason, outcome.code), (SPE_EXIT, 42));
-        say(c"after\n");
+        print(c"after\n");
     });
     let expected = "before\nhello, moon: -42, 3.142, 123456789012345!\nafter\n";
     assert_eq!(output, expected);
@@ -243,7 +243,7 @@ fn system_calls() {
     assert_eq!(result(23), i64::from(std::process::id()));
 }
 
-fn calls_that_do_not_exist() {
+fn undefined_calls_end_the_run_with_an_error() {
     for (stop, block, code) in
         [(0x2100, 42 << 24, 1), (0x2101, 0, 1), (0x2102, 1 << 24, -1), (0x2104, 0x3fff8, -1)]
     {
@@ -258,6 +258,6 @@ fn main() {
     handlers_can_be_wrapped();
     files_and_memory();
     system_calls();
-    calls_that_do_not_exist();
+    undefined_calls_end_the_run_with_an_error();
     println!("calls: ok");
 }

@@ -34,7 +34,7 @@ use spu_scheduler::code::Code;
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
 
-/// Adds to a shared counter until it is 100 times the frame, and answers with its own share. $4
+/// Adds to a shared counter until it is 100 times the frame, and replies with its own share. $4
 /// holds the counter's address, which libspe2 passes as argp.
 const PROGRAM: &str = "
         lr      $2,$4
@@ -48,7 +48,7 @@ take:   command GETLLAR, 0x10000, $3, 128, 0
         rdch    $12,$ch27
         lqa     $15,0x10000
         clgt    $17,$10,$15
-        brz     $17,answer
+        brz     $17,reply
         ai      $16,$15,1
         shufb   $16,$16,$15,$14
         stqa    $16,0x10000
@@ -61,7 +61,7 @@ work:   fa      $21,$21,$22
         ai      $20,$20,-1
         brnz    $20,work
         br      take
-answer: command GET, 0x11000, $3, 128, 4
+reply:  command GET, 0x11000, $3, 128, 4
         wait_tags 1<<4
         wrch    $ch30,$5
         br      frame
@@ -105,7 +105,7 @@ fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
     entry
 }
 
-/// The program on libspe2: frames on six SPEs, for whose answers it sleeps. It destroys all of its
+/// The program on libspe2: frames on six SPEs, for whose replies it sleeps. It destroys all of its
 /// contexts except the last.
 fn program(image: &OsStr, delay: Duration) {
     let mut counter = Line([0; 128]);
@@ -137,8 +137,8 @@ fn program(image: &OsStr, delay: Duration) {
                 thread::sleep(delay);
                 mail(context, frame);
             }
-            let mut answers = 0;
-            while answers < SPES {
+            let mut replies = 0;
+            while replies < SPES {
                 let mut found = unit(contexts[0], 0);
                 assert_eq!(spe_event_wait(handler, &raw mut found, 1, 200), 1);
                 assert_eq!(found.events, SPE_EVENT_OUT_INTR_MBOX);
@@ -147,7 +147,7 @@ fn program(image: &OsStr, delay: Duration) {
                 assert_eq!(spe_out_intr_mbox_read(found.spe, &raw mut share, 1, read), 1);
                 thread::sleep(delay);
                 sum += share;
-                answers += 1;
+                replies += 1;
             }
         }
         assert_eq!(sum, 100 * FRAMES);
@@ -227,16 +227,16 @@ fn a_race_is_told() {
     let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new("0")];
     let output = child(&arguments, &[("LIBSPE2_TIMING", OsStr::new("1"))]);
     assert!(output.status.success(), "{output:?}");
-    let told = String::from_utf8(output.stderr).unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
     let parts = [
         "libspe2: warning: DMA race: at ",
-        "<answer+0x",
+        "<reply+0x",
         "a load reads local store at 0x11000",
         "get still writes (128 bytes, local store 0x11000",
         "tag 4",
     ];
-    assert!(parts.iter().all(|part| told.contains(part)), "{told}");
-    assert_eq!(told.matches("warning").count(), 1, "{told}");
+    assert!(parts.iter().all(|part| stderr.contains(part)), "{stderr}");
+    assert_eq!(stderr.matches("warning").count(), 1, "{stderr}");
 }
 
 fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {

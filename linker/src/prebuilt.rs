@@ -58,7 +58,7 @@ pub fn find() -> Result<PathBuf, Error> {
 }
 
 /// Adds a source without blank lines and the comments that have no effect on an image. The
-/// scheduler reads what a header says of results, and two marks behind instructions.
+/// scheduler reads the results in a header, and two marks after instructions.
 fn add_code(text: &str, sum: &mut crc32fast::Hasher) {
     let steers = |comment: &str| {
         let marks = ["Out ", "may alias", "one pass"];

@@ -34,7 +34,7 @@ enum Included {
     Code,
 }
 
-/// What begins a line behind a kept schedule, with the result for one of its loops.
+/// The beginning of a line after a kept schedule, with the result for one of its loops.
 const LOOP: &str = "#loop: ";
 
 impl Schedules {
@@ -43,7 +43,7 @@ impl Schedules {
     ///
     /// # Errors
     ///
-    /// None of these folders can be written.
+    /// All of these folders are read-only.
     pub fn new(tools: &Tools, includes: &[PathBuf]) -> Result<Self, Error> {
         let cache = tools::cache().map(|cache| cache.join("cellray"));
         let out = env::var_os("OUT_DIR").map(PathBuf::from);
@@ -199,8 +199,8 @@ fn read(path: &Path) -> Result<String, Error> {
 
 /// The files named by a text's `.include` directives.
 fn included(text: &str) -> Vec<String> {
-    let behind = text.split(".include").skip(1);
-    let names = behind.filter_map(|rest| rest.lines().next()?.split('"').nth(1));
+    let after = text.split(".include").skip(1);
+    let names = after.filter_map(|rest| rest.lines().next()?.split('"').nth(1));
     names.map(ToOwned::to_owned).collect()
 }
 

@@ -17,14 +17,14 @@ pub struct Script(String);
 
 impl Script {
     /// Adds a directive, such as `rustc-link-lib=m`.
-    pub fn tell(&mut self, line: impl Display) {
+    pub fn add(&mut self, line: impl Display) {
         // Writing to a string can't fail.
         let _ = writeln!(self.0, "cargo:{line}");
     }
 
     /// Runs the script again when this file changes, or any file in this folder.
     pub fn watch(&mut self, path: &Path) {
-        self.tell(format_args!("rerun-if-changed={}", path.display()));
+        self.add(format_args!("rerun-if-changed={}", path.display()));
     }
 
     /// Runs the script again when any input of an image changes.
@@ -40,7 +40,7 @@ impl Script {
 
     /// Runs the script again when an environment variable changes.
     pub fn watch_variable(&mut self, variable: &str) {
-        self.tell(format_args!("rerun-if-env-changed={variable}"));
+        self.add(format_args!("rerun-if-env-changed={variable}"));
     }
 }
 

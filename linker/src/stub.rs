@@ -50,7 +50,7 @@ fn share(
     let source = library.with_extension("c");
     write(&source, text)?;
     let mut command = Command::new(compiler);
-    // The stubs declare functions that the compiler knows with other types.
+    // The stubs declare functions for which the compiler has other types built in.
     command.args(["-shared", "-nostdlib", "-fPIC", "-fno-builtin", "-w"]);
     command.arg(format!("-Wl,-soname,{soname}")).args(options);
     command.args([OsString::from("-o"), library.into(), source.into()]);

@@ -148,7 +148,6 @@ fn cached(name: &str) -> Option<PathBuf> {
     Some(cache()?.join("cellray/spu-binutils/bin").join(format!("spu-elf-{name}")))
 }
 
-/// The user's cache folder.
 pub(crate) fn cache() -> Option<PathBuf> {
     let named = env::var_os("XDG_CACHE_HOME").map(PathBuf::from);
     named.or_else(|| Some(PathBuf::from(env::var_os("HOME")?).join(".cache")))

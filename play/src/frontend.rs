@@ -51,7 +51,6 @@ pub struct Requests {
 
 /// The player's side of a session.
 pub struct Frontend {
-    /// The display that shows the frames.
     pub display: Box<dyn Display>,
     devices: Option<InputDevices>,
     foreground: Box<dyn Foreground>,
@@ -116,8 +115,8 @@ impl Frontend {
         })
     }
 
-    /// Must be called from time to time while a frame is traced, so that a window keeps answering
-    /// its system.
+    /// Must be called from time to time while a frame is traced, so that a window keeps handling
+    /// its system's events.
     pub fn tracing(&mut self) {
         // The next poll returns the error.
         if let Err(error) = self.gather() {
@@ -132,7 +131,7 @@ impl Frontend {
     }
 
     /// Shows an overlay over the last picture, or over black if there is none yet.
-    pub fn tell(&mut self, picture: Option<&RgbImage>, overlay: &Overlay) {
+    pub fn show_overlay(&mut self, picture: Option<&RgbImage>, overlay: &Overlay) {
         if !self.display.draws() {
             return;
         }
@@ -171,7 +170,7 @@ impl Frontend {
         if let Some(devices) = &mut self.devices {
             devices.poll(Instant::now(), &mut self.from_devices);
             has_keyboard = devices.has_keyboard();
-            self.forget_what_was_done_elsewhere();
+            self.drop_background_input();
         }
         if let Some(keys) = &mut self.keys {
             let before = self.display_events.len();
@@ -199,7 +198,7 @@ impl Frontend {
     /// Drops the devices' events if the player was elsewhere. Called after the devices were read.
     /// Keys that were typed elsewhere between the reading and this call are read next time, so an
     /// absence counts for the next reading too.
-    fn forget_what_was_done_elsewhere(&mut self) {
+    fn drop_background_input(&mut self) {
         let is_left = self.foreground.was_left();
         let is_away = std::mem::replace(&mut self.was_left, is_left) || is_left;
         let was_away = std::mem::replace(&mut self.is_away, is_away);
@@ -335,16 +334,16 @@ mod tests {
         front.foreground = Box::new(Looks(looks.to_vec()));
         let typed = InputEvent::Key { key: Key::Q, down: true };
         let plugged = InputEvent::PadDisconnected { pad: PadId(3) };
-        let heard = (0..looks.len()).map(|_| {
+        let received = (0..looks.len()).map(|_| {
             front.from_devices = vec![typed.clone(), plugged.clone()];
-            front.forget_what_was_done_elsewhere();
+            front.drop_background_input();
             std::mem::take(&mut front.from_devices)
         });
         let all = vec![typed.clone(), plugged.clone()];
         let first_away = vec![plugged.clone(), InputEvent::FocusLost];
         let away = vec![plugged.clone()];
         assert_eq!(
-            heard.collect::<Vec<_>>(),
+            received.collect::<Vec<_>>(),
             [&all, &first_away, &away, &all, &first_away, &away, &away, &all].map(Vec::clone)
         );
     }
@@ -364,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn what_comes_while_a_frame_is_traced_is_not_lost() {
+    fn input_during_a_frame_is_kept() {
         let script = (0..5).map(|_| vec![key(Key::A, true), key(Key::A, false)]);
         let mut front = front(script.collect());
         let mut events = Vec::new();
@@ -379,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_pressed_in_a_pause_is_not_for_the_game() {
+    fn keys_pressed_in_a_pause_do_not_reach_the_game() {
         let mut front = front(vec![
             vec![
                 key(Key::A, true),

@@ -18,29 +18,26 @@ use crate::input::InputDevices;
 use crate::meter::{Meter, Quality};
 use crate::overlay::Overlay;
 use crate::pace::{Divisor, Pace, Traced};
+use crate::print_line;
 use crate::recording;
 use crate::reload::Reload;
-use crate::say;
 use crate::screenshot;
 use crate::texts::Texts;
 use crate::viewer::VIEW;
 use crate::waiting::Waiting;
 
-/// The least width and height in pixels; smaller pictures show nothing useful.
+/// The minimum width and height in pixels; smaller pictures show nothing useful.
 const LEAST_SIDE: u32 = 8;
 /// While a picture is refined, it is drawn once in this time, because drawing takes as long as
 /// tracing a tile or two.
 const REFINED_EVERY: Duration = Duration::from_millis(80);
 
-/// What the screen says in a pause.
-const PAUSED: &str = "Paused. P: go on";
-/// What it says at the end of a game.
-const OVER: &str = "The game is over. Q: close";
+const PAUSED: &str = "Paused - press P to resume";
+/// The notice at the end of a game.
+const OVER: &str = "Game over - press Q to close";
 
-/// The result of a session.
 #[derive(Debug)]
 pub struct Played {
-    /// Why the session ended.
     pub ending: Ending,
     /// The statistics of its frames.
     pub report: Report,
@@ -57,7 +54,7 @@ pub struct Player {
     /// A terminal whose keys are read in addition.
     pub keys: Option<Box<dyn Display>>,
     /// Whether messages may be printed during the session.
-    pub may_talk: bool,
+    pub may_print: bool,
     /// How pictures look; on a display that shows coarse ones first, those at rest.
     pub look: Look,
 }
@@ -94,10 +91,8 @@ struct Show<'a> {
     session: Session<Box<dyn Game>>,
     front: Frontend,
     options: &'a Options,
-    may_talk: bool,
-    /// How a picture at rest looks.
+    may_print: bool,
     look: Look,
-    /// The size of the traced picture.
     size: Geometry,
     /// Chooses the size, if none was requested.
     pace: Option<Pace>,
@@ -106,7 +101,6 @@ struct Show<'a> {
     /// When a frame was last drawn.
     drawn: Option<Instant>,
     texts: Texts,
-    /// The text that was last shown.
     overlay: Overlay,
     /// Messages to print at the end.
     kept: Vec<String>,
@@ -118,7 +112,7 @@ struct Show<'a> {
     stem: String,
     /// What is loaded again when its files change.
     reload: Option<Reload<'a>>,
-    /// Whether the game is over. Its last picture and what it says stay until the player has seen
+    /// Whether the game is over. Its last picture and its status stay until the player has seen
     /// them.
     is_over: bool,
 }
@@ -143,15 +137,15 @@ impl<'a> Show<'a> {
         let session = Session::start(game, options.settings()?, framebuffer)?;
         let mut session = session.with_seed(seed);
         session.set_look(Some(look_now(player.look, pace.as_ref())));
-        let told = told_size(front.display.area(), pace.as_ref(), size);
-        session.set_input_size(told);
-        front.display.measure_in(told);
+        let input_size = input_size(front.display.area(), pace.as_ref(), size);
+        session.set_input_size(input_size);
+        front.display.measure_in(input_size);
         let replay = options.replay.as_deref();
         Ok(Self {
             session: recording::connect(session, options.record.as_deref(), replay)?,
             front,
             options,
-            may_talk: player.may_talk,
+            may_print: player.may_print,
             look: player.look,
             size,
             pace,
@@ -181,10 +175,10 @@ impl<'a> Show<'a> {
         } else {
             self.session.wait(clock)?
         };
-        let heard = self.front.poll(&mut self.events);
-        let heard = heard.map_err(SessionError::Input)?;
+        let polled = self.front.poll(&mut self.events);
+        let polled = polled.map_err(SessionError::Input)?;
         let began = Instant::now();
-        let mut flow = match step.filter(|_| heard.is_continue()) {
+        let mut flow = match step.filter(|_| polled.is_continue()) {
             Some(_) if stands_still => {
                 if self.is_over {
                     // Nobody takes them any more.
@@ -209,7 +203,7 @@ impl<'a> Show<'a> {
         if requests.full_screen {
             self.front.display.change_full_screen();
         }
-        self.tell(requests.screenshot);
+        self.report_messages(requests.screenshot);
         if flow != Some(ControlFlow::Continue(())) {
             return Ok(ControlFlow::Break(requests.ending.unwrap_or(Ending::Over)));
         }
@@ -262,7 +256,7 @@ impl<'a> Show<'a> {
         self.front.is_paused() && self.session.next_frame() > 0
     }
 
-    /// What the screen says of a game whose time stands still.
+    /// The notice of a game whose time stands still.
     fn notice(&self) -> Option<&'static str> {
         if self.is_over { Some(OVER) } else { self.is_paused().then_some(PAUSED) }
     }
@@ -313,14 +307,14 @@ impl<'a> Show<'a> {
 
     fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Result<(), PlayError> {
         self.session.show_on(framebuffer)?;
-        self.tell_size();
+        self.set_input_size();
         Ok(())
     }
 
-    /// Tells the game and the display the size in whose pixels the mouse moves.
-    fn tell_size(&mut self) {
+    /// Sets the size in whose pixels the game and the display get the mouse's positions.
+    fn set_input_size(&mut self) {
         let display = &mut self.front.display;
-        let size = told_size(display.area(), self.pace.as_ref(), self.size);
+        let size = input_size(display.area(), self.pace.as_ref(), self.size);
         display.measure_in(size);
         self.session.set_input_size(size);
     }
@@ -334,7 +328,7 @@ impl<'a> Show<'a> {
         match reload.viewer(self.session.world().view()) {
             None => Ok(()),
             Some(Err(error)) => {
-                self.say(format!("not loaded: {error}"));
+                self.show_message(format!("not loaded: {error}"));
                 Ok(())
             }
             Some(Ok(viewer)) => {
@@ -345,10 +339,10 @@ impl<'a> Show<'a> {
                 let settings = self.options.settings()?;
                 self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
                 self.session.set_look(Some(self.look_now()));
-                self.tell_size();
+                self.set_input_size();
                 // It compares reports, and the session's begins anew.
                 self.meter = Meter::new(Instant::now());
-                self.say("loaded again".to_owned());
+                self.show_message("loaded again".to_owned());
                 Ok(())
             }
         }
@@ -394,21 +388,21 @@ impl<'a> Show<'a> {
     }
 
     /// Prints messages about devices, and takes a screenshot if one was requested.
-    fn tell(&mut self, takes_picture: bool) {
+    fn report_messages(&mut self, takes_picture: bool) {
         let mut messages = self.front.take_messages();
         if takes_picture {
             let picture = self.picture.as_ref();
             messages.push(take_picture(picture, self.options, &self.stem));
         }
         for message in messages {
-            self.say(message);
+            self.show_message(message);
         }
     }
 
-    fn say(&mut self, message: String) {
-        self.texts.say(message.clone(), Instant::now());
-        if self.may_talk {
-            say(message);
+    fn show_message(&mut self, message: String) {
+        self.texts.show_message(message.clone(), Instant::now());
+        if self.may_print {
+            print_line(message);
         } else {
             self.kept.push(message);
         }
@@ -437,7 +431,7 @@ impl<'a> Show<'a> {
     }
 }
 
-/// Keeps the display responsive while a frame is traced, and tells if that takes long.
+/// Keeps the display responsive while a frame is traced, and shows a notice if that takes long.
 fn keep_responsive(
     front: &mut Frontend,
     waiting: &mut Waiting,
@@ -448,13 +442,13 @@ fn keep_responsive(
     front.tracing();
     if let Some(text) = waiting.text(Instant::now(), part) {
         let overlay = Overlay { message: Some((text, 1.0)), ..overlay.clone() };
-        front.tell(picture, &overlay);
+        front.show_overlay(picture, &overlay);
     }
 }
 
 /// The size in whose pixels the mouse moves. It is the display's if that is divided, so that it
 /// stays the same when the divisor changes.
-fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry {
+fn input_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry {
     match pace {
         Some(_) => area,
         None => picture,
@@ -579,7 +573,7 @@ mod tests {
             display: Box::new(Watched { ends: 0 }),
             devices: None,
             keys: None,
-            may_talk: false,
+            may_print: false,
             look: Look::default(),
         };
         let clock = Box::new(FixedSteps(Duration::from_millis(20)));

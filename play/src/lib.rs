@@ -77,12 +77,12 @@ fn end(ending: Result<Ending, PlayError>) -> ExitCode {
     match ending {
         Ok(Ending::Over | Ending::Closed) => ExitCode::SUCCESS,
         Ok(Ending::Signal(signal)) => {
-            say(format_args!("ended by signal {signal}"));
+            print_line(format_args!("ended by signal {signal}"));
             // The exit code that shells use for signals.
             u8::try_from(128 + signal).map_or(ExitCode::FAILURE, ExitCode::from)
         }
         Err(error) => {
-            say(format_args!("error: {error}"));
+            print_line(format_args!("error: {error}"));
             ExitCode::FAILURE
         }
     }
@@ -97,7 +97,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let entry = find(games, name)?;
             let game = (entry.new)();
             for line in game.controls() {
-                say(line);
+                print_line(line);
             }
             self::play(game, &play.options)
         }
@@ -113,7 +113,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             size.check()?;
             let render_options = view.scene.render_options();
             if let Some(note) = offset_note(&scene, render_options) {
-                say(note);
+                print_line(note);
             }
             let viewer = Viewer::new(scene, render_options, has_headlight);
             session(Box::new(viewer), Some(0), size, &view.options, Reload::new(view))
@@ -135,7 +135,7 @@ fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
 fn load(name: &Path) -> Result<(scenes::Scene, bool), PlayError> {
     let loaded = meshes::load(name)?;
     for note in &loaded.notes {
-        say(format_args!("{note}"));
+        print_line(format_args!("{note}"));
     }
     Ok((gathered(&loaded.scene).into_owned(), loaded.added_light))
 }
@@ -213,7 +213,7 @@ fn session(
                 display: Box::new(Window::open(&title, size)?),
                 devices: input_devices(DeviceSet::Pads),
                 keys: None,
-                may_talk: true,
+                may_print: true,
                 look,
             };
             (real, player)
@@ -223,7 +223,7 @@ fn session(
                 display: Box::new(Terminal::open()?),
                 devices: input_devices(DeviceSet::Pads),
                 keys: None,
-                may_talk: false,
+                may_print: false,
                 look,
             };
             (real, player)
@@ -238,7 +238,7 @@ fn session(
                 display: Box::new(screen),
                 devices: input_devices(DeviceSet::All),
                 keys,
-                may_talk: true,
+                may_print: true,
                 look,
             };
             (real, player)
@@ -251,7 +251,7 @@ fn session(
                 display: Box::new(NoDisplay::new(size)),
                 devices: None,
                 keys: None,
-                may_talk: true,
+                may_print: true,
                 look,
             };
             (fixed, player)
@@ -260,10 +260,10 @@ fn session(
     let seed = seed.unwrap_or_else(|| if kind == DisplayKind::None { 0 } else { any_seed() });
     let played = interactive::play(game, seed, options, clock, player, reload)?;
     for message in &played.messages {
-        say(message);
+        print_line(message);
     }
     // Without a display, the statistics are what is wanted.
-    tell(played.report, options.verbose || kind == DisplayKind::None);
+    print_statistics(played.report, options.verbose || kind == DisplayKind::None);
     Ok(played.ending)
 }
 
@@ -285,23 +285,23 @@ fn pictures(
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let mut clock = FixedSteps(options.step());
     let made = pictures.write(&mut session, range, &mut clock, &mut interrupted)?;
-    tell(session.report().clone(), options.verbose);
-    say(format_args!("{} picture(s) written, {} existed already", made.written, made.kept));
+    print_statistics(session.report().clone(), options.verbose);
+    print_line(format_args!("{} picture(s) written, {} existed already", made.written, made.kept));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
 }
 
 /// Prints a line on standard error.
-fn say(line: impl Display) {
+fn print_line(line: impl Display) {
     messages::print!("cellray-play: {line}");
 }
 
 /// Prints a line on a run, or all of its statistics.
-fn tell(mut report: Report, is_verbose: bool) {
+fn print_statistics(mut report: Report, is_verbose: bool) {
     report.add_memory();
-    say(report.summary());
+    print_line(report.summary());
     if is_verbose {
         for line in report.to_string().lines().skip(1) {
-            say(line);
+            print_line(line);
         }
     }
 }

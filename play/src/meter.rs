@@ -47,12 +47,11 @@ pub struct Meter {
     clock: SpuClock,
     began: Instant,
     frames: u32,
-    /// The quality of the last frame.
     quality: Option<Quality>,
-    /// What was traced before the time that is measured, and by the last frame.
+    /// The rays traced before the measured time, and up to the last frame.
     before: Traced,
     last: Traced,
-    /// How fast the SPUs alone are, in words that say at which quality.
+    /// The speed of the SPUs alone, as text that names the quality.
     limit: Option<String>,
     loop_seconds: f64,
     shown: f64,
@@ -63,7 +62,6 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// Starts to measure.
     #[must_use]
     pub fn new(now: Instant) -> Self {
         Self {
@@ -162,7 +160,7 @@ mod tests {
     use cellray::statistics::SpuStatistics;
 
     #[test]
-    fn tiles_that_are_left_are_told() {
+    fn remaining_tiles_are_shown() {
         let now = Instant::now();
         let report = Report::new("a scene", (64, 36), 1);
         let mut last = FrameStatistics {

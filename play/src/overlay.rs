@@ -1,11 +1,10 @@
-//! The text over the picture: speeds and loads, what the game says, help, and short notices.
+//! The text over the picture: speeds and loads, the game's status, help, and short notices.
 
 use cellray::game::PlacedLabel;
 
 /// A line of text. Its beginning may be emphasised.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Line {
-    /// The text.
     pub text: String,
     /// The number of characters at the beginning that are emphasised.
     pub emphasised: usize,
@@ -33,20 +32,20 @@ impl<T: Into<String>> From<T> for Line {
     }
 }
 
-/// The content of the overlay. What is empty is not shown.
+/// The content of the overlay. Empty parts are not shown.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overlay {
     /// Speeds and sizes.
     pub speeds: Vec<String>,
     /// For each SPU the part of the frame's time in which it was at work, 0 to 1.
     pub loads: Vec<f32>,
-    /// What the game says: the score, and whose turn it is.
+    /// The game's status: the score, and whose turn it is.
     pub status: Vec<String>,
     /// The game's text at places of the picture.
     pub labels: Vec<PlacedLabel>,
     /// The keys.
     pub help: Vec<Line>,
-    /// Says why nothing moves.
+    /// The reason why nothing moves.
     pub notice: Option<String>,
     /// A message that is shown for a while, and its opacity, 0 to 1.
     pub message: Option<(String, f32)>,

@@ -50,9 +50,9 @@ const TOO_LONG: f64 = 1.0 / 20.0;
 const SHORT: f64 = 1.0 / 30.0;
 /// The number of frames without anything to trace after which a picture has come to rest.
 const STILL_FRAMES: u32 = 6;
-/// The least number of frames between a change and one that makes the picture finer.
+/// The minimum number of frames between a change and one that makes the picture finer.
 const REST: u32 = 8;
-/// The least weight of a frame in the running averages.
+/// The minimum weight of a frame in the running averages.
 const WEIGHT: f64 = 0.25;
 /// A picture much coarser than this is refined to this divisor before it is to 1. That takes a
 /// sixteenth of the time, and the picture is a good one already.
@@ -68,7 +68,6 @@ const GROWTH: f64 = 4.0;
 /// What a frame has traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Traced {
-    /// The time that it took.
     pub took: Duration,
     /// The number of tiles that were traced; 0 if the picture was there already.
     pub tiles: u64,
@@ -298,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_still_is_refined_in_short_frames() {
+    fn still_picture_is_refined_in_short_frames() {
         for full in [0.1, 1.5, 5.0, 30.0] {
             let mut pace = Pace::new(false);
             let mut load = Load::new(full);

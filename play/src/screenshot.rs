@@ -18,7 +18,6 @@ pub enum ScreenshotError {
     /// The file can't be created.
     #[error("cannot write {}: {source}", path.display())]
     Io {
-        /// The file.
         path: PathBuf,
         /// The system's error.
         source: io::Error,
@@ -29,7 +28,6 @@ pub enum ScreenshotError {
     /// All numbers are in use.
     #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png exist already", folder.display())]
     Full {
-        /// The folder.
         folder: PathBuf,
         /// The beginning of the names.
         stem: String,
@@ -65,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_overwritten() {
+    fn existing_files_are_kept() {
         let folder = tempfile::tempdir().expect("a folder");
         let name = |number: u32| folder.path().join(format!("s-{number:04}.png"));
         fs::write(name(2), "a file of the user").expect("a file");

@@ -34,7 +34,7 @@ impl SpuClock {
         }
     }
 
-    /// How many SPUs a session has that requests no number: a console's six. By the host's clock,
+    /// How many SPUs a session has that requests no number: a console's six. In the host's time,
     /// more than it has processors would only take turns, and the last tiles of a frame would wait
     /// for theirs.
     #[must_use]
@@ -53,7 +53,7 @@ impl SpuClock {
     pub fn limit(self) -> &'static str {
         match self {
             Self::Console => "SPUs' limit",
-            Self::Model => "a console's limit, by the timing model",
+            Self::Model => "a console's limit, in simulated time",
             Self::Host => "emulator's limit",
         }
     }
@@ -67,7 +67,7 @@ mod tests {
     fn whose_speed_it_is_depends_on_the_machine_and_the_timing() {
         for (is_console, timing, words) in [
             (true, None, "SPUs' limit"),
-            (false, Some("1"), "a console's limit, by the timing model"),
+            (false, Some("1"), "a console's limit, in simulated time"),
             (false, Some("0"), "emulator's limit"),
             (false, None, "emulator's limit"),
         ] {

@@ -1,6 +1,6 @@
-//! Chooses what the screen says: speeds, the game's status, help, a pause, and a hint at the start.
+//! Chooses the text on the screen: speeds, the game's status, help, a pause, and a hint at the start.
 //!
-//! Invariant: the notice of a pause or of the end is always shown, because nothing else says why
+//! Invariant: the notice of a pause or of the end is always shown, because nothing else shows why
 //! the picture stands still.
 
 use std::time::{Duration, Instant};
@@ -10,7 +10,7 @@ use cellray::game::{Game, PlacedLabel};
 use crate::keys::KEYS;
 use crate::overlay::{Line, Overlay};
 
-/// What the screen says for the first seconds.
+/// The hint of the first seconds.
 const HINT: &str = "H lists the keys, F1 shows statistics";
 /// How long the hint is visible, including the time in which it fades.
 const HINT_SECONDS: f32 = 6.0;
@@ -19,23 +19,21 @@ const FADE_SECONDS: f32 = 1.5;
 /// How long a message is visible.
 const MESSAGE: Duration = Duration::from_secs(5);
 
-/// How much the screen says besides help and notices.
+/// How much text is shown besides help and notices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Level {
-    /// What the game says, and messages: what a player needs.
+    /// The game's status, and messages.
     Game,
     /// Speeds as well.
     All,
     Nothing,
 }
 
-/// Chooses the texts of a session.
 #[derive(Debug)]
 pub struct Texts {
     /// When a picture was first shown.
     began: Option<Instant>,
     level: Level,
-    /// Whether the keys are listed.
     has_help: bool,
     message: Option<(String, Instant)>,
 }
@@ -52,8 +50,8 @@ impl Texts {
         }
     }
 
-    /// Says more, or nothing after everything. `has_words` says whether the game says something;
-    /// one that doesn't has no step of its own.
+    /// Shows more text, or none after all of it. `has_words` is whether the game has a status; for
+    /// one without, there is no level of its status alone.
     pub fn change_level(&mut self, has_words: bool) {
         self.level = match self.level {
             Level::Game => Level::All,
@@ -69,7 +67,7 @@ impl Texts {
     }
 
     /// Shows a message for a while.
-    pub fn say(&mut self, message: String, now: Instant) {
+    pub fn show_message(&mut self, message: String, now: Instant) {
         self.message = Some((message, now));
     }
 
@@ -174,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_game_says_then_everything_then_nothing() {
+    fn levels_are_status_then_all_then_empty() {
         let now = Instant::now();
         let mut texts = Texts::new(true);
         let mut parts = || {
@@ -189,7 +187,7 @@ mod tests {
         assert_eq!(parts(), (0, 0, Vec::new()));
         assert_eq!(parts(), (0, 0, status));
 
-        // A game that says nothing has no step of its own for that.
+        // A game without a status has no level for it.
         let mut texts = Texts::new(true);
         for speeds in [1, 0, 1, 0] {
             texts.change_level(false);
@@ -243,7 +241,7 @@ mod tests {
         let (_, opacity) = fading.expect("a hint");
         assert!((opacity - 0.5).abs() < 0.01, "{opacity}");
         assert_eq!(message(&mut texts, HINT_SECONDS + 0.1), None);
-        texts.say("pad 1 is gone".to_owned(), after(1.0));
+        texts.show_message("pad 1 is gone".to_owned(), after(1.0));
         let news = Some(("pad 1 is gone".to_owned(), 1.0));
         assert_eq!(message(&mut texts, 5.9), news);
         assert_eq!(message(&mut texts, 6.1), None);

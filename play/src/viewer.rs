@@ -1,6 +1,5 @@
-//! The scene viewer: a game in which only the eye moves, and with it the light of a mesh that has
-//! none of its own.
-//!
+//! The scene viewer: a game in which only the eye moves, and with it the light of a mesh whose file
+//! has none.
 //! Invariant: the eye stays on a sphere around its target, and never passes its poles. However long
 //! a frame takes, it turns by a limited angle, and a key that was only tapped turns it by the same
 //! angle everywhere. Rotations use rational functions instead of sines, so that a recorded session
@@ -37,14 +36,12 @@ const STEEPEST: f64 = 0.995;
 /// The factor by which the distance may become larger or smaller.
 const FARTHEST: f64 = 100.0;
 
-/// The controls.
 const CONTROLS: &[&str] = &[
     "arrows, a drag, left stick: turn the camera",
     "wheel, page keys, right stick: nearer, farther",
     "Home, Start: back to the scene's view",
 ];
 
-/// A viewer of one scene.
 pub struct Viewer {
     name: String,
     scene: scenes::Scene,
@@ -205,7 +202,7 @@ fn bounds(scene: &scenes::Scene) -> (DVec3, DVec3) {
 struct Headlight {
     id: LightId,
     colour: Option<DVec3>,
-    /// The light's direction to the right of the eye, up, and behind it.
+    /// The light's direction to the right of the eye, up, and backwards.
     direction: [f64; 3],
 }
 
@@ -264,7 +261,7 @@ impl HeldKeys {
 }
 
 /// The file's name without its folders, so that a recording can be played back with the scene at
-/// another path. The world's checksum tells whether the content is the same.
+/// another path. The world's checksum shows whether the content is the same.
 fn file_name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or_default()
 }
@@ -326,8 +323,8 @@ impl Orbit {
     fn approach(&mut self, part: f64) {
         let distance =
             if part >= 0.0 { self.distance / (1.0 + part) } else { self.distance * (1.0 - part) };
-        let (least, most) = (self.first_distance / FARTHEST, self.first_distance * FARTHEST);
-        self.distance = distance.clamp(least, most);
+        let (min, max) = (self.first_distance / FARTHEST, self.first_distance * FARTHEST);
+        self.distance = distance.clamp(min, max);
     }
 }
 
@@ -377,7 +374,7 @@ mod tests {
             self.play_slowly(events, frames, 0.05)
         }
 
-        /// The same, with frames that take so many seconds.
+        /// The same, with frames of `delta` seconds.
         fn play_slowly(&mut self, events: &[InputEvent], frames: u64, delta: f64) -> DVec3 {
             for number in 0..frames {
                 self.input.begin_frame();

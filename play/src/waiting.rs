@@ -1,8 +1,8 @@
-//! Tells the player that a picture takes long.
+//! The notice that a picture takes long.
 
 use std::time::{Duration, Instant};
 
-/// How long the player waits for a picture without being told.
+/// How long the player waits for a picture before the notice appears.
 const PATIENCE: Duration = Duration::from_secs(1);
 
 /// The time since the display was last drawn.
@@ -16,7 +16,6 @@ impl Waiting {
         Self(now)
     }
 
-    /// Records that the display was drawn.
     pub fn is_over(&mut self, now: Instant) {
         self.0 = now;
     }

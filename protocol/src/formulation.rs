@@ -205,7 +205,7 @@ impl Formulations {
         Self::by("interpolated")
     }
 
-    /// The formulations with the least error, in double precision.
+    /// The formulations with the smallest error, in double precision.
     #[must_use]
     pub fn exact() -> Self {
         Self::by("double")

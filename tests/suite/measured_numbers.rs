@@ -54,7 +54,7 @@ fn speeds(text: &str) -> Vec<String> {
 
 /// Whether `number` equals one of these cells, rounded to the same number of decimals.
 fn is_among(number: &str, cells: &[f64]) -> bool {
-    let decimals = number.split_once('.').map_or(0, |(_, behind)| behind.len());
+    let decimals = number.split_once('.').map_or(0, |(_, digits)| digits.len());
     cells.iter().any(|cell| format!("{cell:.decimals$}") == number)
 }
 
@@ -76,7 +76,7 @@ fn every_speed_is_a_measured_one() {
         let is_in_document = quoted.iter().any(|(file, quoted)| file == name && quoted == number);
         assert!(
             is_in_document,
-            "{name} no longer says {number} frames/s ({why}): take it off the list"
+            "{name} no longer has {number} frames/s ({why}): take it off the list"
         );
     }
     let strange: Vec<_> = quoted

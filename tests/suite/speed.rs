@@ -52,7 +52,7 @@ fn brute_force() {
 
 /// Everything that can be skipped is skipped, with known costs of the tiles.
 #[test]
-fn everything_on() {
+fn all_culling() {
     let scenes = BTreeMap::from([
         ("scenes/paper1.nff", 3900.0),
         ("scenes/paper13.nff", 1900.0),

@@ -132,7 +132,7 @@ first_line:
 #   Twin    examples/fft/src/twin.rs, stage
 #
 # Line i belongs to butterfly p = i / s, where s is the distance. It takes the lines i + 3 p s and
-# s, 2 s and 3 s behind that. A record of twiddle factors has four quadwords: tangent and cosine of
+# s, 2 s and 3 s after that. A record of twiddle factors has four quadwords: tangent and cosine of
 # the square of w, tangent and cosine of w.
         .set    m_butterfly, 23                 # the part of an offset that is p s
         .set    three, 24

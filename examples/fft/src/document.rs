@@ -12,7 +12,7 @@ const TIMES: u32 = 8;
 const HEAD: &str = "# A Fourier transform
 
 Complex Fourier transforms of singles in SPU assembly, for readers who want to see what an SPU program looks like that
-streams from main memory, and how fast it is by the emulator's clock. The design is that of Chow, Fossum and
+streams from main memory, and how fast it is in simulated time. The design is that of Chow, Fossum and
 Brokenshire's large FFT for the Cell. The code is this project's own.
 
 | file | what it has |
@@ -40,7 +40,7 @@ const TAIL: &str = "
 the cheaper ones. Main memory moves each number four times, twice each way, at the 17.0 cycles a line that the clock has
 for reading and 17.4 for writing. Both leave out the transposition, which takes some 200 cycles for 64 numbers because the
 scheduler finds too few registers to pipeline it, latencies, the barriers, and that 16 batches don't divide evenly among
-six SPUs: three rounds have room for 18. Four SPUs are nearly enough: with six, main memory is busy for 92 % of the time.
+six SPUs: three rounds hold 18. Four SPUs are nearly enough: with six, main memory is busy for 92 % of the time.
 
 The error is against a transform by f64 of the same numbers, parts between -1 and 1: the root of the mean square, and the
 largest, both divided by the root of the mean square of the result. The SPU truncates where other processors round. Numbers
@@ -50,7 +50,7 @@ Chow, Fossum and Brokenshire are remembered to have given 46.8 Gflop/s for 16 mi
 passes over main memory. It is another size, so nothing here is compared with it.
 ";
 
-/// What one row of the table says.
+/// One row of the table.
 #[derive(Debug)]
 pub struct Row {
     /// Numbers of the transform.
@@ -59,7 +59,7 @@ pub struct Row {
     pub spus: u32,
     /// Cycles of a transform.
     pub cycles: f64,
-    /// The least cycles that pipes or main memory allow.
+    /// The minimum cycles that pipes or main memory allow.
     pub bound: f64,
     /// Root of the mean square of the error, relative.
     pub mean_error: f64,
@@ -116,7 +116,7 @@ pub fn page(rows: &[Row]) -> String {
     text
 }
 
-/// The least cycles of a transform, by its arithmetic on `spus` SPUs and by main memory.
+/// The minimum cycles of a transform, by its arithmetic on `spus` SPUs and by main memory.
 fn bound(size: Size, spus: u32) -> f64 {
     let lines = size.numbers() as f64 / 16.0;
     // Four butterflies are a quarter of 16 numbers' stage.

@@ -1,6 +1,6 @@
 //! The frame loop alone, without a display: it plays on from a demonstration's moment, or traces a
 //! scene's frame anew again and again. `ci/ppe` counts the instructions that the PPE executes, with
-//! an SPU program that only answers. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
+//! an SPU program that only replies. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
 //!
 //!     cargo run --release -p games --example frame_loop -- NAME|FILE.nff FRAMES [PROGRAM.elf]
 

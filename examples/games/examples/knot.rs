@@ -83,7 +83,7 @@ fn world() -> Result<(World, Vec<MeshId>), WorldError> {
     Ok((world, knots))
 }
 
-/// The place of a knot after so many turns. `libm`'s sines are the same on every machine.
+/// The place of a knot after this number of turns. `libm`'s sines are the same on every machine.
 fn place(number: u32, turns: f64) -> DAffine3 {
     let (middle, size, lean) = match number {
         0 => (DVec3::ZERO, 1.0, 0.35),

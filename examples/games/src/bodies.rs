@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn balls_that_have_met_do_not_meet_again() {
+    fn balls_do_not_collide_twice_after_one_contact() {
         for degrees in [30.0, 60.0, 75.0, 85.0] {
             let (mut a, mut b) = cut(2.0, 0.0572 * libm::sin(f64::to_radians(degrees)), 0.1);
             assert!(meet(&mut a, &mut b, 0.0));

@@ -19,7 +19,7 @@ mod tests {
     use cellray::game::DVec3;
 
     #[test]
-    fn who_has_arrived_stays_whatever_the_frames_take() {
+    fn arrived_camera_stays_for_any_frame_time() {
         let (mut eye, to) = (DVec3::new(0.3, -7.1, 2.9), DVec3::new(0.1, 0.7, 1.3));
         for frame in 0..400 {
             eye = follow(eye, to, 0.05 + 0.001 * f64::from(frame % 97));

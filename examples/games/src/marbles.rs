@@ -46,7 +46,6 @@ const RIM_HEIGHT: f64 = 0.26;
 const GEM: f64 = 0.11;
 /// The acceleration of a rolling ball along the steepest direction at a tilt of 1.
 const PULL: f64 = 9.81 * 5.0 / 7.0;
-/// The greatest tilt.
 const TILT: f64 = 0.22;
 /// The share of the way to the player's tilt by which the tray moves in a step.
 const FOLLOWS: f64 = 0.012;

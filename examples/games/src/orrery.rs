@@ -52,12 +52,12 @@ const SKY: f64 = 140.0;
 /// fits into the picture.
 const OVERVIEW: f64 = 42.0;
 const OVERVIEW_RISE: f64 = 0.34;
-/// The least and the greatest distance of the eye from the body that it follows, and the least
-/// from the sun.
+/// The minimum and the maximum distance of the eye from the body that it follows, and the
+/// minimum from the sun.
 const DISTANCES: (f64, f64) = (1.2, 60.0);
 const SUN_DISTANCE: f64 = 2.0;
-/// The least distance from the surface of the sun or a planet.
-const ROOM: f64 = 0.02;
+/// The minimum distance from the surface of the sun or a planet.
+const CLEARANCE: f64 = 0.02;
 /// Days a second initially and at most.
 const SPEED: f64 = 6.0;
 const SPEEDS: (f64, f64) = (0.25, 400.0);
@@ -91,7 +91,6 @@ pub struct Orrery {
     moons: [ObjectId; MOONS.len()],
     /// For every stone: its ring, its number in the ring, and its object.
     stones: Vec<(&'static Ring, u32, ObjectId)>,
-    /// The positions of the planets.
     places: [DVec3; PLANETS.len()],
     steps: Steps,
     days: f64,
@@ -287,16 +286,16 @@ impl Orrery {
         self.orbit.turn += swing;
         self.swing -= swing;
         let before = self.orbit.distance;
-        let least = match self.followed {
+        let nearest = match self.followed {
             0 => SUN_DISTANCE,
             _ => DISTANCES.0,
         };
         // If the eye followed a planet before, it starts nearer. Then it moves away gradually and
         // does not jump.
-        self.orbit.distances.0 = least.min(before);
+        self.orbit.distances.0 = nearest.min(before);
         self.orbit.steer(input, seconds);
         // The player's changes of the distance also apply to the distance that is approached.
-        self.distance = (self.distance * self.orbit.distance / before).clamp(least, DISTANCES.1);
+        self.distance = (self.distance * self.orbit.distance / before).clamp(nearest, DISTANCES.1);
         let way = self.distance - self.orbit.distance;
         self.orbit.distance = match way.abs() < near {
             true => self.distance,
@@ -328,7 +327,7 @@ impl Orrery {
     }
 
     /// The position nearest to a given one that is outside the sun and all planets. The followed
-    /// body may be behind or in front of the point that the eye looks at, and the eye passes other
+    /// body may be beyond or before the point that the eye looks at, and the eye passes other
     /// bodies on its way from one to the next.
     fn clear(&self, eye: DVec3) -> DVec3 {
         let radii = PLANETS.iter().map(|planet| planet.radius);
@@ -336,14 +335,14 @@ impl Orrery {
         std::iter::once((DVec3::ZERO, SUN_RADIUS)).chain(planets).fold(
             eye,
             |eye, (centre, radius)| {
-                let (away, least) = (eye - centre, radius + ROOM);
+                let (away, nearest) = (eye - centre, radius + CLEARANCE);
                 let distance = away.length();
-                if distance >= least {
+                if distance >= nearest {
                     eye
                 } else if distance > 0.0 {
-                    centre + away * (least / distance)
+                    centre + away * (nearest / distance)
                 } else {
-                    centre + DVec3::Z * least
+                    centre + DVec3::Z * nearest
                 }
             },
         )
@@ -460,15 +459,15 @@ mod tests {
     fn planets_keep_to_their_ellipses() {
         for planet in PLANETS {
             let (long, eccentricity) = (planet.distance, planet.eccentricity);
-            let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+            let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
             for step in 0..1000 {
                 let day = planet.period * f64::from(step) / 1000.0;
                 let from_sun = planet.place(day).length();
-                least = least.min(from_sun);
-                most = most.max(from_sun);
+                nearest = nearest.min(from_sun);
+                farthest = farthest.max(from_sun);
             }
-            assert!((least / (long * (1.0 - eccentricity)) - 1.0).abs() < 1e-4);
-            assert!((most / (long * (1.0 + eccentricity)) - 1.0).abs() < 1e-4);
+            assert!((nearest / (long * (1.0 - eccentricity)) - 1.0).abs() < 1e-4);
+            assert!((farthest / (long * (1.0 + eccentricity)) - 1.0).abs() < 1e-4);
             let after = planet.place(planet.period);
             assert!(planet.place(0.0).distance(after) < 1e-9 * long);
         }
@@ -490,10 +489,11 @@ mod tests {
 
     /// The range of distances that a body occupies, from its nearest to its farthest points.
     fn shell(places: impl Iterator<Item = DVec3>, radius: f64) -> (f64, f64) {
-        let (least, most) = places
-            .map(DVec3::length)
-            .fold((f64::INFINITY, 0.0_f64), |(least, most), off| (least.min(off), most.max(off)));
-        (least - radius, most + radius)
+        let (nearest, farthest) =
+            places.map(DVec3::length).fold((f64::INFINITY, 0.0_f64), |(nearest, farthest), off| {
+                (nearest.min(off), farthest.max(off))
+            });
+        (nearest - radius, farthest + radius)
     }
 
     fn ring_shell(ring: &Ring) -> (f64, f64) {
@@ -530,7 +530,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_goes_through_anything_else() {
+    fn orbits_of_bodies_do_not_cross() {
         let systems = PLANETS.iter().enumerate().map(|(number, planet)| {
             let stray = planet.distance * planet.eccentricity + reach(number);
             (planet.distance - stray, planet.distance + stray)

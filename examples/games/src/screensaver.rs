@@ -38,13 +38,12 @@ pub const ENTRY: Entry = Entry {
 };
 
 const COUNT: usize = 16;
-/// Half the size of the room.
-const ROOM: DVec3 = DVec3::new(4.4, 2.6, 3.2);
+/// The distances of the walls from the origin, along the axes.
+const HALF_SIZE: DVec3 = DVec3::new(4.4, 2.6, 3.2);
 /// Seconds in which the colours go through their circle.
 const ROUND: f64 = 100.0;
 /// Seconds after the player's last input until the eye moves by itself again.
 const PATIENCE: f64 = 5.0;
-/// The ray depth.
 const RAY_DEPTH: u32 = 3;
 
 /// The game.
@@ -86,10 +85,10 @@ impl Screensaver {
         &self.bodies
     }
 
-    /// Half the room's size. Its centre is the origin.
+    /// The distances of the walls from the origin, along the axes.
     #[must_use]
-    pub fn room(&self) -> DVec3 {
-        ROOM
+    pub fn half_size(&self) -> DVec3 {
+        HALF_SIZE
     }
 
     fn render_options(&self) -> RenderOptions {
@@ -103,7 +102,7 @@ impl Screensaver {
     fn place_spheres(&mut self, seed: u64) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         // Cells of four by two by two, so that no spheres overlap at the start.
-        let cell = DVec3::new(ROOM.x / 2.0, ROOM.y, ROOM.z);
+        let cell = DVec3::new(HALF_SIZE.x / 2.0, HALF_SIZE.y, HALF_SIZE.z);
         for (number, body) in self.bodies.iter_mut().enumerate() {
             let place = DVec3::new(
                 (number % 4) as f64 - 1.5,
@@ -118,9 +117,9 @@ impl Screensaver {
         }
     }
 
-    fn add_room(world: &mut World) -> Result<(), WorldError> {
+    fn add_walls(world: &mut World) -> Result<(), WorldError> {
         let floor = world.add_material(Material {
-            shader: Shader::Checker { other: DVec3::new(0.2, 0.23, 0.3), size: ROOM.x / 4.0 },
+            shader: Shader::Checker { other: DVec3::new(0.2, 0.23, 0.3), size: HALF_SIZE.x / 4.0 },
             specular: 0.18,
             shine: 30.0,
             ..Material::matte(0.75, 0.74, 0.7)
@@ -129,7 +128,7 @@ impl Screensaver {
             shader: Shader::Lambert,
             ..Material::matte(0.5, 0.56, 0.66)
         })?;
-        let DVec3 { x, y, z } = ROOM;
+        let DVec3 { x, y, z } = HALF_SIZE;
         let corner = |i: f64, j: f64, k: f64| DVec3::new(i * x, j * y, k * z);
         // The walls face inwards, so that they are invisible from outside.
         for (material, corners) in [
@@ -191,7 +190,7 @@ impl Game for Screensaver {
         world.set_ambient(DVec3::splat(0.07))?;
         world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.72, 0.67, 0.6))?;
         world.add_light(Light::at(DVec3::new(3.4, 2.2, 2.2)).coloured(0.36, 0.43, 0.55))?;
-        Self::add_room(world)?;
+        Self::add_walls(world)?;
         for number in 0..COUNT {
             self.materials[number] = world.add_material(Material {
                 diffuse: 0.72,
@@ -229,7 +228,7 @@ impl Game for Screensaver {
                 meet(a, b, 1.0);
             });
             for body in &mut self.bodies {
-                body.keep_within(-ROOM, ROOM, 1.0);
+                body.keep_within(-HALF_SIZE, HALF_SIZE, 1.0);
             }
         }
         self.show(world, frame.time)

@@ -32,7 +32,7 @@ mod tests {
     use super::{LONGEST, STEP, Steps};
 
     #[test]
-    fn nothing_is_lost_between_frames() {
+    fn remaining_time_is_kept_for_the_next_frame() {
         let mut steps = Steps::default();
         let taken: u32 = (0..600).map(|_| steps.of(1.0 / 60.0)).sum();
         assert!(taken.abs_diff(4800) <= 1, "{taken}");

@@ -1,5 +1,5 @@
 # Fetches A, B and C, each 64x64 singles and one after the other at the address in $4, multiplies as
-# often as the word behind them says, and stores C and the decrementer's ticks there.
+# often as the word after them demands, and stores C and the decrementer's ticks there.
         .set    ea_high, 4
         .set    ea_low, 5
         .set    left, 6
@@ -19,7 +19,7 @@ matrix_c:
         .fill   16384,1,0
 control:
         .fill   128,1,0
-# The kernel loads the A and C behind the last rows, without using them.
+# The kernel loads the A and C after the last rows, without using them.
         .fill   2048,1,0
 
 # Shuffles that copy word 0, 1, 2 or 3.
@@ -29,7 +29,7 @@ splat:  .irp    word, 0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
         .endr
 
         .text
-# Moves size bytes between local store and the address offset bytes behind the argument, and waits.
+# Moves size bytes between local store and the address offset bytes after the argument, and waits.
         .macro  move lsa:req, offset:req, size:req, command:req
         ila     $20,\lsa
         wrch    $ch16,$20

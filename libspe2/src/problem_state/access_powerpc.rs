@@ -85,7 +85,7 @@ impl Decoded {
         unsafe { registers(context).add(self.register).write(value as usize) };
     }
 
-    /// Continues behind the instruction.
+    /// Continues after the instruction.
     ///
     /// # Safety
     /// `context` is the one that was decoded.

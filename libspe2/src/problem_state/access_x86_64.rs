@@ -94,14 +94,14 @@ fn parse(code: &[u8]) -> Option<Move> {
 /// # Safety
 /// `context` is the context of a thread that was interrupted by an access to memory.
 pub(super) unsafe fn decode(context: *mut c_void) -> Option<Decoded> {
-    /// The longest instruction that `parse` knows.
+    /// The longest instruction that `parse` decodes.
     const LONGEST: usize = 12;
     const PAGE: usize = 4096;
     let context: *mut ucontext_t = context.cast();
     // SAFETY: the caller vouches for the context.
     let registers = unsafe { &(*context).uc_mcontext.gregs };
     let at = registers[libc::REG_RIP as usize] as usize;
-    // The instruction was fetched, but the page behind it may not exist.
+    // The instruction was fetched, but the page after it may not exist.
     let mut code = [0; LONGEST];
     let on_page = LONGEST.min(PAGE - at % PAGE);
     for (from, to) in [(0, on_page), (on_page, LONGEST)] {
@@ -132,7 +132,7 @@ impl Decoded {
         unsafe { (*context).uc_mcontext.gregs[self.register] = greg_t::from(value) };
     }
 
-    /// Continues behind the instruction.
+    /// Continues after the instruction.
     ///
     /// # Safety
     /// `context` is the one that was decoded.

@@ -10,7 +10,7 @@ use super::access::{self, Access};
 use super::registers_at;
 use crate::error::Errno;
 
-/// What the program had done with SIGSEGV before.
+/// The program's former action for SIGSEGV.
 struct Before(sigaction);
 
 // SAFETY: the structure holds an address of a function and numbers.
@@ -93,7 +93,7 @@ unsafe fn pass_on(signal: c_int, info: *mut siginfo_t, context: *mut c_void) {
         handler if before.sa_flags & libc::SA_SIGINFO != 0 => {
             type WithInfo = unsafe extern "C" fn(c_int, *mut siginfo_t, *mut c_void);
             let handler: *const () = ptr::with_exposed_provenance(handler);
-            // SAFETY: the flag says that the program's handler has this type.
+            // SAFETY: the flag means that the program's handler has this type.
             unsafe { std::mem::transmute::<*const (), WithInfo>(handler)(signal, info, context) };
         }
         handler => {

@@ -2,7 +2,7 @@
 //!
 //! An area is memory that nobody may access. A load or store there raises SIGSEGV, and the handler
 //! of that signal decodes the instruction, accesses the emulated register instead, and continues
-//! behind the instruction. The handler runs on the thread that made the access and outside of any
+//! after the instruction. The handler runs on the thread that made the access and outside of any
 //! function of this library, so it may take locks. Other faults go to the handler that the program
 //! had before.
 //!

@@ -9,7 +9,6 @@ use spu_emulator::mfc::PROXY_QUEUE_DEPTH;
 use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::{ProxyCommand, Spe, TagWait};
 
-/// Size of the map in bytes.
 pub(crate) const SIZE: usize = 0x20000;
 
 pub(super) const SIGNAL_1: usize = 0x1400c;
@@ -129,7 +128,6 @@ struct Command {
     query_mask: u32,
 }
 
-/// The registers of one context.
 pub(super) struct Registers {
     spe: Arc<Spe>,
     run: Arc<RunState>,
@@ -153,7 +151,7 @@ impl Registers {
             MFC_EAH => self.command().ea[0],
             MFC_EAL => self.command().ea[1],
             MFC_SIZE_TAG => self.command().size_and_tag,
-            // The queue is never full: a command that finds no room waits for it.
+            // The queue is never full: a command waits until an entry is free.
             MFC_COMMAND_STATUS => self.command().sequence.end(),
             MFC_QUEUE_STATUS => {
                 let idle = spe.proxy_tags(u32::MAX, TagWait::Immediate) == u32::MAX;

@@ -31,7 +31,6 @@ use crate::types::{
 /// The offset of the multisource synchronisation register in the problem state.
 const MULTISOURCE_SYNC: usize = 0;
 
-/// The directory of a gang.
 pub(crate) struct Gang(Directory);
 
 impl Gang {

@@ -89,7 +89,7 @@ impl Words {
         Ok(whole(read)?.then(|| u32::from_be_bytes(bytes)))
     }
 
-    /// Writes a word. Returns `false` if there is no room and the file does not wait for any.
+    /// Writes a word. Returns `false` if the mailbox is full and the file does not wait.
     pub(super) fn write(&self, directory: &Directory, word: u32) -> io::Result<bool> {
         let bytes = word.to_be_bytes();
         whole(self.file(directory).and_then(|mut file| file.write(&bytes)))

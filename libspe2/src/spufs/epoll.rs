@@ -9,7 +9,6 @@ use libc::c_int;
 
 use crate::error::Errno;
 
-/// An epoll descriptor.
 pub(crate) struct Epoll(OwnedFd);
 
 impl Epoll {
@@ -23,7 +22,7 @@ impl Epoll {
         Ok(Self(unsafe { OwnedFd::from_raw_fd(raw) }))
     }
 
-    /// Waits for `file` from now on: for room to write if `out`, and otherwise for data. Fails with
+    /// Waits for `file` from now on: until it can be written if `out`, and otherwise for data. Fails with
     /// EEXIST if it already does.
     pub(crate) fn add(&self, file: RawFd, out: bool, number: usize) -> Result<(), Errno> {
         let mut event = libc::epoll_event {
@@ -55,7 +54,7 @@ impl Epoll {
         let milliseconds = limit.map_or(-1, |limit| limit.as_millis() as c_int);
         let mut events = vec![libc::epoll_event { events: 0, u64: 0 }; most.min(AT_ONCE)];
         loop {
-            // SAFETY: the array has room for that many events.
+            // SAFETY: the array holds that many events.
             let ready = unsafe {
                 libc::epoll_wait(
                     self.0.as_raw_fd(),

@@ -106,7 +106,7 @@ impl Spufs {
         }
     }
 
-    /// The kernel knows which tags were used, and which of them it has reported.
+    /// The kernel records which tags were used, and which of them it has reported.
     fn tags_by_file(&self, wait: TagWait) -> Result<u32, Errno> {
         let mut complete = 0;
         loop {

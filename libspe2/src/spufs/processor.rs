@@ -17,7 +17,6 @@ pub(crate) fn spes() -> Result<c_int, Errno> {
     numbered(Path::new("/sys/devices/system/spu"), "spu").map(|spes| spes as c_int)
 }
 
-/// The number of Cell processors.
 pub(crate) fn nodes() -> Result<c_int, Errno> {
     let threads = numbered(Path::new("/sys/devices/system/cpu"), "cpu")?;
     Ok((threads / THREADS).max(1) as c_int)

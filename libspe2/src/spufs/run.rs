@@ -1,4 +1,4 @@
-//! Running a context: the start of a program, and what the kernel's answer means.
+//! Running a context: the start of a program, and the meaning of the kernel's result.
 
 use libc::c_int;
 use spu_emulator::interp::Quad;
@@ -30,14 +30,13 @@ const fn load_quadword(register: u32, address: u32) -> u32 {
 }
 
 /// The block at the top of local store that sets the registers of a program's start, as IBM's
-/// library does. The last instruction branches to the program and links to the address behind
+/// library does. The last instruction branches to the program and links to the address after
 /// itself. That is the back chain's, so the link register is the stack pointer.
 fn start_block(start: &StartRegisters, entry: u32) -> [u8; START_BLOCK] {
     const BRASL: u32 = 0x62;
     const STACK_POINTER: u32 = 1;
     /// `il $2,0`
     const CLEAR_ENVIRONMENT: u32 = 0x081 << 23 | 2;
-    /// `nop $0`
     const NOP: u32 = 0x201 << 21;
     let mut block = [0; START_BLOCK];
     for (at, quad) in block.chunks_exact_mut(16).zip(start.arguments()) {
@@ -81,7 +80,7 @@ impl Spufs {
     }
 }
 
-/// What an SPU's status and the event of a DMA error mean. The order is that of IBM's library.
+/// The meaning of an SPU's status and of the event of a DMA error. The order is that of IBM's library.
 fn ended(status: c_int, event: c_int) -> Ended {
     let has = |bit| status & bit != 0;
     let error = |bit| Ended::Return(Outcome::error(bit, status));

@@ -46,7 +46,7 @@ fn null_handles_are_esrch() {
 }
 
 #[test]
-fn flags_that_a_playstation_3_refuses() {
+fn flags_unsupported_on_a_playstation_3_are_refused() {
     let cases = [
         (SPE_ISOLATE, libc::ENODEV),
         (SPE_ISOLATE_EMULATE, libc::EINVAL),

@@ -106,7 +106,7 @@ fn a_timeout_is_kept() {
 }
 
 #[test]
-fn the_inbound_mailbox_is_up_while_it_has_room() {
+fn inbound_mailbox_event_is_up_until_it_is_full() {
     let handler = Handler::new();
     let context = Context::new(SPE_EVENTS_ENABLE);
     assert_eq!(handler.register(&context, SPE_EVENT_IN_MBOX, 77), 0);

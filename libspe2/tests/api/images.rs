@@ -18,7 +18,7 @@ fn file(folder: &Path, contents: &[u8], mode: u32) -> std::path::PathBuf {
 }
 
 #[test]
-fn what_can_not_be_opened() {
+fn missing_or_invalid_files_are_not_opened() {
     let folder = tempfile::tempdir().unwrap();
     assert_null(open_image(&folder.path().join("missing")), libc::ENOENT);
     assert_null(unsafe { spe_image_open(ptr::null()) }, libc::EFAULT);

@@ -8,7 +8,7 @@ use spe2::types::SPE_DEFAULT_ENTRY;
 
 use crate::support::{Aligned, Context, elsewhere};
 
-/// Puts lines of ones and lines of zeros to argp in turn, until a word arrives. Tells when it has
+/// Puts lines of ones and lines of zeros to argp in turn, until a word arrives. Reports when it has
 /// begun.
 const ALTERNATE: &str = "
         ori     $2,$4,0
@@ -30,7 +30,7 @@ again:  command PUT, 0x10000, $3, SIZE, 1
         stop    0x2000
 ";
 
-/// Gets the lines at argp 100000 times. Tells how many lines were of several values, and how often
+/// Gets the lines at argp 100000 times. Reports how many lines were of several values, and how often
 /// the first one had changed.
 const COMPARE: &str = "
         ori     $2,$4,0
@@ -162,7 +162,7 @@ fn segment() -> Pages {
     pages
 }
 
-/// Reserves the line at argp, tells it, and waits for a word. Then tells whether an event is
+/// Reserves the line at argp, reports it, and waits for a word. Then reports whether an event is
 /// pending, and the status of a conditional put.
 const HOLD: &str = "
         ori     $2,$4,0
@@ -181,7 +181,7 @@ const HOLD: &str = "
         stop    0x2000
 ";
 
-/// What holds the line at one address learns when a command is given for another address: in bit 4
+/// The holder of the line at one address learns when a command is given for another address: in bit 4
 /// whether its reservation is lost by an event, in bit 0 whether it is lost at the put.
 fn after(command: &str, held: u64, written: u64) -> u32 {
     let holder = Context::with_program(HOLD);

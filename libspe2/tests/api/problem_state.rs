@@ -21,7 +21,6 @@ const CONTROL: u32 = 2;
 const SIGNAL_1: u32 = 3;
 const SIGNAL_2: u32 = 4;
 
-/// An area of a context.
 #[derive(Clone, Copy)]
 struct Area(*mut u32);
 

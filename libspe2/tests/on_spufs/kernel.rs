@@ -1,4 +1,4 @@
-//! What only the kernel's side shows.
+//! Effects that only the kernel's side shows.
 
 use std::ptr;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};

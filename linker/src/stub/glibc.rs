@@ -179,7 +179,6 @@ fn names(library: &Path) -> Result<Names, Error> {
     Ok(names)
 }
 
-/// Compiles a stub.
 fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<(), Error> {
     let mut source = String::new();
     let mut versions = BTreeMap::<_, Vec<_>>::new();
@@ -246,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_moved_is_where_it_was() {
+    fn moved_function_keeps_its_former_library() {
         assert_eq!(home("pthread_create"), "libpthread.so.0");
         assert_eq!(home("dlsym"), "libdl.so.2");
         assert_eq!(home("timer_create"), "librt.so.1");

@@ -81,7 +81,7 @@ fn too_new(needs: &[String]) -> Vec<&String> {
 }
 
 #[test]
-fn what_is_linked_to_the_stubs_needs_no_newer_glibc() {
+fn program_linked_to_stubs_needs_no_newer_glibc() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let stub = folder.join("stub");

@@ -2,7 +2,7 @@
 //!
 //! Owns the interface between displays and the frame loop. Invariants: a display's changes of the
 //! system are undone when it is dropped. Positions of the mouse are in pixels of the size that the
-//! game is told, whatever the resolution of the picture and its size on the display.
+//! game uses, whatever the resolution of the picture and its size on the display.
 
 mod fit;
 mod none;
@@ -30,12 +30,9 @@ use image::RgbImage;
 
 use crate::overlay::Overlay;
 
-/// An event from a display.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DisplayEvent {
-    /// Input of the player.
     Input(InputEvent),
-    /// The display has another size now.
     Resized,
     /// The player has closed the display.
     Closed,
@@ -45,7 +42,6 @@ pub enum DisplayEvent {
     HungUp,
 }
 
-/// A display.
 pub trait Display {
     /// The display's size in pixels.
     fn area(&self) -> Geometry;
@@ -94,7 +90,6 @@ pub enum DisplayError {
     None {
         /// The kind of display that was requested.
         kind: &'static str,
-        /// The reason.
         why: String,
     },
     /// The framebuffer failed.

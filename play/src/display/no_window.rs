@@ -10,7 +10,7 @@ use image::RgbImage;
 use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
 
-/// A window; there are none of them here.
+/// A window. This build has no windows, so there is no value of this type.
 #[derive(Debug)]
 pub struct Window(Infallible);
 
@@ -21,7 +21,7 @@ impl Window {
         false
     }
 
-    /// Says why there are none.
+    /// Fails with the reason.
     pub fn open(_title: &str, _size: Geometry) -> Result<Self, DisplayError> {
         let built = match cfg!(target_arch = "powerpc64") {
             true => "for the console, which has none",

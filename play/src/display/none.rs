@@ -12,7 +12,6 @@ use crate::overlay::Overlay;
 pub struct NoDisplay(Geometry);
 
 impl NoDisplay {
-    /// A display of this size.
     #[must_use]
     pub fn new(size: Geometry) -> Self {
         Self(size)

@@ -50,7 +50,6 @@ impl Taps {
         }
     }
 
-    /// The weighted sum of lanes.
     fn sum(&self, lanes: impl Fn(usize) -> i64) -> i64 {
         let [a, b, c, d] = self.pixels.map(lanes);
         let [wa, wb, wc, wd] = self.weights;

@@ -14,7 +14,7 @@ use image::RgbImage;
 use super::text::Printed;
 use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
-use crate::say;
+use crate::print_line;
 
 /// A framebuffer device, or a file instead of one.
 pub struct Screen {
@@ -31,7 +31,7 @@ impl Screen {
     /// The framebuffer can't be opened.
     pub fn open(path: &Path, size: Option<Geometry>) -> Result<Self, DisplayError> {
         let framebuffer = framebuffer::open(path, size)?;
-        say(framebuffer.describe());
+        print_line(framebuffer.describe());
         Ok(Self {
             area: framebuffer.geometry(),
             framebuffer: Some(framebuffer),

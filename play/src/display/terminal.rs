@@ -242,7 +242,7 @@ impl Display for Terminal {
     }
 }
 
-/// The terminal's columns and rows; those of a usual terminal if it doesn't say, as over a serial
+/// The terminal's columns and rows; those of a usual terminal if it doesn't report any, as over a serial
 /// line.
 pub fn size() -> (u16, u16) {
     let (columns, rows) = crossterm::terminal::size().unwrap_or(DEFAULT);

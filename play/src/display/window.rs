@@ -29,7 +29,7 @@ use crate::overlay::Overlay;
 
 /// The pixels of a touchpad's scrolling that count as one notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 40.0;
-/// The least width and height in pixels; smaller windows show nothing useful.
+/// The minimum width and height in pixels; smaller windows show nothing useful.
 const LEAST: u32 = 64;
 
 /// The channels of a window's words, which have red, green and blue in their lowest bytes.
@@ -41,7 +41,6 @@ const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
 
 type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
 
-/// A window.
 pub struct Window {
     events: EventLoop<()>,
     state: State,
@@ -316,10 +315,10 @@ fn without_place(words: &str) -> &str {
 
 /// Converts panics to errors: winit panics if a server lacks a feature that it needs.
 fn catch_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
-    let tell = panic::take_hook();
+    let hook = panic::take_hook();
     panic::set_hook(Box::new(|_| ()));
     let outcome = panic::catch_unwind(AssertUnwindSafe(work));
-    panic::set_hook(tell);
+    panic::set_hook(hook);
     outcome.unwrap_or_else(|panic| {
         let words = panic.downcast_ref::<String>().map(String::as_str);
         let words = words.or_else(|| panic.downcast_ref::<&str>().copied());

@@ -21,7 +21,7 @@ mod tests {
     use std::os::fd::AsFd as _;
 
     #[test]
-    fn what_is_no_virtual_terminal_has_no_keyboard() {
+    fn other_device_has_no_console_keyboard() {
         let null = fs::File::open("/dev/null").expect("a device");
         assert!(!is_of_console(null.as_fd()));
         // A terminal like that of a window or of ssh.

@@ -1,4 +1,4 @@
-//! The devices of this system, behind traits that tests implement with others.
+//! The devices of this system, as traits, which tests implement with simulated devices.
 
 use std::fmt;
 use std::fs::{self, OpenOptions};
@@ -27,10 +27,10 @@ pub struct RawEvent {
 pub struct Range {
     /// The current value.
     pub value: i32,
-    /// The least value.
-    pub least: i32,
+    /// The smallest value.
+    pub min: i32,
     /// The largest value.
-    pub most: i32,
+    pub max: i32,
     /// Values within this distance of the middle count as the middle.
     pub flat: i32,
     /// For sensors, the units in one g or in one degree a second; 0 if unknown.
@@ -145,8 +145,8 @@ impl Device for EventDevice {
         }
         Ok(Range {
             value: info.value,
-            least: info.minimum,
-            most: info.maximum,
+            min: info.minimum,
+            max: info.maximum,
             flat: info.flat,
             resolution: info.resolution,
         })

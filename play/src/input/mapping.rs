@@ -262,20 +262,20 @@ impl Mapping {
 }
 
 impl Range {
-    /// Converts a value to 0 at the least to 1 at the most.
+    /// Converts a value to the range from 0 (minimum) to 1 (maximum).
     fn part(self, value: i32) -> f32 {
-        let length = f64::from(self.most) - f64::from(self.least);
+        let length = f64::from(self.max) - f64::from(self.min);
         if length <= 0.0 {
             return 0.0;
         }
-        let part = (f64::from(value) - f64::from(self.least)) / length;
+        let part = (f64::from(value) - f64::from(self.min)) / length;
         part.clamp(0.0, 1.0) as f32
     }
 
     /// Converts a value to -1 to 1, with 0 around the middle.
     fn deflection(self, value: i32) -> f32 {
-        let (least, most) = (f64::from(self.least), f64::from(self.most));
-        let (middle, half) = ((least + most) / 2.0, (most - least) / 2.0);
+        let (min, max) = (f64::from(self.min), f64::from(self.max));
+        let (middle, half) = ((min + max) / 2.0, (max - min) / 2.0);
         let flat = f64::from(self.flat).max(0.0);
         if half <= flat {
             return 0.0;

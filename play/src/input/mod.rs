@@ -1,6 +1,6 @@
 //! Input devices of Linux: pads, keyboards and mice under `/dev/input`.
 //!
-//! Owns the meaning of devices' codes, and the assignment of pads to players. Doesn't know
+//! Owns the meaning of devices' codes, and the assignment of pads to players. Has no part in
 //! windows. Invariants: events keep each device's order. A device that vanishes causes an event
 //! and a message, never an error. When the kernel has dropped events, the device's current state
 //! is read, so that nothing is held forever.

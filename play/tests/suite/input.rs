@@ -59,7 +59,6 @@ fn mouse() -> Capabilities {
     device("A mouse", &[0x110, 0x111, 0x112], &[], &[0, 1, 8])
 }
 
-/// The devices of a test.
 #[derive(Clone, Default)]
 struct Bench(Rc<RefCell<BTreeMap<PathBuf, Plugged>>>, Rc<Cell<usize>>);
 
@@ -74,7 +73,7 @@ struct Plugged {
 #[derive(Default)]
 struct Said {
     events: VecDeque<RawEvent>,
-    /// What the kernel says when it is asked, beside the events.
+    /// The held keys that the kernel reports on request, beside the events.
     held: Codes,
     axes: BTreeMap<u16, i32>,
     is_gone: bool,
@@ -132,7 +131,7 @@ struct Opened(Rc<RefCell<Said>>);
 
 impl Device for Opened {
     fn range(&self, axis: u16) -> io::Result<Range> {
-        let sixaxis = Range { value: 128, least: 0, most: 255, flat: 15, resolution: 0 };
+        let sixaxis = Range { value: 128, min: 0, max: 255, flat: 15, resolution: 0 };
         let rest = if matches!(axis, 2 | 5) { 0 } else { 128 };
         let value = self.0.borrow().axes.get(&axis).copied();
         Ok(Range { value: value.unwrap_or(rest), ..sixaxis })
@@ -420,7 +419,7 @@ fn a_node_without_permission_is_tried_again_and_told_of_once() {
 }
 
 #[test]
-fn what_the_kernel_dropped_is_not_held_for_ever() {
+fn key_released_in_dropped_events_is_released() {
     let bench = Bench::default();
     let keys = bench.plug("event0", keyboard());
     let mut player = Player::new(&bench, DeviceSet::All);
@@ -451,7 +450,7 @@ fn a_keyboard_that_vanishes_holds_nothing() {
 }
 
 #[test]
-fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
+fn key_held_across_dropped_events_stays_held() {
     let bench = Bench::default();
     let keys = bench.plug("event0", keyboard());
     let mut hat = new_sixaxis();
@@ -548,7 +547,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
     let xpad: Vec<_> =
         [0x130, 0x131, 0x133, 0x134, 0x136, 0x137].into_iter().chain(0x13a..=0x13e).collect();
     let logitech = device("Logitech Gamepad F310", &xpad, &[0, 1, 2, 3, 4, 5, 0x10, 0x11], &[]);
-    // Over Bluetooth; its report has room for all buttons.
+    // Over Bluetooth; its report can hold all buttons.
     let bluetooth = device(
         "Xbox Wireless Controller",
         &(0x130..=0x13e).collect::<Vec<_>>(),

@@ -37,9 +37,9 @@ fn run(arguments: &[&str]) -> Output {
 
 fn good(arguments: &[&str]) -> String {
     let output = run(arguments);
-    let talk = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{arguments:?}: {talk}");
-    talk
+    let messages = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{arguments:?}: {messages}");
+    messages
 }
 
 fn bad(arguments: &[&str]) -> String {
@@ -73,8 +73,8 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 #[test]
 fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
-    let talk = pictures(whole.path(), "0..12", &[]);
-    assert!(talk.contains("12 picture(s) written, 0 existed already"), "{talk}");
+    let messages = pictures(whole.path(), "0..12", &[]);
+    assert!(messages.contains("12 picture(s) written, 0 existed already"), "{messages}");
     let expected = files(whole.path());
     assert_eq!(expected.len(), 12);
     assert!(expected.windows(2).all(|pair| pair[0].1 != pair[1].1), "nothing moves");
@@ -83,8 +83,8 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     fs::remove_file(parts.path().join("f-00009.png")).expect("a picture");
     let untouched = parts.path().join("f-00008.png");
     let before = fs::metadata(&untouched).and_then(|data| data.modified()).expect("a time");
-    let talk = pictures(parts.path(), "0..12", &[]);
-    assert!(talk.contains("8 picture(s) written, 4 existed already"), "{talk}");
+    let messages = pictures(parts.path(), "0..12", &[]);
+    assert!(messages.contains("8 picture(s) written, 4 existed already"), "{messages}");
     assert!(files(parts.path()) == expected);
     let after = fs::metadata(&untouched).and_then(|data| data.modified()).expect("a time");
     assert_eq!(before, after);
@@ -94,8 +94,8 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     assert!(files(other.path()) != expected, "the seed plays no part");
 }
 
-/// The program, where files have no more than 576 blocks of 512 bytes: room for an emulated SPU's
-/// local store, and for no picture of 1920x1080.
+/// The program, where files have no more than 576 blocks of 512 bytes: enough for an emulated SPU's
+/// local store, and too little for a picture of 1920x1080.
 fn on_a_full_disk() -> Command {
     let mut command = Command::new("sh");
     command
@@ -113,9 +113,9 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
         .arg(&out)
         .output()
         .expect("the program");
-    let talk = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{talk}");
-    assert!(talk.contains("f-00000.png") && talk.contains("too large"), "{talk}");
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{messages}");
+    assert!(messages.contains("f-00000.png") && messages.contains("too large"), "{messages}");
     assert_eq!(files(folder.path()), []);
 }
 
@@ -184,9 +184,9 @@ fn bad_input_is_told_of() {
         (&["play", GAME, "--timeout", "18446744073709551615"], "86400"),
         (&["play", GAME, "--timeout", "0"], "86400"),
     ] {
-        let talk = bad(arguments);
-        assert!(talk.contains(words), "{arguments:?}: {talk}");
-        assert!(!talk.contains("panicked"), "{talk}");
+        let messages = bad(arguments);
+        assert!(messages.contains(words), "{arguments:?}: {messages}");
+        assert!(!messages.contains("panicked"), "{messages}");
     }
     assert_eq!(fs::read(&file).expect("still there"), b"something");
 }
@@ -207,12 +207,15 @@ fn a_display_server_that_is_not_there_is_named_and_nothing_of_the_sources_is_tol
             .args(["view", SCENE])
             .output()
             .expect("the program");
-        let talk = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(1), "{talk}");
+        let messages = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{messages}");
         let begin = format!("cellray-play: error: no window: {variable}={value}: ");
-        assert!(talk.starts_with(&begin) && talk.contains("--display terminal"), "{talk}");
+        assert!(
+            messages.starts_with(&begin) && messages.contains("--display terminal"),
+            "{messages}"
+        );
         for word in [".rs:", "panicked", ".cargo"] {
-            assert!(!talk.contains(word), "{talk}");
+            assert!(!messages.contains(word), "{messages}");
         }
     }
 }
@@ -235,7 +238,7 @@ fn a_file_takes_the_framebuffers_place() {
     let folder = tempfile::tempdir().expect("a folder");
     let fb = folder.path().join("fb");
     let device = fb.to_str().expect("text");
-    let talk = good(&[
+    let messages = good(&[
         "view",
         SCENE,
         "--display",
@@ -247,7 +250,7 @@ fn a_file_takes_the_framebuffers_place() {
         "--frames",
         "2",
     ]);
-    assert!(talk.contains("2 frame(s)"), "{talk}");
+    assert!(messages.contains("2 frame(s)"), "{messages}");
     let bytes = fs::read(&fb).expect("a framebuffer");
     assert!(bytes.len() >= 64 * 36 * 4 && bytes.iter().any(|&byte| byte > 100));
 }
@@ -324,8 +327,8 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
     assert!(one.first().map(|file| &file.1) != one.last().map(|file| &file.1), "the eye moved");
     // Of another game it is none.
     let record = record.to_str().expect("text");
-    let talk = bad(&["play", GAME, "--display", "none", "--replay", record]);
-    assert!(talk.contains("paper16"), "{talk}");
+    let messages = bad(&["play", GAME, "--display", "none", "--replay", record]);
+    assert!(messages.contains("paper16"), "{messages}");
 }
 
 #[test]
@@ -338,16 +341,16 @@ fn a_recording_that_the_disk_has_no_room_for_is_told_of() {
         .arg(&record)
         .output()
         .expect("the program");
-    let talk = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{talk}");
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{messages}");
     let name = record.to_str().expect("text");
-    assert!(talk.contains(name) && talk.contains("too large"), "{talk}");
+    assert!(messages.contains(name) && messages.contains("too large"), "{messages}");
 }
 
-/// Has room for so many bytes.
-struct Room(usize);
+/// A writer that fails once it has taken this many bytes.
+struct Limited(usize);
 
-impl io::Write for Room {
+impl io::Write for Limited {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let left = self.0.checked_sub(bytes.len());
         self.0 = left.ok_or(io::ErrorKind::StorageFull)?;
@@ -371,28 +374,28 @@ impl Game for Still {
     }
 }
 
-/// A session that is recorded to room for so many bytes.
-fn recorded(room: usize, framebuffer: Box<dyn Framebuffer>) -> Session<Still> {
+/// A session whose recording has at most `capacity` bytes.
+fn recorded(capacity: usize, framebuffer: Box<dyn Framebuffer>) -> Session<Still> {
     let session = Session::start(Still, Settings::default(), framebuffer).expect("a session");
-    session.record_to(Box::new(io::BufWriter::new(Room(room))))
+    session.record_to(Box::new(io::BufWriter::new(Limited(capacity))))
 }
 
 #[test]
-fn what_a_recording_lacks_at_the_end_is_an_error() {
+fn incomplete_recording_is_an_error() {
     let size = Geometry::new(16, 16).expect("a size");
     let memory = || Box::new(Memory::new(size).expect("memory"));
     let folder = tempfile::tempdir().expect("a folder");
     let paths = NumberedPath::new(folder.path().join("f-%d.png"));
     let pictures = Pictures::new(paths.expect("a path"));
     let mut clock = FixedSteps(Duration::from_millis(40));
-    for (room, fits) in [(0, false), (1000, true)] {
-        let mut session = recorded(room, memory());
+    for (capacity, fits) in [(0, false), (1000, true)] {
+        let mut session = recorded(capacity, memory());
         let is_over = session.run(Some(3), &mut clock, &mut NoInput).is_ok();
-        assert_eq!(is_over, fits, "{room}");
-        let mut session = recorded(room, memory());
+        assert_eq!(is_over, fits, "{capacity}");
+        let mut session = recorded(capacity, memory());
         let frames = "0..3".parse().expect("frames");
         let made = pictures.write(&mut session, frames, &mut clock, &mut NoInput);
-        assert_eq!(made.is_ok(), fits, "{room}");
+        assert_eq!(made.is_ok(), fits, "{capacity}");
     }
 }
 
@@ -418,8 +421,8 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
     assert_eq!((text.lines().count(), text.lines().filter(checked).count()), (20, 3));
     let last = text.lines().last().expect("a line");
     assert!(last.contains("\"world\""), "{last}");
-    let talk = good(&[&none[..], &["--replay", name]].concat());
-    assert!(talk.contains("19 frame(s)"), "{talk}");
+    let messages = good(&[&none[..], &["--replay", name]].concat());
+    assert!(messages.contains("19 frame(s)"), "{messages}");
 
     let (rest, checksum) = last.rsplit_once("\"world\":").expect("a checksum");
     let other = match checksum {
@@ -428,8 +431,8 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
     };
     let other = format!("{rest}\"world\":\"{other}\"}}");
     fs::write(&record, text.replace(last, &other)).expect("a file");
-    let talk = bad(&[&none[..], &["--replay", name]].concat());
-    assert!(talk.contains("frame 18: the world differs"), "{talk}");
+    let messages = bad(&[&none[..], &["--replay", name]].concat());
+    assert!(messages.contains("frame 18: the world differs"), "{messages}");
 }
 
 #[test]
@@ -450,8 +453,8 @@ fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
     assert_eq!(pty.end().code(), Some(0));
     // It is said when the terminal shows text again.
     let seen = pty.seen();
-    let talk = seen.split("\x1b[?1049l").last().unwrap_or_default();
-    assert!(talk.contains("no picture: ") && talk.contains("too large"), "{talk}");
+    let messages = seen.split("\x1b[?1049l").last().unwrap_or_default();
+    assert!(messages.contains("no picture: ") && messages.contains("too large"), "{messages}");
     let kept = (PathBuf::from("paper16-nff-0001.png"), b"an earlier picture".to_vec());
     assert_eq!(files(folder.path()), [kept]);
 }
@@ -504,14 +507,14 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
     assert!(replayed.len() >= 3, "{}", replayed.len());
     let place = |(name, picture): &(PathBuf, Vec<u8>)| {
         let place = replayed.iter().position(|(_, frame)| frame == picture);
-        place.unwrap_or_else(|| panic!("{name:?} is none of {} frames", replayed.len()))
+        place.unwrap_or_else(|| panic!("{name:?} is not among {} frames", replayed.len()))
     };
     let places: Vec<_> = files(&shots).iter().map(place).collect();
     assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
 }
 
 #[test]
-fn nobody_has_to_listen() {
+fn closed_output_is_no_error_but_a_full_one_is() {
     let mut sh = Command::new("sh");
     let program = env!("CARGO_BIN_EXE_cellray-play");
     let closed = ["-c", "exec 3>&1; { \"$0\" play; echo $? >&3; } | :"];
@@ -520,9 +523,9 @@ fn nobody_has_to_listen() {
     let mut sh = Command::new("sh");
     let full = ["-c", "\"$0\" play >/dev/full"];
     let output = sh.args(full).arg(program).output().expect("the program");
-    let talk = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{talk}");
-    assert!(talk.contains("standard output: "), "{talk}");
+    let messages = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{messages}");
+    assert!(messages.contains("standard output: "), "{messages}");
     let mut sh = Command::new("sh");
     let session = "exec \"$0\" play \"$1\" --display none --frames 2 --size 16x16 2>/dev/full";
     let status = sh.args(["-c", session, program, GAME]).status();

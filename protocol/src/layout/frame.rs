@@ -132,7 +132,7 @@ record! {
         texture_level_count: U32,
         /// The angle between the rays of neighbouring pixels in the middle of the picture.
         pixel_angle: F32,
-        /// Effective address of the room for rays that wait, `WAITING_SIZE` bytes for each SPU, in
+        /// Effective address of the buffers for queued rays, `WAITING_SIZE` bytes for each SPU, in
         /// order; a multiple of 128.
         waiting: U64,
         /// Effective address of the first of the mesh's materials with `FEATURE_MATERIALS`, a
@@ -215,7 +215,7 @@ record! {
         primary_rays: U64,
         /// Primary rays that hit something.
         eye_hits: U64,
-        /// Decrementer ticks from the mail to the answer, less `dma_wait`.
+        /// Decrementer ticks from the mail to the reply, less `dma_wait`.
         busy: U64,
         /// Decrementer ticks spent waiting for the MFC.
         dma_wait: U64,
@@ -263,7 +263,7 @@ record! {
         texture_tiles_used: U64,
         /// Tiles of textures that were fetched.
         texture_tiles_fetched: U64,
-        /// By Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
+        /// With Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
         /// surfaces send on, their shadow rays, and the same for all later rays. A batch counts as
         /// its first ray's generation.
         generations: [Generation; 6],
@@ -273,7 +273,7 @@ record! {
 }
 
 record! {
-    /// What was done for rays of one generation, or for their shadow rays.
+    /// The work for rays of one generation, or for their shadow rays.
     Generation as "GENERATION" {
         /// Rays, including those of primary rays' packets that are beyond the picture.
         rays: U64,

@@ -126,7 +126,7 @@ record! {
     /// `height` / 8 + 1 down, rounded down. A tile has `TEXTURE_SIDE` rows of as many texels, each
     /// a word of red, green, blue and 0, eight texels from those of the next tile. Its first row
     /// and column begin one texel before the texture, whose edges are continued as its `wraps`
-    /// say. A byte over 255 is light, or its square root with `FEATURE_SRGB`.
+    /// specify. A byte over 255 is light, or its square root with `FEATURE_SRGB`.
     TextureLevel as "LEVEL" {
         /// Texels across.
         width: F32,
@@ -158,7 +158,7 @@ record! {
     /// plane of an axis no earlier than near_scale plane + near_shift, where the plane is the one
     /// that they meet first: of the lower corners, or of the upper ones if they all go down the
     /// axis. They leave by the opposite plane no later than far_scale plane + far_shift. If they go
-    /// up and down the axis, that product says when they meet the opposite plane; then near_scale
+    /// up and down the axis, that product is where they meet the opposite plane; then near_scale
     /// is above 0 and far_scale below.
     MeshBound as "MESH_BOUND" {
         /// Scale of the plane that is met first, x; in all lanes, as the next eleven.
@@ -220,13 +220,13 @@ record! {
     /// those of direction x/z and y/z over a row's four rays, in all lanes of the row; a row
     /// without rays has low above high.
     MeshWindow as "MESH_WINDOW" {
-        /// Least direction x/z.
+        /// Smallest direction x/z.
         low_x: [F32; 16],
-        /// Greatest direction x/z.
+        /// Largest direction x/z.
         high_x: [F32; 16],
-        /// Least direction y/z.
+        /// Smallest direction y/z.
         low_y: [F32; 16],
-        /// Greatest direction y/z.
+        /// Largest direction y/z.
         high_y: [F32; 16],
         /// Shuffle of two vertices: their x, then their y.
         order: [u8; 16],

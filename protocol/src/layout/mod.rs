@@ -102,7 +102,7 @@ constants! {
     FEATURE_MATERIALS = 256;
     /// Feature bit: the mesh in main memory has colours at its vertices.
     FEATURE_COLOURS = 512;
-    /// All feature bits that this version knows.
+    /// All feature bits that this version has.
     FEATURES_KNOWN = 1023;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
@@ -118,7 +118,7 @@ constants! {
     MAX_SIDE = 8192;
     /// Most bytes from one row to the next: it is multiplied in 16 bits.
     MAX_STRIDE = 65520;
-    /// Most spheres of a scene: what the local store has room for.
+    /// Most spheres of a scene: the capacity of the local store.
     MAX_SPHERES = 1024;
     /// Pixels across a tile: groups side by side.
     TILE_WIDTH = 64;
@@ -126,7 +126,7 @@ constants! {
     TILE_HEIGHT = 16;
     /// Pixels across and down a group: sixteen packets of 4x4 rays that are culled together.
     GROUP_SIDE = 16;
-    /// Most tiles of a work unit: its line has no room for more.
+    /// Most tiles of a work unit: its line holds no more.
     UNIT_TILES = 31;
     /// Flag. With a tile's number in a unit: the framebuffer shows the background there. With a
     /// tile's cost: it shows the background now.
@@ -143,7 +143,7 @@ constants! {
     SCENE_ADDRESS = 0x2ec00;
     /// Bytes for the scene and the waiting rays.
     SCENE_ROOM = 0x10380;
-    /// Address in local store of the code that tests boxes, behind the background's `OBJECT` and
+    /// Address in local store of the code that tests boxes, after the background's `OBJECT` and
     /// `MATERIAL`; only the scenes with trees of boxes have it.
     BOX_CODE = SCENE_ADDRESS + 144;
     /// Bytes for that code.
@@ -160,16 +160,16 @@ constants! {
     MAX_LEVELS = 6;
     /// Most rays in a chain, including the primary ray.
     MAX_DEPTH = 16;
-    /// Bytes of main memory for the rays of an SPU that wait and have no room in local store.
+    /// Bytes of main memory for queued rays of an SPU that don't fit in local store.
     WAITING_SIZE = 0x2_0000;
     /// In a ray's `pixel`: what one ray that came before it in its chain adds.
     CHAIN_STEP = 0x0100_0000;
-    /// What a packet of hits with highlights is marked by.
+    /// The mark of a packet of hits with highlights.
     SITE_SHINES = 0x80;
     /// Most packets that are traced together.
     MAX_BATCH = 16;
-    /// Most packets that the buffers of the arena have room for. With a mesh there are no more. The
-    /// rays of more packets are at the end of the scene's room.
+    /// Most packets that fit in the buffers of the arena. With a mesh there are no more. The
+    /// rays of more packets are at the end of the scene's memory.
     SMALL_BATCH = 8;
     /// Most objects of one shape in a scene with larger batches.
     LARGE_OBJECTS = 512;
@@ -228,7 +228,7 @@ constants! {
     MATERIAL_STRIDE = 128;
     /// Most textures of a mesh.
     MESH_TEXTURES = 256;
-    /// Bytes at the end of the scene's room for the code that traces meshes.
+    /// Bytes at the end of the scene's memory for the code that traces meshes.
     MESH_CODE_ROOM = 31232;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
@@ -236,7 +236,7 @@ constants! {
     EYE_CODE_ROOM = 7424;
     /// Address in local store of that code.
     EYE_CODE = MESH_CODE - EYE_CODE_ROOM;
-    /// Fewest blocks that the cache of an SPU must have room for.
+    /// Fewest blocks that the cache of an SPU must hold.
     MESH_LEAST_SLOTS = 4;
     /// Most blocks that the cache of an SPU can have.
     MESH_MOST_SLOTS = 20;
@@ -370,7 +370,7 @@ pub const RECORDS: &[Record] = &[
 
 macro_rules! statuses {
     ( $( #[doc = $doc:literal] $name:ident = $value:literal, $field:literal; )* ) => {
-        /// An SPU's answer to a frame: 0, or the rule that the frame breaks.
+        /// An SPU's reply to a frame: 0, or the rule that the frame breaks.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Status {
             $( #[doc = $doc] $name = $value, )*
@@ -432,7 +432,7 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
+    /// Must be a multiple of 128 and leave space in `SCENE_ROOM` for the queued rays, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";

@@ -326,7 +326,7 @@ fn mixed(ends: &[Vertex; 3], shares: DVec3) -> Vertex {
 }
 
 /// Makes equal vertices one vertex, if the file gives each triangle its own: shared ones take less
-/// room.
+/// memory.
 fn join_vertices(mesh: &mut Mesh) {
     if mesh.positions.len() < 2 * mesh.triangles.len() {
         return;

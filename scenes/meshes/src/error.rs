@@ -73,7 +73,7 @@ pub enum Fault {
     /// A terrain can't be generated.
     #[error("the level is not a whole number from 0 to {most}")]
     Level {
-        /// The greatest level.
+        /// The largest level.
         most: u32,
     },
     /// The file has no triangles.
@@ -127,7 +127,7 @@ pub enum Fault {
     Line {
         /// The line, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The fault.
         what: String,
     },
     /// A material library can't be read.
@@ -135,7 +135,7 @@ pub enum Fault {
     Library {
         /// The library.
         file: String,
-        /// What is wrong with it.
+        /// The fault.
         fault: Box<Fault>,
     },
     /// A PLY file's header or data.
@@ -152,7 +152,7 @@ pub enum Fault {
     Extension {
         /// The extension.
         name: &'static str,
-        /// What it means, and how the file can be converted.
+        /// Its meaning, and how the file can be converted.
         what: &'static str,
     },
 }

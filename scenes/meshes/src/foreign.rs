@@ -1,4 +1,4 @@
-//! Files of other programs: names their formats, so that a message says what a file is.
+//! Files of other programs: names their formats, so that a message names the kind of a file.
 
 use std::path::Path;
 
@@ -28,7 +28,7 @@ const BEGINNINGS: [(&[u8], &str); 22] = [
     (b"nff\r", "a Sense8 (WorldToolKit) NFF file, not one of Eric Haines' Neutral File Format"),
 ];
 
-/// The endings of names of formats whose beginnings say less.
+/// The file name extensions of formats whose beginnings are less distinct.
 const ENDINGS: [(&str, &str); 32] = [
     ("3dm", "a Rhino (.3dm) file"),
     ("3ds", "a 3D Studio (.3ds) file"),

@@ -3,7 +3,7 @@
 use glam::{DMat3, DVec3};
 use scenes::{Light, LightKind, View};
 
-/// The colour behind the mesh.
+/// The background's colour.
 pub(crate) const BACKGROUND: DVec3 = DVec3::new(0.55, 0.65, 0.8);
 /// The ambient light.
 pub(crate) const AMBIENT: DVec3 = DVec3::splat(0.2);
@@ -83,8 +83,8 @@ pub(crate) fn aimed(view: View, low: DVec3, high: DVec3, up: Up) -> View {
 }
 
 /// A sun and the ambient light. For the view of a box the sun is to the left above. Any other view
-/// has it at the same place as seen from the eye: one behind the scene would leave what is seen of
-/// it in the dark.
+/// has it at the same place as seen from the eye: a sun at the back would leave the visible side
+/// in the dark.
 pub(crate) fn lights(up: Up, view: Option<&View>) -> (Vec<Light>, DVec3) {
     let sun = up.direction(TO_SUN);
     let usual = axes(up.direction(TO_EYE), up.direction([0.0, 1.0, 0.0]));

@@ -1,7 +1,7 @@
 //! Loads OBJ, PLY, STL and glTF files as scenes for Whitted's model.
 //!
 //! Owns the formats, how their materials become those of [`scenes::Material`], and the view and
-//! lights of files that have none. Doesn't know how a scene is traced. Invariant: a loaded mesh
+//! lights of files that have none. Tracing a scene is not its concern. Invariant: a loaded mesh
 //! has at least one triangle with an area, all of its vertices and materials exist, and all its
 //! numbers are finite. If one of its materials has a texture, it has texture coordinates.
 
@@ -34,10 +34,10 @@ pub use texture::MAX_TEXELS;
 
 /// The size in bytes of the largest file that is read.
 const MAX_FILE: u64 = 1 << 31;
-/// The bytes at a file's beginning that tell its format.
+/// The bytes at a file's beginning that identify its format.
 const BEGINNING: u64 = 4096;
 
-/// A scene, and what a user should know about how it was read.
+/// A scene, and notes for the user about how it was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loaded {
     /// The scene.
@@ -51,10 +51,10 @@ pub struct Loaded {
 
 /// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` or
 /// `.glb`, `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that
-/// [`scenes::load`] knows.
+/// [`scenes::load`] accepts.
 ///
 /// # Errors
-/// There is no such file or generated scene, the file can't be read, or isn't what its name says;
+/// There is no such file or generated scene, the file can't be read, or isn't of the format of its name;
 /// any error of [`scenes::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
     let file = name.display().to_string();
@@ -66,7 +66,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
     }
     let found = name.symlink_metadata();
     if found.is_err_and(|error| error.kind() == ErrorKind::NotFound)
-        && let Some(what) = likely::told(name)
+        && let Some(what) = likely::hint(name)
     {
         return Err(Error::Unknown { name: file, what });
     }
@@ -99,8 +99,8 @@ enum Format {
 }
 
 impl Format {
-    /// The format of a file: what its beginning can only be, whatever its name is; then what its
-    /// name says; then what it may be without one. `None` for a scene of [`nff`].
+    /// The format of a file: the only one possible for its beginning, whatever its name is; then the one
+    /// of its name; then the one possible without a name. `None` for a scene of [`nff`].
     fn of(name: &Path) -> Result<Option<Self>, Fault> {
         let (beginning, size) = beginning(name);
         let marked = Self::of_mark(&beginning, size);

@@ -11,8 +11,8 @@ const ENDINGS: [&str; 7] = ["nff", "obj", "ply", "stl", "gltf", "glb", "vrm"];
 
 const MISSING: &str = "there is no such file";
 
-/// What is told about a name that is no file; `None` for names of generated scenes.
-pub(crate) fn told(name: &Path) -> Option<String> {
+/// A hint about a name that is no file; `None` for names of generated scenes.
+pub(crate) fn hint(name: &Path) -> Option<String> {
     let text = name.to_str().unwrap_or_default();
     let (kind, level) = match text.split_once(':') {
         Some((kind, level)) => (kind, Some(level)),

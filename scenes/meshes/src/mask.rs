@@ -7,7 +7,7 @@
 use glam::{DVec2, DVec3};
 use scenes::Wrap;
 
-/// Beyond so many texels from the texture a triangle is not cut: floats have no texels there.
+/// Beyond this many texels from the texture a triangle is not cut: floats have no texels there.
 const FARTHEST: f64 = (1 << 30) as f64;
 
 /// The alpha of a texture, and the limit from which on the surface is there.

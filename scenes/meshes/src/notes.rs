@@ -1,4 +1,4 @@
-//! What a user should know about how a file was read.
+//! Notes for the user about how a file was read.
 
 /// Notes in the order in which they came. Several of a kind are one, with the first one's text.
 #[derive(Default)]

@@ -10,7 +10,7 @@ use crate::{Fault, MAX_TRIANGLES};
 
 /// The prefix of a generated terrain's name: `terrain:LEVEL`.
 pub(crate) const PREFIX: &str = "terrain:";
-/// The greatest level, which has [`MAX_TRIANGLES`].
+/// The largest level, which has [`MAX_TRIANGLES`].
 const MAX_LEVEL: u32 = 11;
 /// Half of the terrain's side.
 const HALF: f64 = 10.0;
@@ -18,7 +18,7 @@ const HALF: f64 = 10.0;
 const HILLS: f64 = 4.0;
 /// The height of the largest hills.
 const HEIGHT: f64 = 4.0;
-/// Octaves of noise. The smallest is about as large as a square of the greatest level.
+/// Octaves of noise. The smallest is about as large as a square of the largest level.
 const OCTAVES: u32 = 10;
 /// The height of an octave relative to the one before.
 const ROUGHNESS: f64 = 0.45;
@@ -87,7 +87,6 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     Ok(())
 }
 
-/// The height at a place.
 fn height(place: DVec2) -> f64 {
     let mut sum = 0.0;
     let (mut scale, mut share) = (HILLS / (2.0 * HALF), 1.0);

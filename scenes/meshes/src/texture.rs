@@ -14,13 +14,11 @@ pub const MAX_TEXELS: usize = 1 << 24;
 /// [`Texture::MAX_SIDE`] are made smaller.
 const MAX_PIXELS: u32 = 16_384;
 
-/// A decoded picture.
 #[derive(Clone)]
 pub(crate) struct Decoded {
     pub texture: Arc<Texture>,
     /// Alpha of each texel, if the picture has any.
     pub alpha: Option<Arc<Vec<u8>>>,
-    /// What a user should know.
     pub note: Option<String>,
 }
 

@@ -32,7 +32,7 @@ impl Sky {
     }
 }
 
-/// The sun of a day. It stands behind the right shoulder of whoever has this view.
+/// The sun of a day. It is above and behind the eye, on the right.
 ///
 /// # Errors
 /// The view has no direction, or none upwards.

@@ -17,7 +17,7 @@ pub use not_drawn::{Kind, NotDrawn, not_drawn};
 /// The distances from the eye between which brightness falls from 1 to 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthShading {
-    /// The distance of brightness 1: the least distance of a drawn sphere from the eye, at least
+    /// The distance of brightness 1: the smallest distance of a drawn sphere from the eye, at least
     /// 0.
     pub near: f64,
     /// The distance of brightness 0: the largest distance of a drawn sphere from the eye.

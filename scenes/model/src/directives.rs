@@ -12,7 +12,6 @@ use crate::lines::LineError;
 use crate::words::Words;
 use crate::{Fault, Shader};
 
-/// A directive.
 pub(crate) enum Directive {
     /// The ambient light.
     Ambient(DVec3),

@@ -2,7 +2,7 @@
 //!
 //! Crossings become points, and the edges are cut at all points. Because a polygon is one closed
 //! line, the pieces divide the plane into faces without holes. Each face is cut into ears. The
-//! pieces then tell whether a triangle is inside.
+//! pieces then determine whether a triangle is inside.
 //!
 //! Invariant: shared points have bit-identical coordinates, so no gap shows between triangles. The
 //! result is the same on every machine.
@@ -96,9 +96,10 @@ impl Points {
         let [a, b] = first.map(|number| self.flat[number as usize]);
         let [c, d] = second.map(|number| self.flat[number as usize]);
         let sides = |from: DVec2, to: DVec2, ends: [DVec2; 2]| {
-            let least = self.rounding * from.distance(to);
+            let tolerance = self.rounding * from.distance(to);
             let [one, other] = ends.map(|end| turn(from, to, end));
-            let crosses = one.abs() > least && other.abs() > least && (one < 0.0) != (other < 0.0);
+            let crosses =
+                one.abs() > tolerance && other.abs() > tolerance && (one < 0.0) != (other < 0.0);
             crosses.then(|| one / (one - other))
         };
         sides(a, b, [c, d])?;

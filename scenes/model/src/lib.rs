@@ -2,7 +2,7 @@
 //!
 //! Owns the scene data, meshes included, reading and writing the text format with its `#cellray`
 //! extensions, the camera of a view, the triangles of a polygon, the scenes of the Standard
-//! Procedural Databases, and the depth-shading model. Doesn't know work units, SPUs or pictures.
+//! Procedural Databases, and the depth-shading model. Has no part in work units, SPUs or pictures.
 //!
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
 //! [`MAX_MAGNITUDE`], no radius or direction of 0 and no material index out of range.

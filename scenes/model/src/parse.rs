@@ -122,7 +122,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 VIEW => self.view()?,
                 BACKGROUND => self.background()?,
                 LIGHT => {
-                    self.room_for_light()?;
+                    self.check_light_count()?;
                     let light = self.words.light()?;
                     self.light(light);
                 }
@@ -203,7 +203,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 Ok(())
             }
             Directive::Sun { to_light, colour } => {
-                self.room_for_light()?;
+                self.check_light_count()?;
                 self.light((LightKind::Directional { to_light }, colour));
                 Ok(())
             }
@@ -214,7 +214,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             }
             Directive::Daylight => {
                 once("daylight", self.daylight)?;
-                self.room_for_light()?;
+                self.check_light_count()?;
                 self.daylight = Some(self.words.start());
                 Ok(())
             }
@@ -233,8 +233,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(())
     }
 
-    fn room_for_light(&self) -> Result<(), Fault> {
-        room(self.lights.len(), "lights", self.limits.objects)
+    fn check_light_count(&self) -> Result<(), Fault> {
+        check_count(self.lights.len(), "lights", self.limits.objects)
     }
 
     fn light(&mut self, (kind, colour): (LightKind, Option<DVec3>)) {
@@ -242,7 +242,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn material(&mut self) -> Result<(), LineError> {
-        room(self.materials.len(), "materials", self.limits.objects.min(u32::MAX as usize))?;
+        check_count(self.materials.len(), "materials", self.limits.objects.min(u32::MAX as usize))?;
         self.shader = None;
         self.materials.push(Material { line: self.words.start(), ..self.words.material()? });
         Ok(())
@@ -260,7 +260,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
         let Some(material) = self.materials.len().checked_sub(1) else {
             return Err(Fault::TooEarly { entity, needed: "first material (f)" }.into());
         };
-        room(self.objects.len(), "objects", self.limits.objects)?;
+        check_count(self.objects.len(), "objects", self.limits.objects)?;
         let line = self.words.start();
         let shape = shape(self)?;
         // `material` keeps the number of materials within a u32.
@@ -328,6 +328,6 @@ fn once(entity: &'static str, first: Option<u32>) -> Result<(), Fault> {
 }
 
 /// Checks that the limit allows one more of `what`.
-fn room(len: usize, what: &'static str, limit: usize) -> Result<(), Fault> {
+fn check_count(len: usize, what: &'static str, limit: usize) -> Result<(), Fault> {
     if len < limit { Ok(()) } else { Err(Fault::TooMany { what, limit }) }
 }

@@ -82,7 +82,7 @@ pub struct Material {
     pub emission: DVec3,
     /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,
-    /// What the colour is multiplied by on the triangles of a mesh that has texture coordinates.
+    /// The factor of the colour on the triangles of a mesh that has texture coordinates.
     pub texture: Option<Arc<Texture>>,
 }
 

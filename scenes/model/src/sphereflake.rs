@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 
 use glam::{DQuat, DVec3};
 
-use crate::names::{Count, greatest};
+use crate::names::{Count, largest};
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// The prefix of a generated sphereflake's name: `sphereflake:LEVEL`.
@@ -34,13 +34,13 @@ pub enum Error {
     /// The level is not a number.
     #[error(
         "sphereflake level {0} is not a whole number from 0 to {most}, as in sphereflake:2",
-        most = greatest_level(Limits::default().objects)
+        most = largest_level(Limits::default().objects)
     )]
     Level(Excerpt),
     /// The scene exceeds the default [`Limits`].
     #[error(
         "a sphereflake of level {level} has {} spheres and a polygon, more than {limit} objects; the \
-         greatest level is {}", Count(*count), greatest_level(*limit)
+         largest level is {}", Count(*count), largest_level(*limit)
     )]
     TooMany {
         /// The requested level.
@@ -60,9 +60,9 @@ pub fn sphere_count(level: u32) -> u128 {
     next.map_or(u128::MAX, |next| (next - 1) / 8)
 }
 
-/// The greatest level of at most `limit` objects.
-fn greatest_level(limit: usize) -> u32 {
-    greatest(limit, |level| sphere_count(level).saturating_add(1))
+/// The largest level of at most `limit` objects.
+fn largest_level(limit: usize) -> u32 {
+    largest(limit, |level| sphere_count(level).saturating_add(1))
 }
 
 /// Generates the scene. Level 0 is one sphere on the ground; SPD's default is 4.

@@ -8,7 +8,7 @@
 
 use glam::DVec3;
 
-use crate::names::{Count, greatest};
+use crate::names::{Count, largest};
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// The prefix of generated tetrahedra's name: `tetra:LEVEL`.
@@ -36,14 +36,14 @@ pub enum Error {
     /// The level is not a number.
     #[error(
         "tetra level {0} is not a whole number from 0 to {most}, as in tetra:3",
-        most = greatest(Limits::default().objects, polygon_count)
+        most = largest(Limits::default().objects, polygon_count)
     )]
     Level(Excerpt),
     /// The scene exceeds the default [`Limits`].
     #[error(
-        "tetra of level {level} has {} polygons, more than {limit} objects; the greatest level is {}",
+        "tetra of level {level} has {} polygons, more than {limit} objects; the largest level is {}",
         Count(*count),
-        greatest(*limit, polygon_count)
+        largest(*limit, polygon_count)
     )]
     TooMany {
         /// The requested level.

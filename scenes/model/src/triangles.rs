@@ -123,9 +123,9 @@ fn corner(ring: &[u32], place: usize) -> [u32; 3] {
 fn first_ear(flat: &[DVec2], ring: &[u32], slack: f64) -> usize {
     let at = |vertex: u32| flat[vertex as usize];
     let turn = |a: u32, b: u32, c: u32| turn(at(a), at(b), at(c));
-    let least = |from: u32, to: u32| slack * at(from).distance(at(to));
-    let is_convex = |[a, b, c]: [u32; 3]| turn(a, b, c) > least(a, c);
-    let is_right = |from: u32, to: u32, vertex: u32| turn(from, to, vertex) < -least(from, to);
+    let tolerance = |from: u32, to: u32| slack * at(from).distance(at(to));
+    let is_convex = |[a, b, c]: [u32; 3]| turn(a, b, c) > tolerance(a, c);
+    let is_right = |from: u32, to: u32, vertex: u32| turn(from, to, vertex) < -tolerance(from, to);
     // Only a vertex at which the polygon is concave can be the deepest one within an ear.
     let hollow: Vec<u32> = (0..ring.len())
         .filter(|&place| !is_convex(corner(ring, place)))

@@ -18,7 +18,7 @@ use crate::{Fault, LightKind, Limits, MAX_SIDE, Material, Shader, Shape};
 /// sums of these squares, are still finite in an `f64`.
 pub const MAX_MAGNITUDE: f64 = 1e150;
 
-/// The words that begin an entity or a part of the view. None of them can be a number.
+/// The words that begin an entity or a part of the view. No number equals one of them.
 const KEYWORDS: [&str; 15] = [
     "v",
     "b",
@@ -268,7 +268,7 @@ impl<R: BufRead> Words<R> {
         word_at(self.lines.bytes(), self.at)
     }
 
-    /// Returns the current word, and moves behind it.
+    /// Returns the current word, and moves on to the next.
     fn take(&mut self) -> Result<&str, LineError> {
         let word = word_at(self.lines.bytes(), self.at)?;
         self.at += word.len();

@@ -1,4 +1,4 @@
-//! `cellray render` without options of where the picture goes and what is told.
+//! `cellray render` without options for the picture's file and the messages.
 
 use std::fs;
 use std::path::Path;
@@ -46,7 +46,7 @@ fn the_picture_has_the_scenes_name_and_one_line_tells_of_it() {
     assert!(said.starts_with("cellray: paper13.png: 64x36, "), "{said}");
     assert!(said.contains(" rays in ") && said.contains("frames/s"), "{said}");
     assert_eq!(said.lines().count(), 1, "{said}");
-    // Its own picture is replaced, and that is told.
+    // Its own picture is replaced, and a message reports that.
     let (code, said) = render(folder.path(), &[scene]);
     assert_eq!(code, Some(0), "{said}");
     assert!(said.starts_with("cellray: paper13.png, replaced: 64x36, "), "{said}");

@@ -58,7 +58,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
 }
 
 #[test]
-fn what_is_not_shipped_can_be_built() {
+fn unshipped_formulation_is_refused_with_the_build_command() {
     let shipped = Formulations::shipped();
     for sphere in SPHERES {
         if !shipped.contains(&Formulations::of(sphere, &TRIANGLES[0])) {
@@ -89,7 +89,7 @@ fn a_quality_is_a_choice_of_formulations() {
 }
 
 #[test]
-fn what_can_not_be_chosen_is_named() {
+fn invalid_formulations_are_named() {
     let scene = "scenes/paper16.nff";
     bad(&["render", scene, "--sphere", "newton3"], &["newton3", "newton2"]);
     bad(&["render", scene, "--triangle", "plucker"], &["plucker", "watertight"]);

@@ -1,4 +1,4 @@
-//! `cellray render --inspect`: what the page says. How it looks in a browser is for `ci/browser`.
+//! `cellray render --inspect`: the page's content. `ci/browser` checks how it looks in a browser.
 
 use std::fs;
 
@@ -15,7 +15,7 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
     let folder = tempfile::tempdir().unwrap();
     let pages = ["first.html", "second.html"].map(|name| {
         let page = folder.path().join(name);
-        let (_, talk) = good(&[
+        let (_, messages) = good(&[
             "render",
             "scenes/shadows.nff",
             "--size",
@@ -26,7 +26,7 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
             page.to_str().unwrap(),
         ]);
         let text = fs::read_to_string(page).unwrap();
-        assert!(talk.contains(&format!("{} bytes", text.len())), "{talk}");
+        assert!(messages.contains(&format!("{} bytes", text.len())), "{messages}");
         text
     });
     assert!(pages[0] == pages[1], "the pages of two runs differ");

@@ -33,10 +33,10 @@ fn the_view_can_be_replaced() {
     let (turned, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,0", "--up=1,1,0"]);
     let (narrow, _) = render(&["--angle", "20"]);
     assert!(own != above && above != turned && own != narrow);
-    let behind = ["--from", "0.5,0.5,-4", "--look-at", "0.5,0.5,0"];
-    let (behind, _) = render(&behind);
+    let back = ["--from", "0.5,0.5,-4", "--look-at", "0.5,0.5,0"];
+    let (back, _) = render(&back);
     let (away, _) = render(&["--look-at", "100,0,0", "--from", "50,0,0"]);
-    assert!(behind != away, "the square is visible from both sides");
+    assert!(back != away, "the square is visible from both sides");
 }
 
 #[test]

@@ -140,13 +140,13 @@ fn a_shader_is_scheduled_where_the_game_is() {
         assert!(output.status.success(), "{command}: {stderr}");
         stderr
     };
-    // The tutorial's own command and what it says of the result.
+    // The tutorial's own command and its summary of the result.
     let tutorial = fs::read_to_string("docs/tutorial.md").unwrap();
     let mut lines = tutorial.lines().map(str::trim);
     let command = lines.find(|line| line.starts_with("cellray shader schedule"));
     let stderr = typed(command.unwrap());
-    let told = lines.find(|line| line.starts_with("cellray: shader_stripes:")).unwrap();
-    assert!(stderr.lines().any(|line| line == told), "{stderr}");
+    let summary = lines.find(|line| line.starts_with("cellray: shader_stripes:")).unwrap();
+    assert!(stderr.lines().any(|line| line == summary), "{stderr}");
     // The rings are written by the macro `shader`, whose code the scheduler can't replace.
     let rings = "examples/shader/shaders/rings.s";
     let out = folder.path().join("rings.s");

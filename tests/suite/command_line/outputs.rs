@@ -48,7 +48,7 @@ fn a_message_that_nobody_reads_costs_no_picture() {
             assert_eq!(image::open(&path).unwrap().width(), 64, "{name}");
             fs::remove_file(path).unwrap();
         }
-        // An error that can't be told is still told by the status.
+        // An error that can't be printed still sets the exit code.
         let mut wrong = program();
         wrong.args(["render", "no/such.nff"]);
         let status = wrong.stderr(errors()).status().unwrap();
@@ -71,7 +71,7 @@ fn data_whose_reader_has_gone_ends_quietly() {
 }
 
 #[test]
-fn data_that_can_not_be_written_is_an_error() {
+fn unwritable_data_is_an_error() {
     let stats = ["render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-"];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "2"][..], &["info"], &stats, &picture] {

@@ -117,7 +117,7 @@ fn signals_end_it_between_two_pictures() {
 }
 
 #[test]
-fn what_makes_no_sequence_is_refused() {
+fn invalid_sequence_options_are_refused() {
     let folder = tempfile::tempdir().unwrap();
     let out = pattern(folder.path());
     let refused = |more: &[&str], parts: &[&str]| {

@@ -127,7 +127,7 @@ fn the_picture_of_an_inspected_frame_has_its_settings() {
 
 /// What leaves the pixels as they are leaves the file as it is.
 #[test]
-fn what_is_no_setting_of_the_picture_is_not_in_the_file() {
+fn other_options_are_not_in_the_file() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.png");
     let out = path.to_str().unwrap();

@@ -1,5 +1,4 @@
-//! SPUs that do not answer: they are reported in time, even if libspe2 counts time by a clock that
-//! is slower than ours.
+//! SPUs that do not reply: they are reported in time, even if libspe2's clock is slower than ours.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +8,7 @@ use spu_build::{Image, Tools};
 
 use crate::command_line::support::text;
 
-/// Takes its mail and never answers. Two instructions in each cycle make it slow to emulate.
+/// Takes its mail and never replies. Two instructions in each cycle make it slow to emulate.
 const SILENT: &str = "        .global _start
 _start: rdch $3,$SPU_RdInMbox
         rdch $4,$SPU_RdInMbox

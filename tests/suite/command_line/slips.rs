@@ -1,4 +1,4 @@
-//! Slips of the hand and of the memory: what is told about them says what to type.
+//! Typing errors and misremembered names: the messages suggest the right ones.
 
 use crate::command_line::support::{bad, good};
 
@@ -26,12 +26,12 @@ fn generated_scenes_that_are_not() {
         ("terrain", &["as in terrain:5"]),
         ("sphereflake:", &["is not a whole number from 0 to 6, as in sphereflake:2"]),
         ("sphereflake:-1", &["`-1` is not a whole number from 0 to 6"]),
-        ("sphereflake:7", &["5380840 spheres", "the greatest level is 6"]),
-        ("sphereflake:99", &["over 10^38 spheres", "the greatest level is 6"]),
+        ("sphereflake:7", &["5380840 spheres", "the largest level is 6"]),
+        ("sphereflake:99", &["over 10^38 spheres", "the largest level is 6"]),
         ("tetra:x", &["`x` is not a whole number from 0 to 9, as in tetra:3"]),
-        ("tetra:10", &["the greatest level is 9"]),
+        ("tetra:10", &["the largest level is 9"]),
         ("terrain:12", &["not a whole number from 0 to 11"]),
-        ("gears:31", &["the greatest size is 30"]),
+        ("gears:31", &["the largest size is 30"]),
         ("gears:0", &["gears size `0` is not a whole number from 1"]),
         ("mount:8", &["sizes up to 7"]),
         ("spherflake:2", &["did you mean sphereflake:2?"]),
@@ -63,7 +63,7 @@ fn scene_files_that_are_not() {
 }
 
 #[test]
-fn numbers_that_are_out_of_range() {
+fn out_of_range_numbers_are_refused() {
     for (option, value, range) in [
         ("--timeout", "-1", "1 to 86400"),
         ("--timeout", "0", "1 to 86400"),
@@ -79,7 +79,7 @@ fn numbers_that_are_out_of_range() {
 }
 
 #[test]
-fn words_that_are_near_others() {
+fn similar_words_are_suggested() {
     for (arguments, meant) in [
         (&["rendr", SCENE][..], "'render'"),
         (&["paly", "billiards"], "'play'"),

@@ -7,7 +7,7 @@ use image::RgbImage;
 use crate::command_line::support::{VIEW, bad_scene, good, pixels};
 
 #[test]
-fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
+fn entities_undrawn_by_depth_shading_are_listed() {
     let arguments = ["render", "sphereflake:1", "--size", "16x16", "--out", "none"];
     let (_, err) = good(&[&arguments[..], &["--model", "depth"]].concat());
     for part in [
@@ -104,7 +104,7 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
 }
 
 #[test]
-fn rays_that_are_not_seen_are_sent_if_asked_for() {
+fn invisible_rays_are_sent_on_request() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("glass.nff");
     // This glass reflects nothing.

@@ -1,4 +1,4 @@
-//! SPU programs that fail. Each becomes an error that says which SPU failed, where and why, and no
+//! SPU programs that fail. Each becomes an error that names the SPU that failed, where and why, and no
 //! incomplete picture is presented as complete.
 
 use std::fs;
@@ -137,7 +137,7 @@ fn a_dma_to_memory_that_is_not_there() {
 
 const HAS_MAIL: &str = "has not read its mailbox";
 
-/// The message about SPUs that do not answer for this number of seconds.
+/// The message about SPUs that do not reply for this number of seconds.
 fn silent_for(seconds: u64, program: Program) -> String {
     let error = render_with(program, Duration::from_secs(seconds));
     assert!(matches!(error, EngineError::Silent { spu: 0, .. }), "{error}");
@@ -149,7 +149,7 @@ fn silent_for(seconds: u64, program: Program) -> String {
     text
 }
 
-/// The message about SPUs that do not answer though they have read their mail. On a machine that
+/// The message about SPUs that do not reply though they have read their mail. On a machine that
 /// is too busy to run them so far, they get twice the time.
 fn silence(program: Program) -> String {
     let mut texts = (0..8).map(|power| silent_for(1 << power, program));
@@ -183,7 +183,7 @@ fn a_program_that_does_not_look_at_its_mail() {
 /// machine that is idle. That is rather the machine's time than theirs, because they sleep.
 const UNIT_PATIENCE: Duration = Duration::from_secs(5);
 
-/// Takes six units, each after sleeping for a second by the decrementer, and answers that all is
+/// Takes six units, each after sleeping for a second by the decrementer, and replies that all is
 /// done. It takes longer than [`UNIT_PATIENCE`] in total, but never as long without taking a unit.
 const SLOWLY: &str = "
         ila $10,0x1000

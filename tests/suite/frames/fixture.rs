@@ -23,9 +23,9 @@ pub struct Fixture {
     pub mesh: SharedMemory,
     /// The materials in main memory, if there are any.
     pub materials: SharedMemory,
-    /// The block of Whitted's model, with zeros after it up to the greatest size.
+    /// The block of Whitted's model, with zeros after it up to the maximum size.
     pub scene: SharedMemory,
-    /// The rays that wait and have no room in local store.
+    /// The queued rays that don't fit in local store.
     pub waiting: SharedMemory,
     pub framebuffer: Memory,
     _memory: Vec<SharedMemory>,
@@ -143,7 +143,7 @@ impl Fixture {
     }
 }
 
-/// Checks that the picture of a scene has more than so many colours, and is the same with these
+/// Checks that the picture of a scene has more than this number of colours, and is the same with these
 /// numbers of SPUs as with one.
 pub fn is_the_same_with_spus(
     scene: &scenes::Scene,

@@ -33,7 +33,7 @@ const FRAMEBUFFER: u64 = 0x1700_0000;
 /// The number of ticks of a 32-bit decrementer.
 const PERIOD: u64 = 1 << 32;
 
-/// By how much the clock advances at each read: 2.5 s. The driver reads it some fifteen times a
+/// How much the time advances at each read: 2.5 s. The driver reads it some fifteen times a
 /// tile, and must not miss that 53.8 s have passed.
 const LEAP: u64 = 3 << 26;
 
@@ -114,7 +114,7 @@ fn phases(line: &Statistics) -> u64 {
 fn holds(scene: &scenes::Scene) {
     let (line, cost, total) = traced(scene);
     let [busy, dma_wait, idled] = [line.busy, line.dma_wait, line.idle].map(|ticks| ticks.get());
-    assert!(busy > PERIOD, "the frame is too short to tell: {busy}");
+    assert!(busy > PERIOD, "the frame is too short for the test: {busy}");
     // The start of the program and the time after the last count are not included.
     let counted = busy + dma_wait + idled;
     assert!(counted <= total, "{counted} of {total} ticks");

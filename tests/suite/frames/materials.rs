@@ -95,7 +95,7 @@ fn refused(fixture: &mut Fixture, block: usize, at: usize, bytes: &[u8]) {
 }
 
 #[test]
-fn numbers_that_no_material_has() {
+fn invalid_material_numbers_are_refused() {
     let mut fixture = Fixture::of(&scene(false), 1);
     assert_eq!(fixture.frame.mesh_material_count.get(), 1536);
     let (leaf, header) = first(&fixture, MESH_LEAF);

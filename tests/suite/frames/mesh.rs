@@ -96,7 +96,6 @@ fn cones() -> scenes::Scene {
     scene
 }
 
-/// A block's word.
 fn word(block: u32, index: usize) -> usize {
     block as usize * MESH_BLOCK as usize + 4 * index
 }
@@ -241,14 +240,14 @@ fn fields_of_the_mesh_that_are_wrong() {
 fn a_scene_that_leaves_no_room_for_the_code_is_refused() {
     let mut fixture = Fixture::of(&scene(), 1);
     let leaves: Spoil = |frame: &mut Frame| {
-        // Whole lines up to the code, with no room for the rays that wait.
+        // Whole lines up to the code, without space for the queued rays.
         frame.scene_bytes = (EYE_CODE - SCENE_ADDRESS).into();
     };
-    fixture.refuses(&[("scene_bytes", "leave room", leaves)]);
+    fixture.refuses(&[("scene_bytes", "leave space", leaves)]);
 }
 
 #[test]
-fn blocks_that_are_not_as_they_should_be() {
+fn invalid_blocks_are_refused() {
     let mut blocks = Blocks::new(2);
     assert_eq!(blocks.get(word(0, KIND)), MESH_INNER, "the root");
     let leaf = blocks.first(MESH_LEAF);
@@ -270,13 +269,13 @@ fn blocks_that_are_not_as_they_should_be() {
     header("more levels", LEVELS, 4);
     header("other levels", LEVELS, levels % 3 + 1);
     header("no nodes", NODES, 0);
-    header("more nodes than a block has room for", NODES, 19);
+    header("more nodes than a block holds", NODES, 19);
     header("nodes without number", NODES, u32::MAX);
     header("triangles in an inner block", TRIANGLES, 1);
     header("vertices in an inner block", VERTICES, 1);
     header("unknown sides", SIDES, 1);
     header("a child that is the block itself", CHILDREN, 0);
-    header("a child behind the last block", CHILDREN, last);
+    header("a child after the last block", CHILDREN, last);
     header("a child without number", CHILDREN, u32::MAX);
     header("a child in the middle of a node", CHILDREN, child + 16);
 
@@ -297,7 +296,7 @@ fn blocks_that_are_not_as_they_should_be() {
         ("a run between triangles", (header(children), (1 << 16) | 2)),
         ("a vertex that is not there", (header(faces), vertices << 24)),
         ("a material that is not there", (header(faces), 1)),
-        ("a leaf that says it is inner", (header(KIND), MESH_INNER)),
+        ("a leaf that is marked as inner", (header(KIND), MESH_INNER)),
     ];
     for (what, case) in cases {
         blocks.refused(what, leaf, &[case]);
@@ -333,19 +332,19 @@ fn objects_are_refused(scene: &scenes::Scene, kind: u32, size: u32) {
         ("too much for a block", (header(TRIANGLES), 40)),
         ("vertices", (header(VERTICES), 1)),
         ("an object before the first", (child, first - size)),
-        ("an object behind the last", (child, first + size * count)),
+        ("an object after the last", (child, first + size * count)),
         ("an object between objects", (child, first + 16)),
         ("an object between quadwords", (child, first + 4)),
         ("an object in another block", (child, u32::MAX)),
         ("a material that is not there", (material, 2)),
-        ("a leaf that says it has triangles", (header(KIND), MESH_LEAF)),
+        ("a leaf that is marked as one of triangles", (header(KIND), MESH_LEAF)),
     ];
     for (what, case) in cases {
         blocks.refused(what, leaf, &[case]);
     }
 }
 
-/// Whatever a block says, the SPU answers: it refuses the block, or draws what it says.
+/// Whatever a block has, the SPU replies: it refuses the block, or draws its content.
 #[test]
 fn any_block_is_drawn_or_refused() {
     for scene in [scene(), spheres(), cones()] {

@@ -84,7 +84,7 @@ fn every_packet_is_accounted_for_with_every_sphere() {
 }
 
 #[test]
-fn tests_that_skipping_leaves_out_are_of_spheres_that_no_ray_comes_near() {
+fn skipped_tests_are_of_spheres_far_from_all_rays() {
     for name in ["paper1.nff", "paper13.nff", "spheres64.nff"] {
         let scene = Scene::from_nff(&nff_scene(name)).unwrap();
         let [skipping, without] = [Skip::Misses, Skip::Nothing].map(|skip| {
@@ -272,7 +272,7 @@ impl Framebuffer for Straddling {
 
     fn present(&mut self) -> Result<(), FramebufferError> {
         let bytes = ptr::slice_from_raw_parts(self.base.as_ptr(), self.bytes());
-        // SAFETY: all SPUs have answered, so nothing writes to the mapping now.
+        // SAFETY: all SPUs have replied, so nothing writes to the mapping now.
         let bytes = unsafe { &*bytes };
         let expected =
             render(&nff_scene("paper16.nff"), self.geometry.width, self.geometry.height, one_spu());

@@ -33,7 +33,6 @@ c
 3 0 2 0
 ";
 
-/// A frame with depth shading.
 fn fixture(spus: u32) -> Fixture {
     Fixture::of(&nff_scene("paper13.nff"), spus)
 }
@@ -95,7 +94,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "must be a multiple of 128 and leave", |frame| {
             frame.scene_bytes = (frame.scene_bytes.get() + 64).into()
         }),
-        ("scene_bytes", "leave room", |frame| frame.scene_bytes = (SCENE_ROOM + 128).into()),
+        ("scene_bytes", "leave space", |frame| frame.scene_bytes = (SCENE_ROOM + 128).into()),
         ("scene_bytes", "4294967168", |frame| frame.scene_bytes = 0xffff_ff80.into()),
         ("scene_bytes", "4294967295", |frame| frame.scene_bytes = u32::MAX.into()),
         // Three batches of eight packets need 12288 bytes.
@@ -164,7 +163,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
 }
 
 #[test]
-fn what_whitteds_model_may_say_at_most_is_traced() {
+fn maximum_values_of_whitteds_model_are_traced() {
     let mut fixture = whitted_fixture(1);
     let good = fixture.frame;
     let most: [Spoil; 5] = [
@@ -238,7 +237,7 @@ fn a_work_unit_that_is_none_is_refused() {
 }
 
 #[test]
-fn slices_that_make_no_sense_stay_within_the_picture() {
+fn invalid_slices_stay_within_the_picture() {
     let mut fixture = fixture(2);
     let mut frame = fixture.frame;
     for slices in [[U32::new(u32::MAX); 17], [U32::ZERO; 17]] {

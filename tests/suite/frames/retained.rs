@@ -37,7 +37,6 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     }
 }
 
-/// A change of a scene.
 type Change = fn(&mut scenes::Scene);
 
 /// With Whitted's model too, a change is traced wherever it is visible.
@@ -113,7 +112,7 @@ fn halve_the_ground(scene: &mut scenes::Scene) {
 }
 
 #[test]
-fn what_is_asked_to_be_traced_is_traced() {
+fn retain_and_skip_off_trace_every_pixel() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
     let retrace = Settings { retain: false, ..Settings::default() };
     let no_skip = Settings { skip: Skip::Nothing, ..Settings::default() };
@@ -187,7 +186,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut scenes::Scene) {
         }
         6 => scene.view.from += vector(random, 0.1),
         7 => scene.background = vector(random, 1.0).abs(),
-        // Past the eye, around it and behind it.
+        // In front of the eye, around it and behind the eye.
         8 => *centre = scene.view.from + vector(random, 2.0),
         9 => scene.materials[0].colour = vector(random, 1.0).abs(),
         _ => *centre += vector(random, 0.3),
@@ -297,7 +296,7 @@ impl Framebuffer for Shared {
         *self.shown.lock().unwrap() = Some(self.memory.rgb());
         if self.disturbed.load(Ordering::Relaxed) {
             let Target { base, bytes, .. } = self.memory.target();
-            // SAFETY: the target was just obtained, and the SPUs have answered.
+            // SAFETY: the target was just obtained, and the SPUs have replied.
             unsafe { base.write_bytes(0xee, bytes) };
         }
         Ok(())
@@ -313,7 +312,7 @@ impl Framebuffer for Shared {
 }
 
 #[test]
-fn nothing_is_retained_while_others_draw_and_just_after() {
+fn pixels_are_traced_again_after_other_writers() {
     let nff = nff_scene("paper16.nff");
     let expected = render(&nff, 100, 50, Settings::default());
     let (shown, disturbed) = (Snapshot::default(), Arc::new(AtomicBool::new(false)));
@@ -354,7 +353,7 @@ impl Framebuffer for Unsteady {
         self.presents += 1;
         if self.presents == 2 {
             let Target { base, bytes, .. } = self.memory.target();
-            // SAFETY: the target was just obtained, and the SPUs have answered.
+            // SAFETY: the target was just obtained, and the SPUs have replied.
             unsafe { base.write_bytes(0xee, bytes) };
             return Err(FramebufferError::OutOfMemory { bytes });
         }
@@ -372,7 +371,7 @@ impl Framebuffer for Unsteady {
 }
 
 #[test]
-fn nothing_is_retained_over_an_error() {
+fn pixels_are_traced_again_after_an_error() {
     let nff = nff_scene("paper16.nff");
     let shown = Snapshot::default();
     let framebuffer = Box::new(Unsteady {

@@ -102,10 +102,10 @@ fn fields_of_the_textures_that_are_wrong() {
 #[test]
 fn a_scene_that_leaves_no_room_for_the_tiles_is_refused() {
     let leaves: Spoil = |frame: &mut Frame| {
-        // Whole lines up to the tiles, with no room for the rays that wait.
+        // Whole lines up to the tiles, without space for the queued rays.
         frame.scene_bytes = (TEXTURE_CODE - SCENE_ADDRESS).into();
     };
-    Fixture::of(&scene(), 1).refuses(&[("scene_bytes", "leave room", leaves)]);
+    Fixture::of(&scene(), 1).refuses(&[("scene_bytes", "leave space", leaves)]);
 }
 
 /// The records of textures in the scene's block.
@@ -146,7 +146,7 @@ fn records_of_textures_that_are_wrong() {
     let cases = [
         ("levels before the first", texture(0), address - 16),
         ("levels between records", texture(0), address + 4),
-        ("levels behind the last", texture(0), address + 16 * count),
+        ("levels after the last", texture(0), address + 16 * count),
         ("levels anywhere", texture(0), u32::MAX),
         ("too many levels", texture(LAST), count),
         ("levels without number", texture(LAST), u32::MAX),
@@ -157,11 +157,11 @@ fn records_of_textures_that_are_wrong() {
         ("no height", level(1), 0),
         ("a large height", level(1), 1e30_f32.to_bits()),
         ("other tiles across", level(ACROSS), 3),
-        ("tiles behind the last", level(FIRST), tiles),
-        ("some tiles behind the last", level(FIRST), tiles - 8),
+        ("tiles after the last", level(FIRST), tiles),
+        ("some tiles after the last", level(FIRST), tiles - 8),
         ("tiles without number", level(FIRST), u32::MAX),
         ("a material's texture between records", material, records.get(material) + 4),
-        ("a material's texture behind the last", material, address),
+        ("a material's texture after the last", material, address),
         ("a material's texture anywhere", material, 16),
     ];
     for (what, at, value) in cases {
@@ -185,7 +185,7 @@ fn records_of_textures_that_are_wrong() {
     assert!(without != records.fixture.picture(), "a material without its texture");
 }
 
-/// Blocks may have texture coordinates only in frames with textures, and must have room for them.
+/// Blocks may have texture coordinates only in frames with textures, and must have space for them.
 #[test]
 fn blocks_with_texture_coordinates() {
     let mut fixture = Fixture::of(&scene(), 1);
@@ -212,7 +212,7 @@ fn blocks_with_texture_coordinates() {
     assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.read(at + 24, &mut word);
     let vertices = u32::from_be_bytes(word);
-    // With so many vertices, all but their coordinates have room.
+    // The block holds 80 vertices without their coordinates only.
     fixture.mesh.write(at + 24, &80_u32.to_be_bytes());
     let refused = fixture.refused(&frame).to_string();
     assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");

@@ -1,4 +1,4 @@
-//! Rays that wait and have no room in local store: they go to main memory and come back.
+//! Queued rays that don't fit in local store: they go to main memory and come back.
 
 use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
@@ -10,7 +10,7 @@ use crate::recorder::nff_scene;
 /// Rays of a packet.
 const PACKET: u32 = 16;
 
-/// The most bytes of a scene without triangles that leave room for the rays of such batches.
+/// The most bytes of a scene without triangles that leave space for the rays of such batches.
 fn most_scene_bytes(batch: u32) -> u32 {
     let rays = 3 * PACKET * size_of::<QueuedRay>() as u32;
     let buffers = 2 * size_of::<RayPacket>() as u32;
@@ -45,7 +45,7 @@ fn rays_without_room_in_local_store_wait_in_main_memory() {
         let expected = picture(&fixture);
         assert!(used(&fixture, spus).iter().all(|used| *used == 0));
 
-        // Zeros after the scene take the room of all but three batches.
+        // Zeros after the scene take the space of all but three batches.
         frame.batch = batch.into();
         frame.scene_bytes = most_scene_bytes(batch).into();
         fixture.submit(&frame).unwrap();

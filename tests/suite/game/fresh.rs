@@ -14,7 +14,6 @@ use crate::recorder::{Recorder, Snapshot};
 const SIZE: (u32, u32) = (132, 66);
 const TILES: u64 = 3 * 5;
 
-/// A world and its contents.
 struct Played {
     world: World,
     goes_on: bool,
@@ -203,7 +202,7 @@ fn the_model_follows_the_lights() {
     }
 }
 
-/// Objects are added until there is no more room, and then the scene's layout is rebuilt.
+/// Objects are added until the memory is full, and then the scene's layout is rebuilt.
 #[test]
 fn worlds_grow_and_shrink() {
     let mut random = ChaCha8Rng::seed_from_u64(6);

@@ -112,7 +112,7 @@ fn a_fixed_object_stays_until_it_is_freed() {
 }
 
 #[test]
-fn what_has_a_position_is_moved_as_it_is() {
+fn moved_object_keeps_its_shape() {
     let mut world = World::new();
     let red = red(&mut world);
     let cone =
@@ -250,7 +250,7 @@ fn too_much_is_refused_until_it_is_gone() {
     world.scene(&program).unwrap();
 }
 
-/// The same by Whitted's model, whose objects are streamed if they are too many.
+/// The same with Whitted's model, whose objects are streamed if they are too many.
 #[test]
 fn too_many_lights_are_refused_until_they_are_gone() {
     let program = Program::tracer();
@@ -310,7 +310,7 @@ fn a_scene_comes_back_as_it_was() {
 }
 
 #[test]
-fn what_a_file_has_is_called_by_its_line() {
+fn errors_name_the_line_of_an_object_from_a_file() {
     let parse = |text: &str| {
         let text = format!("{VIEW}{text}");
         scenes::parse(text.as_bytes(), "dir/s.nff", &scenes::Limits::default()).unwrap()

@@ -108,7 +108,7 @@ fn pads_come_and_go() {
 }
 
 #[test]
-fn who_loses_the_focus_lets_go() {
+fn losing_the_focus_releases_all_input() {
     let pad = PadId(0);
     let mut input = after(&[
         InputEvent::PadConnected { pad, name: "pad".into() },

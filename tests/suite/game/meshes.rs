@@ -1,4 +1,4 @@
-//! Meshes of a world at their places, and more spheres or cones than local store has room for:
+//! Meshes of a world at their places, and more spheres or cones than fit in local store:
 //! every picture is that of a new scene with the same content, byte for byte.
 
 use std::f64::consts::{PI, TAU};
@@ -183,7 +183,7 @@ fn play(mesh: Mesh) {
     }
 }
 
-/// More materials than local store has room for: each is changed in place, the mesh moves, and a
+/// More materials than fit in local store: each is changed in place, the mesh moves, and a
 /// sphere in local store has one of them, too.
 #[test]
 fn more_materials_than_local_store_has_room_for() {
@@ -374,7 +374,7 @@ fn more_spheres_than_local_store_has_room_for() {
             1 => spheres[..400].iter().for_each(|&id| world.show(id, false).unwrap()),
             2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
             3 => spheres[..400].iter().for_each(|&id| world.show(id, true).unwrap()),
-            // So many are left that all fit.
+            // The remaining ones all fit.
             _ => spheres[..900].iter().for_each(|&id| world.remove(id).unwrap()),
         }
         let picture = compared.picture(&mut world);
@@ -406,7 +406,7 @@ fn more_cones_than_local_store_has_room_for() {
             1 => cones[..200].iter().for_each(|&id| world.show(id, false).unwrap()),
             2 => world.look_from([0.0, 2.0, 8.0], DVec3::ZERO).unwrap(),
             3 => cones[..200].iter().for_each(|&id| world.show(id, true).unwrap()),
-            // So many are left that all fit.
+            // The remaining ones all fit.
             _ => cones[..700].iter().for_each(|&id| world.remove(id).unwrap()),
         }
         let picture = compared.picture(&mut world);

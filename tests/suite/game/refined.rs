@@ -108,7 +108,7 @@ fn a_refined_picture_is_the_one_that_is_traced_in_one_go() {
 }
 
 #[test]
-fn what_moves_puts_a_refined_picture_off_at_once() {
+fn movement_puts_a_refined_picture_off_at_once() {
     let mut session = start(6);
     session.engine().limit_tiles(Some(4));
     for frames in [1, 3, 6] {
@@ -134,7 +134,7 @@ fn what_moves_puts_a_refined_picture_off_at_once() {
         assert_eq!(session.engine().statistics().primary_rays(), 75 * 18);
         assert_eq!(session.report().frames, counted + 1);
 
-        // What has come to rest is refined again.
+        // A still picture is refined again.
         session.engine().limit_tiles(Some(4));
         session.show_on(framebuffer()).expect("a framebuffer");
         step(&mut session, Some(false));
@@ -162,7 +162,7 @@ fn a_picture_that_was_put_off_is_begun_anew_on_the_same_framebuffer() {
 
 /// Without retained tiles every frame is complete, so there is nothing to continue.
 #[test]
-fn frames_that_retain_nothing_are_not_divided() {
+fn frames_without_retained_pixels_are_not_divided() {
     let settings = Settings { retain: false, ..Settings::default() };
     let game = Pushed(ObjectId::default());
     let mut session = Session::start(game, settings, framebuffer()).expect("a session");

@@ -242,7 +242,7 @@ fn another_games_recording_is_refused() {
 }
 
 #[test]
-fn what_is_no_recording_is_refused() {
+fn invalid_recording_is_refused() {
     let header = |version: &str| {
         format!(
             "{{\"format\":\"cellray recording\",\"version\":{version},\"game\":\"driven\",\"seed\":0,\"size\":[4,4]}}\n"
@@ -293,7 +293,7 @@ fn a_game_that_is_over_ends_the_session() {
 }
 
 #[test]
-fn input_that_ends_or_fails_ends_the_session() {
+fn end_or_failure_of_input_ends_the_session() {
     struct Ends(bool);
     impl InputSource for Ends {
         fn poll(&mut self, _: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {

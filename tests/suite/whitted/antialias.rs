@@ -22,18 +22,18 @@ fn antialiased(samples: Samples, contrast: u8) -> RenderOptions {
     RenderOptions { samples, contrast, ..WHITTED }
 }
 
-/// Whether a channel of two pixels differs by at least `least`.
-fn differ(a: Rgb<u8>, b: Rgb<u8>, least: u8) -> bool {
-    a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) >= least)
+/// Whether a channel of two pixels differs by at threshold `threshold`.
+fn differ(a: Rgb<u8>, b: Rgb<u8>, threshold: u8) -> bool {
+    a.0.iter().zip(b.0).any(|(a, b)| a.abs_diff(b) >= threshold)
 }
 
 /// The pixels of a picture with one ray each that differ from a neighbour in their tile.
-fn differing(picture: &RgbImage, least: u8) -> Vec<(u32, u32)> {
-    differing_in(picture, least, TILE)
+fn differing(picture: &RgbImage, threshold: u8) -> Vec<(u32, u32)> {
+    differing_in(picture, threshold, TILE)
 }
 
 /// The same for tiles of another size.
-fn differing_in(picture: &RgbImage, least: u8, size: (u32, u32)) -> Vec<(u32, u32)> {
+fn differing_in(picture: &RgbImage, threshold: u8, size: (u32, u32)) -> Vec<(u32, u32)> {
     let tile = |(x, y): (u32, u32)| (x / size.0, y / size.1);
     let (width, height) = picture.dimensions();
     let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
@@ -47,7 +47,7 @@ fn differing_in(picture: &RgbImage, least: u8, size: (u32, u32)) -> Vec<(u32, u3
         .filter(|&at| {
             beside(at).filter(|&other| tile(other) == tile(at)).any(|other| {
                 let [here, there] = [at, other].map(|(x, y)| *picture.get_pixel(x, y));
-                differ(here, there, least)
+                differ(here, there, threshold)
             })
         })
         .collect()
@@ -171,20 +171,20 @@ fn is_explained(found: Rgb<u8>, light: &Light, (x, y): (u32, u32), side: u32) ->
     let cells = (0..side).flat_map(|row| (0..side).map(move |column| [column, row]));
     let around = [-1.0, 0.0, 1.0].into_iter();
     let around = around.flat_map(|dx| [-1.0, 0.0, 1.0].map(|dy| (NEAR * dx, NEAR * dy)));
-    let (mut least, mut most) = (DVec3::ZERO, DVec3::ZERO);
+    let (mut min, mut max) = (DVec3::ZERO, DVec3::ZERO);
     for cell in cells {
         let [dx, dy] = sample(side, cell);
         let (x, y) = (f64::from(x) + dx, f64::from(y) + dy);
         let seen = around.clone().map(|(dx, dy)| light(x + dx, y + dy));
         let seen: Vec<_> = seen.collect();
-        least += seen.iter().copied().reduce(DVec3::min).unwrap();
-        most += seen.iter().copied().reduce(DVec3::max).unwrap();
+        min += seen.iter().copied().reduce(DVec3::min).unwrap();
+        max += seen.iter().copied().reduce(DVec3::max).unwrap();
     }
     let count = f64::from(side * side);
     let byte = |sum: DVec3| 255.0 * (sum / count).clamp(DVec3::ZERO, DVec3::ONE);
     let found = DVec3::from(found.0.map(f64::from));
-    let [least, most] = [byte(least) - 1.5, byte(most) + 1.5];
-    found.cmpge(least).all() && found.cmple(most).all()
+    let [min, max] = [byte(min) - 1.5, byte(max) + 1.5];
+    found.cmpge(min).all() && found.cmple(max).all()
 }
 
 /// With 16 samples a pixel, 16 rays may decide otherwise than the reference at an edge, and each of
@@ -222,7 +222,7 @@ fn depth_shading() {
 }
 
 #[test]
-fn nothing_depends_on_who_traces_what() {
+fn picture_is_independent_of_spus_and_work_units() {
     let scene = nff_scene("whitted16.nff");
     let frame = |spus, split, skip| {
         let settings = Settings { spus, split, skip, ..Settings::default() };
@@ -256,7 +256,7 @@ fn depth_shading_depends_on_nothing_either() {
 }
 
 #[test]
-fn nothing_differs_in_an_empty_picture() {
+fn empty_picture_has_no_edges() {
     let empty = nff_scene("empty.nff");
     let picture = |samples| Frame::of(&empty, antialiased(samples, 1), SIZE, Settings::default());
     let smooth = picture(Samples::Four);
@@ -271,11 +271,11 @@ fn a_frame_after_another_is_as_if_it_were_the_first() {
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
     use Samples::{Four, One, Sixteen};
-    for (samples, least) in [(One, 1), (Four, LEAST), (Sixteen, 64), (One, 0), (Four, 0)] {
-        let prepared = Scene::new(&scene, antialiased(samples, least), &program).unwrap();
+    for (samples, threshold) in [(One, 1), (Four, LEAST), (Sixteen, 64), (One, 0), (Four, 0)] {
+        let prepared = Scene::new(&scene, antialiased(samples, threshold), &program).unwrap();
         engine.render(&prepared, &mut |_| ()).unwrap();
         let picture = shown.lock().unwrap().take().unwrap();
-        let first = Frame::of(&scene, antialiased(samples, least), SIZE, Settings::default());
-        assert!(picture == first.picture, "{samples:?} {least}");
+        let first = Frame::of(&scene, antialiased(samples, threshold), SIZE, Settings::default());
+        assert!(picture == first.picture, "{samples:?} {threshold}");
     }
 }

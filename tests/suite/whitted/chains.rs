@@ -14,9 +14,9 @@ const SIZE: (u32, u32) = (40, 40);
 #[test]
 fn nested_glass_sends_fewer_rays_for_the_same_picture() {
     let scene = scenes::load(Path::new("scenes/nested-glass.nff")).unwrap();
-    let [least, all] =
+    let [fewest, all] =
         [false, true].map(|spd_rays| RenderOptions { ray_depth: 11, spd_rays, ..WHITTED });
-    let [found, every] = [least, all]
+    let [found, every] = [fewest, all]
         .map(|render_options| Frame::of(&scene, render_options, SIZE, Settings::default()));
     let (sent, sendable) = (found.rays(), every.rays());
     println!("{sent:?} of {sendable:?}");
@@ -32,7 +32,7 @@ fn nested_glass_sends_fewer_rays_for_the_same_picture() {
     }
     assert!(darker < 300, "{darker} channels");
 
-    let (reference, counts) = trace(&scene, SIZE.0, SIZE.1, &options(least)).unwrap();
+    let (reference, counts) = trace(&scene, SIZE.0, SIZE.1, &options(fewest)).unwrap();
     let near = |found: u64, expected: u64| 100 * found.abs_diff(expected) <= expected;
     assert!(near(sent.reflected, counts.reflected), "{counts:?}");
     assert!(near(sent.refracted, counts.refracted), "{counts:?}");

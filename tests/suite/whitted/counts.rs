@@ -18,7 +18,7 @@ const DEEP_SIDE: u32 = 128;
 /// The relative tolerance of a count.
 const OFF: f64 = 0.001;
 
-/// The greatest share of wrong pixels, including those on silhouettes.
+/// The maximum share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
 /// A picture in which each pixel is the mean of its four corners.

@@ -28,7 +28,6 @@ pub const WHITTED: RenderOptions = RenderOptions {
     volumes: NodeVolumes::Best,
 };
 
-/// A finished frame.
 pub struct Frame {
     pub picture: RgbImage,
     pub statistics: FrameStatistics,
@@ -50,7 +49,6 @@ impl Frame {
         Self { picture: picture.expect("the frame was presented"), statistics }
     }
 
-    /// The rays of all SPUs.
     pub fn rays(&self) -> Rays {
         let mut sum = Rays::default();
         for spu in &self.statistics.spus {
@@ -59,7 +57,6 @@ impl Frame {
         sum
     }
 
-    /// The generations of all SPUs.
     pub fn generations(&self) -> [Generation; GENERATIONS] {
         let mut sums = [Generation::default(); GENERATIONS];
         for spu in &self.statistics.spus {

@@ -14,7 +14,7 @@ fn frame(scene: &scenes::Scene, spus: u32, split: Split, skip: Skip) -> Frame {
     Frame::of(scene, WHITTED, SIZE, settings)
 }
 
-fn nothing_depends_on_who_traces_what(name: &str) {
+fn picture_is_independent_of_spus_and_work_units(name: &str) {
     let scene = nff_scene(name);
     let picture = render(&scene, SIZE.0, SIZE.1, Settings::default());
     let one = frame(&scene, 1, Split::Units, Skip::Misses);
@@ -60,10 +60,10 @@ fn nothing_depends_on_who_traces_what(name: &str) {
 
 #[test]
 fn spheres() {
-    nothing_depends_on_who_traces_what("whitted16.nff");
+    picture_is_independent_of_spus_and_work_units("whitted16.nff");
 }
 
 #[test]
 fn all_shapes() {
-    nothing_depends_on_who_traces_what("shapes.nff");
+    picture_is_independent_of_spus_and_work_units("shapes.nff");
 }

@@ -17,7 +17,7 @@ fn parsed(text: &str) -> scenes::Scene {
     scenes::parse(text.as_bytes(), "fills", &scenes::Limits::default()).unwrap()
 }
 
-/// Spheres, each after a fill: all different, or one of so many.
+/// Spheres, each after a fill: all different, or one of `kinds`.
 fn spheres(count: u32, kinds: u32) -> scenes::Scene {
     let mut text = VIEW.to_owned();
     for number in 0..count {
@@ -67,13 +67,13 @@ fn checked(scene: &scenes::Scene) -> Frame {
 }
 
 #[test]
-fn spheres_that_all_have_materials_of_their_own() {
+fn spheres_with_one_material_each() {
     checked(&spheres(1200, u32::MAX));
     checked(&spheres(4800, u32::MAX));
 }
 
 #[test]
-fn triangles_that_all_have_materials_of_their_own() {
+fn triangles_with_one_material_each() {
     let plain = triangles(5000);
     checked(&plain);
     // The same with normals at the vertices, and a floor in local store.
@@ -97,7 +97,7 @@ fn triangles_that_all_have_materials_of_their_own() {
 }
 
 #[test]
-fn fills_that_are_repeated() {
+fn repeated_fills_share_a_record() {
     let repeated = spheres(8281, 4);
     let found = checked(&repeated);
     let mut single = repeated.clone();
@@ -109,7 +109,7 @@ fn fills_that_are_repeated() {
     assert!(found.picture == single.picture);
 }
 
-/// What stays in local store is drawn to the same bytes with one record for each fill or for each
+/// Objects in local store are drawn to the same bytes with one record for each fill or for each
 /// object.
 #[test]
 fn repeated_fills_in_local_store() {

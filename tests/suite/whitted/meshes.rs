@@ -81,7 +81,7 @@ fn a_closed_mesh_has_no_cracks() {
 }
 
 #[test]
-fn spheres_that_local_store_has_no_room_for() {
+fn spheres_over_the_local_store_limit_are_streamed() {
     let scene = scenes::load(std::path::Path::new("sphereflake:4")).unwrap();
     let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());
     let blocks = found.statistics.spus.iter().map(|spu| spu.blocks.used);
@@ -129,7 +129,7 @@ fn far_from_the_origin_pictures_are_the_same() {
     small.view.at.y = -0.5;
     small.objects.retain(|it| matches!(it.shape, scenes::Shape::Polygon { .. }));
     let large = scenes::Scene { mesh: Some(Arc::new(bowl(24, true))), ..small.clone() };
-    // More spheres and polygons than local store has room for, at numbers of few digits.
+    // More spheres and polygons than fit in local store, at numbers of few digits.
     let grid = |count: i32, shape: &dyn Fn(DVec3) -> scenes::Shape| {
         let mut many = small.clone();
         many.mesh = None;
@@ -224,7 +224,7 @@ fn crowd_compared(
 }
 
 #[test]
-fn cones_that_local_store_has_no_room_for() {
+fn cones_over_the_local_store_limit_are_streamed() {
     let compared = crowd_compared((1500, 0), WHITTED, Settings::default());
     assert!(compared.wrong_fraction < 0.01, "{compared:?}");
     let compared = crowd_compared((5000, 5000), WHITTED, Settings::default());

@@ -1,4 +1,4 @@
-//! An eye on a sphere's surface, or nearer to it than singles can tell.
+//! An eye on a sphere's surface, or nearer to it than the precision of singles.
 
 use cellray::game::World;
 use cellray::spe::Program;

@@ -11,7 +11,7 @@ const DEEP_SIZE: (u32, u32) = (160, 90);
 
 const ALL: [&str; 4] = ["whitted16.nff", "mirrors.nff", "glass.nff", "shapes.nff"];
 
-/// The greatest share of wrong pixels, including those on silhouettes.
+/// The maximum share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
 fn scenes_are_as_the_reference_has_them(
@@ -55,7 +55,7 @@ fn scenes_without_bounces() {
     scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
-/// With glass behind glass, a pixel would take 2^15 rays. Such scenes use a depth of 7.
+/// With several layers of glass, a pixel would take 2^15 rays. Such scenes use a depth of 7.
 #[test]
 fn scenes_of_a_great_depth() {
     for (ray_depth, names, size) in

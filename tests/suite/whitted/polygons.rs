@@ -2,7 +2,7 @@
 
 use crate::whitted::frame::{WHITTED, compared};
 
-/// The greatest share of wrong pixels, including those on silhouettes.
+/// The maximum share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
 const PENTAGRAM: [[f64; 2]; 5] =
@@ -62,7 +62,7 @@ fn polygons_whose_edges_cross_are_filled_by_the_even_odd_rule() {
 }
 
 #[test]
-fn polygons_that_are_in_no_plane_are_put_into_one() {
+fn non_planar_polygons_are_projected_into_a_plane() {
     let quad = [[-1.0, -1.0, 0.4], [1.0, -1.0, -0.2], [1.1, 1.0, 0.3], [-1.0, 0.9, -0.3]];
     let hexagon = [
         [1.0, 0.0, 0.2],

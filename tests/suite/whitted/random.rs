@@ -15,7 +15,6 @@ use crate::whitted::placed::place;
 /// 1.
 const VAST: f64 = 16.0;
 
-/// A random scene.
 pub struct Drawn {
     pub scene: Scene,
     /// Whether there is a vast sphere.

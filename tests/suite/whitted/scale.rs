@@ -10,7 +10,7 @@ use crate::whitted::placed::place;
 /// How far a scene is moved, in multiples of its own size.
 const FAR: f64 = 1e4;
 
-/// The greatest share of wrong pixels, including those on silhouettes.
+/// The maximum share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.001;
 
 /// The size of a scene: twice the distance from the eye to the middle of the picture.

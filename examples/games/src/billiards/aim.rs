@@ -147,8 +147,8 @@ impl Aim {
                 let between = balls.0[number].body.centre - from;
                 let along = between.dot(direction);
                 let off = between.length_squared() - along * along;
-                let room = 4.0 * RADIUS * RADIUS - off;
-                (along > 0.0 && room > 0.0).then(|| along - room.sqrt())
+                let depth = 4.0 * RADIUS * RADIUS - off;
+                (along > 0.0 && depth > 0.0).then(|| along - depth.sqrt())
             })
             .fold(cushions, f64::min)
             .max(0.0)
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn who_turns_to_another_window_does_not_strike() {
+    fn losing_the_focus_does_not_strike() {
         let mut played = Played::default();
         played.frame(&[PRESS, motion(0.0, 75.0)]);
         assert!(!played.frame(&[InputEvent::FocusLost]));

@@ -253,7 +253,7 @@ impl Balls {
         ball.roll = direction * (speed * height * 1.25);
     }
 
-    /// Puts the cue ball on the head spot, or as near to it as there is room.
+    /// Puts the cue ball on the head spot, or as near to it as other balls allow.
     pub fn bring_back(&mut self) {
         let free = |place: DVec3| {
             self.0[1..]

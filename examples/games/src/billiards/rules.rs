@@ -132,7 +132,7 @@ impl Rules {
         self.group_of(self.turn)
     }
 
-    /// Whether the player at the table may touch this ball first. `on_bed` says which balls are on
+    /// Whether the player at the table may touch this ball first. `on_bed` is whether a ball is on
     /// the bed.
     #[must_use]
     pub fn may_touch(&self, number: usize, on_bed: impl Fn(usize) -> bool) -> bool {
@@ -143,7 +143,7 @@ impl Rules {
         }
     }
 
-    /// Judges a shot. `on_bed` says which balls are on the bed after it.
+    /// Judges a shot. `on_bed` is whether a ball is on the bed after it.
     pub fn judge(&mut self, shot: &Shot, on_bed: impl Fn(usize) -> bool) {
         let before = |number: usize| on_bed(number) || shot.has(number);
         let legal = shot.first_touched.is_some_and(|number| self.may_touch(number, before));
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_pocketed_changes_the_turn_without_a_foul() {
+    fn shot_without_pocketed_ball_changes_the_turn_without_a_foul() {
         let rules = play(&[shot(Some(1), &[])]);
         assert_eq!((rules.turn(), rules.was_foul()), (1, false));
     }

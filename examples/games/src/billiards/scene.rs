@@ -40,7 +40,6 @@ const COLOURS: [[f64; 3]; 7] = [
     [0.48, 0.08, 0.12],
 ];
 
-/// The objects.
 #[derive(Default)]
 pub(super) struct Scene {
     /// Each ball with its two caps.
@@ -63,7 +62,7 @@ impl Scene {
     pub fn add(world: &mut World, balls: &Balls) -> Result<Self, WorldError> {
         world.set_background(DVec3::new(0.075, 0.06, 0.055))?;
         world.set_ambient(DVec3::splat(0.2))?;
-        add_room(world)?;
+        add_surroundings(world)?;
         add_bed(world)?;
         add_rails(world)?;
         add_pockets(world)?;
@@ -198,7 +197,6 @@ fn shown_player(rules: &Rules) -> usize {
     rules.winner().unwrap_or(rules.turn())
 }
 
-/// The position of the marker.
 fn marker_place(rules: &Rules) -> DVec3 {
     let player = shown_player(rules);
     let rail = |half: f64| half + CUSHION + RAIL / 2.0;
@@ -216,7 +214,6 @@ fn part(ends: &[(f64, f64)], place: impl Fn((f64, f64)) -> DVec3) -> Shape {
     Shape::Cone { base: place(first), base_radius: first.1, apex: place(last), apex_radius: last.1 }
 }
 
-/// A ball and its two caps.
 fn shapes(ball: &Ball) -> [Shape; 3] {
     let centre = ball.body.centre;
     // The edge of the caps: the cosine of the angle from their centres.
@@ -266,7 +263,7 @@ fn add_fixed(world: &mut World, corners: &[DVec3], of: MaterialId) -> Result<(),
     world.fix(object)
 }
 
-fn add_room(world: &mut World) -> Result<(), WorldError> {
+fn add_surroundings(world: &mut World) -> Result<(), WorldError> {
     let floor = world.add_material(Material {
         shader: Shader::Checker { other: DVec3::new(0.17, 0.11, 0.08), size: 0.45 },
         ..Material::matte(0.26, 0.18, 0.13)

@@ -1,11 +1,11 @@
-//! Says in words how a game stands: whose turn it is, and how many balls each player has pocketed.
+//! The status of a game in words: whose turn it is, and how many balls each player has pocketed.
 
 use super::rules::{Group, Rules};
 
 /// The players, by the colours of the marker.
 const PLAYERS: [&str; 2] = ["Yellow", "Blue"];
 
-/// Two lines: the turn, and the score. `on_bed` says which balls are on the bed.
+/// Two lines: the turn, and the score. `on_bed` is whether a ball is on the bed.
 pub fn of(rules: &Rules, on_bed: impl Fn(usize) -> bool) -> String {
     format!("{}\n{}", turn(rules, &on_bed), score(rules, &on_bed))
 }
@@ -55,7 +55,7 @@ mod tests {
     fn after(shots: &[(usize, &[usize])]) -> Vec<String> {
         let mut rules = Rules::new(0);
         let mut gone = Vec::new();
-        let mut told = vec![of(&rules, |_| true)];
+        let mut lines = vec![of(&rules, |_| true)];
         for &(touched, pocketed) in shots {
             let mut shot = Shot::default();
             shot.touch(touched);
@@ -63,14 +63,14 @@ mod tests {
             gone.extend(pocketed);
             let on_bed = |number: usize| !gone.contains(&number);
             rules.judge(&shot, on_bed);
-            told.push(of(&rules, on_bed));
+            lines.push(of(&rules, on_bed));
         }
-        told
+        lines
     }
 
     #[test]
     fn a_game_is_told_from_break_to_win() {
-        let told = after(&[
+        let lines = after(&[
             (1, &[]),
             (9, &[9, 10]),
             (11, &[0]),
@@ -90,6 +90,6 @@ mod tests {
             "Foul. Blue's turn: the eight\nYellow: 0 of 7 solids   Blue: 7 of 7 stripes",
             "Blue has won. N: a new game\nYellow: 0 of 7 solids   Blue: 7 of 7 stripes",
         ];
-        assert_eq!(told, expected);
+        assert_eq!(lines, expected);
     }
 }

@@ -60,7 +60,7 @@ const fn side(z: f64) -> Pocket {
 pub struct Cushion {
     /// The nose's ends.
     pub nose: [DVec3; 2],
-    /// The ends of the jaws behind the nose's ends.
+    /// The rear ends of the jaws, which begin at the nose's ends.
     pub back: [DVec3; 2],
 }
 
@@ -77,7 +77,7 @@ impl Cushion {
 pub const CUSHIONS: [Cushion; 6] =
     [long(-1.0, -1.0), long(1.0, -1.0), long(-1.0, 1.0), long(1.0, 1.0), short(-1.0), short(1.0)];
 
-/// Half of the long side at z, on the side of the side pocket that the sign of x says.
+/// Half of the long side at z, on the side of the side pocket that the sign of x gives.
 const fn long(x: f64, z: f64) -> Cushion {
     let (nose, back) = (z * HALF.1, z * (HALF.1 + CUSHION));
     let far = [x * (HALF.0 - CORNER.0), x * (HALF.0 - CORNER.0 + CORNER.1)];

@@ -4,10 +4,8 @@
 //! own shell around the sun. A planet's shell is its ellipse, extended on both sides by the reach
 //! of its moons and rings. Within it, each moon and each ring has its own shell around the planet.
 
-/// The sun's radius.
 pub(super) const SUN_RADIUS: f64 = 1.4;
 
-/// A planet.
 pub(super) struct Planet {
     pub name: &'static str,
     pub radius: f64,
@@ -53,7 +51,6 @@ pub(super) const PLANETS: &[Planet; 8] = planets! {
     "Neptune" 0.48 21.38 60182.00 0.010 1.8 0.06 [0.3, 0.42, 0.95], 0.0;
 };
 
-/// A moon.
 pub(super) struct Moon {
     pub name: &'static str,
     /// The index of its planet.

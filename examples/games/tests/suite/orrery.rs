@@ -215,14 +215,14 @@ fn planets_have_their_names_unless_the_player_hides_them() {
 }
 
 #[test]
-fn what_the_sun_hides_has_no_name() {
+fn body_hidden_by_the_sun_has_no_label() {
     let mut played = Played::new();
     played.press(Key::Space);
     let shown = |played: &Played, name| {
         let labels = played.game.labels();
         labels.iter().any(|label| label.text == name)
     };
-    // The eye comes down to the planets, and turns about the sun, so that each of them is behind it
+    // The eye comes down to the planets, and turns about the sun, so that the sun hides each of them
     // once.
     let mut hidden = false;
     played.frame(0.0, &[(Key::S, true)]);

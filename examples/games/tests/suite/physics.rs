@@ -10,7 +10,7 @@ use games::screensaver::Screensaver;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// The greatest number of steps in a shot.
+/// The maximum number of steps in a shot.
 const LONGEST: usize = 60 * 480;
 
 fn level(turn: f64) -> DVec3 {
@@ -174,8 +174,8 @@ fn the_screensaver_never_tires() {
             let first = *first.get_or_insert(energy);
             assert!((energy / first - 1.0).abs() < 1e-9, "{first} became {energy}");
             for body in game.bodies() {
-                let room = game.room() - DVec3::splat(body.radius - 1e-12);
-                assert!(body.centre.abs().cmple(room).all(), "{body:?}");
+                let half_size = game.half_size() - DVec3::splat(body.radius - 1e-12);
+                assert!(body.centre.abs().cmple(half_size).all(), "{body:?}");
             }
             assert!(overlap(game.bodies()) < 0.05);
         },

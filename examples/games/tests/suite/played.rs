@@ -15,7 +15,7 @@ use games::billiards::Billiards;
 
 use player::Player;
 
-/// The greatest length of a game in frames.
+/// The maximum length of a game in frames.
 const LONGEST: u64 = 20_000;
 /// The time between frames of a game that is being recorded.
 const STEP: Duration = Duration::from_millis(250);

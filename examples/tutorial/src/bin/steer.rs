@@ -11,7 +11,7 @@ const BALL: f64 = 1.0;
 const PEARL: f64 = 0.5;
 /// Half the length of the mirror's side.
 const EDGE: f64 = 5.0;
-/// The greatest speed that the player can give the ball, and its change of speed in a second.
+/// The maximum speed that the player can give the ball, and its change of speed in a second.
 const SPEED: f64 = 7.0;
 const GRIP: f64 = 12.0;
 /// The speed at which the ball leaves the ground, and its loss of speed in a second.

@@ -31,7 +31,7 @@ fn blocks() -> Vec<(String, String)> {
 }
 
 #[test]
-fn what_is_shown_is_in_the_programs() {
+fn shown_code_is_in_the_programs() {
     let mut shown = Vec::new();
     for (file, text) in blocks() {
         let source = fs::read_to_string(root().join(&file));
@@ -58,7 +58,7 @@ fn words(line: &str) -> Vec<&str> {
 }
 
 #[test]
-fn what_is_to_be_typed_is_understood() {
+fn shown_commands_are_valid() {
     let folder = tempfile::tempdir().unwrap();
     let mut typed = 0;
     let joined = TUTORIAL.replace("\\\n", "");

@@ -105,7 +105,7 @@ fn space_makes_it_jump() {
 }
 
 #[test]
-fn what_stands_still_is_traced_once() {
+fn still_picture_is_traced_once() {
     let folder = tempfile::tempdir().unwrap();
     let stderr =
         good(STEER, folder.path(), &["--display", "none", "--frames", "30", "--size", "160x90"]);

@@ -95,7 +95,7 @@ const MOON: f64 = 0.6;
 const SUN: DVec3 = DVec3::new(1.0, 0.5, 1.2);
 
 /// Where a ray enters a sphere if it certainly does, or `None` if it certainly does not. An error
-/// if it is too close to tell.
+/// if it is too close to decide.
 fn enters(
     from: DVec3,
     direction: DVec3,

@@ -13,7 +13,6 @@ use super::super::Fit;
 use super::texts::Text;
 
 const HALF: &str = "\u{2580}";
-/// The colour of emphasised text.
 const EMPHASIS: [u8; 3] = [255, 215, 135];
 
 /// How colours are encoded.
@@ -174,7 +173,7 @@ impl Grid {
     }
 }
 
-/// A picture as lines of text, so many columns wide, for a terminal that scrolls.
+/// A picture as lines of text, `columns` wide, for a terminal that scrolls.
 pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
     let (width, height) = picture.dimensions();
     let columns = u32::from(columns).clamp(1, width.max(1));
@@ -196,7 +195,7 @@ pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
     text
 }
 
-/// The pixels, out of so many, that make the part with this number. It is never empty.
+/// The pixels of part `number` if there are `parts` of equal size. It is never empty.
 fn part(pixels: u32, parts: u32, number: u32) -> Range<u32> {
     let start = number * pixels / parts;
     start..((number + 1) * pixels / parts).max(start + 1)
@@ -275,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_forgotten_is_written_again() {
+    fn forgotten_cells_are_written_again() {
         let mut grid = Grid::new(Colours::True);
         let shown = picture(&[RED; 8]);
         let first = draw(&mut grid, &shown, None);

@@ -19,7 +19,6 @@ use crossterm::event::{self, Event};
 pub struct Events(Receiver<(Event, Instant)>);
 
 impl Events {
-    /// Starts the thread.
     pub fn read() -> io::Result<Self> {
         let (sender, events) = mpsc::channel();
         thread::Builder::new().name("terminal".to_owned()).spawn(move || {
@@ -42,7 +41,6 @@ impl Events {
     }
 }
 
-/// Passes the next event on.
 fn pass_on(events: &Sender<(Event, Instant)>) -> io::Result<()> {
     while event::poll(Duration::ZERO)? {
         let event = event::read()?;

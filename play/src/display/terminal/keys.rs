@@ -12,7 +12,6 @@ use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers, ModifierKe
 /// How long a key counts as held if it is not repeated.
 const HELD: Duration = Duration::from_millis(150);
 
-/// The keys that are held.
 #[derive(Debug, Default)]
 pub struct Keys {
     held: Vec<(Key, Instant)>,
@@ -55,8 +54,8 @@ impl Keys {
         if self.reports_releases {
             return;
         }
-        self.held.retain(|&(key, heard)| {
-            let is_held = now.saturating_duration_since(heard) < HELD;
+        self.held.retain(|&(key, last)| {
+            let is_held = now.saturating_duration_since(last) < HELD;
             if !is_held {
                 input(InputEvent::Key { key, down: false });
             }
@@ -73,7 +72,7 @@ impl Keys {
         // Several events come together after a long frame, with silence between them.
         self.release_silent(now, input);
         match self.held.iter_mut().find(|(held, _)| *held == key) {
-            Some((_, heard)) => *heard = now,
+            Some((_, last)) => *last = now,
             None => {
                 self.held.push((key, now));
                 input(InputEvent::Key { key, down: true });
@@ -186,17 +185,22 @@ fn of_letter(letter: char) -> Option<Key> {
 mod tests {
     use super::*;
 
-    fn told(keys: &mut Keys, code: KeyCode, kind: KeyEventKind, now: Instant) -> Vec<(Key, bool)> {
-        let mut told = Vec::new();
+    fn downs_of(
+        keys: &mut Keys,
+        code: KeyCode,
+        kind: KeyEventKind,
+        now: Instant,
+    ) -> Vec<(Key, bool)> {
+        let mut events = Vec::new();
         let event = KeyEvent::new_with_kind(code, KeyModifiers::NONE, kind);
-        keys.take(event, now, &mut |event| told.push(event));
-        downs(told)
+        keys.take(event, now, &mut |event| events.push(event));
+        downs(events)
     }
 
     fn release_silent(keys: &mut Keys, now: Instant) -> Vec<(Key, bool)> {
-        let mut told = Vec::new();
-        keys.release_silent(now, &mut |event| told.push(event));
-        downs(told)
+        let mut events = Vec::new();
+        keys.release_silent(now, &mut |event| events.push(event));
+        downs(events)
     }
 
     fn downs(events: Vec<InputEvent>) -> Vec<(Key, bool)> {
@@ -212,22 +216,22 @@ mod tests {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let at = |millis| start + Duration::from_millis(millis);
         let press = KeyEventKind::Press;
-        assert_eq!(told(&mut keys, KeyCode::Char('a'), press, at(0)), [(Key::A, true)]);
-        assert_eq!(told(&mut keys, KeyCode::Char('A'), press, at(100)), []);
+        assert_eq!(downs_of(&mut keys, KeyCode::Char('a'), press, at(0)), [(Key::A, true)]);
+        assert_eq!(downs_of(&mut keys, KeyCode::Char('A'), press, at(100)), []);
         assert_eq!(release_silent(&mut keys, at(200)), []);
         assert_eq!(release_silent(&mut keys, at(250)), [(Key::A, false)]);
         assert_eq!(release_silent(&mut keys, at(900)), []);
-        assert_eq!(told(&mut keys, KeyCode::Up, press, at(950)), [(Key::Up, true)]);
+        assert_eq!(downs_of(&mut keys, KeyCode::Up, press, at(950)), [(Key::Up, true)]);
     }
 
     #[test]
     fn a_key_that_was_silent_during_a_long_frame_is_pressed_anew() {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let press = KeyEventKind::Press;
-        told(&mut keys, KeyCode::F(12), press, start);
+        downs_of(&mut keys, KeyCode::F(12), press, start);
         let later = start + HELD;
         assert_eq!(
-            told(&mut keys, KeyCode::F(12), press, later),
+            downs_of(&mut keys, KeyCode::F(12), press, later),
             [(Key::F12, false), (Key::F12, true)]
         );
         assert_eq!(release_silent(&mut keys, later), []);
@@ -237,22 +241,22 @@ mod tests {
     fn reported_releases_are_used() {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
-        told(&mut keys, KeyCode::Left, press, start);
-        assert_eq!(told(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
-        told(&mut keys, KeyCode::Left, press, start);
+        downs_of(&mut keys, KeyCode::Left, press, start);
+        assert_eq!(downs_of(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
+        downs_of(&mut keys, KeyCode::Left, press, start);
         assert_eq!(release_silent(&mut keys, start + Duration::from_secs(9)), []);
-        assert_eq!(told(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
+        assert_eq!(downs_of(&mut keys, KeyCode::Left, release, start), [(Key::Left, false)]);
     }
 
     #[test]
     fn a_key_held_when_the_focus_was_lost_is_pressed_again() {
         let (mut keys, now) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
-        told(&mut keys, KeyCode::Up, press, now);
-        told(&mut keys, KeyCode::Up, release, now);
-        told(&mut keys, KeyCode::Left, press, now);
+        downs_of(&mut keys, KeyCode::Up, press, now);
+        downs_of(&mut keys, KeyCode::Up, release, now);
+        downs_of(&mut keys, KeyCode::Left, press, now);
         keys.forget();
-        assert_eq!(told(&mut keys, KeyCode::Left, press, now), [(Key::Left, true)]);
+        assert_eq!(downs_of(&mut keys, KeyCode::Left, press, now), [(Key::Left, true)]);
     }
 
     #[test]

@@ -69,10 +69,10 @@ impl TerminalGuard {
                 raw.c_oflag = found.c_oflag;
                 raw.c_lflag |= libc::ISIG;
             }
-            let tell = panic::take_hook();
+            let print = panic::take_hook();
             panic::set_hook(Box::new(move |what| {
                 restore();
-                tell(what);
+                print(what);
             }));
             States { found, raw, has_pictures }
         });
@@ -194,11 +194,11 @@ mod tests {
             let count = ours.read(&mut bytes).expect("what is said");
             seen += &String::from_utf8_lossy(&bytes[..count]);
         }
-        let told = seen.find("as a game does");
+        let message = seen.find("as a game does");
         let (begin, end) = (seen.find(BEGIN), seen.find(END));
-        assert!(begin.is_some() && begin < end && end < told, "{seen:?}");
+        assert!(begin.is_some() && begin < end && end < message, "{seen:?}");
         // Lines begin at the left, so the terminal's modes are restored.
-        let line = seen[told.unwrap_or_default()..].trim_start_matches("as a game does");
+        let line = seen[message.unwrap_or_default()..].trim_start_matches("as a game does");
         assert!(line.is_empty() || line.starts_with("\r\n"), "{seen:?}");
         child.kill().expect("a child");
         child.wait().expect("its end");

@@ -8,9 +8,7 @@ use crate::overlay::Overlay;
 /// Text at a place of the terminal, all in one row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Text {
-    /// Its first column.
     pub column: usize,
-    /// Its row.
     pub row: usize,
     /// The characters. The first ones are emphasised.
     pub letters: String,
@@ -22,7 +20,7 @@ pub struct Text {
 
 const WHITE: [u8; 3] = [255; 3];
 
-/// The overlay's text on a terminal of so many columns and rows, of which each is two pixels of the
+/// The overlay's text on a terminal of this many columns and rows, of which each is two pixels of the
 /// picture.
 pub fn texts(overlay: &Overlay, (columns, rows): (u16, u16), fit: Fit) -> Vec<Text> {
     let (columns, rows) = (usize::from(columns), usize::from(rows));

@@ -19,7 +19,6 @@ pub struct Glyph {
     pub coverage: Vec<u8>,
 }
 
-/// The letters of one size.
 pub struct Font {
     /// `None` if the crate's font can't be read; then no letter has a pixel.
     font: Option<FontRef<'static>>,

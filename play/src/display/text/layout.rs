@@ -9,7 +9,7 @@ use textwrap::Options;
 
 use crate::overlay::{Line, Overlay};
 
-/// Where a panel is placed, if there is room.
+/// Where a panel is placed, if it fits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Anchor {
     TopLeft,
@@ -55,8 +55,8 @@ pub struct Grid {
 impl Grid {
     /// The number of characters in the longest line that fits.
     fn columns(&self) -> usize {
-        let room = self.area.0.saturating_sub(4 * self.margin.0);
-        (room / self.cell.0).max(1)
+        let width = self.area.0.saturating_sub(4 * self.margin.0);
+        (width / self.cell.0).max(1)
     }
 
     fn size(&self, panel: &Panel) -> (usize, usize) {
@@ -75,7 +75,6 @@ impl Grid {
 /// A panel and its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {
-    /// The panel.
     pub panel: Panel,
     /// Its left and its top.
     pub corner: (usize, usize),
@@ -102,7 +101,7 @@ fn overlap((corner, size): Rectangle, (other, others): Rectangle) -> bool {
 /// A label and its place on a display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LabelAt {
-    /// The text, no longer than there is room.
+    /// The text, shortened to fit.
     pub text: String,
     /// Red, green and blue.
     pub colour: [u8; 3],
@@ -183,24 +182,24 @@ pub fn panels(overlay: &Overlay) -> Vec<Panel> {
 }
 
 /// Places panels, the most important last. A panel that would cover an earlier one goes below it,
-/// or above it at the bottom. If there is no room for that, the earlier one is left out.
+/// or above it at the bottom. If it doesn't fit there either, the earlier one is left out.
 pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
     let mut all: Vec<Placed> = Vec::new();
     for panel in panels {
         let panel = fitted(panel, grid);
         let (width, height) = grid.size(&panel);
         let size = (width.min(grid.area.0), height.min(grid.area.1));
-        let room = (grid.area.0 - size.0, grid.area.1 - size.1);
-        let inset = |room: usize, margin: usize| margin.min(room);
+        let free = (grid.area.0 - size.0, grid.area.1 - size.1);
+        let inset = |free: usize, margin: usize| margin.min(free);
         let (near, far) = (
-            (inset(room.0, grid.margin.0), inset(room.1, grid.margin.1)),
-            (room.0.saturating_sub(grid.margin.0), room.1.saturating_sub(grid.margin.1)),
+            (inset(free.0, grid.margin.0), inset(free.1, grid.margin.1)),
+            (free.0.saturating_sub(grid.margin.0), free.1.saturating_sub(grid.margin.1)),
         );
         let corner = match panel.anchor {
             Anchor::TopLeft => near,
             Anchor::TopRight => (far.0, near.1),
-            Anchor::Centre => (room.0 / 2, room.1 / 2),
-            Anchor::Bottom => (room.0 / 2, far.1),
+            Anchor::Centre => (free.0 / 2, free.1 / 2),
+            Anchor::Bottom => (free.0 / 2, far.1),
         };
         let mut placed = Placed { panel, corner, size };
         for earlier in &all {
@@ -210,7 +209,7 @@ pub fn place(panels: Vec<Panel>, grid: Grid) -> Vec<Placed> {
             let gap = grid.margin.1;
             placed.corner.1 = match placed.panel.anchor {
                 Anchor::Bottom => earlier.corner.1.saturating_sub(size.1 + gap),
-                _ => (earlier.corner.1 + earlier.size.1 + gap).min(room.1),
+                _ => (earlier.corner.1 + earlier.size.1 + gap).min(free.1),
             };
         }
         all.retain(|earlier| !placed.overlaps(earlier));
@@ -322,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_placed_outside() {
+    fn panels_stay_inside_the_area() {
         for area in [(1, 1), (5, 3), (64, 36), (320, 20), (20, 400)] {
             for placed in place(panels(&overlay()), Grid { area, ..GRID }) {
                 assert!(placed.corner.0 + placed.size.0 <= area.0, "{placed:?}");
@@ -363,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_label_would_cover_is_more_important() {
+    fn overlapping_label_is_omitted() {
         let labels = [
             label("Jupiter", [0.5, 0.5], Side::Over),
             label("Saturn", [0.52, 0.51], Side::Over),

@@ -14,20 +14,19 @@ pub const EMPHASIS: [u8; 3] = [255, 205, 110];
 pub const LOAD: [u8; 3] = [0x40, 0xE0, 0x60];
 /// The colour of the rest of a bar.
 pub const ROOM: [u8; 3] = [0x30; 3];
-/// The share of black behind text, in parts of [`WHOLE`].
+/// The share of black in the background of text, in parts of [`WHOLE`].
 const SHADE: u32 = 191;
-/// The width of the dark edge around the letters of labels, which have nothing behind them.
+/// The width of the dark edge around the letters of labels, which have no dark background.
 const EDGE: usize = 1;
 /// This many lines of text fill the height of a display, and as many characters its width: enough
 /// for the help, and large enough to be read from afar.
 const LINES: usize = 40;
 const COLUMNS: usize = 64;
-/// The least and the greatest height of a line in pixels. Smaller letters can't be read.
+/// The minimum and the maximum height of a line in pixels. Smaller letters can't be read.
 const HEIGHTS: (usize, usize) = (10, 80);
 
 /// Pixels to draw on: big-endian words, as an SPU stores them.
 pub struct Canvas<'a> {
-    /// The words, row by row.
     pub words: &'a mut [u32],
     /// The number of words from a row to the next.
     pub stride: usize,
@@ -223,8 +222,8 @@ mod tests {
         let overlay = Overlay { loads: vec![0.0, 0.5, 1.0], ..Overlay::default() };
         let area = (480, 480);
         let pixels = painted(&overlay, area);
-        let (load, room) = (count(&pixels, LOAD), count(&pixels, ROOM));
-        assert!(load == room && load > 300, "{load} {room}");
+        let (load, capacity) = (count(&pixels, LOAD), count(&pixels, ROOM));
+        assert!(load == capacity && load > 300, "{load} {capacity}");
         assert!(count(&pixels, GREY) > 400 * 400);
     }
 
@@ -279,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_is_left_out() {
+    fn oversized_text_is_omitted() {
         let overlay = Overlay {
             speeds: vec!["a long line of text".into(); 9],
             loads: vec![1.0; 6],

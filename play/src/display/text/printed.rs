@@ -170,7 +170,7 @@ mod tests {
         let grey = [90; 3];
         frame(&mut printed, grey, |_| true);
         let plain = shown();
-        // Panels that cover one another, because there is no room, and a label at the corner.
+        // Panels that cover one another, because the area is small, and a label at the corner.
         *overlay.lock().expect("the text") = Overlay {
             labels: vec![PlacedLabel {
                 text: "a label".into(),
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_traced_under_the_text_is_there_when_it_goes() {
+    fn pixels_traced_under_text_appear_after_it() {
         let folder = tempfile::tempdir().expect("a folder");
         let size = Geometry::new(200, 100).expect("a size");
         let [path, other] = ["fb", "plain"].map(|name| folder.path().join(name));

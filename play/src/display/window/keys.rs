@@ -113,7 +113,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn only_what_was_pressed_in_the_window_is_pressed() {
+    fn keys_pressed_in_another_window_are_ignored() {
         let mut keys = HeldElsewhere::default();
         let mut press = |is_repeat, is_synthetic| {
             (

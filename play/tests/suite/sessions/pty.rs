@@ -36,7 +36,6 @@ pub struct Pty {
 /// Flags of a terminal: input, output, control, local.
 type Modes = [libc::tcflag_t; 4];
 
-/// Sends a signal.
 pub fn signal(process: u32, signal: i32) {
     // SAFETY: the process is a child that has not been waited for.
     assert_eq!(unsafe { libc::kill(process as libc::pid_t, signal) }, 0);
@@ -217,7 +216,7 @@ impl Pty {
 
 impl Drop for Pty {
     fn drop(&mut self) {
-        // A test that failed leaves no program behind.
+        // A test that failed leaves no program running.
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

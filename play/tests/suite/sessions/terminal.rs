@@ -22,18 +22,18 @@ fn on_framebuffer(device: &str) -> Pty {
 #[test]
 fn a_terminal_that_hangs_up_ends_the_session() {
     let folder = tempfile::tempdir().expect("a folder");
-    // The second time no signal tells of it.
+    // The second time there is no signal of it.
     for trap in ["", "trap '' HUP; "] {
-        let talk = folder.path().join("talk");
+        let messages = folder.path().join("messages");
         let script = format!("{trap}exec \"$0\" view \"$1\" --display terminal 2>\"$2\"");
         let mut command = Command::new("sh");
-        command.args(["-c", &script, env!("CARGO_BIN_EXE_cellray-play"), SCENE]).arg(&talk);
+        command.args(["-c", &script, env!("CARGO_BIN_EXE_cellray-play"), SCENE]).arg(&messages);
         let mut pty = Pty::start(command, 64, 24);
         pty.wait_for(&HALF.to_string());
         pty.hang_up();
         assert_eq!(pty.end().code(), Some(128 + libc::SIGHUP), "{trap}");
-        let talk = fs::read_to_string(talk).expect("what was said");
-        assert!(talk.contains("ended by signal 1"), "{talk}");
+        let messages = fs::read_to_string(messages).expect("the messages");
+        assert!(messages.contains("ended by signal 1"), "{messages}");
     }
 }
 
@@ -227,7 +227,7 @@ fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
     let folder = tempfile::tempdir().expect("a folder");
     let picture = folder.path().join("p.png");
     image::RgbImage::new(200, 20).save(&picture).expect("written");
-    // A terminal that doesn't say its size, as over a serial line, has none.
+    // A terminal that doesn't report its size, as over a serial line, has none.
     for (size, columns) in [((40, 10), 40), ((0, 0), 80)] {
         let mut command = super::program();
         command.arg("show").arg(&picture);

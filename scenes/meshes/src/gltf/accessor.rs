@@ -24,9 +24,8 @@ pub(super) struct Data<'a> {
 pub(super) enum Use {
     /// Whole numbers are taken as they are.
     Positions,
-    /// Whole numbers are parts of the greatest one, unless the file is quantised.
+    /// Whole numbers are parts of the largest one, unless the file is quantised.
     Shares,
-    /// Indices of vertices.
     Indices,
 }
 
@@ -176,7 +175,6 @@ impl Data<'_> {
         Ok(items)
     }
 
-    /// The bytes of a view.
     pub fn view(&self, index: usize) -> Result<&[u8], String> {
         let view = self.root.buffer_views.get(index);
         let view = view.ok_or_else(|| format!("has buffer view {index}, which doesn't exist"))?;

@@ -7,7 +7,6 @@ use crate::Fault;
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
 
-/// The chunks of a file.
 pub(super) struct Chunks<'a> {
     pub json: &'a [u8],
     pub binary: Option<&'a [u8]>,

@@ -16,7 +16,7 @@ use crate::notes::Notes;
 
 /// Share that a smooth surface reflects head-on, as in glTF's own model.
 const DIELECTRIC: f64 = 0.04;
-/// What metal adds to it.
+/// The additional reflectance of metal.
 const METAL: f64 = 0.56;
 /// A share that can't change a byte of the picture.
 const NOTHING: f64 = 1.0 / 512.0;
@@ -24,16 +24,16 @@ const NOTHING: f64 = 1.0 / 512.0;
 const GLASS: f64 = 1.5;
 /// The alpha from which on a surface with holes is there, if a material states none.
 const CUTOFF: f64 = 0.5;
-/// The greatest light that a surface emits: it is white for all eyes.
+/// The maximum light that a surface emits: it is white for all eyes.
 const BRIGHTEST: f64 = 16.0;
 
-/// What alpha does.
+/// The effect of alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Alpha {
     Opaque,
     /// The surface is where alpha is at least this.
     Mask(f64),
-    /// Alpha mixes the surface with what is behind it.
+    /// Alpha mixes the surface with the background.
     Blend,
 }
 

@@ -60,7 +60,6 @@ const REFUSED: [(&str, &str); 7] = [
 const SPECULAR_GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CONVERT_SPECULAR_GLOSSINESS: &str = "the materials are of specular and glossiness; export the file with metallic-roughness materials";
 
-/// Reads a binary file.
 pub(crate) fn read_binary(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let chunks = container::chunks(bytes)?;
     let root: Root =
@@ -68,7 +67,6 @@ pub(crate) fn read_binary(bytes: &[u8], name: &Path, builder: &mut Builder) -> R
     read(&root, chunks.binary, name, builder)
 }
 
-/// Reads a file of JSON.
 pub(crate) fn read_text(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let text = crate::text::without_mark(bytes).map_err(Fault::Encoding)?;
     let root: Root = serde_json::from_slice(text).map_err(|error| Fault::Line {
@@ -155,7 +153,6 @@ struct File<'a> {
     textures: Textures,
     /// By the number of a material, and whether it is drawn with its texture.
     materials: HashMap<(Option<usize>, bool), Made>,
-    /// The nodes that were visited.
     seen: Vec<bool>,
     builder: &'a mut Builder,
 }

@@ -101,7 +101,6 @@ fn place(index: usize, data: &Data<'_>) -> Result<(usize, [Wrap; 2]), String> {
     Ok((image, wrap))
 }
 
-/// The bytes of an image's file.
 fn bytes<'a>(index: usize, data: &'a Data<'_>, folder: &Path) -> Result<Cow<'a, [u8]>, String> {
     let image = data.root.images.get(index).ok_or("it doesn't exist")?;
     match (image.buffer_view, &image.uri) {

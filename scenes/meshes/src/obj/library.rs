@@ -91,7 +91,7 @@ impl Libraries {
     }
 
     /// The material with a name. If nothing else fits, names are the same that differ in the case
-    /// of letters, or in comments behind them: names may have the sign of a comment themselves.
+    /// of letters, or in comments after them: names may have the sign of a comment themselves.
     pub fn find(&self, name: &[u8]) -> Option<&Definition> {
         let bare = |name: &[u8]| without_comment(name).trim_ascii_end().to_ascii_lowercase();
         let find = |is_it: &dyn Fn(&[u8]) -> bool| {

@@ -100,7 +100,7 @@ impl<'a> Materials<'a> {
         })
     }
 
-    /// The texture of a picture; a note says why there is none.
+    /// The texture of a picture; if there is none, a note gives the reason.
     fn texture(&mut self, map: &Map, builder: &mut Builder) -> Option<Arc<scenes::Texture>> {
         if let Some(known) = self.textures.get(map) {
             return known.as_ref().map(|it| it.texture.clone());

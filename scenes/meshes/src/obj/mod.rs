@@ -43,7 +43,7 @@ const FREE_FORM: [&[u8]; 16] = [
     b"hole", b"scrv", b"sp", b"end", b"con", b"ctech",
 ];
 
-/// Whether a text without a name that says so is an OBJ file: its first statement is one that NFF
+/// Whether a text without an OBJ file's name is an OBJ file: its first statement is one that NFF
 /// has not.
 pub(crate) fn is_likely(beginning: &[u8]) -> bool {
     let text = without_mark(beginning).unwrap_or_default();
@@ -63,7 +63,7 @@ pub(crate) fn is_likely(beginning: &[u8]) -> bool {
 
 pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let text = without_mark(bytes).map_err(Fault::Encoding)?;
-    // The format doesn't say whether surfaces have a back, and many files are wound both ways.
+    // The format doesn't specify whether surfaces have a back, and many files are wound both ways.
     builder.two_sided = true;
     let file = name.display().to_string();
     let mut parts = Parts::default();
@@ -149,7 +149,7 @@ impl Parts {
         Ok(())
     }
 
-    /// `v x y z`, with a weight or with a colour behind it.
+    /// `v x y z`, with a weight or with a colour after it.
     fn position(&mut self, line: usize, text: &[u8]) -> Result<(), Fault> {
         let mut words_of = words(text).map(any_number);
         let mut next = || words_of.next().flatten();

@@ -63,7 +63,6 @@ impl Kind {
     }
 }
 
-/// A property of an element.
 #[derive(Debug)]
 pub(super) struct Property {
     pub name: String,

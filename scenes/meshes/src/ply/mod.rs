@@ -20,7 +20,7 @@ const TEXTURE: &str = "TextureFile";
 
 pub(crate) fn read(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
     let (header, start) = Header::parse(bytes)?;
-    // The format doesn't say whether surfaces have a back.
+    // The format doesn't specify whether surfaces have a back.
     builder.two_sided = true;
     let mut values = Values::new(bytes, start, header.encoding);
     let mut file = File { columns: Columns::default(), vertices: Vec::new(), faces: Vec::new() };
@@ -237,7 +237,7 @@ impl File {
     }
 }
 
-/// The texture that a comment names; a note says why there is none.
+/// The texture that a comment names; if there is none, a note gives the reason.
 fn texture(
     file: &str,
     name: &Path,

@@ -1,9 +1,9 @@
-//! What is refused, and what the messages say.
+//! Files that are refused, with the messages.
 
 use super::files::{JSON, OBJ, PLY, binary_ply, container, glb, refusal, triangle};
 
 #[test]
-fn numbers_that_are_not_finite() {
+fn non_finite_coordinates_are_refused() {
     let mut ply = binary_ply(true);
     let second = ply.len() - 30 - 3 * 12;
     ply[second..second + 4].copy_from_slice(&f32::NAN.to_be_bytes());
@@ -92,7 +92,7 @@ fn levels_of_terrains() {
 }
 
 #[test]
-fn files_that_are_not_there() {
+fn missing_files_are_named() {
     let found = meshes::load("/nowhere/x.obj".as_ref()).unwrap_err().to_string();
     assert!(found.starts_with("/nowhere/x.obj: "), "{found}");
 }

@@ -180,7 +180,7 @@ fn a_file_without_lights_has_its_sun_over_the_left_shoulder() {
     };
     let usual = seen(&plain());
     assert!(usual[0] < 0.0 && usual[1] > 0.0 && usual[2] > 0.0);
-    // From behind, where a light at a fixed place would be on the other side.
+    // From the back, where a light at a fixed place would be on the other side.
     let turned = json!({"translation": [0, 0, -5], "rotation": [0, 1, 0, 0]});
     for (a, b) in seen(&with_camera(turned)).into_iter().zip(usual) {
         assert!((a - b).abs() < 1e-12, "{a} {b}");

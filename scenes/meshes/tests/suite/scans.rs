@@ -195,7 +195,7 @@ fn both_kinds_of_stl_are_read_in_all_their_forms() {
     let cases: [(&str, Vec<u8>); 8] = [
         ("binary", binary_stl(b"by a printer")),
         ("a binary file that begins as text", binary_stl(b"solid part\n")),
-        ("bytes behind", [binary_stl(b"by a printer"), vec![0; 7]].concat()),
+        ("bytes after the end", [binary_stl(b"by a printer"), vec![0; 7]].concat()),
         ("upper case", STL.to_uppercase().into_bytes()),
         ("CR", STL.replace('\n', "\r").into_bytes()),
         ("no name, and no end", STL.replace(" it", "").replace("endsolid", "").into_bytes()),

@@ -269,7 +269,7 @@ fn a_texture_that_is_too_large_is_made_smaller() {
 }
 
 #[test]
-fn coordinates_that_are_not_finite() {
+fn non_finite_texture_coordinates_are_refused() {
     let mut file = glb(&png(), "{", "{");
     let place =
         file.windows(8).position(|it| it == [0.0_f32, 2.0].map(f32::to_le_bytes).as_flattened());
@@ -331,7 +331,7 @@ fn a_mask_of_an_obj_material_makes_holes() {
 }
 
 #[test]
-fn textures_that_are_too_large_together() {
+fn textures_over_the_limit_in_total() {
     let picture = encoded(&RgbImage::new(4096, 2048), ImageFormat::Png);
     let texture = r#"{"source":0,"sampler":0}"#;
     let pictures = [r#"{"source":0}"#, texture, r#"{"source":0,"sampler":1}"#].join(",");

@@ -16,7 +16,7 @@ mod sombrero;
 mod teapot;
 mod tree;
 
-use crate::names::{Count, greatest};
+use crate::names::{Count, largest};
 use crate::{Excerpt, Limits, Scene};
 use builder::Builder;
 
@@ -71,7 +71,7 @@ pub enum Error {
     },
     /// The scene exceeds the default [`Limits`].
     #[error(
-        "{name} of size {size} has {} objects, more than {limit}; the greatest size is {greatest}", Count(*count)
+        "{name} of size {size} has {} objects, more than {limit}; the largest size is {largest}", Count(*count)
     )]
     TooMany {
         /// The kind of scene.
@@ -82,8 +82,8 @@ pub enum Error {
         count: u128,
         /// The most objects.
         limit: usize,
-        /// The greatest size with so many.
-        greatest: u32,
+        /// The largest size within the limit.
+        largest: u32,
     },
 }
 
@@ -116,7 +116,7 @@ impl Generator {
                 size,
                 count,
                 limit,
-                greatest: greatest(limit, self.objects),
+                largest: largest(limit, self.objects),
             });
         }
         Ok((self.build)(size).finish(format!("{name}:{size}")))

@@ -1,4 +1,4 @@
-//! "mount": a fractal mountain behind four spheres of glass.
+//! "mount": a fractal mountain and four spheres of glass in front.
 //!
 //! The mountain is a square whose edges and middle are moved up or down, and so the four squares in
 //! it, down to single squares of two triangles. How far a point moves depends only on its place.

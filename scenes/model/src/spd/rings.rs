@@ -32,7 +32,7 @@ const COLOURS: [DVec3; 6] = [
 ];
 
 fn build(size: u32) -> Builder {
-    // Each layer of the pyramid is so far behind the one before it.
+    // The distance between the layers of the pyramid.
     let spread = 1.0 / libm::sin(PI / 8.0);
     let from = DVec3::new(-1.0, -spread, 0.5);
     let lights = [(3.0, 3.0), (-4.0, 1.0), (2.0, -4.0)].map(|(x, z)| DVec3::new(x, -spread, z));

@@ -41,7 +41,7 @@ fn colours_round_to_bytes_and_are_clamped() {
 }
 
 #[test]
-fn what_is_not_drawn_is_told_by_kind_and_first_line() {
+fn undrawn_entities_are_listed_with_kind_and_first_line() {
     let text = scene_text(
         "p 3\n0 0 0\n1 0 0\n0 1 0\n\
          s 0 0 0 1\n\
@@ -54,10 +54,10 @@ fn what_is_not_drawn_is_told_by_kind_and_first_line() {
          pp 3\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n\
          f 0 0 0 1 1 1 1 1\n",
     );
-    let told: Vec<String> =
+    let listed: Vec<String> =
         depth::not_drawn(&parsed(&text)).iter().map(|it| it.to_string()).collect();
     assert_eq!(
-        told,
+        listed,
         [
             "t.nff:9: polygons are not drawn by depth shading (1 in this file)",
             "t.nff:14: lights are not drawn by depth shading (2 in this file)",

@@ -67,7 +67,7 @@ fn daylight_leaves_the_scene_what_it_says_itself() {
     let LightKind::Directional { to_light } = sun.kind else {
         panic!("{sun:?}");
     };
-    // From behind, from the right and from above.
+    // From the back, from the right and from above.
     let sight = day.view.at - day.view.from;
     assert!(to_light.dot(sight) < 0.0 && to_light.dot(up) > 0.0);
     assert!(to_light.dot(sight.cross(up)) > 0.0);

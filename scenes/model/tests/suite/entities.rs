@@ -5,7 +5,7 @@ use glam::DVec3;
 use scenes::{LightKind, Shape, View};
 
 const EVERYTHING: &str = "# a comment first
-b 0.1 0.2 0.3 # and one behind
+b 0.1 0.2 0.3 # and one after it
 v
 from 1e3 .5 +1
 at 0 0 0
@@ -91,7 +91,7 @@ fn every_entity_is_read() {
 }
 
 #[test]
-fn what_is_written_reads_back_equal() {
+fn written_scene_reads_back_equal() {
     let scene = parsed(EVERYTHING);
     let text = scene.to_string();
     assert_eq!(parsed(&text), scene);

@@ -189,7 +189,7 @@ fn objects_before_what_they_need() {
 }
 
 #[test]
-fn bytes_that_are_no_text() {
+fn invalid_utf8_is_refused() {
     assert_eq!(refusal(b"# ok\nv \xff"), "t.nff:2: byte 3 of the line is not UTF-8 text");
     assert_eq!(refusal(b"b 0 0 0\n \tb\xc3(\n"), "t.nff:2: byte 4 of the line is not UTF-8 text");
     assert_eq!(
@@ -263,7 +263,7 @@ fn limits_are_inclusive() {
 }
 
 #[test]
-fn files_that_cannot_be_read() {
+fn unreadable_files_are_errors() {
     let folder = tempfile::tempdir().expect("a folder");
     let missing = folder.path().join("missing.nff");
     for path in [missing.as_path(), folder.path()] {

@@ -170,7 +170,7 @@ proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(512) })]
 
     #[test]
-    fn what_is_written_reads_back_equal(scene in scene()) {
+    fn written_scene_reads_back_equal(scene in scene()) {
         let text = scene.to_string();
         let back = try_parse(text.as_bytes()).map_err(|error| TestCaseError::fail(error.to_string()))?;
         prop_assert_eq!(&back, &scene);

@@ -7,7 +7,6 @@ use glam::DVec3;
 use scenes::spd::{Error, GENERATORS};
 use scenes::{Object, Scene, Shape, area_vector};
 
-/// The scene of a name.
 fn scene(name: &str) -> Scene {
     scenes::load(Path::new(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
@@ -291,7 +290,7 @@ fn loaded_by_name() {
     for (name, message) in [
         (
             "gears:31",
-            "gears of size 31 has 4349487 objects, more than 4000000; the greatest size is 30",
+            "gears of size 31 has 4349487 objects, more than 4000000; the largest size is 30",
         ),
         ("mount:8", "mount of size 8: SPD defines sizes up to 7"),
     ] {

@@ -27,7 +27,7 @@ fn counts() {
 #[test]
 fn the_published_positions() {
     // Line by line as balls.nff 3.x gives them for the first spheres of level 4 that have no
-    // smaller one before them, to six digits; the radius tells the generation.
+    // smaller one before them, to six digits; the radius shows the generation.
     let published = [
         (0.0, 0.0, 0.0, 0.5),
         (0.272166, 0.272166, 0.544331, 0.166667),
@@ -101,7 +101,7 @@ fn levels_beyond_the_limit_tell_their_count() {
     let message = |level| sphereflake::generate(level).expect_err("too many").to_string();
     assert_eq!(
         message(7),
-        "a sphereflake of level 7 has 5380840 spheres and a polygon, more than 4000000 objects; the greatest level is 6"
+        "a sphereflake of level 7 has 5380840 spheres and a polygon, more than 4000000 objects; the largest level is 6"
     );
     for level in [40, 1000, u32::MAX] {
         assert!(message(level).contains("spheres and a polygon"));

@@ -72,7 +72,7 @@ fn loaded_by_name() {
     let error = scenes::load(Path::new("tetra:10")).expect_err("too many");
     assert_eq!(
         error.to_string(),
-        "tetra of level 10 has 4194304 polygons, more than 4000000 objects; the greatest level is 9"
+        "tetra of level 10 has 4194304 polygons, more than 4000000 objects; the largest level is 9"
     );
     for level in [62, 63, 64, 1000, u32::MAX] {
         assert!(tetra::generate(level).is_err());

@@ -76,7 +76,7 @@ fn degenerate_polygons_still_give_their_triangles() {
     assert_eq!(even_odd(&[], 9), Some(Vec::new()));
 }
 
-/// Points of a circle, each so many steps on from the last.
+/// Points of a circle, each `step` steps on from the last.
 fn star(points: u32, step: u32) -> Vec<(f64, f64)> {
     let point = |index: u32| {
         let angle = f64::from(index * step % points) / f64::from(points) * std::f64::consts::TAU;
@@ -114,7 +114,7 @@ fn a_pentagram_has_five_tips_and_a_hole() {
 }
 
 #[test]
-fn what_is_gone_round_twice_is_outside() {
+fn area_enclosed_twice_is_outside() {
     let twice = [star(3, 1), star(3, 1)].concat();
     let vertices = polygon(&twice);
     assert_eq!(triangles(&vertices), None);
@@ -203,15 +203,15 @@ proptest! {
             let is_inside = crossed.count() % 2 == 1;
             let near = |part: &&[DVec3; 3]| depth(part, point) > -1e-9;
             let within = |part: &&[DVec3; 3]| depth(part, point) > 1e-9;
-            let (least, most) = (parts.iter().filter(within).count(), parts.iter().filter(near).count());
+            let (min, max) = (parts.iter().filter(within).count(), parts.iter().filter(near).count());
             prop_assert!(
-                least <= usize::from(is_inside) && most >= usize::from(is_inside),
-                "{point} is in {least} to {most} triangles of {corners:?}"
+                min <= usize::from(is_inside) && max >= usize::from(is_inside),
+                "{point} is in {min} to {max} triangles of {corners:?}"
             );
         }
     }
 
-    /// Seen from its middle each corner of a star is behind the last: no edges cross, wherever it
+    /// Seen from its middle each corner of a star is farther than the last: no edges cross, wherever it
     /// is.
     #[test]
     fn a_polygon_whose_edges_do_not_cross_is_cut_into_its_own_vertices(

@@ -1,6 +1,6 @@
 //! ps3fb, as the kernel's source has it: video modes, frames, what is copied to the television.
 //!
-//! Invariant: every answer follows from the mode and the memory's size, by the driver's own
+//! Invariant: every reply follows from the mode and the memory's size, by the driver's own
 //! arithmetic.
 
 use super::Errno;
@@ -32,7 +32,6 @@ const MODES: [[(u32, u32); 2]; 13] = [
     [(1920, 1200), (1920, 1200)],
 ];
 
-/// The driver and its memory.
 pub(super) struct Driver {
     memory: File,
     screen: File,
@@ -40,7 +39,7 @@ pub(super) struct Driver {
     smem_len: u32,
     /// Whether it maps the video memory, as a patch has it: no copies, lines as the chip has them.
     patched: bool,
-    /// Calls to wait or select that it still answers; `None` for ever.
+    /// Calls to wait or select that it still handles; `None` for ever.
     patience: Option<u32>,
 }
 
@@ -91,7 +90,7 @@ impl Driver {
         self.smem_len / (width * 4 * height).max(self.line_length() * self.shown().1)
     }
 
-    /// Answers a request.
+    /// Handles a request.
     ///
     /// # Safety
     /// `argument` must be what `request` takes.
@@ -148,8 +147,8 @@ impl Driver {
                 // PS3FB_IOCTL_SCREENINFO
                 0x4004_7203 => {
                     let (stride, (width, height)) = (self.line_length() / 4, self.shown());
-                    let answer = [stride, height, (stride - width) / 2, 0, self.frames()];
-                    words.cast::<[u32; 5]>().write(answer);
+                    let reply = [stride, height, (stride - width) / 2, 0, self.frames()];
+                    words.cast::<[u32; 5]>().write(reply);
                     Ok(())
                 }
                 // PS3FB_IOCTL_ON

@@ -1,5 +1,5 @@
 //! A stand-in for ps3fb and a virtual terminal: an object to preload into the console's program,
-//! which answers `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
+//! which handles `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
 //!
 //! | variable | |
 //! | --- | --- |
@@ -26,7 +26,6 @@ use std::os::fd::IntoRawFd;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use terminal::Terminal;
 
-/// An error number.
 type Errno = c_int;
 
 /// What stands in for something, and the descriptors that the program has of it.
@@ -88,7 +87,7 @@ fn open(path: &CStr) -> Option<c_int> {
     Some(descriptor)
 }
 
-/// The answer to a request, if `descriptor` is one that [`open`] gave.
+/// The result of a request, if `descriptor` is one that [`open`] gave.
 ///
 /// # Safety
 /// `argument` must be what `request` takes.

@@ -3,7 +3,6 @@
 use super::Errno;
 use libc::c_void;
 
-/// The terminal's modes.
 #[derive(Default)]
 pub(super) struct Terminal {
     mode: u32,
@@ -11,7 +10,7 @@ pub(super) struct Terminal {
 }
 
 impl Terminal {
-    /// Answers a request.
+    /// Handles a request.
     ///
     /// # Safety
     /// `argument` must be what `request` takes.

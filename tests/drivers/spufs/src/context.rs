@@ -32,7 +32,6 @@ pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// A context of spufs.
 pub(crate) struct Context {
     pub flags: u32,
     modes: Mutex<[SignalMode; 2]>,
@@ -139,7 +138,7 @@ pub(crate) fn create(path: &str, flags: u32) -> Result<i32, Errno> {
     if flags & ISOLATE != 0 {
         return Err(Errno(libc::ENODEV));
     }
-    // A PlayStation 3's kernel does not know where its SPEs are.
+    // A PlayStation 3's kernel has no record of where its SPEs are.
     if flags & AFFINITY != 0 {
         return Err(Errno(libc::EINVAL));
     }

@@ -4,7 +4,6 @@ use std::io;
 
 use libc::c_int;
 
-/// An errno value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Errno(pub c_int);
 

@@ -49,7 +49,7 @@ impl Next {
 }
 
 /// A result in the C convention.
-fn answer<T: From<i8>>(result: Result<T, Errno>) -> T {
+fn c_result<T: From<i8>>(result: Result<T, Errno>) -> T {
     result.unwrap_or_else(|Errno(errno)| {
         // SAFETY: the address is this thread's errno.
         unsafe { *libc::__errno_location() = errno };
@@ -114,8 +114,8 @@ pub unsafe extern "C" fn syscall(
     // SAFETY: the caller's promise.
     unsafe {
         match number {
-            SPU_CREATE => answer(spu_create(a as *const c_char, b)),
-            SPU_RUN => answer(spu_run(a, b as *mut u32, c as *mut u32)),
+            SPU_CREATE => c_result(spu_create(a as *const c_char, b)),
+            SPU_RUN => c_result(spu_run(a, b as *mut u32, c as *mut u32)),
             _ => NEXT_SYSCALL.get::<Syscall>()(number, a, b, c, d, e, f),
         }
     }
@@ -138,7 +138,7 @@ pub unsafe extern "C" fn openat(
         match table::find(directory) {
             Some(Open::Context(_, context)) => {
                 let name = CStr::from_ptr(path).to_string_lossy();
-                answer(file::open(&context, &name, flags))
+                c_result(file::open(&context, &name, flags))
             }
             _ => NEXT_OPENAT.get::<Openat>()(directory, path, flags, mode),
         }
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn read(descriptor: c_int, into: *mut c_void, size: size_t
         let read =
             with_file(descriptor, |file| file.read(slice::from_raw_parts_mut(into.cast(), size)));
         match read {
-            Some(result) => answer(result.map(|size| size as ssize_t)),
+            Some(result) => c_result(result.map(|size| size as ssize_t)),
             None => NEXT_READ.get::<Read>()(descriptor, into, size),
         }
     }
@@ -187,7 +187,7 @@ pub unsafe extern "C" fn write(descriptor: c_int, from: *const c_void, size: siz
         let written =
             with_file(descriptor, |file| file.write(slice::from_raw_parts(from.cast(), size)));
         match written {
-            Some(result) => answer(result.map(|size| size as ssize_t)),
+            Some(result) => c_result(result.map(|size| size as ssize_t)),
             None => NEXT_WRITE.get::<Write>()(descriptor, from, size),
         }
     }
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn pwrite64(
             file.write_at(slice::from_raw_parts(from.cast(), size), offset as u64)
         });
         match written {
-            Some(result) => answer(result.map(|size| size as ssize_t)),
+            Some(result) => c_result(result.map(|size| size as ssize_t)),
             None => NEXT_PWRITE64.get::<Pwrite64>()(descriptor, from, size, offset),
         }
     }

@@ -1,6 +1,6 @@
 //! A stand-in for the kernel's spufs: the system calls `spu_create` and `spu_run` and the files of
 //! contexts, as spufs(7), spu_create(2) and spu_run(2) describe them, with emulated SPEs. It
-//! answers for the C library's functions, either preloaded into a program or linked into it.
+//! replaces the C library's functions, either preloaded into a program or linked into it.
 //!
 //! The directories exist only for `spu_create` and for `openat` with a context's descriptor. A
 //! file's descriptor is an eventfd that is ready when the file would be, so that every kind of

@@ -88,7 +88,7 @@ pub(crate) fn wait_for(descriptor: RawFd, events: i16) -> io::Result<()> {
 pub(crate) struct Levels {
     /// Words in the outbound interrupt mailbox.
     pub interrupt: Level,
-    /// Room in the inbound mailbox.
+    /// A free entry in the inbound mailbox.
     pub inbound: Level,
     /// A complete tag that was not reported.
     pub tags: Level,

@@ -18,14 +18,13 @@ const SPE_ERROR: u32 = 0x10;
 const DMA_STORAGE: u32 = 0x40;
 const INVALID_DMA: u32 = 0x800;
 
-/// What the kernel does about a stop.
 enum Next {
     Return {
         status: i32,
         event: u32,
     },
     Signal(FaultSignal),
-    /// The SPU continues behind the stop and the word that follows it.
+    /// The SPU continues after the stop and the word that follows it.
     Skip,
 }
 

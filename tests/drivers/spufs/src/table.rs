@@ -9,18 +9,12 @@ use std::sync::{Arc, Mutex, MutexGuard};
 use crate::context::{Context, lock};
 use crate::file::Kind;
 
-/// What a descriptor stands for.
+/// The file of a descriptor.
 #[derive(Clone)]
 pub(crate) enum Open {
-    /// The directory of a gang.
     Gang(String),
-    /// The directory of a context.
     Context(String, Arc<Context>),
-    File {
-        context: Arc<Context>,
-        kind: Kind,
-        waits: bool,
-    },
+    File { context: Arc<Context>, kind: Kind, waits: bool },
 }
 
 /// Everything that the program has.

@@ -51,7 +51,7 @@ fn refused(engine: &mut Engine, scene: &Scene) -> Refusal {
 }
 
 #[test]
-fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
+fn broken_shader_is_named_and_the_next_frame_is_traced() {
     let good = parsed("#cellray shader rings 1 0 0 4");
     let (mut unchecked, shown) = engine(false);
     unchecked.render(&good, &mut |_| ()).unwrap();
@@ -77,7 +77,7 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
 }
 
 /// If a shader has changed the driver's state, the tracer's program refuses valid work. The error
-/// then says how to find the cause, but not if the cause is already known.
+/// then explains how to find the cause, unless the message names it already.
 #[test]
 fn an_error_without_the_check_names_the_check() {
     let bad = parsed("#cellray shader changes_93");
@@ -96,7 +96,7 @@ fn an_error_without_the_check_names_the_check() {
 /// Pixels outside the sphere get the background's colour whatever the shader writes for their
 /// lanes, so nobody would notice the fault without the check.
 #[test]
-fn what_is_not_checked_is_not_found() {
+fn wrong_lanes_are_not_found_without_the_check() {
     let (mut engine, shown) = engine(false);
     let bad = parsed("#cellray shader paints_all_lanes");
     engine.render(&bad, &mut |_| ()).unwrap();
@@ -189,7 +189,7 @@ fn the_command_line_checks_a_games_shaders() {
 }
 
 #[test]
-fn what_is_no_program_is_not_run() {
+fn invalid_program_file_is_refused() {
     let run = |program: &str| {
         Command::new(env!("CARGO_BIN_EXE_cellray"))
             .args(["render", "scenes/paper1.nff", "--size", "8x8", "--program"])

@@ -32,7 +32,6 @@ pub fn image() -> &'static [u8] {
     })
 }
 
-/// The program in this image.
 pub fn program() -> Program {
     Program::from_image(image()).unwrap()
 }
