@@ -180,7 +180,7 @@ fn serve(contexts: &[Context], ppe: Ppe, words: u32) -> Result<(), ClockError> {
     for _ in 0..words {
         let since = Instant::now();
         let word = loop {
-            if let Some(word) = spe.answer()? {
+            if let Some(word) = spe.reply()? {
                 break word;
             }
             if since.elapsed() > LIMIT {
