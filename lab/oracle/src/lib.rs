@@ -8,6 +8,7 @@
 mod bvh;
 mod colour;
 mod compare;
+mod floor;
 mod picture;
 mod pixels;
 #[cfg(test)]
@@ -23,6 +24,7 @@ pub mod whitted;
 
 pub use colour::Colour;
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
+pub use floor::rounded_to_singles;
 pub use picture::Picture;
 pub use pixels::{Pixels, Samples};
 pub use settings::{Model, Settings};

@@ -14,6 +14,7 @@ use scenes::{Scene, ViewError, check_size};
 const EXAMPLES: &str = "Examples:
   oracle compare whitted16.png
   oracle compare frame.png scenes/paper16.nff --max-wrong 0.001
+  oracle floor sphereflake:4 --size 640x640
   oracle compare frame.png sphereflake:2 --json --diff difference.png
   oracle render scenes/paper16.nff --size 1280x720 --out paper16.png
   oracle render gears --corners --spd-rays --stats --out gears.png
@@ -54,6 +55,23 @@ enum Verb {
         /// Exits with 1 if more than this share of the pixels is wrong, 0 to 1
         #[arg(long, value_name = "FRACTION", allow_hyphen_values = true, value_parser = share)]
         max_wrong: Option<f64>,
+        #[command(flatten)]
+        options: Options,
+    },
+    /// Compares a scene with itself in single precision: what no tracer with singles can avoid.
+    ///
+    /// The objects and the lights are rounded to singles relative to the eye, as SPUs get them, and
+    /// both scenes are traced in double precision. A pixel is wrong as for compare.
+    #[command(after_help = EXAMPLES)]
+    Floor {
+        /// The scene
+        scene: PathBuf,
+        /// Size of the pictures in pixels [default: the scene's own]
+        #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
+        size: Option<(u32, u32)>,
+        /// Prints the errors as JSON
+        #[arg(long)]
+        json: bool,
         #[command(flatten)]
         options: Options,
     },
@@ -200,6 +218,7 @@ fn main() -> ExitCode {
             let compared = compare(&picture, scene.as_deref(), &options, json, diff.as_deref());
             compared.and_then(|result| check_share(&result, max_wrong))
         }
+        Verb::Floor { scene, size, json, options } => floor(&scene, &options, size, json),
         Verb::Render { scene, size, out, stats, options } => {
             render(&scene, &options, size, &out, stats)
         }
@@ -296,10 +315,32 @@ fn compare(
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
         messages::print!("{}: the difference, {DIFFERENCE_SCALE} times amplified", diff.display());
     }
-    let mut text = if json { serde_json::to_string(&result)? } else { report(&result, &picture) };
+    print_comparison(&result, &picture, json)?;
+    Ok(result)
+}
+
+/// Prints the errors of the scene that has its numbers rounded to singles.
+fn floor(name: &Path, options: &Options, size: Option<(u32, u32)>, json: bool) -> Done {
+    let mut scene = load(name)?;
+    let given = options.settings();
+    let settings = given.over(&given.assumed(&scene));
+    settings.place(&mut scene.view, name)?;
+    let model = settings.model(name)?;
+    options.check(&model, false);
+    report_left_out(&model, &scene);
+    let size = size.unwrap_or(scene.view.resolution);
+    let (reference, _) = model.trace(&scene, size)?;
+    let (rounded, _) = model.trace(&oracle::rounded_to_singles(&scene), size)?;
+    let result = oracle::compare(&rounded.picture, &reference)?;
+    print_comparison(&result, &rounded.picture, json)
+}
+
+/// Prints the errors of a picture, as text or JSON.
+fn print_comparison(result: &Comparison, picture: &Picture, json: bool) -> Done {
+    let mut text = if json { serde_json::to_string(result)? } else { report(result, picture) };
     text.push('\n');
     messages::write_data(text)?;
-    Ok(result)
+    Ok(())
 }
 
 /// Fails if more than a share of a picture's pixels is wrong.
