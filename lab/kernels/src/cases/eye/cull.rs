@@ -14,7 +14,7 @@ use zerocopy::big_endian::U32;
 use super::call::{address, list, list_room, put, put_packets, put_places};
 use super::error::NO_HITS;
 use crate::bench::{Bench, Place};
-use crate::description::Description;
+use crate::description::{Description, LENGTHS_FROM_0};
 use crate::eye_records::{self, Vectors};
 use crate::single::{bits, single};
 use crate::vector::unit;
@@ -85,16 +85,12 @@ pub struct Filtered {
 impl Description for FilterSpheres {
     const KERNEL: &'static str = "filter_spheres_r16";
     const ROUNDS: [usize; 2] = [40, 160];
-    const LENGTH_OF_ANY: usize = 3;
+    const LENGTHS: &'static [usize] = &[1, 2, 3, 7];
     const SHARES: [Range<f64>; 2] = [0.1..1.0, 0.1..1.0];
     type Placed = Filtered;
     type Found = Vec<[u32; 2]>;
 
     /// The list of all pairs must fit.
-    fn lengths() -> impl Iterator<Item = usize> {
-        [1, 2, 3, 7].into_iter()
-    }
-
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let packets = (0..count).map(|_| directions(random)).collect();
         let fours = [1, 2, 3, 4, 10][random.random_range(0..5)];
@@ -153,7 +149,6 @@ pub struct CullSpheres {
 impl Description for CullSpheres {
     const KERNEL: &'static str = "cull_spheres_p64";
     const ROUNDS: [usize; 2] = [20, 200];
-    const LENGTH_OF_ANY: usize = 7;
     const SHARES: [Range<f64>; 2] = [0.05..1.0, 0.05..1.0];
     type Placed = Place;
     /// Four masks of packets for each listed sphere.
@@ -218,15 +213,11 @@ pub struct FrustumSpheres {
 impl Description for FrustumSpheres {
     const KERNEL: &'static str = "frustum_spheres";
     const ROUNDS: [usize; 2] = [40, 280];
-    const LENGTH_OF_ANY: usize = 10;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.05..1.0, 0.05..1.0];
     type Placed = [Place; 2];
     /// The addresses of the listed spheres.
     type Found = Vec<u32>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        [0, 1, 2, 3, 7, 16, 40].into_iter()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let slope = random.random_range(0.05..0.3);
@@ -277,14 +268,10 @@ pub struct HiddenPairs {
 impl Description for HiddenPairs {
     const KERNEL: &'static str = "hidden_pairs_r16";
     const ROUNDS: [usize; 2] = [40, 200];
-    const LENGTH_OF_ANY: usize = 7;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.25..0.9, 0.25..1.0];
     type Placed = (Vec<Pair>, Place);
     type Found = Vec<[u32; 2]>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        FrustumSpheres::lengths()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let mut hits = || {

@@ -98,7 +98,6 @@ pub struct ShadeDepth {
 impl Description for ShadeDepth {
     const KERNEL: &'static str = "shade_depth_r16";
     const ROUNDS: [usize; 2] = [30, 1000];
-    const LENGTH_OF_ANY: usize = 2;
     type Placed = Place;
     /// The colours, and the number of rays in each lane that hit something.
     type Found = (Vec<Vectors>, [u32; 4]);

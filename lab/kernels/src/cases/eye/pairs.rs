@@ -12,7 +12,7 @@ use super::call::{address, put, put_packets};
 use super::formulation::{Seen, around_a_sphere};
 use crate::bench::{Bench, Place};
 use crate::cases::formulation::ForTheEye;
-use crate::description::{ANY_SHARE, Description, any_bits};
+use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
 use crate::eye_records::{self, Hits, Vectors};
 use protocol::layout::{Packet, Pair, Sphere};
 
@@ -69,15 +69,11 @@ impl<F: ForTheEye<Sphere: Seen>> Pairs<F> {
 impl<F: ForTheEye<Sphere: Seen>> Description for Pairs<F> {
     const KERNEL: &'static str = F::EYE;
     const ROUNDS: [usize; 2] = [130, 1000];
-    const LENGTH_OF_ANY: usize = 8;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.1..0.9, ANY_SHARE];
     type Placed = Placed;
     /// The packets, of which only the hits may change.
     type Found = Vec<(Vectors, Hits)>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        [0, 1, 2, 3, 7, 16, 40].into_iter()
-    }
 
     /// Packets that are aimed at spheres, and pairs in runs of one packet, mostly with its sphere.
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {

@@ -61,13 +61,10 @@ pub struct One {
 impl Description for One {
     const KERNEL: &'static str = "isect_sphere_r1";
     const ROUNDS: [usize; 2] = [4000, 4000];
+    const LENGTHS: &'static [usize] = &[1];
     const SHARES: [Range<f64>; 2] = [0.2..0.9, ANY_SHARE];
     type Placed = Place;
     type Found = Ray;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        std::iter::once(1)
-    }
 
     fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
         let (rays, sphere) = around_a_sphere(random);
@@ -114,13 +111,10 @@ impl<const COUNT: usize> Description for Nearest<COUNT> {
     const KERNEL: &'static str =
         if COUNT == 1 { "isect_sphere_r16" } else { "isect_spheres16_r16" };
     const ROUNDS: [usize; 2] = [1000, 1000];
+    const LENGTHS: &'static [usize] = &[COUNT];
     const SHARES: [Range<f64>; 2] = [0.2..0.9, ANY_SHARE];
     type Placed = Place;
     type Found = [Ray; 16];
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        std::iter::once(COUNT)
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let (rays, spheres) = if count == 1 {
@@ -172,7 +166,6 @@ pub struct Blocked<const ARRAY: bool> {
 impl<const ARRAY: bool> Description for Blocked<ARRAY> {
     const KERNEL: &'static str = if ARRAY { "any_spheres_r16" } else { "any_sphere_r16" };
     const ROUNDS: [usize; 2] = [if ARRAY { 40 } else { 1000 }, 1000];
-    const LENGTH_OF_ANY: usize = if ARRAY { 3 } else { 1 };
     const SHARES: [Range<f64>; 2] = [0.1..0.9, ANY_SHARE];
     type Placed = ();
     /// A bit for each ray.

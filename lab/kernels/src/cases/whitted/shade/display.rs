@@ -22,7 +22,6 @@ pub struct Values<const ROLL_OFF: bool> {
 impl<const ROLL_OFF: bool> Description for Values<ROLL_OFF> {
     const KERNEL: &'static str = if ROLL_OFF { "roll_off" } else { "encode_srgb" };
     const ROUNDS: [usize; 2] = [10, 200];
-    const LENGTH_OF_ANY: usize = 8;
     type Placed = Place;
     type Found = Vec<[Single; 4]>;
 
