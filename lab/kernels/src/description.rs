@@ -2,13 +2,13 @@
 //! two for every kernel in the same way, for lists of every relevant length, on inputs like those
 //! of frames and on random bits, as a hostile caller ([`Bench::call`]).
 
-use std::fmt::Debug;
+use std::fmt::{self, Debug};
 use std::ops::Range;
 
 use rand::RngCore;
 use rand_chacha::ChaCha8Rng;
 use thiserror::Error;
-use zerocopy::FromBytes;
+use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 use crate::bench::Bench;
 
@@ -105,6 +105,22 @@ pub trait Description: Debug + Sized {
     /// As [`Self::check`].
     fn check_placed(&self, bench: &mut Bench) -> (Self::Placed, Self::Found) {
         self.compare(bench).unwrap_or_else(|error| panic!("{error}"))
+    }
+}
+
+/// A record that is compared by all of its bits.
+#[derive(Clone, Copy)]
+pub struct Bits<T>(pub T);
+
+impl<T: IntoBytes + Immutable> PartialEq for Bits<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.as_bytes() == other.0.as_bytes()
+    }
+}
+
+impl<T: IntoBytes + Immutable> Debug for Bits<T> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.as_bytes().fmt(out)
     }
 }
 

@@ -4,7 +4,7 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere_ray::Ray;
-use twins::texture::{Hit, Level, Texel, Texture};
+use twins::texture::{Hit, Level, Texel, Texture, filter};
 use twins::{ONE, Single};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
@@ -17,6 +17,7 @@ use super::smooth;
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{Bits, Description};
 use crate::flat_records::{point, quad};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, less};
@@ -52,19 +53,17 @@ pub const KERNELS: &[Kernel] = &[
         equal: None,
     },
     Kernel {
-        name: "texture_filter_r16",
-        rays: 16,
         cases: &[Case {
             name: "a packet",
             objects: Objects::Fixed(1),
             place: |bench, _| {
                 let lane =
                     Filtered { texels: [0xff80_4000; 4], right: 0, down: 0, colour: [ONE; 3] };
-                put_filtered(bench, &[Some(lane); 16], true, 0).0
+                Filter { lanes: [Some(lane); 16], are_roots: true, anything: 0 }.place(bench).1
             },
         }],
         error: Some(filter_error),
-        equal: None,
+        ..Kernel::of::<Filter>()
     },
 ];
 
@@ -376,17 +375,56 @@ pub fn set_colour(surfaces: &mut Surfaces, lane: usize, colour: [Single; 3]) {
     [surfaces.red[lane], surfaces.green[lane], surfaces.blue[lane]] = colour.map(single);
 }
 
-/// `texture_filter_r16` on these lanes: returns the surfaces after the call.
-pub fn filtered(
-    bench: &mut Bench,
-    lanes: &[Option<Filtered>; 16],
-    are_roots: bool,
-    anything: u32,
-) -> Surfaces {
-    bench.reset();
-    let (arguments, surfaces) = put_filtered(bench, lanes, are_roots, anything);
-    bench.call("texture_filter_r16", &arguments);
-    bench.read(surfaces)
+/// Lanes of a packet with texels.
+#[derive(Clone, Debug)]
+pub struct Filter {
+    /// The lanes.
+    pub lanes: [Option<Filtered>; 16],
+    /// Whether the texels are square roots of light.
+    pub are_roots: bool,
+    /// Fills everything else.
+    pub anything: u32,
+}
+
+impl Description for Filter {
+    const KERNEL: &'static str = "texture_filter_r16";
+    const ROUNDS: [usize; 2] = [500, 500];
+    const LENGTHS: &'static [usize] = &[1];
+    type Placed = Place;
+    type Found = Bits<Surfaces>;
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let lanes = [(); 16].map(|()| random.random_ratio(3, 4).then(|| any_filtered(random)));
+        Self { lanes, are_roots: random.random(), anything: random.random() }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let mut inputs = Self::sensible(0, random);
+        for lane in inputs.lanes.iter_mut().flatten() {
+            (lane.right, lane.down, lane.colour) = random.random();
+        }
+        inputs
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let (arguments, surfaces) = put_filtered(bench, &self.lanes, self.are_roots, self.anything);
+        (surfaces, arguments)
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Bits<Surfaces> {
+        Bits(bench.read(*placed))
+    }
+
+    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+        let mut expected = coloured(&self.lanes, self.anything);
+        for (lane, given) in self.lanes.iter().enumerate() {
+            if let Some(Filtered { texels, right, down, colour }) = *given {
+                let colour = filter(colour, texels, self.are_roots, right, down);
+                set_colour(&mut expected, lane, colour);
+            }
+        }
+        Bits(expected)
+    }
 }
 
 /// Any surface and texels of the stated domain.
@@ -405,7 +443,8 @@ fn filter_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for round in 0..2000 {
         let lanes = std::array::from_fn(|_| Some(any_filtered(random)));
         let power = 1 + round % 2;
-        let surfaces = filtered(bench, &lanes, power == 2, random.random());
+        let anything = random.random();
+        let Bits(surfaces) = Filter { lanes, are_roots: power == 2, anything }.call(bench);
         for (lane, given) in lanes.iter().flatten().enumerate() {
             let rows = [surfaces.red, surfaces.green, surfaces.blue];
             for (channel, row) in rows.iter().enumerate() {

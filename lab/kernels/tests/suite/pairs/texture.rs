@@ -3,13 +3,12 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::texture::{
-    Table, any_filtered, any_hit, coloured, filtered, places, set_colour, table, truth,
+    Filter, Table, any_filtered, any_hit, coloured, places, table, truth,
 };
-use kernels::description::any_bits;
+use kernels::description::{Bits, Description as _, any_bits};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::texture::{Hit, filter as filter_twin, texel as twin};
-use zerocopy::IntoBytes as _;
+use twins::texture::{Hit, texel as twin};
 
 const ANGLE: f64 = 1e-3;
 
@@ -135,36 +134,6 @@ fn edges_are_continued() {
 }
 
 #[test]
-fn filtered_colours_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for round in 0..1000 {
-        let lanes = std::array::from_fn(|_| {
-            random.random_ratio(3, 4).then(|| {
-                let mut lane = any_filtered(&mut random);
-                if round % 2 == 0 {
-                    (lane.right, lane.down) = (random.random(), random.random());
-                    lane.colour = random.random();
-                }
-                lane
-            })
-        });
-        let anything = random.random();
-        let are_roots = random.random();
-        let after = filtered(&mut bench, &lanes, are_roots, anything);
-        let mut expected = coloured(&lanes, anything);
-        for (lane, given) in lanes.iter().enumerate() {
-            if let Some(given) = given {
-                let (texels, right, down) = (given.texels, given.right, given.down);
-                let colour = filter_twin(given.colour, texels, are_roots, right, down);
-                set_colour(&mut expected, lane, colour);
-            }
-        }
-        assert_eq!(after.as_bytes(), expected.as_bytes());
-    }
-}
-
-#[test]
 fn white_texels_leave_a_colour_as_it_is() {
     let mut random = random();
     let mut bench = Bench::new();
@@ -174,7 +143,7 @@ fn white_texels_leave_a_colour_as_it_is() {
         Some(lane)
     });
     for are_roots in [false, true] {
-        let after = filtered(&mut bench, &lanes, are_roots, 0);
-        assert_eq!(after.as_bytes(), coloured(&lanes, 0).as_bytes());
+        let after = Filter { lanes, are_roots, anything: 0 }.check(&mut bench);
+        assert_eq!(after, Bits(coloured(&lanes, 0)));
     }
 }
