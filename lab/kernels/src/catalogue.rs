@@ -54,7 +54,7 @@ pub enum Objects {
 /// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
 const FAMILIES: [(&[Kernel], &[&str]); 14] = [
     (eye::KERNELS, &["eye::"]),
-    (eye::formulation::KERNELS, &["eye::isect_pairs", "spheres::"]),
+    (eye::formulation::KERNELS, &["eye::spheres", "spheres::"]),
     (sphere_ray::KERNELS, &["sphere_ray::"]),
     (flat::KERNELS, &["flat::"]),
     (math::KERNELS, &["math::"]),

@@ -2,27 +2,32 @@
 //! two for every kernel in the same way, for lists of every relevant length, on inputs like those
 //! of frames and on random bits, as a hostile caller ([`Bench::call`]).
 
-use std::fmt::Debug;
+use std::fmt::{self, Debug};
 use std::ops::Range;
 
 use rand::RngCore;
 use rand_chacha::ChaCha8Rng;
 use thiserror::Error;
-use zerocopy::FromBytes;
+use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 use crate::bench::Bench;
 
 /// Everything is a share of nothing: what a description says that counts nothing.
 pub const ANY_SHARE: Range<f64> = f64::NEG_INFINITY..f64::INFINITY;
 
+/// Lengths of lists, with that of an empty one. A scheduled loop takes other paths for the short
+/// ones.
+pub const LENGTHS_FROM_0: &[usize] = &[0, 1, 2, 3, 7, 16, 40];
+
 /// The inputs of one call of a kernel.
 pub trait Description: Debug + Sized {
     /// The kernel.
     const KERNEL: &'static str;
-    /// The number of calls for each length with sensible inputs, and of all calls with any bits.
+    /// The number of calls for each length with sensible inputs, and of all calls with any bits,
+    /// which take one length after the other.
     const ROUNDS: [usize; 2];
-    /// The length of inputs of any bits.
-    const LENGTH_OF_ANY: usize = 1;
+    /// The lengths of lists.
+    const LENGTHS: &'static [usize] = &[1, 2, 3, 7, 16, 40];
     /// Between which limits the part that [`Self::part`] counts must be of the whole, for sensible
     /// inputs and for any bits. Otherwise the inputs test little.
     const SHARES: [Range<f64>; 2] = [ANY_SHARE; 2];
@@ -32,9 +37,9 @@ pub trait Description: Debug + Sized {
     /// What the kernel finds.
     type Found: PartialEq + Debug;
 
-    /// Lengths of lists. A scheduled loop takes other paths for the short ones.
+    /// The same lengths, for a description with more of them than a constant should list.
     fn lengths() -> impl Iterator<Item = usize> {
-        [1, 2, 3, 7, 16, 40].into_iter()
+        Self::LENGTHS.iter().copied()
     }
 
     /// Inputs like those of frames, for a list of this length.
@@ -103,6 +108,22 @@ pub trait Description: Debug + Sized {
     }
 }
 
+/// A record that is compared by all of its bits.
+#[derive(Clone, Copy)]
+pub struct Bits<T>(pub T);
+
+impl<T: IntoBytes + Immutable> PartialEq for Bits<T> {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.as_bytes() == other.0.as_bytes()
+    }
+}
+
+impl<T: IntoBytes + Immutable> Debug for Bits<T> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.as_bytes().fmt(out)
+    }
+}
+
 /// How a kernel and its twin differ, or that the inputs do not tell.
 #[derive(Debug, Error)]
 #[error("{0}")]
@@ -116,7 +137,8 @@ pub fn equal<D: Description>(bench: &mut Bench, random: &mut ChaCha8Rng) -> Resu
     let [sensible, any] = D::ROUNDS;
     let lengths = (0..sensible).flat_map(|_| D::lengths());
     let sensible = series(lengths, &D::SHARES[0], |count| D::sensible(count, random), bench)?;
-    let lengths = (0..any).map(|_| D::LENGTH_OF_ANY);
+    let lengths: Vec<usize> = D::lengths().collect();
+    let lengths = lengths.into_iter().cycle().take(any);
     let any = series(lengths, &D::SHARES[1], |count| D::any(count, random), bench)?;
     Ok(sensible + any)
 }

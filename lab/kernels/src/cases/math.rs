@@ -154,16 +154,12 @@ pub struct Operands<const NUMBER: usize> {
 
 impl<const NUMBER: usize> Description for Operands<NUMBER> {
     const KERNEL: &'static str = FUNCTIONS[NUMBER].kernel;
-    const ROUNDS: [usize; 2] = [4, 100];
-    const LENGTH_OF_ANY: usize = 200;
+    const ROUNDS: [usize; 2] = [4, 1200];
+    const LENGTHS: &'static [usize] = &[0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100];
     type Placed = Place;
     type Found = Vec<[Single; 4]>;
 
     /// Numbers of quadwords: those around a pass, and some more.
-    fn lengths() -> impl Iterator<Item = usize> {
-        [0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100].into_iter()
-    }
-
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let mut operand = || operand(random, &FUNCTIONS[NUMBER]);
         let operands = (0..count).map(|_| [(); 4].map(|()| operand())).collect();

@@ -1,5 +1,7 @@
 //! The general sphere kernels, for rays from anywhere: the exact result in f64, cases and errors.
 
+pub mod nearest;
+
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -9,9 +11,11 @@ use zerocopy::IntoBytes as _;
 
 use crate::bench::Bench;
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::Description as _;
 use crate::records;
 use crate::vector::dot;
 pub use crate::vector::{Vector, unit};
+use nearest::{Blocked, Nearest, One};
 
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 4000;
@@ -26,7 +30,6 @@ const SURFACE: f64 = 1e-5;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "isect_sphere_r1",
         rays: 1,
         cases: &[
             Case {
@@ -41,11 +44,9 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, one_by_one)),
-        equal: None,
+        ..Kernel::of::<One>()
     },
     Kernel {
-        name: "isect_sphere_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "all miss",
@@ -59,11 +60,9 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, together)),
-        equal: None,
+        ..Kernel::of::<Nearest<1>>()
     },
     Kernel {
-        name: "isect_spheres16_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "all miss",
@@ -77,11 +76,9 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| nearest_error(bench, random, among_sixteen)),
-        equal: None,
+        ..Kernel::of::<Nearest<16>>()
     },
     Kernel {
-        name: "any_sphere_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "nothing blocks",
@@ -95,11 +92,9 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| any_error(bench, random, "any_sphere_r16", &[])),
-        equal: None,
+        ..Kernel::of::<Blocked<false>>()
     },
     Kernel {
-        name: "any_spheres_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "nothing blocks",
@@ -113,7 +108,7 @@ pub const KERNELS: &[Kernel] = &[
             },
         ],
         error: Some(|bench, random| any_error(bench, random, "any_spheres_r16", &[1])),
-        equal: None,
+        ..Kernel::of::<Blocked<true>>()
     },
 ];
 
@@ -247,36 +242,21 @@ type Call = fn(&mut Bench, &[Ray; 16], &BareSphere) -> [Ray; 16];
 
 /// Calls `isect_sphere_r1` with each ray.
 pub fn one_by_one(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
-    rays.map(|ray| {
-        bench.reset();
-        let record = bench.place(records::Ray::new(&ray, ray.t).as_bytes());
-        let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
-        bench.call("isect_sphere_r1", &[record.address, sphere.address, OBJECT]);
-        bench.read::<records::Ray>(record).ray()
-    })
+    let one = |ray: Ray| One { ray, sphere: *sphere, object: OBJECT, anything: ray.t };
+    rays.map(|ray| one(ray).call(bench))
 }
 
 /// Calls `isect_sphere_r16`.
 pub fn together(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
-    bench.reset();
-    let record = bench.place(records::Rays::new(rays).as_bytes());
-    let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
-    bench.call("isect_sphere_r16", &[record.address, sphere.address, OBJECT]);
-    bench.read::<records::Rays>(record).rays()
+    Nearest::<1> { rays: *rays, spheres: vec![*sphere], first: OBJECT }.call(bench)
 }
 
 /// Calls `isect_spheres16_r16` with fifteen more spheres that no ray comes near.
 pub fn among_sixteen(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
     const PLACE: usize = 5;
-    bench.reset();
-    let record = bench.place(records::Rays::new(rays).as_bytes());
-    let away = self::bare_sphere([1e6, 1e6, 1e6], 1e-3);
-    let mut spheres = [records::BareSphere::new(&away); 16];
-    spheres[PLACE] = records::BareSphere::new(sphere);
-    let spheres = bench.place(spheres.as_bytes());
-    let first = OBJECT - PLACE as u32;
-    bench.call("isect_spheres16_r16", &[record.address, spheres.address, first]);
-    bench.read::<records::Rays>(record).rays()
+    let mut spheres = vec![bare_sphere([1e6, 1e6, 1e6], 1e-3); 16];
+    spheres[PLACE] = *sphere;
+    Nearest::<16> { rays: *rays, spheres, first: OBJECT - PLACE as u32 }.call(bench)
 }
 
 /// The largest error of t. Infinite for a missed or a false hit.

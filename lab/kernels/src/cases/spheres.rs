@@ -102,10 +102,14 @@ pub fn eye(
         .map(|directions| eye_records::packet(directions, &eye::error::NO_HITS))
         .collect();
     let pairs: Vec<[usize; 2]> = (0..packets.len()).map(|number| [0, number]).collect();
-    let (after, _) = eye::call::isect_pairs(bench, kernel, &packets, &[sphere.record()], &pairs);
-    after
-        .iter()
-        .map(|packet| eye_records::hits(packet).map(|hit| (hit.object != 0).then_some(hit.t)))
+    bench.reset();
+    let (placed, arguments) = eye::pairs::place(bench, &packets, &[sphere.record()], &pairs);
+    bench.call(kernel, &arguments);
+    let packets = placed.packets.iter();
+    packets
+        .map(|packet| {
+            eye_records::hits(&bench.read(*packet)).map(|hit| (hit.object != 0).then_some(hit.t))
+        })
         .collect()
 }
 

@@ -13,18 +13,24 @@ fn every_described_kernel_equals_its_twin() {
     let next = || described.lock().unwrap_or_else(PoisonError::into_inner).next();
     let work = || {
         let mut bench = Bench::new();
-        let mut calls = 0;
+        let (mut calls, mut faults) = (0, Vec::new());
         while let Some(equal) = next() {
-            calls +=
-                equal(&mut bench, &mut random.clone()).unwrap_or_else(|error| panic!("{error}"));
+            match equal(&mut bench, &mut random.clone()) {
+                Ok(more) => calls += more,
+                Err(fault) => faults.push(fault.to_string()),
+            }
         }
-        calls
+        (calls, faults)
     };
-    let calls: usize = thread::scope(|scope| {
-        let threads = thread::available_parallelism().map_or(1, usize::from);
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let found: Vec<(usize, Vec<String>)> = thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().map(|worker| worker.join().expect("equal kernels")).sum()
+        workers.into_iter().map(|worker| worker.join().expect("kernels keep the ABI")).collect()
     });
+    let faults: Vec<&str> =
+        found.iter().flat_map(|(_, faults)| faults).map(String::as_str).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    let calls: usize = found.iter().map(|(calls, _)| calls).sum();
     println!("{calls} calls");
     assert!(calls > 5000, "{calls}");
 }

@@ -3,10 +3,8 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::{
-    among_sixteen, any_direction, around_a_sphere, bare_sphere, case_rays, one_by_one, ray,
-    together, truth, unit,
+    any_direction, bare_sphere, case_rays, one_by_one, ray, together, truth, unit,
 };
-use kernels::description::any_bits;
 use kernels::records;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -32,26 +30,6 @@ fn check_nearest(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [R
     expected
 }
 
-fn check_sixteen(
-    bench: &mut Bench,
-    rays: &[Ray; 16],
-    spheres: &[BareSphere; 16],
-    first: u32,
-) -> [Ray; 16] {
-    bench.reset();
-    let record = bench.place(records::Rays::new(rays).as_bytes());
-    let places = bench.place(spheres.each_ref().map(records::BareSphere::new).as_bytes());
-    bench.call("isect_spheres16_r16", &[record.address, places.address, first]);
-    let found = bench.read::<records::Rays>(record).rays();
-    for (ray, found) in rays.iter().zip(found) {
-        let numbered = (first..).zip(spheres);
-        let expected =
-            numbered.fold(*ray, |ray, (object, sphere)| twin::nearest(ray, sphere, object));
-        assert_eq!(found, expected, "{ray:x?}, {spheres:x?}");
-    }
-    found
-}
-
 /// Calls the two any-hit kernels. Returns the bits, and the number of instructions of the one for
 /// arrays.
 fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u32, u64) {
@@ -72,68 +50,6 @@ fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u3
     let found = bench.call("any_spheres_r16", &arguments);
     assert_eq!(found.value, expected(spheres), "{rays:x?}, {spheres:x?}");
     (found.value, found.instructions)
-}
-
-#[test]
-fn sensible_rays_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let (mut hits, mut blocked) = (0, 0);
-    for _ in 0..1000 {
-        let (mut rays, sphere) = around_a_sphere(&mut random);
-        let found = check_nearest(&mut bench, &rays, &sphere);
-        hits += found.iter().filter(|ray| ray.object == OBJECT).count();
-        assert_eq!(among_sixteen(&mut bench, &rays, &sphere), found);
-        for ray in &mut rays {
-            // Half of the limits are before the hit and half after it, and some rays are absent.
-            ray.t = match random.random_range(0..8) {
-                0 => from_f64(random.random_range(-1.0..0.0)),
-                1 => FARTHEST,
-                _ => {
-                    let t = truth(ray, &sphere).t.unwrap_or(1.0);
-                    from_f64(t * random.random_range(0.5..1.5))
-                }
-            };
-        }
-        let (bits, _) = check_any(&mut bench, &rays, &[sphere]);
-        blocked += bits.count_ones();
-    }
-    assert!((4000..14_000).contains(&hits), "{hits} of 16000 rays hit");
-    assert!((2000..12_000).contains(&blocked), "{blocked} were blocked");
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..1000 {
-        let rays = any_bits(&mut random);
-        let spheres: [BareSphere; 16] = any_bits(&mut random);
-        check_nearest(&mut bench, &rays, &spheres[0]);
-        check_sixteen(&mut bench, &rays, &spheres, random.random());
-        check_any(&mut bench, &rays, &spheres[..3]);
-    }
-}
-
-#[test]
-fn the_nearest_of_sixteen_in_any_order() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let mut numbers = std::collections::BTreeSet::new();
-    for _ in 0..500 {
-        let spheres = std::array::from_fn(|_| {
-            let centre = std::array::from_fn(|_| random.random_range(-3.0..3.0));
-            bare_sphere(centre, random.random_range(0.1..1.5))
-        });
-        let rays = std::array::from_fn(|_| {
-            let origin = std::array::from_fn(|_| random.random_range(-4.0..4.0));
-            let t = from_f64(random.random_range(0.0..20.0));
-            Ray { object: 5, ..ray(origin, any_direction(&mut random), t) }
-        });
-        let found = check_sixteen(&mut bench, &rays, &spheres, 100);
-        numbers.extend(found.map(|ray| ray.object));
-    }
-    assert_eq!(numbers.len(), 17, "only {numbers:?} were hit");
 }
 
 #[test]

@@ -8,10 +8,11 @@ use twins::ray_setup::Basis;
 use twins::shade_depth::Depth;
 use twins::{FARTHEST, Single};
 
-use super::call;
+use super::packets::{Pack, RaySetup, ShadeDepth};
 use crate::bench::Bench;
 use crate::cases::sphere_ray::unit;
-use crate::eye_records::{self, Hits, Vectors};
+use crate::description::Description as _;
+use crate::eye_records::{Hits, Vectors};
 
 /// The distance between singles from 1/2 to 1.
 const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;
@@ -46,11 +47,11 @@ pub fn camera(random: &mut ChaCha8Rng) -> Basis {
 /// The largest error of a component of the directions through 4x4 pixels, starting at each of
 /// `pixels`.
 pub fn error_of_rays(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]]) -> f64 {
-    let packets = call::ray_setup(bench, basis, pixels, 0);
-    let packets = packets.iter().map(eye_records::directions);
+    let setup = RaySetup { basis: *basis, pixels: pixels.to_vec(), background: 0 };
+    let packets = setup.call(bench);
     let errors = pixels.iter().zip(packets);
     errors
-        .map(|(&pixel, directions)| error_of_directions(basis, pixel, &directions))
+        .map(|(&pixel, (directions, _))| error_of_directions(basis, pixel, &directions))
         .fold(0.0, f64::max)
 }
 
@@ -110,13 +111,14 @@ pub fn shade_depth(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..2000 {
         let (depth, colours, hits) = shaded_hits(random);
-        let (found, _) = call::shade_depth(bench, &[hits], &colours, depth);
+        let shade = ShadeDepth { hits: vec![hits], colours, depth };
+        let (found, _) = shade.call(bench);
         for (hit, found) in hits.iter().zip(found[0]) {
             let bright = match hit.object {
                 0 => 1.0,
                 _ => ((to_f64(depth.far) - to_f64(hit.t)) * to_f64(depth.scale)).clamp(0.0, 1.0),
             };
-            for (found, channel) in found.iter().zip(colours[hit.object as usize]) {
+            for (found, channel) in found.iter().zip(shade.colours[hit.object as usize]) {
                 worst = worst.max((to_f64(*found) - to_f64(channel) * bright).abs() / ULP_OF_1);
             }
         }
@@ -132,7 +134,7 @@ pub fn pack(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
             let colours: Vectors = std::array::from_fn(|_| {
                 std::array::from_fn(|_| from_f64(random.random_range(-0.25..1.25)))
             });
-            let words = call::pack(bench, &[colours], shifts);
+            let words = Pack { colours: vec![colours], shifts }.call(bench);
             for (colour, word) in colours.iter().zip(words[0]) {
                 for (channel, shift) in colour.iter().zip(shifts) {
                     let exact = to_f64(*channel).clamp(0.0, 1.0) * 255.0;

@@ -13,7 +13,8 @@ use twins::sphere::{
 use twins::sphere_ray::BareSphere;
 
 use super::error::NO_HITS;
-use super::{PACKETS, call, isect_pairs};
+use super::pairs::Pairs;
+use super::{PACKETS, rays};
 use zerocopy::FromBytes;
 
 use crate::bench::Bench;
@@ -21,7 +22,8 @@ use crate::cases::formulation::ForTheEye;
 use crate::cases::sphere_ray::{any_direction, bare_sphere, ulp};
 use crate::cases::spheres::EyeSphere;
 use crate::catalogue::{Case, Kernel};
-use crate::eye_records::{self, Vectors};
+use crate::description::Description as _;
+use crate::eye_records::Vectors;
 use crate::vector::{Vector, dot, magnitude, unit};
 use protocol::layout::Sphere;
 
@@ -98,16 +100,13 @@ pub const KERNELS: &[Kernel] = &[
 /// The row of a formulation's kernel.
 pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
     Kernel {
-        name: F::EYE,
-        rays: 16,
         cases: const {
             &[
                 Case {
                     name: "all miss",
                     objects: PACKETS,
                     place: |bench, count| {
-                        let beside = F::Sphere::at([9.0, 0.0, -5.0], 1.0);
-                        isect_pairs(bench, &[beside.record(); 4], count)
+                        with_packets::<F>(bench, [F::Sphere::at([9.0, 0.0, -5.0], 1.0); 4], count)
                     },
                 },
                 Case {
@@ -116,14 +115,25 @@ pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
                     place: |bench, count| {
                         let nearer = [20.0, 15.0, 10.0, 5.0];
                         let sphere = |distance: f64| F::Sphere::at([0.0, 0.0, -distance], 1.0);
-                        isect_pairs(bench, &nearer.map(|distance| sphere(distance).record()), count)
+                        with_packets::<F>(bench, nearer.map(sphere), count)
                     },
                 },
             ]
         },
         error: Some(error::<F>),
-        equal: None,
+        ..Kernel::of::<Pairs<F>>()
     }
+}
+
+/// Each of the spheres paired with sixteen packets.
+fn with_packets<F: ForTheEye<Sphere: Seen>>(
+    bench: &mut Bench,
+    spheres: [F::Sphere; 4],
+    count: u32,
+) -> Vec<u32> {
+    let pairs = (0..count as usize).map(|number| [number / 16, number % 16]).collect();
+    let packets = vec![(rays(), NO_HITS); 64];
+    Pairs::<F> { packets, spheres: spheres.to_vec(), pairs }.place(bench).1
 }
 
 /// A sphere within a formulation's domain, and rays inside its outline and around it.
@@ -150,10 +160,9 @@ fn error<F: ForTheEye<Sphere: Seen>>(bench: &mut Bench, random: &mut ChaCha8Rng)
     for _ in 0..4000 {
         let (rays, sphere) = around_a_sphere::<F>(random);
         let (centre, radius_squared) = sphere.exact();
-        let packet = eye_records::packet(&rays, &NO_HITS);
-        let (packets, _) =
-            call::isect_pairs(bench, F::EYE, &[packet], &[sphere.record()], &[[0, 0]]);
-        for (direction, hit) in rays.iter().zip(eye_records::hits(&packets[0])) {
+        let packets = vec![(rays, NO_HITS)];
+        let pairs = Pairs::<F> { packets, spheres: vec![sphere], pairs: vec![[0, 0]] };
+        for (direction, hit) in rays.iter().zip(pairs.call(bench)[0].1) {
             let direction = direction.map(to_f64);
             let length = dot(direction, direction).sqrt();
             let direction = unit(direction);

@@ -3,7 +3,7 @@
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::colour::Hit;
+use twins::colour::{Hit, interpolated};
 use twins::sphere_ray::Ray;
 use twins::{ONE, Single};
 use zerocopy::big_endian::U32;
@@ -17,6 +17,7 @@ use super::texture::{any_surfaces, set_colour};
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{Bits, Description, any_bits};
 use crate::flat_records::{point, quad};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, less};
@@ -29,8 +30,6 @@ const MOST: f64 = 1023.0;
 
 /// The kernel in this file.
 pub const KERNELS: &[Kernel] = &[Kernel {
-    name: "colour_vertices_r16",
-    rays: 16,
     cases: &[Case {
         name: "a packet",
         objects: Objects::Fixed(1),
@@ -42,11 +41,11 @@ pub const KERNELS: &[Kernel] = &[Kernel {
                 plane: point([0.0, 0.0, 1.0]),
                 colour: [ONE; 3],
             };
-            place(bench, &[Some(hit); 16], true, 0).0
+            Coloured { hits: [Some(hit); 16], are_roots: true, anything: 0 }.place(bench).1
         },
     }],
     error: Some(error),
-    equal: None,
+    ..Kernel::of::<Coloured>()
 }];
 
 /// The patch of each lane: they are anywhere among those of a batch.
@@ -65,36 +64,75 @@ fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
     layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
 }
 
-/// Puts hits and their surfaces into local store. Lanes without a hit have one on something without
-/// colours. Returns the arguments, and the surfaces.
-fn place(
-    bench: &mut Bench,
-    hits: &[Option<Hit>; 16],
-    are_roots: bool,
-    anything: u32,
-) -> (Vec<u32>, Place) {
-    let mut patches = [record(None, anything); PATCHES];
-    let mut colours = [[U32::new(anything); 4]; PATCHES];
-    for (lane, hit) in hits.iter().enumerate() {
-        patches[slot(lane)] = record(hit.as_ref(), anything);
-        if let Some(hit) = hit {
-            let [a, b, c] = hit.colours.map(U32::new);
-            colours[slot(lane)] = [a, b, c, U32::new(anything)];
-        }
+/// Hits of a packet. Lanes without one hit something without colours.
+#[derive(Clone, Debug)]
+pub struct Coloured {
+    /// The hits.
+    pub hits: [Option<Hit>; 16],
+    /// Whether the vertices' colours are square roots of light.
+    pub are_roots: bool,
+    /// Fills everything else.
+    pub anything: u32,
+}
+
+impl Description for Coloured {
+    const KERNEL: &'static str = "colour_vertices_r16";
+    const ROUNDS: [usize; 2] = [300, 1000];
+    const LENGTHS: &'static [usize] = &[1];
+    type Placed = Place;
+    type Found = Bits<Surfaces>;
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let scale = SCALES[random.random_range(0..SCALES.len())];
+        let hits = [(); 16].map(|()| random.random_ratio(3, 4).then(|| any_hit(random, scale)));
+        Self { hits, are_roots: random.random(), anything: random.random() }
     }
-    let patches = put(bench, &patches);
-    let colours = put(bench, &colours);
-    let rays = std::array::from_fn(|lane| Ray {
-        origin: [anything; 3],
-        direction: [anything; 3],
-        t: anything,
-        object: address::<layout::Patch>(patches, slot(lane)),
-    });
-    let rays = put(bench, &[call::packet(&rays, anything)]);
-    let surfaces = put(bench, &[surfaces(hits, anything)]);
-    let are_roots = if are_roots { u32::MAX } else { 0 };
-    let arguments = [rays, surfaces, colours, patches].map(|place| place.address);
-    ([&arguments[..], &[are_roots]].concat(), surfaces)
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let hits = [(); 16].map(|()| Some(any_bits(random)));
+        Self { hits, are_roots: random.random(), anything: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let Self { hits, are_roots, anything } = self;
+        let anything = *anything;
+        let mut patches = [record(None, anything); PATCHES];
+        let mut colours = [[U32::new(anything); 4]; PATCHES];
+        for (lane, hit) in hits.iter().enumerate() {
+            patches[slot(lane)] = record(hit.as_ref(), anything);
+            if let Some(hit) = hit {
+                let [a, b, c] = hit.colours.map(U32::new);
+                colours[slot(lane)] = [a, b, c, U32::new(anything)];
+            }
+        }
+        let patches = put(bench, &patches);
+        let colours = put(bench, &colours);
+        let rays = std::array::from_fn(|lane| Ray {
+            origin: [anything; 3],
+            direction: [anything; 3],
+            t: anything,
+            object: address::<layout::Patch>(patches, slot(lane)),
+        });
+        let rays = put(bench, &[call::packet(&rays, anything)]);
+        let surfaces = put(bench, &[surfaces(hits, anything)]);
+        let are_roots = if *are_roots { u32::MAX } else { 0 };
+        let arguments = [rays, surfaces, colours, patches].map(|place| place.address);
+        (surfaces, [&arguments[..], &[are_roots]].concat())
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Bits<Surfaces> {
+        Bits(bench.read(*placed))
+    }
+
+    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+        let mut expected = surfaces(&self.hits, self.anything);
+        for (lane, hit) in self.hits.iter().enumerate() {
+            if let Some(hit) = hit {
+                set_colour(&mut expected, lane, interpolated(hit, self.are_roots));
+            }
+        }
+        Bits(expected)
+    }
 }
 
 /// The surfaces of these hits, and `anything` otherwise.
@@ -109,19 +147,6 @@ pub fn surfaces(hits: &[Option<Hit>; 16], anything: u32) -> Surfaces {
         set_colour(rows, lane, hit.colour);
     }
     surfaces
-}
-
-/// `colour_vertices_r16` on these hits: returns the surfaces after the call.
-pub fn coloured(
-    bench: &mut Bench,
-    hits: &[Option<Hit>; 16],
-    are_roots: bool,
-    anything: u32,
-) -> Surfaces {
-    bench.reset();
-    let (arguments, surfaces) = place(bench, hits, are_roots, anything);
-    bench.call("colour_vertices_r16", &arguments);
-    bench.read(surfaces)
 }
 
 /// A hit from the stated domain, in a scene scaled by `scale`.
@@ -163,7 +188,8 @@ fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         let are_roots = round % 2 == 0;
         for scale in SCALES {
             let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(random, scale));
-            let surfaces = coloured(bench, &hits.map(Some), are_roots, random.random());
+            let anything = random.random();
+            let Bits(surfaces) = Coloured { hits: hits.map(Some), are_roots, anything }.call(bench);
             let rows = [surfaces.red, surfaces.green, surfaces.blue];
             for (lane, hit) in hits.iter().enumerate() {
                 for (row, exact) in rows.iter().zip(truth(hit, are_roots)) {

@@ -1,6 +1,7 @@
 //! The kernels from hits to pixels, in the order in which a batch of packets passes through them.
 
 pub mod call;
+pub mod display;
 pub mod error;
 pub mod records;
 pub mod shapes;
@@ -16,6 +17,7 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::eye_records::pixel_shuffle;
 use crate::single::single;
 use call::Site;
+use display::Values;
 use protocol::layout;
 use records::PacketRay;
 use shapes::Shape;
@@ -94,7 +96,6 @@ pub const KERNELS: &[Kernel] = &[
         equal: None,
     },
     Kernel {
-        name: "encode_srgb",
         rays: 1,
         cases: &[Case {
             name: "a row of sums",
@@ -102,10 +103,9 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
         }],
         error: Some(error::encode_srgb),
-        equal: None,
+        ..Kernel::of::<Values<false>>()
     },
     Kernel {
-        name: "roll_off",
         rays: 1,
         cases: &[Case {
             name: "a row of sums",
@@ -113,7 +113,7 @@ pub const KERNELS: &[Kernel] = &[
             place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
         }],
         error: Some(error::roll_off),
-        equal: None,
+        ..Kernel::of::<Values<true>>()
     },
 ];
 

@@ -1,10 +1,12 @@
 //! The kernel for smooth normals: patches, hits on them, its case and its error.
 
+use std::ops::Range;
+
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
 use twins::FARTHEST;
-use twins::smooth::Patch;
+use twins::smooth::{Patch, smooth};
 use twins::sphere_ray::Ray;
 use zerocopy::big_endian::U32;
 
@@ -16,6 +18,7 @@ use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
 use crate::cases::sphere_ray::any_direction;
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{ANY_SHARE, Bits, Description, any_bits};
 use crate::flat_records::{Point, point, quad};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
@@ -23,8 +26,6 @@ use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[Kernel {
-    name: "smooth_r16",
-    rays: 16,
     cases: &[Case {
         name: "a packet",
         objects: Objects::Fixed(1),
@@ -39,11 +40,11 @@ pub const KERNELS: &[Kernel] = &[Kernel {
                 plane: point([0.0, 0.0, 1.0]),
                 direction: point([0.0, 0.0, -1.0]),
             };
-            place(bench, &[hit; 16], 0).0
+            Smooth { hits: [hit; 16], anything: 0 }.place(bench).1
         },
     }],
     error: Some(error),
-    equal: None,
+    ..Kernel::of::<Smooth>()
 }];
 
 /// A hit on a triangle.
@@ -86,28 +87,73 @@ pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
     surfaces
 }
 
-/// Puts the hits' patches, rays and surfaces into local store. Returns the arguments, of which the
-/// last is the surfaces' address, and the surfaces' buffer.
-fn place(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> (Vec<u32>, Place) {
-    let records = hits.map(|hit| record(&hit, anything));
-    let records = put(bench, &records);
-    let rays = std::array::from_fn(|lane| Ray {
-        origin: [anything; 3],
-        direction: hits[lane].direction,
-        t: FARTHEST,
-        object: address::<layout::Patch>(records, lane),
-    });
-    let rays = put(bench, &[call::packet(&rays, anything)]);
-    let surfaces = put(bench, &[surfaces(hits, anything)]);
-    (vec![rays.address, surfaces.address], surfaces)
+/// Hits of a packet on triangles.
+#[derive(Clone, Debug)]
+pub struct Smooth {
+    /// The hits.
+    pub hits: [Hit; 16],
+    /// Fills the lanes without a normal and all other fields.
+    pub anything: u32,
 }
 
-/// `smooth_r16` on these hits: returns the surfaces after the call.
-pub fn smooth(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> Surfaces {
-    bench.reset();
-    let (arguments, surfaces) = place(bench, hits, anything);
-    bench.call("smooth_r16", &arguments);
-    bench.read(surfaces)
+impl Description for Smooth {
+    const KERNEL: &'static str = "smooth_r16";
+    const ROUNDS: [usize; 2] = [600, 1000];
+    const LENGTHS: &'static [usize] = &[1];
+    const SHARES: [Range<f64>; 2] = [0.05..0.5, ANY_SHARE];
+    type Placed = Place;
+    type Found = Bits<Surfaces>;
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let scale = SCALES[random.random_range(0..SCALES.len())];
+        Self { hits: [(); 16].map(|()| any_hit(random, scale)), anything: random.random() }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let hits = [(); 16].map(|()| Hit {
+            patch: any_bits(random),
+            smooth: random.random(),
+            point: random.random(),
+            plane: random.random(),
+            direction: random.random(),
+        });
+        Self { hits, anything: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let Self { hits, anything } = *self;
+        let records = hits.map(|hit| record(&hit, anything));
+        let records = put(bench, &records);
+        let rays = std::array::from_fn(|lane| Ray {
+            origin: [anything; 3],
+            direction: hits[lane].direction,
+            t: FARTHEST,
+            object: address::<layout::Patch>(records, lane),
+        });
+        let rays = put(bench, &[call::packet(&rays, anything)]);
+        let surfaces = put(bench, &[surfaces(&hits, anything)]);
+        (surfaces, vec![rays.address, surfaces.address])
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Bits<Surfaces> {
+        Bits(bench.read(*placed))
+    }
+
+    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+        let mut rows = surfaces(&self.hits, self.anything);
+        for (lane, hit) in self.hits.iter().enumerate().filter(|(_, hit)| hit.smooth) {
+            let normal = smooth(&hit.patch, hit.point, hit.plane, hit.direction);
+            [rows.normal_x[lane], rows.normal_y[lane], rows.normal_z[lane]] = normal.map(single);
+        }
+        Bits(rows)
+    }
+
+    /// How many have the plane's normal instead of their own.
+    fn part(&self, found: &Bits<Surfaces>) -> [usize; 2] {
+        let smooth = self.hits.iter().zip(normals(&found.0)).filter(|(hit, _)| hit.smooth);
+        let planes = smooth.clone().filter(|(hit, normal)| *normal == hit.plane);
+        [planes.count(), smooth.count()]
+    }
 }
 
 /// The shading normals.
@@ -188,8 +234,8 @@ fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..500 {
         for scale in SCALES {
             let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(random, scale));
-            let surfaces = smooth(bench, &hits, random.random());
-            for (hit, found) in hits.iter().zip(normals(&surfaces)) {
+            let found = Smooth { hits, anything: random.random() }.call(bench);
+            for (hit, found) in hits.iter().zip(normals(&found.0)) {
                 let (normal, towards) = truth(hit);
                 if !hit.smooth || towards.abs() < EDGE_ON {
                     continue;

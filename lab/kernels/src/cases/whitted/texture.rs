@@ -1,10 +1,12 @@
 //! The kernels for textures: hits on textured triangles, texels, their cases and errors.
 
+use std::ops::Range;
+
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere_ray::Ray;
-use twins::texture::{Hit, Level, Texel, Texture};
+use twins::texture::{Hit, Level, Texel, Texture, filter, texel};
 use twins::{ONE, Single};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
@@ -17,6 +19,7 @@ use super::smooth;
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{Bits, Description, any_bits};
 use crate::flat_records::{point, quad};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, less};
@@ -30,8 +33,6 @@ const SMALL: f64 = 64.0;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "texture_places_r16",
-        rays: 16,
         cases: &[Case {
             name: "a packet",
             objects: Objects::Fixed(1),
@@ -45,26 +46,24 @@ pub const KERNELS: &[Kernel] = &[
                     direction: point([0.0, 0.0, -1.0]),
                     t: from_f64(5.0),
                 };
-                place(bench, &[Some(hit); 16], &small(), ANGLE, 0).0
+                Places { hits: [Some(hit); 16], table: small(), anything: 0 }.place(bench).1
             },
         }],
         error: Some(place_error),
-        equal: None,
+        ..Kernel::of::<Places>()
     },
     Kernel {
-        name: "texture_filter_r16",
-        rays: 16,
         cases: &[Case {
             name: "a packet",
             objects: Objects::Fixed(1),
             place: |bench, _| {
                 let lane =
                     Filtered { texels: [0xff80_4000; 4], right: 0, down: 0, colour: [ONE; 3] };
-                put_filtered(bench, &[Some(lane); 16], true, 0).0
+                Filter { lanes: [Some(lane); 16], are_roots: true, anything: 0 }.place(bench).1
             },
         }],
         error: Some(filter_error),
-        equal: None,
+        ..Kernel::of::<Filter>()
     },
 ];
 
@@ -119,78 +118,134 @@ fn record(hit: Option<&Hit>, anything: u32) -> layout::Patch {
     layout::Patch { triangle: zerocopy::transmute!(triangle), normal_a, normal_b, normal_c }
 }
 
-/// Puts hits, their surfaces and a texture into local store. Returns the arguments, and the buffer
-/// for the texels, which `anything` fills. Lanes without a hit have one on something without a
-/// texture: an object, or a material.
-fn place(
-    bench: &mut Bench,
-    hits: &[Option<Hit>; 16],
-    table: &Table,
-    angle: f64,
-    anything: u32,
-) -> (Vec<u32>, Place) {
-    let levels: Vec<layout::TextureLevel> = table
-        .levels
-        .iter()
-        .map(|level| layout::TextureLevel {
-            width: single(level.width),
-            height: single(level.height),
-            across: level.across.into(),
-            first: level.first.into(),
-        })
-        .collect();
-    let levels = put(bench, &levels);
-    let texture = layout::Texture {
-        levels: levels.address.into(),
-        last: table.texture.last.into(),
-        texels: single(table.texture.texels),
-        wraps: table.texture.wraps.into(),
-    };
-    let texture = put(bench, &[texture]);
-    let material = |texture: u32| layout::Material {
-        texture: texture.into(),
-        ..layout::Material::new_zeroed()
-    };
-    let materials = put(bench, &[material(0), material(texture.address)]);
-    // Every second lane without a texture has it because of its material.
-    let plain = |lane: usize| hits[lane].is_none() && lane.is_multiple_of(2);
-    let known = Hit {
-        vertices: [[0; 3]; 3],
-        coordinates: [[0; 2]; 3],
-        point: [0; 3],
-        plane: [0; 3],
-        origin: [0; 3],
-        direction: [0; 3],
-        t: 0,
-    };
-    let records: [layout::Patch; 16] = std::array::from_fn(|lane| {
-        let hit = if plain(lane) { Some(&known) } else { hits[lane].as_ref() };
-        record(hit, anything)
-    });
-    let records = put(bench, &records);
-    let rays = std::array::from_fn(|lane| {
-        let hit = hits[lane].unwrap_or(known);
-        Ray {
-            origin: hit.origin,
-            direction: hit.direction,
-            t: hit.t,
-            object: address::<layout::Patch>(records, lane),
-        }
-    });
-    let rays = put(bench, &[call::packet(&rays, anything)]);
-    let mut surfaces = any_surfaces(anything);
-    for (lane, hit) in hits.iter().enumerate() {
-        let hit = hit.unwrap_or(known);
-        let rows = &mut surfaces;
-        [rows.point_x[lane], rows.point_y[lane], rows.point_z[lane]] = hit.point.map(single);
-        [rows.plane_x[lane], rows.plane_y[lane], rows.plane_z[lane]] = hit.plane.map(single);
-        let number = usize::from(!plain(lane));
-        surfaces.material[lane] = address::<layout::Material>(materials, number).into();
+/// Hits of a packet, all on triangles with one texture. Lanes without a hit have one on something
+/// without a texture: an object, or a material.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// The hits.
+    pub hits: [Option<Hit>; 16],
+    /// The texture.
+    pub table: Table,
+    /// Fills everything else.
+    pub anything: u32,
+}
+
+/// A texture of 20x36 texels with all of its levels, continued in any way.
+fn any_table(random: &mut ChaCha8Rng) -> Table {
+    let sizes = [(20, 36), (10, 18), (5, 9), (2, 4), (1, 2), (1, 1)];
+    table(&sizes, random.random_range(0..16))
+}
+
+impl Description for Places {
+    const KERNEL: &'static str = "texture_places_r16";
+    const ROUNDS: [usize; 2] = [300, 1000];
+    const LENGTHS: &'static [usize] = &[1];
+    /// All tiles are those of the texture.
+    const SHARES: [Range<f64>; 2] = [1.0..1.1, 1.0..1.1];
+    type Placed = Place;
+    type Found = [Option<Texel>; 16];
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let scale = SCALES[random.random_range(0..SCALES.len())];
+        let hits = [(); 16].map(|()| random.random_ratio(3, 4).then(|| any_hit(random, scale)));
+        Self { hits, table: any_table(random), anything: random.random() }
     }
-    let surfaces = put(bench, &[surfaces]);
-    let texels = put(bench, &[any_texels(anything)]);
-    let arguments = vec![rays.address, surfaces.address, texels.address, from_f64(angle)];
-    (arguments, texels)
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let hits = [(); 16].map(|()| Some(any_bits(random)));
+        Self { hits, table: any_table(random), anything: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let Self { hits, table, anything } = self;
+        let anything = *anything;
+        let levels: Vec<layout::TextureLevel> = table
+            .levels
+            .iter()
+            .map(|level| layout::TextureLevel {
+                width: single(level.width),
+                height: single(level.height),
+                across: level.across.into(),
+                first: level.first.into(),
+            })
+            .collect();
+        let levels = put(bench, &levels);
+        let texture = layout::Texture {
+            levels: levels.address.into(),
+            last: table.texture.last.into(),
+            texels: single(table.texture.texels),
+            wraps: table.texture.wraps.into(),
+        };
+        let texture = put(bench, &[texture]);
+        let material = |texture: u32| layout::Material {
+            texture: texture.into(),
+            ..layout::Material::new_zeroed()
+        };
+        let materials = put(bench, &[material(0), material(texture.address)]);
+        // Every second lane without a texture has it because of its material.
+        let plain = |lane: usize| hits[lane].is_none() && lane.is_multiple_of(2);
+        let known = Hit {
+            vertices: [[0; 3]; 3],
+            coordinates: [[0; 2]; 3],
+            point: [0; 3],
+            plane: [0; 3],
+            origin: [0; 3],
+            direction: [0; 3],
+            t: 0,
+        };
+        let records: [layout::Patch; 16] = std::array::from_fn(|lane| {
+            let hit = if plain(lane) { Some(&known) } else { hits[lane].as_ref() };
+            record(hit, anything)
+        });
+        let records = put(bench, &records);
+        let rays = std::array::from_fn(|lane| {
+            let hit = hits[lane].unwrap_or(known);
+            Ray {
+                origin: hit.origin,
+                direction: hit.direction,
+                t: hit.t,
+                object: address::<layout::Patch>(records, lane),
+            }
+        });
+        let rays = put(bench, &[call::packet(&rays, anything)]);
+        let mut surfaces = any_surfaces(anything);
+        for (lane, hit) in hits.iter().enumerate() {
+            let hit = hit.unwrap_or(known);
+            let rows = &mut surfaces;
+            [rows.point_x[lane], rows.point_y[lane], rows.point_z[lane]] = hit.point.map(single);
+            [rows.plane_x[lane], rows.plane_y[lane], rows.plane_z[lane]] = hit.plane.map(single);
+            let number = usize::from(!plain(lane));
+            surfaces.material[lane] = address::<layout::Material>(materials, number).into();
+        }
+        let surfaces = put(bench, &[surfaces]);
+        let texels = put(bench, &[any_texels(anything)]);
+        let arguments = vec![rays.address, surfaces.address, texels.address, from_f64(ANGLE)];
+        (texels, arguments)
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Self::Found {
+        let texels: Texels = bench.read(*placed);
+        std::array::from_fn(|lane| {
+            let tile = texels.tile[lane].get();
+            (tile != u32::MAX).then(|| Texel {
+                tile,
+                place: texels.place[lane].get(),
+                right: bits(texels.right[lane]),
+                down: bits(texels.down[lane]),
+            })
+        })
+    }
+
+    fn twin(&self, _: &Place) -> Self::Found {
+        let Table { texture, levels } = &self.table;
+        self.hits.map(|hit| hit.map(|hit| texel(&hit, from_f64(ANGLE), texture, levels)))
+    }
+
+    fn part(&self, found: &Self::Found) -> [usize; 2] {
+        let last = self.table.levels.last().map_or(0, |level| level.first + level.across);
+        let texels = found.iter().flatten();
+        [texels.clone().filter(|texel| texel.tile < last).count(), texels.count()]
+    }
 }
 
 pub(super) fn any_surfaces(anything: u32) -> Surfaces {
@@ -199,26 +254,6 @@ pub(super) fn any_surfaces(anything: u32) -> Surfaces {
 
 fn any_texels(anything: u32) -> Texels {
     zerocopy::transmute!([U32::new(anything); size_of::<Texels>() / 4])
-}
-
-/// `texture_places_r16`: the texels of these hits, all on triangles with this texture.
-pub fn places(
-    bench: &mut Bench,
-    hits: &[Option<Hit>; 16],
-    table: &Table,
-    angle: f64,
-    anything: u32,
-) -> [Texel; 16] {
-    bench.reset();
-    let (arguments, texels) = place(bench, hits, table, angle, anything);
-    bench.call("texture_places_r16", &arguments);
-    let texels: Texels = bench.read(texels);
-    std::array::from_fn(|lane| Texel {
-        tile: texels.tile[lane].get(),
-        place: texels.place[lane].get(),
-        right: bits(texels.right[lane]),
-        down: bits(texels.down[lane]),
-    })
 }
 
 /// A hit from the stated domain, in a scene scaled by `scale`.
@@ -268,14 +303,13 @@ pub fn truth(hit: &Hit, angle: f64) -> ([f64; 2], f64) {
 
 /// The largest error of texture coordinates, of the size that the header names.
 fn place_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    let table = small();
     let mut worst = 0.0_f64;
     for _ in 0..300 {
         for scale in SCALES {
             let hits = std::array::from_fn(|_| Some(any_hit(random, scale)));
-            let found = places(bench, &hits, &table, ANGLE, random.random());
-            for (hit, found) in hits.iter().flatten().zip(found) {
-                worst = worst.max(off(hit, &found) / size(hit));
+            let inputs = Places { hits, table: small(), anything: random.random() };
+            for (hit, found) in hits.iter().flatten().zip(inputs.call(bench).iter().flatten()) {
+                worst = worst.max(off(hit, found) / size(hit));
             }
         }
     }
@@ -376,17 +410,56 @@ pub fn set_colour(surfaces: &mut Surfaces, lane: usize, colour: [Single; 3]) {
     [surfaces.red[lane], surfaces.green[lane], surfaces.blue[lane]] = colour.map(single);
 }
 
-/// `texture_filter_r16` on these lanes: returns the surfaces after the call.
-pub fn filtered(
-    bench: &mut Bench,
-    lanes: &[Option<Filtered>; 16],
-    are_roots: bool,
-    anything: u32,
-) -> Surfaces {
-    bench.reset();
-    let (arguments, surfaces) = put_filtered(bench, lanes, are_roots, anything);
-    bench.call("texture_filter_r16", &arguments);
-    bench.read(surfaces)
+/// Lanes of a packet with texels.
+#[derive(Clone, Debug)]
+pub struct Filter {
+    /// The lanes.
+    pub lanes: [Option<Filtered>; 16],
+    /// Whether the texels are square roots of light.
+    pub are_roots: bool,
+    /// Fills everything else.
+    pub anything: u32,
+}
+
+impl Description for Filter {
+    const KERNEL: &'static str = "texture_filter_r16";
+    const ROUNDS: [usize; 2] = [500, 500];
+    const LENGTHS: &'static [usize] = &[1];
+    type Placed = Place;
+    type Found = Bits<Surfaces>;
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let lanes = [(); 16].map(|()| random.random_ratio(3, 4).then(|| any_filtered(random)));
+        Self { lanes, are_roots: random.random(), anything: random.random() }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let mut inputs = Self::sensible(0, random);
+        for lane in inputs.lanes.iter_mut().flatten() {
+            (lane.right, lane.down, lane.colour) = random.random();
+        }
+        inputs
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let (arguments, surfaces) = put_filtered(bench, &self.lanes, self.are_roots, self.anything);
+        (surfaces, arguments)
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Bits<Surfaces> {
+        Bits(bench.read(*placed))
+    }
+
+    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+        let mut expected = coloured(&self.lanes, self.anything);
+        for (lane, given) in self.lanes.iter().enumerate() {
+            if let Some(Filtered { texels, right, down, colour }) = *given {
+                let colour = filter(colour, texels, self.are_roots, right, down);
+                set_colour(&mut expected, lane, colour);
+            }
+        }
+        Bits(expected)
+    }
 }
 
 /// Any surface and texels of the stated domain.
@@ -405,7 +478,8 @@ fn filter_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for round in 0..2000 {
         let lanes = std::array::from_fn(|_| Some(any_filtered(random)));
         let power = 1 + round % 2;
-        let surfaces = filtered(bench, &lanes, power == 2, random.random());
+        let anything = random.random();
+        let Bits(surfaces) = Filter { lanes, are_roots: power == 2, anything }.call(bench);
         for (lane, given) in lanes.iter().flatten().enumerate() {
             let rows = [surfaces.red, surfaces.green, surfaces.blue];
             for (channel, row) in rows.iter().enumerate() {

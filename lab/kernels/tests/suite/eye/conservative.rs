@@ -6,8 +6,10 @@ use cellray::scene;
 use cellray::work::{EyeSpheres, Projection, Skip};
 use glam::DVec3;
 use kernels::bench::{Bench, random};
-use kernels::cases::eye::call::{self, address, list, list_room, put, put_packets, put_places};
+use kernels::cases::eye::call::{address, list, list_room, put, put_packets, put_places};
 use kernels::cases::eye::error::NO_HITS;
+use kernels::cases::eye::packets::RaySetup;
+use kernels::description::Description as _;
 use kernels::eye_records::{self, Vectors};
 use kernels::single::{bits, single};
 use protocol::formulation::EyeRecord;
@@ -132,9 +134,14 @@ impl Group {
         let places: [[u32; 2]; 16] = std::array::from_fn(|packet| {
             [left + packet as u32 % 4 * 4, top + packet as u32 / 4 * 4]
         });
-        let packets = call::ray_setup(bench, &basis, &places, 0);
-        let middles = call::ray_setup(bench, &middles, &[[left / 4, top / 4]], 0)[0];
-        let rays: Vec<Vectors> = packets.iter().map(eye_records::directions).collect();
+        let mut directions = |basis, pixels: &[[u32; 2]]| -> Vec<Vectors> {
+            let packets = RaySetup { basis, pixels: pixels.to_vec(), background: 0 }.call(bench);
+            packets.into_iter().map(|(directions, _)| directions).collect()
+        };
+        let rays = directions(basis, &places);
+        let middles = directions(middles, &[[left / 4, top / 4]])[0];
+        let packet = |rays: &Vectors| eye_records::packet(rays, &NO_HITS);
+        let (packets, middles) = (rays.iter().map(packet).collect(), packet(&middles));
 
         let (mut records, mut entered) = (Vec::new(), Vec::new());
         let mut eye_spheres = EyeSpheres::default();

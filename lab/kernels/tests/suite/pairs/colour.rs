@@ -1,50 +1,11 @@
 //! `colour_vertices_r16`.
 
-use kernels::bench::{Bench, random};
-use kernels::cases::whitted::colour::{any_hit, coloured, surfaces};
-use kernels::cases::whitted::isect::error::SCALES;
-use kernels::cases::whitted::texture::set_colour;
-use kernels::description::any_bits;
-use rand::Rng as _;
+use kernels::bench::Bench;
+use kernels::cases::whitted::colour::{Coloured, surfaces};
+use kernels::description::{Bits, Description as _};
 use spu_emulator::float::single::from_f64;
-use twins::colour::{Hit, interpolated as twin};
+use twins::colour::Hit;
 use zerocopy::IntoBytes as _;
-
-/// Runs the kernel and compares all surfaces with the twin.
-fn check(bench: &mut Bench, hits: &[Option<Hit>; 16], are_roots: bool, anything: u32) {
-    let found = coloured(bench, hits, are_roots, anything);
-    let mut expected = surfaces(hits, anything);
-    for (lane, hit) in hits.iter().enumerate() {
-        if let Some(hit) = hit {
-            set_colour(&mut expected, lane, twin(hit, are_roots));
-        }
-    }
-    assert_eq!(found.as_bytes(), expected.as_bytes(), "{hits:x?}");
-}
-
-#[test]
-fn sensible_hits_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..100 {
-        for scale in SCALES {
-            let hits = std::array::from_fn(|_| {
-                random.random_ratio(3, 4).then(|| any_hit(&mut random, scale))
-            });
-            check(&mut bench, &hits, random.random(), random.random());
-        }
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..1000 {
-        let hits = [(); 16].map(|()| Some(any_bits(&mut random)));
-        check(&mut bench, &hits, random.random(), random.random());
-    }
-}
 
 /// A vertex's colour is that of the point there, and white leaves a colour as it is.
 #[test]
@@ -64,7 +25,7 @@ fn colours_at_vertices() {
             };
             let hits = [Some(hit); 16];
             for are_roots in [false, true] {
-                let found = coloured(&mut bench, &hits, are_roots, 0);
+                let Bits(found) = Coloured { hits, are_roots, anything: 0 }.check(&mut bench);
                 if colours == [white; 3] {
                     assert_eq!(found.as_bytes(), surfaces(&hits, 0).as_bytes());
                     continue;

@@ -3,13 +3,11 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::texture::{
-    Table, any_filtered, any_hit, coloured, filtered, places, set_colour, table, truth,
+    Filter, Places, Table, any_filtered, any_hit, coloured, table, truth,
 };
-use kernels::description::any_bits;
-use rand::Rng as _;
+use kernels::description::{Bits, Description as _};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::texture::{Hit, filter as filter_twin, texel as twin};
-use zerocopy::IntoBytes as _;
+use twins::texture::Hit;
 
 const ANGLE: f64 = 1e-3;
 
@@ -18,75 +16,24 @@ fn levels(wraps: u32) -> Table {
     table(&[(20, 36), (10, 18), (5, 9), (2, 4), (1, 2), (1, 1)], wraps)
 }
 
-/// Runs the kernel and compares every lane with the twin. Returns the tiles.
-fn check(bench: &mut Bench, hits: &[Option<Hit>; 16], table: &Table, anything: u32) -> [u32; 16] {
-    let found = places(bench, hits, table, ANGLE, anything);
-    for (hit, found) in hits.iter().zip(found) {
-        match hit {
-            None => assert_eq!(found.tile, u32::MAX),
-            Some(hit) => {
-                let expected = twin(hit, from_f64(ANGLE), &table.texture, &table.levels);
-                assert_eq!(found, expected, "{hit:x?}");
-            }
-        }
-    }
-    found.map(|found| found.tile)
-}
-
-#[test]
-fn sensible_hits_equal_the_twin_in_all_levels() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let mut seen = [0; 6];
-    for round in 0..100 {
-        for scale in SCALES {
-            let table = levels(round % 16);
-            let hits = std::array::from_fn(|_| {
-                random.random_ratio(3, 4).then(|| any_hit(&mut random, scale))
-            });
-            let tiles = check(&mut bench, &hits, &table, random.random());
-            for (tile, _) in tiles.iter().zip(&hits).filter(|(_, hit)| hit.is_some()) {
-                let firsts = table.levels.iter().map(|level| level.first);
-                seen[firsts.filter(|first| first <= tile).count() - 1] += 1;
-            }
-        }
-    }
-    println!("hits in each level: {seen:?}");
-    assert!(seen.iter().all(|&count| count > 50), "{seen:?}");
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for round in 0..1000 {
-        let hits = [(); 16].map(|()| Some(any_bits(&mut random)));
-        let table = levels(round % 16);
-        let last = &table.levels[5];
-        for tile in check(&mut bench, &hits, &table, random.random()) {
-            assert!(tile < last.first + last.across, "{tile:#x}");
-        }
-    }
-}
-
 /// The level is the one for the pixel's width, but where that is between two levels.
 #[test]
 fn the_level_is_that_of_a_pixels_width() {
     let mut random = random();
     let mut bench = Bench::new();
     let table = levels(10);
-    let (mut compared, mut other) = (0, 0);
+    let (mut compared, mut other, mut seen) = (0, 0, [0; 6]);
     for _ in 0..300 {
         for scale in SCALES {
             let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(&mut random, scale));
-            let found = places(&mut bench, &hits.map(Some), &table, ANGLE, 0);
-            for (hit, found) in hits.iter().zip(found) {
+            let inputs = Places { hits: hits.map(Some), table: table.clone(), anything: 0 };
+            for (hit, found) in hits.iter().zip(inputs.check(&mut bench).iter().flatten()) {
                 let (_, width) = truth(hit, ANGLE);
                 let exact = libm::log2(width * libm::sqrt(20.0 * 36.0));
                 let expected = (libm::round(exact).max(0.0) as usize).min(5);
                 let firsts = table.levels.iter().map(|level| level.first);
                 let level = firsts.filter(|&first| first <= found.tile).count() - 1;
-                compared += 1;
+                (compared, seen[level]) = (compared + 1, seen[level] + 1);
                 if level != expected {
                     other += 1;
                     let between = (exact - libm::floor(exact) - 0.5).abs();
@@ -95,8 +42,8 @@ fn the_level_is_that_of_a_pixels_width() {
             }
         }
     }
-    println!("{other} of {compared} levels differ");
-    assert!(other < 5);
+    println!("{other} of {compared} levels differ; hits in each: {seen:?}");
+    assert!(other < 5 && seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
 /// Coordinates outside of the texture are where `wraps` says.
@@ -117,7 +64,8 @@ fn edges_are_continued() {
     // The texel at the middle of which the point is, counted from one before the first.
     let mut at = |wraps: u32, u: f64, v: f64| {
         let table = table(&[(64, 64)], wraps);
-        let found = places(&mut bench, &[Some(hit(u, v)); 16], &table, ANGLE, 0)[0];
+        let inputs = Places { hits: [Some(hit(u, v)); 16], table, anything: 0 };
+        let found = inputs.check(&mut bench)[0].expect("a texel");
         assert_eq!((to_f64(found.right), to_f64(found.down)), (0.0, 0.0));
         let column = 8 * (found.tile % 9) + found.place / 4 % 9;
         let row = 8 * (found.tile / 9) + found.place / 4 / 9;
@@ -135,36 +83,6 @@ fn edges_are_continued() {
 }
 
 #[test]
-fn filtered_colours_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for round in 0..1000 {
-        let lanes = std::array::from_fn(|_| {
-            random.random_ratio(3, 4).then(|| {
-                let mut lane = any_filtered(&mut random);
-                if round % 2 == 0 {
-                    (lane.right, lane.down) = (random.random(), random.random());
-                    lane.colour = random.random();
-                }
-                lane
-            })
-        });
-        let anything = random.random();
-        let are_roots = random.random();
-        let after = filtered(&mut bench, &lanes, are_roots, anything);
-        let mut expected = coloured(&lanes, anything);
-        for (lane, given) in lanes.iter().enumerate() {
-            if let Some(given) = given {
-                let (texels, right, down) = (given.texels, given.right, given.down);
-                let colour = filter_twin(given.colour, texels, are_roots, right, down);
-                set_colour(&mut expected, lane, colour);
-            }
-        }
-        assert_eq!(after.as_bytes(), expected.as_bytes());
-    }
-}
-
-#[test]
 fn white_texels_leave_a_colour_as_it_is() {
     let mut random = random();
     let mut bench = Bench::new();
@@ -174,7 +92,7 @@ fn white_texels_leave_a_colour_as_it_is() {
         Some(lane)
     });
     for are_roots in [false, true] {
-        let after = filtered(&mut bench, &lanes, are_roots, 0);
-        assert_eq!(after.as_bytes(), coloured(&lanes, 0).as_bytes());
+        let after = Filter { lanes, are_roots, anything: 0 }.check(&mut bench);
+        assert_eq!(after, Bits(coloured(&lanes, 0)));
     }
 }

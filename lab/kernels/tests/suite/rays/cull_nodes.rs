@@ -43,3 +43,28 @@ fn nobody_is_met<V: Volume>() {
         assert!(filtered.check(&mut bench).is_empty());
     }
 }
+
+/// The rays of a packet meet fewer children than its bound does.
+#[test]
+fn rays_keep_fewer_children_than_their_bound() {
+    fewer_are_kept::<BareSphere>();
+    fewer_are_kept::<BareBox>();
+}
+
+fn fewer_are_kept<V: Volume>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let (mut kept, mut kept_by_rays) = (0, 0);
+    for _ in 0..100 {
+        let by_rays = FilterChildren::<V>::sensible(16, &mut random);
+        let by_bounds = CullNodes {
+            nodes: by_rays.nodes.clone(),
+            bounds: by_rays.bounds.clone(),
+            pairs: by_rays.pairs.clone(),
+            what: Listed::Address,
+        };
+        kept += by_bounds.check(&mut bench).len();
+        kept_by_rays += by_rays.check(&mut bench).len();
+    }
+    assert!(kept_by_rays > 0 && kept_by_rays < kept, "{kept_by_rays} of {kept}");
+}

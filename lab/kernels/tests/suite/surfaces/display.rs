@@ -1,48 +1,13 @@
-//! `encode_srgb` and `roll_off`.
+//! The twins of `encode_srgb` and `roll_off`.
 
-use kernels::bench::{Bench, random};
-use kernels::cases::whitted::shade::call;
-use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::display::{encode_srgb, roll_off};
 use twins::{ONE, Single};
-
-use super::COUNTS;
 
 type Twin = fn(Single) -> Single;
 
 /// The kernels and their twins.
 const KERNELS: [(&str, Twin); 2] = [("encode_srgb", encode_srgb), ("roll_off", roll_off)];
-
-fn check(bench: &mut Bench, values: &[[Single; 4]]) {
-    for (kernel, twin) in KERNELS {
-        let found = call::convert(bench, kernel, values);
-        let expected: Vec<_> = values.iter().map(|quad| quad.map(twin)).collect();
-        assert_eq!(found, expected, "{kernel} of {values:x?}");
-    }
-}
-
-#[test]
-fn values_equal_the_twin_in_lists_of_any_fours() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for count in COUNTS.into_iter().chain([16, 100]) {
-        let light: Vec<_> = (0..4 * count)
-            .map(|_| [(); 4].map(|()| from_f64(random.random_range(-0.25..2.0))))
-            .collect();
-        check(&mut bench, &light);
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..200 {
-        let values: [[Single; 4]; 8] = random.random();
-        check(&mut bench, &values);
-    }
-}
 
 #[test]
 fn brighter_light_is_never_darker() {

@@ -15,7 +15,7 @@ use super::shape::Shape;
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
 use crate::cases::whitted::rays::call::rays as whole_rays;
-use crate::description::{ANY_SHARE, Description, any_bits};
+use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
 use crate::single::{bits, single};
 use protocol::layout::{Candidate, RayPacket, Shear};
 
@@ -129,15 +129,11 @@ impl<S: Shape> Pairs<S> {
 impl<S: Shape> Description for Pairs<S> {
     const KERNEL: &'static str = S::KERNEL;
     const ROUNDS: [usize; 2] = [60, 1000];
-    const LENGTH_OF_ANY: usize = 8;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [1.0 / 32.0..0.9, ANY_SHARE];
     type Placed = Placed;
     /// All fields of the packets, of which only the hits may change.
     type Found = Vec<[WholeRay; 16]>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        [0, 1, 2, 3, 7, 16, 40].into_iter()
-    }
 
     /// Rays around objects of each scale, some with limits before or after their hits.
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {

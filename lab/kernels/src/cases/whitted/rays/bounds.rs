@@ -61,12 +61,9 @@ pub struct Fans {
 impl Description for Fans {
     const KERNEL: &'static str = "bound_fan_r16";
     const ROUNDS: [usize; 2] = [40, 1000];
+    const LENGTHS: &'static [usize] = &[1, 2, 3, 7, 8, 40];
     type Placed = Place;
     type Found = Vec<Bound>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        [1, 2, 3, 7, 8, 40].into_iter()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         Self { packets: any_fans(count, random), point: Point::any(random) }
@@ -111,12 +108,9 @@ pub struct Origins {
 impl Description for Origins {
     const KERNEL: &'static str = "bound_origins_r16";
     const ROUNDS: [usize; 2] = Fans::ROUNDS;
+    const LENGTHS: &'static [usize] = Fans::LENGTHS;
     type Placed = Place;
     type Found = Vec<Bound>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        Fans::lengths()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         Self { packets: any_fans(count, random) }

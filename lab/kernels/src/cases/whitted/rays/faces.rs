@@ -19,7 +19,7 @@ use crate::bench::Bench;
 use crate::cases::eye::call::{address, put};
 use crate::cases::sphere_ray::any_direction;
 use crate::cases::whitted::isect::shape;
-use crate::description::{Description, any_bits};
+use crate::description::{Description, LENGTHS_FROM_0, any_bits};
 use crate::single::single;
 use crate::vector::{Vector, in_cube};
 use protocol::layout::{self, Candidate, Object};
@@ -76,14 +76,10 @@ impl CullFaces {
 impl Description for CullFaces {
     const KERNEL: &'static str = "cull_faces";
     const ROUNDS: [usize; 2] = [50, 500];
-    const LENGTH_OF_ANY: usize = 7;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.1..0.9, 0.03..1.0];
     type Placed = Candidates;
     type Found = Vec<[u32; 4]>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        [0, 1, 2, 3, 7, 16, 40].into_iter()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let bounds = (0..4)

@@ -13,7 +13,7 @@ use super::call::{listed, put_bounds, put_packets, words};
 use super::fans::{self, FANS};
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
-use crate::description::{ANY_SHARE, Description, any_bits};
+use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
 use crate::single::single;
 use crate::vector::{in_cube, magnitude};
 use protocol::layout::{self, BoxNode, Candidate, Node, RayPacket};
@@ -210,11 +210,6 @@ fn some_pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
     (0..count).map(pair).collect()
 }
 
-/// The lengths of lists, with that of an empty one.
-fn lengths_from_0() -> impl Iterator<Item = usize> {
-    [0, 1, 2, 3, 7, 16, 40].into_iter()
-}
-
 fn any_child<V: Volume>(random: &mut ChaCha8Rng) -> Child<V> {
     Child { volume: any_bits(random), address: random.random() }
 }
@@ -222,14 +217,10 @@ fn any_child<V: Volume>(random: &mut ChaCha8Rng) -> Child<V> {
 impl<V: Volume> Description for CullNodes<V> {
     const KERNEL: &'static str = V::CULL;
     const ROUNDS: [usize; 2] = [100, 1000];
-    const LENGTH_OF_ANY: usize = 7;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.1..0.9, 0.01..0.99];
     type Placed = Candidates;
     type Found = Vec<[u32; 4]>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        lengths_from_0()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         Self {
@@ -309,14 +300,10 @@ pub struct FilterChildren<V> {
 impl<V: Volume> Description for FilterChildren<V> {
     const KERNEL: &'static str = V::FILTER;
     const ROUNDS: [usize; 2] = [100, 1000];
-    const LENGTH_OF_ANY: usize = 7;
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
     const SHARES: [Range<f64>; 2] = [0.02..0.9, ANY_SHARE];
     type Placed = Candidates;
     type Found = Vec<[u32; 4]>;
-
-    fn lengths() -> impl Iterator<Item = usize> {
-        lengths_from_0()
-    }
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let nodes = some_nodes(|| Child::around(random));
