@@ -11,8 +11,8 @@ const TIMES: u32 = 8;
 
 const HEAD: &str = "# A Fourier transform
 
-Complex Fourier transforms of singles in SPU assembly, for readers who want to see what an SPU program looks like that
-streams from main memory, and how fast it is in simulated time. The design is that of Chow, Fossum and
+Complex Fourier transforms of singles in SPU assembly: an example of an SPU program that streams from main memory, with
+its speed in simulated time. The design is that of Chow, Fossum and
 Brokenshire's large FFT for the Cell. The code is this project's own.
 
 | file | what it has |
@@ -27,8 +27,8 @@ is 128 bytes, which is what main memory moves at once, so a batch is one DMA lis
 transformed, the next one is fetched and the one before stored. 16 columns also fill four registers, so that no stage
 moves anything between lanes.
 
-A butterfly of four numbers takes 24 multiply-adds, because twiddle factors are applied as `cosine (1 - i tangent)`, and
-34 operations in the usual count of `5 n log2 n` come to 40. A loop of four butterflies takes 107 cycles a pass, of which
+A butterfly of four numbers takes 24 multiply-adds, because twiddle factors are applied as `cosine (1 - i tangent)`. The
+34 operations come to 40 in the usual count of `5 n log2 n`. A loop of four butterflies takes 107 cycles a pass, of which
 multiply-adds fill 96.
 
 `cargo run --release -p fft` measures this, on a console or on the emulator, and `-- --write` writes this page:
@@ -36,15 +36,15 @@ multiply-adds fill 96.
 ";
 
 const TAIL: &str = "
-`Bound` is the greater of two times. The even pipe needs 107 or 69 cycles for four butterflies, the first stage's being
+`Bound` is the larger of two times. The even pipe needs 107 or 69 cycles for four butterflies, the first stage's being
 the cheaper ones. Main memory moves each number four times, twice each way, at the 17.0 cycles a line that the clock has
-for reading and 17.4 for writing. Both leave out the transposition, which takes some 200 cycles for 64 numbers because the
-scheduler finds too few registers to pipeline it, latencies, the barriers, and that 16 batches don't divide evenly among
-six SPUs: three rounds hold 18. Four SPUs are nearly enough: with six, main memory is busy for 92 % of the time.
+for reading and 17.4 for writing. Both leave out latencies, the barriers, and the transposition, which takes some 200
+cycles for 64 numbers because the scheduler finds too few registers to pipeline it. Nor do 16 batches divide evenly among
+six SPUs: three rounds could hold 18. Four SPUs are nearly enough: with six, main memory is busy for 92 % of the time.
 
-The error is against a transform by f64 of the same numbers, parts between -1 and 1: the root of the mean square, and the
-largest, both divided by the root of the mean square of the result. The SPU truncates where other processors round. Numbers
-above 1e22 overflow, because a tangent may be 2e16.
+The error is against a transform in f64 of the same numbers, parts between -1 and 1. The table has the root of the mean
+square and the largest, both divided by the root of the mean square of the result. The SPU truncates where other
+processors round. Numbers above 1e22 overflow, because a tangent may be 2e16.
 
 Chow, Fossum and Brokenshire are remembered to have given 46.8 Gflop/s for 16 million points on eight SPUs, with more
 passes over main memory. It is another size, so nothing here is compared with it.

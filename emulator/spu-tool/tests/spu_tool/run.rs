@@ -56,7 +56,7 @@ fn arguments_for_a_standard_main() {
     arguments.push(&long);
     let outcome = bench.spu(&arguments);
     assert_eq!(outcome.status, 127);
-    assert!(outcome.error.contains("no room"), "{}", outcome.error);
+    assert!(outcome.error.contains("don't fit into local store"), "{}", outcome.error);
 }
 
 #[test]
