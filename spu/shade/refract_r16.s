@@ -1,6 +1,6 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
 #   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float
-#          min_weight, unsigned deepest);
+#           min_weight, unsigned deepest);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: space for one more than
 #           there may be, $6 minimum weight of a ray that is sent on, $7 CHAIN_STEP times the
 #           rays that may come before the last of a chain; pointers 16-aligned
