@@ -1,7 +1,7 @@
 //! How long the PPU takes to prepare a scene: its trees, or its blocks if it does not fit the local
-//! store. Prints the shortest of several times in milliseconds. For a file it prints the shortest times of
-//! loading and of preparing it, and then the most memory that the program had, in MB. `ci/ppe` also
-//! counts the instructions.
+//! store. Prints the shortest of several times in milliseconds. For a file it prints the shortest
+//! times of loading and of preparing it, and then the most memory that the program had, in MB.
+//! `ci/ppe` also counts the instructions.
 //!
 //!     cargo run --release --example builds -- spheres|triangles COUNT TIMES
 //!     cargo run --release --example builds -- file FILE TIMES

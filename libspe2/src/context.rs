@@ -30,8 +30,8 @@ const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
     | SPE_AFFINITY_MEMORY
     | SPE_NOSCHED;
 
-/// The object that a context pointer refers to. Every user holds a reference to it, so a program may
-/// destroy a context while another thread still runs it.
+/// The object that a context pointer refers to. Every user holds a reference to it, so a program
+/// may destroy a context while another thread still runs it.
 pub(crate) struct Context {
     pub(crate) backend: Box<dyn Backend>,
     pub(crate) events_enabled: bool,

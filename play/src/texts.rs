@@ -1,4 +1,5 @@
-//! Chooses the text on the screen: speeds, the game's status, help, a pause, and a hint at the start.
+//! Chooses the text on the screen: speeds, the game's status, help, a pause, and a hint at the
+//! start.
 //!
 //! Invariant: the notice of a pause or of the end is always shown, because nothing else shows why
 //! the picture stands still.

@@ -67,8 +67,8 @@ pub(super) fn run(
     events: Option<&mut u32>,
 ) -> io::Result<c_int> {
     let events: *mut u32 = events.map_or(ptr::null_mut(), |events| events);
-    // SAFETY: the pointers are to words of the caller, and the second may be NULL. The memory that the SPU
-    // program itself accesses is the program's responsibility.
+    // SAFETY: the pointers are to words of the caller, and the second may be NULL. The memory that
+    // the SPU program itself accesses is the program's responsibility.
     let status = unsafe {
         libc::syscall(SPU_RUN, c_long::from(directory.as_raw_fd()), ptr::from_mut(npc), events)
     };

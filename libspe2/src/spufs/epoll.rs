@@ -22,8 +22,8 @@ impl Epoll {
         Ok(Self(unsafe { OwnedFd::from_raw_fd(raw) }))
     }
 
-    /// Waits for `file` from now on: until it can be written if `out`, and otherwise for data. Fails with
-    /// EEXIST if it already does.
+    /// Waits for `file` from now on: until it can be written if `out`, and otherwise for data.
+    /// Fails with EEXIST if it already does.
     pub(crate) fn add(&self, file: RawFd, out: bool, number: usize) -> Result<(), Errno> {
         let mut event = libc::epoll_event {
             events: if out { libc::EPOLLOUT } else { libc::EPOLLIN } as u32,

@@ -80,7 +80,8 @@ impl Spufs {
     }
 }
 
-/// The meaning of an SPU's status and of the event of a DMA error. The order is that of IBM's library.
+/// The meaning of an SPU's status and of the event of a DMA error. The order is that of IBM's
+/// library.
 fn ended(status: c_int, event: c_int) -> Ended {
     let has = |bit| status & bit != 0;
     let error = |bit| Ended::Return(Outcome::error(bit, status));

@@ -30,8 +30,8 @@ again:  command PUT, 0x10000, $3, SIZE, 1
         stop    0x2000
 ";
 
-/// Gets the lines at argp 100000 times. Reports how many lines were of several values, and how often
-/// the first one had changed.
+/// Gets the lines at argp 100000 times. Reports how many lines were of several values, and how
+/// often the first one had changed.
 const COMPARE: &str = "
         ori     $2,$4,0
         rotqbyi $3,$4,4
@@ -181,8 +181,8 @@ const HOLD: &str = "
         stop    0x2000
 ";
 
-/// The holder of the line at one address learns when a command is given for another address: in bit 4
-/// whether its reservation is lost by an event, in bit 0 whether it is lost at the put.
+/// The holder of the line at one address learns when a command is given for another address: in bit
+/// 4 whether its reservation is lost by an event, in bit 0 whether it is lost at the put.
 fn after(command: &str, held: u64, written: u64) -> u32 {
     let holder = Context::with_program(HOLD);
     let writer = format!("ori $2,$4,0\n rotqbyi $3,$4,4\n {command}\n stop 0x2000\n");

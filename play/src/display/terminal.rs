@@ -242,8 +242,8 @@ impl Display for Terminal {
     }
 }
 
-/// The terminal's columns and rows; those of a usual terminal if it doesn't report any, as over a serial
-/// line.
+/// The terminal's columns and rows; those of a usual terminal if it doesn't report any, as over a
+/// serial line.
 pub fn size() -> (u16, u16) {
     let (columns, rows) = crossterm::terminal::size().unwrap_or(DEFAULT);
     if columns == 0 || rows == 0 { DEFAULT } else { (columns.min(MOST), rows.min(MOST)) }

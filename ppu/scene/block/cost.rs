@@ -23,8 +23,8 @@ use super::bounds::Bounds;
 use super::bvh::Volumes;
 use super::primitive::PrimitiveKind;
 
-/// Cycles of the kernels' loops, from lab/kernels/measured.txt: of a node's four children with a packet's
-/// cone, and of a child with the packet's rays.
+/// Cycles of the kernels' loops, from lab/kernels/measured.txt: of a node's four children with a
+/// packet's cone, and of a child with the packet's rays.
 struct Cycles {
     cull: f64,
     filter: f64,

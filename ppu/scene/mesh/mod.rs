@@ -2,10 +2,10 @@
 //! triangles, spheres and cones, cut into blocks of one DMA transfer each.
 //!
 //! A block has nodes in a few complete levels, and a leaf block also its triangles with their
-//! vertices and texture coordinates, or its spheres or cones (`protocol/src/layout/mesh.rs`). Positions are
-//! the mesh's own singles, so a box holds exactly its vertices. The triangles are divided by the
-//! surface area heuristic until they fit a leaf block each; near that size the heuristic counts
-//! blocks instead of triangles, so that blocks get full.
+//! vertices and texture coordinates, or its spheres or cones (`protocol/src/layout/mesh.rs`).
+//! Positions are the mesh's own singles, so a box holds exactly its vertices. The triangles are
+//! divided by the surface area heuristic until they fit a leaf block each; near that size the
+//! heuristic counts blocks instead of triangles, so that blocks get full.
 //!
 //! Invariant: every sphere, cone, and triangle with an area is in exactly one leaf block. A
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A

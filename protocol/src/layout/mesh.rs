@@ -10,8 +10,8 @@
 //! `SIDES_WIDE` the upper bytes of the materials' numbers are at `MESH_UPPER`. Positions are in the
 //! mesh's own coordinates until a block is in local store, and relative to the eye there.
 //!
-//! Block 0 is the root, and a child comes after its parent. The nodes of a block are stored level by
-//! level, each level complete, and a level's nodes are in the order of their parents. A node's
+//! Block 0 is the root, and a child comes after its parent. The nodes of a block are stored level
+//! by level, each level complete, and a level's nodes are in the order of their parents. A node's
 //! children have its first lanes; the other lanes have the box `NO_BOX` and the child 0. Above the
 //! lowest level, a child is the offset of a node. At the lowest level of an inner block, it is the
 //! number of a block. In a leaf it is a run of triangles, four times the first one's index plus its

@@ -54,8 +54,8 @@ pub struct Loaded {
 /// [`scenes::load`] accepts.
 ///
 /// # Errors
-/// There is no such file or generated scene, the file can't be read, or isn't of the format of its name;
-/// any error of [`scenes::load`].
+/// There is no such file or generated scene, the file can't be read, or isn't of the format of its
+/// name; any error of [`scenes::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
     let file = name.display().to_string();
     let wrong = |fault| Error::of(&file, fault);
@@ -99,8 +99,8 @@ enum Format {
 }
 
 impl Format {
-    /// The format of a file: the only one possible for its beginning, whatever its name is; then the one
-    /// of its name; then the one possible without a name. `None` for a scene of [`nff`].
+    /// The format of a file: the only one possible for its beginning, whatever its name is; then
+    /// the one of its name; then the one possible without a name. `None` for a scene of [`nff`].
     fn of(name: &Path) -> Result<Option<Self>, Fault> {
         let (beginning, size) = beginning(name);
         let marked = Self::of_mark(&beginning, size);

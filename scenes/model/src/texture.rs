@@ -32,8 +32,8 @@ impl Texture {
     pub const MAX_SIDE: u32 = 4096;
 
     /// A texture of `width` columns. The texels are red, green and blue as a screen gets them
-    /// (sRGB), row by row from the top. `wrap` is the continuation beyond the edges at the sides, and
-    /// beyond those above and below.
+    /// (sRGB), row by row from the top. `wrap` is the continuation beyond the edges at the sides,
+    /// and beyond those above and below.
     ///
     /// `None` if the texels are no whole rows, or a side is 0 or above [`Texture::MAX_SIDE`].
     #[must_use]

@@ -1,5 +1,5 @@
-//! SPU programs that fail. Each becomes an error that names the SPU that failed, where and why, and no
-//! incomplete picture is presented as complete.
+//! SPU programs that fail. Each becomes an error that names the SPU that failed, where and why, and
+//! no incomplete picture is presented as complete.
 
 use std::fs;
 use std::path::Path;

@@ -143,8 +143,8 @@ impl Fixture {
     }
 }
 
-/// Checks that the picture of a scene has more than this number of colours, and is the same with these
-/// numbers of SPUs as with one.
+/// Checks that the picture of a scene has more than this number of colours, and is the same with
+/// these numbers of SPUs as with one.
 pub fn is_the_same_with_spus(
     scene: &scenes::Scene,
     spus: impl IntoIterator<Item = u32>,

@@ -3,8 +3,8 @@
 //! It takes an object and the source that it was assembled from. It writes the source again with
 //! each function scheduled: blocks by list scheduling, counted loops by software pipelining. The
 //! output has the notes that `spu time --check` compares with the model. `docs/spu-programming.md`
-//! lists the scheduler's assumptions about memory and registers. It uses the instruction table and the
-//! pipeline model, but not the meaning of the code. Invariant: the same input produces the same
+//! lists the scheduler's assumptions about memory and registers. It uses the instruction table and
+//! the pipeline model, but not the meaning of the code. Invariant: the same input produces the same
 //! bytes.
 
 mod allocate;

@@ -1,9 +1,9 @@
 //! Eight-ball for two players on a table with six pockets.
 //!
 //! A sphere on the rail shows whose turn it is by its colour, yellow or blue, and the status line
-//! names the player. It is on the rail where that player's pocketed balls are placed: solids in front,
-//! stripes at the back. While no player has a group, it is at the foot of the table. It is red after a
-//! foul, and changes its colour after a game is won. The rules are in [`rules`].
+//! names the player. It is on the rail where that player's pocketed balls are placed: solids in
+//! front, stripes at the back. While no player has a group, it is at the foot of the table. It is
+//! red after a foul, and changes its colour after a game is won. The rules are in [`rules`].
 //!
 //! | | keyboard | mouse | pad |
 //! |---|---|---|---|

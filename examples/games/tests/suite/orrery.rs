@@ -222,8 +222,8 @@ fn body_hidden_by_the_sun_has_no_label() {
         let labels = played.game.labels();
         labels.iter().any(|label| label.text == name)
     };
-    // The eye comes down to the planets, and turns about the sun, so that the sun hides each of them
-    // once.
+    // The eye comes down to the planets, and turns about the sun, so that the sun hides each of
+    // them once.
     let mut hidden = false;
     played.frame(0.0, &[(Key::S, true)]);
     (0..6).for_each(|_| played.frame(0.04, &[]));

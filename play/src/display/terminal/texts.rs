@@ -20,8 +20,8 @@ pub struct Text {
 
 const WHITE: [u8; 3] = [255; 3];
 
-/// The overlay's text on a terminal of this many columns and rows, of which each is two pixels of the
-/// picture.
+/// The overlay's text on a terminal of this many columns and rows, of which each is two pixels of
+/// the picture.
 pub fn texts(overlay: &Overlay, (columns, rows): (u16, u16), fit: Fit) -> Vec<Text> {
     let (columns, rows) = (usize::from(columns), usize::from(rows));
     let line = overlay.line();

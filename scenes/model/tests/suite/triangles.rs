@@ -211,8 +211,8 @@ proptest! {
         }
     }
 
-    /// Seen from its middle each corner of a star is farther than the last: no edges cross, wherever it
-    /// is.
+    /// Seen from its middle each corner of a star is farther than the last: no edges cross,
+    /// wherever it is.
     #[test]
     fn a_polygon_whose_edges_do_not_cross_is_cut_into_its_own_vertices(
         radii in vec(0.01..1.0f64, 3..40),
