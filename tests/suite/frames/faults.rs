@@ -43,7 +43,8 @@ fn assemble(source: &str) -> Program {
 /// with other things.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// Renders with a program that fails. Checks that nothing was presented, and returns the error.
+/// Renders with a program that fails, and returns the error. Checks that nothing was presented,
+/// and, if SPUs are lost, that the engine refuses another frame and can be dropped without them.
 fn render(body: &str, timeout: Duration) -> EngineError {
     render_with(program(body), timeout)
 }
@@ -56,6 +57,10 @@ fn render_with(program: Program, timeout: Duration) -> EngineError {
     let mut engine = Engine::start(settings, Box::new(framebuffer)).unwrap();
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
     let error = engine.render(&scene, &mut |_| ()).unwrap_err();
+    if let EngineError::Silent { .. } | EngineError::Ended { .. } = error {
+        let again = engine.render(&scene, &mut |_| ()).unwrap_err();
+        assert!(matches!(again, EngineError::Lost), "{again}");
+    }
     drop(engine);
     let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
     assert!(left.is_empty(), "{left:?} is left of an incomplete picture");
