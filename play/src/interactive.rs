@@ -27,7 +27,7 @@ use crate::viewer::VIEW;
 use crate::waiting::Waiting;
 
 /// The minimum width and height in pixels; smaller pictures show nothing useful.
-const LEAST_SIDE: u32 = 8;
+const MIN_SIDE: u32 = 8;
 /// While a picture is refined, it is drawn once in this time, because drawing takes as long as
 /// tracing a tile or two.
 const REFINED_EVERY: Duration = Duration::from_millis(80);
@@ -184,7 +184,7 @@ impl<'a> Show<'a> {
                     // Nobody takes them any more.
                     self.events.clear();
                 }
-                self.trace_again()?;
+                self.redraw()?;
                 Some(ControlFlow::Continue(()))
             }
             Some(step) => Some(self.step(step)?),
@@ -216,14 +216,14 @@ impl<'a> Show<'a> {
         let flow = self.traced(|session, events, tracing| session.step(step, events, tracing))?;
         if self.session.engine().statistics().is_put_off {
             self.coarsen()?;
-            self.trace_again()?;
+            self.redraw()?;
         }
         Ok(flow)
     }
 
     /// Traces the last step's world again. In a pause that refines the picture, and shows the text
     /// where the SPUs write to the screen.
-    fn trace_again(&mut self) -> Result<(), PlayError> {
+    fn redraw(&mut self) -> Result<(), PlayError> {
         self.traced(|session, _, tracing| session.redraw(tracing))
     }
 
@@ -469,7 +469,7 @@ fn look_now(look: Look, pace: Option<&Pace>) -> Look {
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
     let divisor = pace.map_or(Divisor::ONE, Pace::divisor);
     // Both sides are divided by the same, so that the proportions stay.
-    let most = area.width.min(area.height) / LEAST_SIDE;
+    let most = area.width.min(area.height) / MIN_SIDE;
     let side = |side: u32| divisor.of(side).max(side / most.max(1));
     match (pace, fixed) {
         (None, Some(size)) => size,

@@ -13,8 +13,8 @@ use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    BOX_CODE, COLOUR_CODE_ROOM, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere,
-    Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
+    BOX_CODE, COLOUR_CODE_CAPACITY, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_CAPACITY,
+    Sphere, Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -56,12 +56,12 @@ impl Records {
                 memory.write(0, &code);
                 (memory, code.len() as u32)
             });
-        let mut colour_code = SharedMemory::new(COLOUR_CODE_ROOM as usize);
+        let mut colour_code = SharedMemory::new(COLOUR_CODE_CAPACITY as usize);
         colour_code.write(0, &program.colour_code());
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
-            scene: SharedMemory::new(SCENE_ROOM as usize),
+            scene: SharedMemory::new(SCENE_CAPACITY as usize),
             box_code: program.box_code(),
             mesh_code,
             mesh_code_bytes,

@@ -8,7 +8,7 @@ use super::FramebufferError;
 use super::picture_file::Format;
 
 /// The most digits of a number: as many as the largest `u64` has.
-const MOST_DIGITS: usize = 20;
+const MAX_DIGITS: usize = 20;
 
 /// A pattern of paths with a number: `%d` stands for the number, `%05d` for at least five digits.
 /// What is around it may be any bytes that a file's name can have.
@@ -54,7 +54,7 @@ impl NumberedPath {
                     _ => return None,
                 };
                 let before = std::mem::take(&mut text);
-                if digits > MOST_DIGITS || found.replace((before, digits)).is_some() {
+                if digits > MAX_DIGITS || found.replace((before, digits)).is_some() {
                     return None;
                 }
                 rest = &rest[end + 1..];

@@ -30,7 +30,7 @@ use crate::overlay::Overlay;
 /// The pixels of a touchpad's scrolling that count as one notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 40.0;
 /// The minimum width and height in pixels; smaller windows show nothing useful.
-const LEAST: u32 = 64;
+const MIN_SIDE: u32 = 64;
 
 /// The channels of a window's words, which have red, green and blue in their lowest bytes.
 const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
@@ -124,7 +124,7 @@ impl State {
         let attributes = Winit::default_attributes()
             .with_title(self.title.as_str())
             .with_inner_size(self.wanted)
-            .with_min_inner_size(PhysicalSize::new(LEAST, LEAST));
+            .with_min_inner_size(PhysicalSize::new(MIN_SIDE, MIN_SIDE));
         let window = Rc::new(system.create_window(attributes)?);
         let context = softbuffer::Context::new(Rc::clone(&window))?;
         let surface = Surface::new(&context, Rc::clone(&window))?;

@@ -3,7 +3,7 @@
 //!
 //! The weight of a ray is its share of its pixel's colour: the product of the shares that the
 //! surfaces on its way reflect or let through. The ray adds to its pixel at most its weight times
-//! the maximum brightness that any ray can see. If that is less than [`LEAST_CHANGE`] of a byte's
+//! the maximum brightness that any ray can see. If that is less than [`MIN_CHANGE`] of a byte's
 //! step, the ray is not sent. The materials' largest share also bounds the depth at which a ray
 //! can still have enough weight. `docs/numerics.md` derives the bound.
 //!
@@ -19,7 +19,7 @@ use crate::scene::render_options::RenderOptions;
 use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray must be able to add to its pixel, or it is not sent.
-const LEAST_CHANGE: f64 = 1.0 / 16.0;
+const MIN_CHANGE: f64 = 1.0 / 16.0;
 /// The number of a byte's steps from black to white.
 const STEPS: f64 = 255.0;
 /// A bound of the relative error of the SPU's weights, which are products of singles.
@@ -109,7 +109,7 @@ impl Chains {
             });
             seen = surfaces.fold(background, f64::max);
         }
-        let least_weight = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
+        let least_weight = MIN_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
         let (mut ray_depth, mut weight) = (1, share * (1.0 + ROUNDING));
         while ray_depth < options.ray_depth && weight > 0.0 && weight >= least_weight {
             ray_depth += 1;

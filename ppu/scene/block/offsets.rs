@@ -16,7 +16,7 @@ use super::source_location::SourceLocation;
 /// The largest part of the smallest object's radius that an offset may be. A ball of radius r that
 /// rests on a surface hides its shadow's first sqrt(2 offset r), which is a third of r at this
 /// limit: less than what the ball itself hides from most eyes.
-const MOST: f64 = 1.0 / 16.0;
+const MAX_RATIO: f64 = 1.0 / 16.0;
 
 /// An object's size, and how far rays leave its surface.
 #[derive(Clone, Copy)]
@@ -39,7 +39,7 @@ pub(crate) fn offset_note(scene: &Scene) -> Option<String> {
         ))
     });
     let (smallest, largest) = extremes?;
-    let limit = MOST * smallest.size;
+    let limit = MAX_RATIO * smallest.size;
     if largest.leave <= limit {
         return None;
     }
@@ -127,7 +127,7 @@ mod tests {
         for name in scenes {
             let scene = scenes::load(&name).unwrap();
             let ratio = ratio(&scene);
-            assert!(ratio < 0.75 * MOST, "{}: {ratio}", name.display());
+            assert!(ratio < 0.75 * MAX_RATIO, "{}: {ratio}", name.display());
             assert_eq!(offset_note(&scene), None, "{}", name.display());
         }
     }

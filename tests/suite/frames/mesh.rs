@@ -7,7 +7,7 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
-    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES,
+    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MIN_SLOTS, MESH_SPHERES,
     NO_BOX, SCENE_ADDRESS,
 };
 use rand::{Rng as _, SeedableRng as _};
@@ -179,7 +179,7 @@ fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
         let background = picture.get_pixel(0, 0);
         let seen = picture.pixels().filter(|pixel| *pixel != background);
         assert!(seen.count() > 500, "{} is in the picture", scene.name);
-        for slots in [MESH_LEAST_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
+        for slots in [MESH_MIN_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
             let mut frame = one.fixture.frame;
             frame.mesh_slots = slots.into();
             one.fixture.submit(&frame).unwrap();

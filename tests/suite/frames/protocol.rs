@@ -3,7 +3,7 @@
 use crate::frames::fixture::{Fixture, Spoil};
 use crate::recorder::nff_scene;
 use cellray::EngineError;
-use protocol::layout::{BOX_CODE, BOX_CODE_ROOM, SCENE_ADDRESS, SCENE_ROOM, WorkUnit};
+use protocol::layout::{BOX_CODE, BOX_CODE_CAPACITY, SCENE_ADDRESS, SCENE_CAPACITY, WorkUnit};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -94,14 +94,14 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "must be a multiple of 128 and leave", |frame| {
             frame.scene_bytes = (frame.scene_bytes.get() + 64).into()
         }),
-        ("scene_bytes", "leave space", |frame| frame.scene_bytes = (SCENE_ROOM + 128).into()),
+        ("scene_bytes", "leave space", |frame| frame.scene_bytes = (SCENE_CAPACITY + 128).into()),
         ("scene_bytes", "4294967168", |frame| frame.scene_bytes = 0xffff_ff80.into()),
         ("scene_bytes", "4294967295", |frame| frame.scene_bytes = u32::MAX.into()),
         // Three batches of eight packets need 12288 bytes.
         ("ray_depth", "16 (0x10), 8 (0x8): must be a multiple", |frame| {
             frame.ray_depth = 16.into();
             frame.batch = 8.into();
-            frame.scene_bytes = (SCENE_ROOM - 12288 + 128).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 12288 + 128).into();
         }),
         ("ray_depth", "0 (0x0): must be 1 to 16", |frame| frame.ray_depth = 0.into()),
         ("ray_depth", "17 (0x11): must be 1 to 16", |frame| frame.ray_depth = 17.into()),
@@ -110,7 +110,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "1 (0x1), 16 (0x10): must be a multiple", |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 16.into();
-            frame.scene_bytes = (SCENE_ROOM - 29696 + 128).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 29696 + 128).into();
         }),
         ("batch", "0 (0x0): must be 1 to 16, and at most 8 with a mesh", |frame| {
             frame.batch = 0.into()
@@ -144,7 +144,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         // The scene ends 16 bytes before the end of the code for boxes.
         ("scene_bytes", "the code for boxes", |frame| {
             frame.box_trees = 2.into();
-            frame.scene_bytes = (BOX_CODE + BOX_CODE_ROOM - SCENE_ADDRESS - 16).into();
+            frame.scene_bytes = (BOX_CODE + BOX_CODE_CAPACITY - SCENE_ADDRESS - 16).into();
         }),
         ("trees", "1024 objects", |frame| frame.trees[0].objects = 1025.into()),
         ("trees", "1024 objects", |frame| frame.trees[3].objects = u32::MAX.into()),
@@ -178,7 +178,7 @@ fn maximum_values_of_whitteds_model_are_traced() {
         |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 16.into();
-            frame.scene_bytes = (SCENE_ROOM - 29696).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 29696).into();
         },
         |frame| frame.light_count = 0.into(),
         // A tree without objects is not checked.
@@ -209,7 +209,7 @@ fn a_descriptor_at_an_odd_address_is_refused() {
 }
 
 #[test]
-fn a_work_unit_that_is_none_is_refused() {
+fn invalid_work_unit_is_refused() {
     let mut fixture = fixture(1);
     let frame = fixture.frame;
     let mut good = WorkUnit::new_zeroed();

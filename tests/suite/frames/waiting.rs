@@ -2,7 +2,9 @@
 
 use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
-use protocol::layout::{MAX_BATCH, QueuedRay, RayPacket, SCENE_ROOM, SMALL_BATCH, WAITING_SIZE};
+use protocol::layout::{
+    MAX_BATCH, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, WAITING_SIZE,
+};
 
 use crate::frames::fixture::Fixture;
 use crate::recorder::nff_scene;
@@ -15,8 +17,8 @@ fn most_scene_bytes(batch: u32) -> u32 {
     let rays = 3 * PACKET * size_of::<QueuedRay>() as u32;
     let buffers = 2 * size_of::<RayPacket>() as u32;
     match batch {
-        ..=SMALL_BATCH => SCENE_ROOM - batch * rays,
-        _ => SCENE_ROOM - batch * (rays + buffers),
+        ..=SMALL_BATCH => SCENE_CAPACITY - batch * rays,
+        _ => SCENE_CAPACITY - batch * (rays + buffers),
     }
 }
 

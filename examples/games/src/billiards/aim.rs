@@ -18,7 +18,7 @@ const POWER_A_SECOND: f64 = 0.7;
 const HEIGHT_A_NOTCH: f64 = 0.1;
 const HEIGHT_A_SECOND: f64 = 1.0;
 /// Below this power there is no shot: the mouse was drawn back and brought forward again.
-const LEAST_POWER: f64 = 0.03;
+const MIN_POWER: f64 = 0.03;
 /// Speed of the cue ball at full power.
 const FASTEST: f64 = 7.5;
 
@@ -118,13 +118,13 @@ impl Aim {
             self.let_go();
         }
         if input.mouse_released(MouseButton::Left) && self.before.is_some() {
-            if self.power >= LEAST_POWER {
+            if self.power >= MIN_POWER {
                 blow = true;
             } else {
                 self.let_go();
             }
         }
-        blow &= self.power >= LEAST_POWER;
+        blow &= self.power >= MIN_POWER;
         if blow {
             // After any shot, releasing the button has no effect.
             self.before = None;

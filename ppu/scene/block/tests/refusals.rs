@@ -132,7 +132,7 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
             .contains("for rays of depth 5): 1000 triangles 122640, 1 material 96, 1 light 32; "),
         "{message}"
     );
-    assert_eq!(capacity, SCENE_ROOM as usize - 16 * 32 * 3);
+    assert_eq!(capacity, SCENE_CAPACITY as usize - 16 * 32 * 3);
     // "About" means within some per cent.
     let fewer = fit - fit / 50;
     assert_eq!(block(&triangles(fewer)).leaves(PrimitiveKind::Triangle).len(), fewer);
@@ -201,9 +201,9 @@ fn the_batch_is_as_large_as_fits() {
             };
             let batch = block.batch();
             assert!((1..=MAX_BATCH).contains(&batch));
-            assert!(taken(batch) <= SCENE_ROOM as usize);
+            assert!(taken(batch) <= SCENE_CAPACITY as usize);
             let larger = if batch < 8 { batch + 1 } else { MAX_BATCH };
-            assert!(batch == MAX_BATCH || spheres > 512 || taken(larger) > SCENE_ROOM as usize);
+            assert!(batch == MAX_BATCH || spheres > 512 || taken(larger) > SCENE_CAPACITY as usize);
         }
     }
 }
