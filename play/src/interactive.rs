@@ -583,7 +583,7 @@ mod tests {
 
     /// Else nobody could read the score.
     #[test]
-    fn the_end_of_a_game_stays_until_the_display_is_closed() {
+    fn finished_game_stays_until_display_closes() {
         let watched = played(&[]);
         assert_eq!(watched.ending, Ending::Closed);
         // Nobody waits for a reader where a number of frames was asked for.
@@ -591,7 +591,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_games_become_names_of_files() {
+    fn game_names_become_file_names() {
         assert_eq!(file_stem("view paper16.nff"), "paper16-nff");
         assert_eq!(file_stem("view my scene.nff"), "my-scene-nff");
         assert_eq!(file_stem("billiards"), "billiards");

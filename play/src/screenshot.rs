@@ -77,7 +77,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_one_leaves_no_file() {
+    fn failed_screenshot_leaves_no_file() {
         let folder = tempfile::tempdir().expect("a folder");
         // The encoder refuses a picture without pixels.
         let error = write(folder.path(), "s", &RgbImage::new(0, 0)).expect_err("no picture");

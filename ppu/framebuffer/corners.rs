@@ -89,7 +89,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_the_mean_of_its_corners() {
+    fn pixel_is_mean_of_corners() {
         let geometry = Geometry { width: 9, height: 5 };
         let mut corners = Corners::new(None, geometry).unwrap();
         assert_eq!(corners.geometry().to_string(), "10x6");

@@ -134,7 +134,7 @@ mod tests {
     const ODD_STRIDE: usize = 448;
 
     #[test]
-    fn a_new_file_has_the_drivers_layout_and_pixels() {
+    fn new_file_has_driver_layout_and_pixels() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let mut file = File::open(&path, Some(ODD)).unwrap();
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn every_stride_serves_dma() {
+    fn every_stride_is_aligned_for_dma() {
         let folder = tempfile::tempdir().unwrap();
         for width in 1..=70 {
             let path = folder.path().join(width.to_string());

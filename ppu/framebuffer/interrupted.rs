@@ -227,7 +227,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn without_a_handle_signals_act_as_by_default() {
+    fn without_handle_signals_have_default_action() {
         let status = in_child(|| {
             drop(Interrupted::install().unwrap());
             raise(SIGHUP);

@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn frames_come_out_as_they_were_written() {
+    fn frames_read_back_as_written() {
         for (width, height) in [(1, 1), (101, 57), (64, 3)] {
             let mut memory = Memory::new(Geometry { width, height }).unwrap();
             for seed in 0..2 {

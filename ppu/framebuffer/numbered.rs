@@ -113,14 +113,14 @@ mod tests {
     }
 
     #[test]
-    fn a_pattern_may_have_bytes_that_are_no_text() {
+    fn pattern_may_contain_invalid_utf8() {
         let pattern = OsStr::from_bytes(b"\xe4%03d\xff.png");
         let path = NumberedPath::new(pattern).expect("a pattern").of(7);
         assert_eq!(path.as_os_str().as_bytes(), b"\xe4007\xff.png");
     }
 
     #[test]
-    fn a_format_that_is_not_written_is_refused() {
+    fn unsupported_format_is_refused() {
         let error = NumberedPath::new("f-%d.gif").expect_err("a format");
         assert!(error.to_string().contains(".jpg"), "{error}");
     }

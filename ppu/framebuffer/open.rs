@@ -67,7 +67,7 @@ mod tests {
     use std::os::unix::net::UnixListener;
 
     #[test]
-    fn a_directory_pipe_or_socket_is_no_framebuffer() {
+    fn directory_pipe_or_socket_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let size = Some(Geometry { width: 4, height: 4 });
         let socket = folder.path().join("socket");

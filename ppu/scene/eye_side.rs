@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_eye_on_a_surface_is_told_in_spite_of_its_rounding() {
+    fn eye_on_surface_is_detected_despite_rounding() {
         let side = |eye: [f64; 3], radius| EyeSide::of(DVec3::from(eye), DVec3::ZERO, radius);
         assert_eq!(side([0.3, 0.4, 1.2], 1.3), EyeSide::On);
         assert_eq!(side([0.3, 0.4, 1.2], -1.3), EyeSide::On);
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_radius_changes_only_near_the_eye() {
+    fn radius_changes_only_near_eye() {
         for (side, distance, radius, expected) in [
             (EyeSide::Inside, 1.0, 1.0, 1.0 + MIN_GAP),
             (EyeSide::Outside, 1.0, -1.0, -1.0 + MIN_GAP),

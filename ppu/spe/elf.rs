@@ -197,7 +197,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_without_a_table_says_so() {
+    fn image_without_shader_table_is_an_error() {
         let program = Program::from_image(&changed(b".shaders\0", b".shadows\0"));
         let error = program.expect("a program").shaders().expect_err("no table");
         assert!(matches!(error, ProgramError::NoTable), "{error}");
@@ -207,7 +207,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_not_there_is_named() {
+    fn missing_file_is_named() {
         let error = Program::from_file("no/such.elf".as_ref()).expect_err("none");
         assert!(error.to_string().starts_with("no/such.elf: "), "{error}");
     }

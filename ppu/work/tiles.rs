@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn some_are_kept_and_the_rest_comes_later_from_all_over_the_picture() {
+    fn deferred_tiles_are_spread_over_picture() {
         for (width, height) in [(64, 16), (200, 50), (1280, 720), (640, 16)] {
             let geometry = Geometry { width, height };
             let count = tile_count(geometry) as usize;

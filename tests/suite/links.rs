@@ -121,7 +121,7 @@ fn check(folder: &Path, text: &str) -> (Vec<String>, usize) {
 }
 
 #[test]
-fn every_link_leads_somewhere() {
+fn every_link_has_a_target() {
     let documents = files(Path::new(""));
     let documents =
         documents.iter().filter(|path| path.extension().is_some_and(|ending| ending == "md"));

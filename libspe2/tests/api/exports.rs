@@ -8,7 +8,7 @@ use std::path::Path;
 use object::{Object, ObjectSymbol};
 
 #[test]
-fn the_shared_library_is_a_drop_in() {
+fn shared_library_exports_libspe2_symbols() {
     let own = std::env::current_exe().unwrap();
     let library = own.with_file_name("libspe2.so");
     let bytes = fs::read(&library).unwrap_or_else(|error| panic!("{}: {error}", library.display()));

@@ -157,7 +157,7 @@ fn commands_are_given_by_registers() {
 }
 
 #[test]
-fn the_functions_agree_with_the_registers() {
+fn functions_equal_problem_state_registers() {
     let context = mapped("stop 0x2000");
     let mut there = Aligned::<16>::new();
     there.0 = [9; 16];

@@ -36,7 +36,7 @@ fn failure(source: &str) -> String {
 }
 
 #[test]
-fn a_program_becomes_an_spu_executable() {
+fn program_is_linked_as_spu_executable() {
     let folder = folder(" .text\n .global _start\n_start:\n il $3,1\nlast:\n stop 0x2000\n");
     let elf = fs::read(build(folder.path(), &Tools::find().unwrap()).unwrap()).unwrap();
     let elf = object::File::parse(&*elf).unwrap();
@@ -46,7 +46,7 @@ fn a_program_becomes_an_spu_executable() {
 }
 
 #[test]
-fn an_error_in_a_source_is_shown_with_file_line_and_command() {
+fn source_error_has_file_line_and_command() {
     let text = failure(" .text\n il $3,99999\n");
     assert!(text.contains("program.s:2") && text.contains("--fatal-warnings"), "{text}");
     let text = failure(" .text\n bogus $3\n");
@@ -61,13 +61,13 @@ fn a_warning_is_an_error() {
 }
 
 #[test]
-fn an_undefined_symbol_is_shown_by_the_linker() {
+fn undefined_symbol_is_a_linker_error() {
     let text = failure(" .text\n .global _start\n_start:\n brsl $0,nowhere\n");
     assert!(text.contains("nowhere"), "{text}");
 }
 
 #[test]
-fn a_folder_without_sources() {
+fn folder_without_sources_is_an_error() {
     let empty = tempfile::tempdir().unwrap();
     let error = build(empty.path(), &Tools::find().unwrap()).unwrap_err();
     assert!(matches!(error, Error::NoSources(_)), "{error}");

@@ -269,7 +269,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mouse_on_characters_has_gone_pixels() {
+    fn mouse_steps_on_characters_are_pixels() {
         assert_eq!(way((3, 4), (3, 4)), None);
         assert_eq!(way((3, 4), (5, 3)), Some([16.0, -16.0]));
         assert_eq!(way((u16::MAX, 0), (0, 0)), Some([-8.0 * 65535.0, 0.0]));

@@ -393,7 +393,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_desktop_without_the_libraries_of_keyboards_is_told_of() {
+    fn missing_keyboard_libraries_are_an_error() {
         let (there, missing) = (|| true, || false);
         assert_eq!(missing_library(true, there, there), None);
         assert_eq!(missing_library(false, there, missing), None);
@@ -422,13 +422,13 @@ mod tests {
     }
 
     #[test]
-    fn a_connection_that_is_handed_on_is_an_open_file() {
+    fn inherited_connection_must_be_an_open_file() {
         assert!(is_open_file("0") || is_open_file("1"));
         assert!(!is_open_file("4242") && !is_open_file("none") && !is_open_file("-1"));
     }
 
     #[test]
-    fn places_in_the_sources_of_others_are_not_told() {
+    fn source_positions_are_removed_from_errors() {
         let place =
             "os error at /home/she/.cargo/registry/src/i-1/winit-0.30.13/src/a/mod.rs:765: ";
         let words = "Could not find: a compositor";
@@ -438,7 +438,7 @@ mod tests {
     }
 
     #[test]
-    fn panics_of_others_are_errors() {
+    fn panics_of_dependencies_are_errors() {
         let lacks = catch_panics::<()>(|| panic!("{} lacks it", "the server"));
         assert_eq!(lacks, Err("the server lacks it".to_owned()));
         let lacks = catch_panics::<()>(|| panic!("it lacks that"));

@@ -148,21 +148,21 @@ mod tests {
     }
 
     #[test]
-    fn counting_as_in_spd_bounds_nothing() {
+    fn counting_as_in_spd_keeps_all_chains() {
         let options = RenderOptions { spd_rays: true, ..to(6) };
         let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
     }
 
     #[test]
-    fn an_own_shader_bounds_nothing() {
+    fn custom_shader_keeps_all_chains() {
         let own = Sends { is_own: true, ..sends(0.0, 1.0) };
         let chains = Chains::of(to(7), [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (7, 0.0));
     }
 
     #[test]
-    fn the_brighter_a_scene_the_lighter_the_rays_that_are_sent() {
+    fn brighter_scene_lowers_minimum_weight() {
         let least_weight = |lights| {
             Chains::of(to(5), [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight
         };

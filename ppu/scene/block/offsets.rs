@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scenes_and_generators_are_well_within() {
+    fn scenes_and_generators_have_small_offsets() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
         let files = std::fs::read_dir(folder).unwrap();
         let files = files.map(|entry| entry.unwrap().path());
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ground_that_loses_shadows_is_named_with_its_line() {
+    fn ground_that_loses_shadows_is_named_with_line() {
         for ground in [
             "s 0 -1000000 0 1000000",
             "p 4\n-1e6 0 -1e6\n-1e6 0 1e6\n1e6 0 1e6\n1e6 0 -1e6",
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ordinary_ground_is_none() {
+    fn ordinary_ground_loses_no_shadows() {
         for ground in ["s 0 -1000 0 1000", "s 0 -10000 0 10000"] {
             assert_eq!(offset_note(&with(ground)), None, "{ground}");
         }

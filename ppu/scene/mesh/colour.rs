@@ -56,7 +56,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_out_of_range_end_at_it() {
+    fn out_of_range_colours_are_clamped() {
         assert_eq!(packed([-1.0, 2.0, 0.0], Colour::Srgb), 1023 << 12);
         assert_eq!(packed([f32::NAN; 3], Colour::Srgb), 0);
     }

@@ -31,7 +31,7 @@ fn different(a: &RgbImage, b: &RgbImage) -> usize {
 }
 
 #[test]
-fn every_formulation_draws_the_same_picture_but_for_its_error() {
+fn formulations_draw_same_picture_within_error() {
     let standard = Formulations::standard();
     for (scene, of_scene) in
         [("scenes/paper16.nff", standard.eye), ("scenes/whitted16.nff", standard.seen)]

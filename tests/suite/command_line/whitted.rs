@@ -54,7 +54,7 @@ fn rays(stats: &serde_json::Value) -> [u64; 7] {
 }
 
 #[test]
-fn each_option_of_whitteds_model_changes_what_it_says() {
+fn each_whitted_option_has_its_effect() {
     let scene = "scenes/whitted16.nff";
     let linear = ["--antialias", "1", "--colour", "linear"];
     let one = |options: &[&str]| traced(scene, &[&linear[..], options].concat());
@@ -104,7 +104,7 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
 }
 
 #[test]
-fn invisible_rays_are_sent_on_request() {
+fn invisible_rays_are_traced_on_request() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("glass.nff");
     // This glass reflects nothing.

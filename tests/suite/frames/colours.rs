@@ -35,7 +35,7 @@ fn the_picture_is_the_same_with_any_number_of_spus() {
 }
 
 #[test]
-fn fields_of_the_colours_that_are_wrong() {
+fn invalid_colour_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 2] = [
         ("colour_code", "a multiple of 128", |frame| {
             frame.colour_code = (frame.colour_code.get() + 64).into()

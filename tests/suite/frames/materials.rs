@@ -53,7 +53,7 @@ fn the_picture_is_the_same_with_any_number_of_spus() {
 }
 
 #[test]
-fn fields_of_the_materials_that_are_wrong() {
+fn invalid_material_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 5] = [
         ("materials", "a multiple of 128", |frame| {
             frame.materials = (frame.materials.get() + 64).into()

@@ -191,7 +191,7 @@ fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
 }
 
 #[test]
-fn fields_of_the_mesh_that_are_wrong() {
+fn invalid_mesh_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 20] = [
         ("mesh", "a multiple of 128", |frame| frame.mesh = (frame.mesh.get() + 16).into()),
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0.into()),
@@ -237,7 +237,7 @@ fn fields_of_the_mesh_that_are_wrong() {
 }
 
 #[test]
-fn a_scene_that_leaves_no_room_for_the_code_is_refused() {
+fn scene_without_memory_for_code_is_refused() {
     let mut fixture = Fixture::of(&scene(), 1);
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the code, without space for the queued rays.
@@ -308,12 +308,12 @@ fn invalid_blocks_are_refused() {
 }
 
 #[test]
-fn blocks_of_spheres_that_are_not_as_they_should_be() {
+fn invalid_sphere_blocks_are_refused() {
     objects_are_refused(&spheres(), MESH_SPHERES, 48);
 }
 
 #[test]
-fn blocks_of_cones_that_are_not_as_they_should_be() {
+fn invalid_cone_blocks_are_refused() {
     objects_are_refused(&cones(), MESH_CONES, 64);
 }
 

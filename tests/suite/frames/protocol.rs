@@ -44,7 +44,7 @@ fn whitted_fixture(spus: u32) -> Fixture {
 }
 
 #[test]
-fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
+fn invalid_field_is_named_and_next_frame_is_traced() {
     let cases: [(&str, &str, Spoil); 32] = [
         ("magic", "0x43524119", |frame| frame.magic = (0x4352_4159_u32 ^ 0x40).into()),
         ("version", "1 (0x1)", |frame| frame.version = 1.into()),
@@ -83,7 +83,7 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 }
 
 #[test]
-fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
+fn invalid_whitted_field_is_named() {
     let cases: [(&str, &str, Spoil); 32] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
@@ -247,7 +247,7 @@ fn invalid_slices_stay_within_the_picture() {
 }
 
 #[test]
-fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
+fn unmapped_frame_memory_is_a_dma_error() {
     let spoils: [(&str, Spoil); 5] = [
         ("framebuffer", |frame| frame.framebuffer = 0x1000.into()),
         ("spheres", |frame| frame.spheres = 0x1000.into()),

@@ -61,7 +61,7 @@ fn the_picture_is_the_same_with_any_number_of_spus() {
 }
 
 #[test]
-fn fields_of_the_textures_that_are_wrong() {
+fn invalid_texture_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 15] = [
         ("texture_code", "a multiple of 128", |frame| {
             frame.texture_code = (frame.texture_code.get() + 64).into()
@@ -100,7 +100,7 @@ fn fields_of_the_textures_that_are_wrong() {
 }
 
 #[test]
-fn a_scene_that_leaves_no_room_for_the_tiles_is_refused() {
+fn scene_without_memory_for_tiles_is_refused() {
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the tiles, without space for the queued rays.
         frame.scene_bytes = (TEXTURE_CODE - SCENE_ADDRESS).into();
@@ -131,7 +131,7 @@ impl Records {
 }
 
 #[test]
-fn records_of_textures_that_are_wrong() {
+fn invalid_texture_records_are_refused() {
     let fixture = Fixture::of(&scene(), 2);
     let frame = fixture.frame;
     let mut records = Records { fixture };

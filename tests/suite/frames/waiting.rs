@@ -36,7 +36,7 @@ fn used(fixture: &Fixture, spus: u32) -> Vec<usize> {
 }
 
 #[test]
-fn rays_without_room_in_local_store_wait_in_main_memory() {
+fn rays_over_local_store_capacity_wait_in_main_memory() {
     for (spus, batch) in [(1, 8), (2, 8), (1, 16), (2, 11)] {
         let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), spus);
         let mut frame = fixture.frame;
@@ -62,7 +62,7 @@ fn rays_without_room_in_local_store_wait_in_main_memory() {
 }
 
 #[test]
-fn main_memory_that_is_not_there_is_a_dma_error() {
+fn unmapped_waiting_memory_is_a_dma_error() {
     let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), 1);
     let mut frame = fixture.frame;
     frame.batch = 8.into();

@@ -176,7 +176,7 @@ fn replay(game: Driven, bytes: &[u8]) -> (Session<Driven>, Snapshot) {
 }
 
 #[test]
-fn a_recorded_session_is_played_back_bit_for_bit() {
+fn recorded_session_is_replayed_bit_for_bit() {
     let (expected, bytes) = recorded();
     assert!(expected.windows(2).any(|pair| pair[0] != pair[1]));
     let again = Shared::default();
@@ -222,7 +222,7 @@ fn a_recording_is_played_back_in_another_size() {
 }
 
 #[test]
-fn a_game_that_plays_otherwise_is_found_out() {
+fn diverging_game_is_detected() {
     let (_, bytes) = recorded();
     let odd = Driven { odd_from: 20, ..Driven::new() };
     let (mut session, _) = replay(odd, &bytes);
@@ -232,7 +232,7 @@ fn a_game_that_plays_otherwise_is_found_out() {
 }
 
 #[test]
-fn another_games_recording_is_refused() {
+fn recording_of_other_game_is_refused() {
     let header =
         r#"{"format":"cellray recording","version":1,"game":"other","seed":0,"size":[4,4]}"#;
     let (session, _) = start(Driven::new(), (64, 32));

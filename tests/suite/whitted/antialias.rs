@@ -142,7 +142,7 @@ fn all_shapes() {
 }
 
 #[test]
-fn a_picture_of_full_size_is_that_of_the_reference() {
+fn full_size_picture_equals_reference() {
     let (width, height) = (1280, 720);
     let scene = nff_scene("whitted16.nff");
     let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
@@ -190,7 +190,7 @@ fn is_explained(found: Rgb<u8>, light: &Light, (x, y): (u32, u32), side: u32) ->
 /// With 16 samples a pixel, 16 rays may decide otherwise than the reference at an edge, and each of
 /// them moves the pixel by a sixteenth of the edge.
 #[test]
-fn sixteen_samples_are_off_only_where_rays_pass_an_edge() {
+fn sixteen_samples_differ_only_near_edges() {
     let (width, height) = (1280, 720);
     let scene = nff_scene("whitted16.nff");
     let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
@@ -240,7 +240,7 @@ fn picture_is_independent_of_spus_and_work_units() {
 }
 
 #[test]
-fn depth_shading_depends_on_nothing_either() {
+fn depth_shading_is_independent_of_spus_and_work_units() {
     let scene = nff_scene("paper16.nff");
     let frame = |spus, skip| {
         let settings = Settings { spus, skip, ..Settings::default() };
@@ -266,7 +266,7 @@ fn empty_picture_has_no_edges() {
 }
 
 #[test]
-fn a_frame_after_another_is_as_if_it_were_the_first() {
+fn later_frame_equals_first_frame() {
     let scene = nff_scene("whitted16.nff");
     let program = Program::tracer();
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);

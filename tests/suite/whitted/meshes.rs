@@ -243,7 +243,7 @@ fn cones_in_main_memory_by_other_options() {
 }
 
 #[test]
-fn a_mesh_is_drawn_as_the_reference_draws_it() {
+fn mesh_equals_reference() {
     for (rows, normals) in [(8, false), (8, true), (24, false), (24, true)] {
         let scene = scene(bowl(rows, normals));
         let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());

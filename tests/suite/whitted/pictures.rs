@@ -31,7 +31,7 @@ fn scenes_are_as_the_reference_has_them(
 }
 
 #[test]
-fn scenes_as_they_are_meant() {
+fn scenes_equal_reference() {
     scenes_are_as_the_reference_has_them(&ALL, WHITTED, SIZE);
 }
 

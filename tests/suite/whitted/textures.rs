@@ -74,7 +74,7 @@ pub fn dark_scene() -> scenes::Scene {
 }
 
 #[test]
-fn a_texture_is_drawn_as_the_reference_draws_it() {
+fn texture_equals_reference() {
     for (width, height, wrap) in [
         (64, 64, [Wrap::Repeat, Wrap::Mirror]),
         (37, 90, [Wrap::Mirror, Wrap::Repeat]),

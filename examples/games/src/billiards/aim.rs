@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mouse_draws_back_and_lets_go() {
+    fn mouse_drag_and_release_strike() {
         let mut played = Played::default();
         assert!(!played.frame(&[PRESS]));
         assert!(!played.frame(&[motion(50.0, 100.0)]));
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blow_by_a_key_ends_the_mouses_drawing() {
+    fn key_strike_ends_mouse_drag() {
         let mut played = Played::default();
         played.frame(&[PRESS, motion(0.0, 75.0)]);
         let (key, down) = (Key::Space, true);
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_new_game_begins_with_a_cue_at_rest() {
+    fn new_game_has_cue_at_rest() {
         let mut played = Played::default();
         played.frame(&[PRESS, motion(0.0, 75.0)]);
         played.aim.point(DVec3::ZERO, DVec3::X);

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn text_comes_and_goes_and_the_picture_stays() {
+    fn removed_text_restores_picture() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("fb");
         let size = Geometry::new(200, 100).expect("a size");

@@ -144,7 +144,7 @@ pub const OBJ: &str = "mtllib m.mtl\nusemtl t\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0
                    f 1/1 2/2 3/3\n";
 
 #[test]
-fn an_obj_files_texture_counts_from_below() {
+fn obj_texture_origin_is_at_bottom() {
     for (line, wrap) in [
         ("map_Kd t.png", Wrap::Repeat),
         ("map_Kd -clamp on t.png", Wrap::Clamp),
@@ -173,7 +173,7 @@ fn notes(bytes: &[u8]) -> Vec<String> {
 }
 
 #[test]
-fn glb_textures_that_cannot_be_shown_are_notes() {
+fn glb_unsupported_textures_are_notes() {
     let whole = png();
     let broken = &whole[..whole.len() - 20];
     let view = r#"{"bufferView":3,"mimeType":"image/png"}"#;
@@ -260,7 +260,7 @@ fn faults_of_texture_coordinates() {
 }
 
 #[test]
-fn a_texture_that_is_too_large_is_made_smaller() {
+fn too_large_texture_is_reduced() {
     let wide = encoded(&RgbImage::new(8192, 2), ImageFormat::Png);
     let loaded = load("t.glb", &glb(&wide, "{", "{")).expect("a scene");
     let texture = loaded.scene.materials[0].texture.as_ref().expect("one");
@@ -280,7 +280,7 @@ fn non_finite_texture_coordinates_are_refused() {
 }
 
 #[test]
-fn obj_textures_that_cannot_be_shown_are_notes() {
+fn obj_unsupported_textures_are_notes() {
     let whole = png();
     let without = OBJ.replace("f 1/1 2/2 3/3", "f 1 2 3");
     let cases: [(&str, &str, &[u8], &str); 6] = [

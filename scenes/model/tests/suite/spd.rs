@@ -64,7 +64,7 @@ fn the_default_sizes_have_the_published_numbers_of_primitives_and_lights() {
 }
 
 #[test]
-fn any_size_has_as_many_objects_as_said() {
+fn object_count_equals_prediction() {
     for generator in &GENERATORS {
         for size in 1..=5 {
             let scene = generator.generate(size).expect("a scene");
@@ -76,7 +76,7 @@ fn any_size_has_as_many_objects_as_said() {
 }
 
 #[test]
-fn their_lines_are_those_of_their_text() {
+fn generated_line_numbers_equal_text() {
     for generator in &GENERATORS {
         let scene = generator.generate(2).expect("a scene");
         let text = scene.to_string();
@@ -182,7 +182,7 @@ fn rings_are_regular_pentagons() {
 }
 
 #[test]
-fn branches_begin_where_others_end() {
+fn branches_start_at_ends_of_others() {
     let scene = scene("tree:4");
     let (cones, spheres) = (cones(&scene), spheres(&scene));
     assert_eq!(cones[0][0], (DVec3::ZERO, 0.15));

@@ -39,7 +39,7 @@ fn an_even_size_has_its_middle_between_pixels() {
 }
 
 #[test]
-fn one_pixel_and_one_row() {
+fn one_pixel_and_one_row_have_views() {
     close(view(45.0).camera(1, 1).expect("a camera").corner, DVec3::Y);
     let row = view(90.0).camera(5, 1).expect("a camera");
     close(row.direction(0, 0), DVec3::new(-1.0, 1.0, 0.0));
@@ -49,7 +49,7 @@ fn one_pixel_and_one_row() {
 }
 
 #[test]
-fn the_lengths_of_sight_and_up_do_not_matter() {
+fn view_is_independent_of_vector_lengths() {
     let mut far = view(60.0);
     far.at = DVec3::new(0.0, 1e150, 0.0);
     far.up = DVec3::new(0.0, 0.0, 5e-324);
@@ -60,7 +60,7 @@ fn the_lengths_of_sight_and_up_do_not_matter() {
 }
 
 #[test]
-fn sizes_without_a_picture() {
+fn empty_sizes_are_refused() {
     for (width, height) in [(0, 1), (1, 0), (scenes::MAX_SIDE + 1, 1), (1, u32::MAX)] {
         assert_eq!(
             view(45.0).camera(width, height),
