@@ -477,7 +477,7 @@ mod tests {
     use crate::statistics::{Rays, SpuStatistics};
 
     #[test]
-    fn the_timebase_is_read_from_cpuinfo() {
+    fn timebase_is_read_from_cpuinfo() {
         let console = "cpu\t\t: Cell Broadband Engine, altivec supported\ntimebase\t: 79800000\n";
         assert_eq!(timebase_of(console), Some(79_800_000.0));
         assert_eq!(timebase_of("timebase : 0\n"), None);

@@ -599,7 +599,7 @@ mod tests {
     }
 
     #[test]
-    fn a_requested_size_is_kept() {
+    fn requested_size_is_kept() {
         let area = Geometry { width: 640, height: 360 };
         let fixed = Geometry { width: 33, height: 17 };
         assert_eq!(wanted_size(area, None, Some(fixed)), fixed);

@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fine_picture_is_not_refined() {
+    fn fine_picture_is_not_refined() {
         let mut pace = Pace::new(false);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fine_picture_is_antialiased_at_rest() {
+    fn fine_picture_is_antialiased_at_rest() {
         let mut pace = Pace::new(true);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);

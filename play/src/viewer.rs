@@ -436,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn a_held_key_turns_at_the_stated_speed_in_limited_steps() {
+    fn held_key_turns_at_stated_speed_in_limited_steps() {
         let speed = TURN.to_degrees();
         for delta in [1.0 / 240.0, 1.0 / 60.0, 0.05, 0.1, 1.0, 30.0] {
             let mut player = Player::new();

@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_is_written_when_presented() {
+    fn picture_is_written_when_presented() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.png");
         let geometry = Geometry { width: 4, height: 4 };

@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn an_existing_frame_of_the_same_geometry_is_taken_over() {
+    fn existing_frame_of_same_geometry_is_taken_over() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, vec![7; ODD_STRIDE * 57]).unwrap();
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_another_geometry_is_refused_and_kept() {
+    fn file_of_another_geometry_is_refused_and_kept() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, "something else").unwrap();
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_cut_while_open_is_reported() {
+    fn file_cut_while_open_is_reported() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let mut file = File::open(&path, Some(ODD)).unwrap();
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn a_read_only_file_is_an_error() {
+    fn read_only_file_is_error() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, "").unwrap();

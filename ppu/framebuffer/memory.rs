@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_side_of_zero_is_refused() {
+    fn side_of_zero_is_refused() {
         let error = Memory::new(Geometry { width: 0, height: 4 }).err().unwrap();
         assert!(error.to_string().contains("0x4"), "{error}");
     }

@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pattern_has_one_number() {
+    fn pattern_has_one_number() {
         let path =
             |pattern: &str, number| NumberedPath::new(pattern).expect("a pattern").of(number);
         for (pattern, number, expected) in [

@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn an_absent_path_becomes_a_file() {
+    fn absent_path_becomes_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let size = Geometry { width: 101, height: 57 };

@@ -341,7 +341,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_is_followed_and_kept() {
+    fn link_is_followed_and_kept() {
         let folder = tempfile::tempdir().unwrap();
         let (real, link) = (folder.path().join("real.png"), folder.path().join("link.png"));
         fs::write(&real, "old").unwrap();
@@ -397,7 +397,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pipe_is_written_to() {
+    fn output_may_be_a_pipe() {
         let folder = tempfile::tempdir().unwrap();
         let pipe = folder.path().join("pipe.png");
         let name = std::ffi::CString::new(pipe.as_os_str().as_encoded_bytes()).unwrap();
@@ -415,7 +415,7 @@ mod tests {
     }
 
     #[test]
-    fn a_character_device_is_written_to_and_stays_one() {
+    fn character_device_is_written_and_kept() {
         let picture = RgbImage::new(2, 2);
         let node = Path::new("/dev/null");
         write_picture(node, &picture).unwrap();

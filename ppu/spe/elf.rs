@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tracers_shaders_are_sorted_and_numbered() {
+    fn tracers_shaders_are_sorted_and_numbered() {
         let program = Program::from_image(Program::tracer().image()).expect("a program");
         assert_eq!(program.shaders().expect("a table"), ["checker", "depth", "sky"]);
         assert_eq!(program.shader("depth").expect("there"), 1);

@@ -176,7 +176,7 @@ fn every_path_in_backquotes_exists() {
 }
 
 #[test]
-fn a_broken_link_is_found() {
+fn broken_link_is_found() {
     let text = "# A heading, `code`: two\n\n## Again\n\n## Again\n\n```\n# no heading\n```\n";
     let expected = ["a-heading-code-two", "again", "again-1"];
     assert_eq!(anchors(text), expected.map(String::from).into());

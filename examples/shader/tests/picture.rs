@@ -3,7 +3,7 @@
 use std::process::Command;
 
 #[test]
-fn the_log_has_rings() {
+fn log_has_rings() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("still_life.png");
     let status = Command::new(env!("CARGO_BIN_EXE_shader-example")).arg(&path).status().unwrap();

@@ -91,7 +91,7 @@ fn areas() {
 }
 
 #[test]
-fn the_inbound_mailbox_fills_before_the_first_run() {
+fn inbound_mailbox_fills_before_first_run() {
     let context = Context::new(0);
     let mut words = [1, 2, 3, 4, 5, 6];
     let data = words.as_mut_ptr();

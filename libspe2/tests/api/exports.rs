@@ -48,7 +48,7 @@ fn sources(folder: &Path) -> String {
 }
 
 #[test]
-fn the_document_lists_each_variable() {
+fn document_lists_each_variable() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let code = sources(&root.join("src"));
     let strings = code.split('"').filter(|text| text.starts_with("LIBSPE2_"));

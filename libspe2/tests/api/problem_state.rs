@@ -89,7 +89,7 @@ fn give(command: Area, lsa: u32, ea: u64, size_and_tag: u32, opcode: u32) {
 
 /// Provenance: see `Sequence` in the library.
 #[test]
-fn a_command_without_its_parameters_is_a_sequence_error() {
+fn command_without_its_parameters_is_sequence_error() {
     const SEQUENCE_ERROR: u32 = 1;
     let context = mapped("stop 0x2000");
     let mut there = Aligned::<16>::new();

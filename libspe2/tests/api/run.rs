@@ -24,7 +24,7 @@ fn expected(returned: i32, errno: i32, reason: u32, code: i32, status: i32) -> S
 }
 
 #[test]
-fn the_stop_table() {
+fn stop_codes_give_documented_results() {
     let cases = [
         ("stop 0x2000", expected(0, 0, SPE_EXIT, 0, 0x2000_0002)),
         ("stop 0x206b", expected(0, 0, SPE_EXIT, 107, 0x206b_0002)),
@@ -218,7 +218,7 @@ again:  stop    0x21cc
 }
 
 #[test]
-fn the_last_stop_can_be_read_once() {
+fn last_stop_can_be_read_once() {
     let context = Context::with_program("stop 0x2001");
     let mut info = no_stop_info();
     let read =

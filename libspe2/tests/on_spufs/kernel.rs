@@ -40,7 +40,7 @@ fn contexts_have_named_folders() {
 }
 
 #[test]
-fn a_gang_is_a_folder_of_contexts() {
+fn gang_is_folder_of_contexts() {
     let gang = unsafe { spe_gang_context_create(0) };
     assert!(!gang.is_null());
     let context = Context::owning(unsafe { spe_context_create(0, gang) });
@@ -62,7 +62,7 @@ fn affinity_is_refused_by_kernel() {
 }
 
 #[test]
-fn a_context_that_is_never_scheduled_out_needs_root() {
+fn nosched_context_requires_root() {
     let context = unsafe { spe_context_create(SPE_NOSCHED, ptr::null_mut()) };
     if unsafe { libc::geteuid() } == 0 {
         drop(Context::owning(context));
@@ -158,7 +158,7 @@ fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
 }
 
 #[test]
-fn a_signal_ends_a_wait_for_a_mailbox() {
+fn signal_ends_wait_for_mailbox() {
     let context = Context::new(0);
     let result = interrupted(|| {
         let mut word = 0;
@@ -171,7 +171,7 @@ fn a_signal_ends_a_wait_for_a_mailbox() {
 }
 
 #[test]
-fn a_signal_ends_a_wait_for_events_that_has_a_limit() {
+fn signal_ends_event_wait_with_timeout() {
     let (count, _) = interrupted(|| unsafe {
         let handler = spe_event_handler_create();
         let mut unit =

@@ -54,7 +54,7 @@ fn source_error_has_file_line_and_command() {
 }
 
 #[test]
-fn a_warning_is_an_error() {
+fn warning_is_error() {
     // For an operand outside the useful range, the assembler only warns.
     let text = failure(" .text\n shli $3,$4,70\n");
     assert!(text.contains("program.s:2"), "{text}");
@@ -126,7 +126,7 @@ fn tools_are_taken_from_path_under_either_name() {
 /// A compiler driver can replace both tools, on `PATH` or named by the variables. This one handles
 /// `-Wa,` and `-Wl,` like gcc and calls the real tools.
 #[test]
-fn a_compiler_driver_assembles_and_links() {
+fn compiler_driver_assembles_and_links() {
     const DRIVER: &str = r#"#!/bin/sh
 tool=$LD
 for argument do
@@ -164,7 +164,7 @@ exec "$tool" "$@"
 }
 
 #[test]
-fn a_stub_has_its_soname_and_its_names() {
+fn stub_has_its_soname_and_its_names() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("libthing.so");
     let names = stub::names("# a list\nthing_one\nthing_two # the second\n\n");
@@ -179,7 +179,7 @@ fn a_stub_has_its_soname_and_its_names() {
 }
 
 #[test]
-fn the_tracer_takes_further_shaders() {
+fn tracer_takes_further_shaders() {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("own.s");
     let elf = folder.path().join("tracer.elf");

@@ -406,7 +406,7 @@ mod tests {
     }
 
     #[test]
-    fn a_display_server_is_named_by_its_variable() {
+    fn display_server_is_named_by_its_variable() {
         let of = |pairs: &[(&str, &str)]| {
             server(|variable| {
                 let mut found = pairs.iter().filter(|(name, _)| *name == variable);
@@ -447,7 +447,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_is_painted_smoothly_with_bars_beside_it() {
+    fn picture_is_painted_smoothly_with_bars_beside_it() {
         let picture = RgbImage::from_vec(2, 1, vec![0, 40, 80, 100, 140, 180]).expect("two pixels");
         let mut pixels = [7; 24];
         paint(&picture, Fit::new((2, 1), (4, 6)), &mut pixels, 4);

@@ -183,7 +183,7 @@ fn panning_alternates_and_is_restored() {
 }
 
 #[test]
-fn the_frame_shown_first_is_black() {
+fn first_shown_frame_is_black() {
     let (_device, witness) = Script::panning().open(None, None);
     assert_eq!(witness.bytes(0..404 * 57 * 2), vec![0; 404 * 57 * 2]);
 }

@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_object_under_a_pixel_is_found() {
+    fn nearest_object_under_pixel_is_found() {
         let mut world = world();
         let red = world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap();
         let farther = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();

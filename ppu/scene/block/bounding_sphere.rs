@@ -229,7 +229,7 @@ mod tests {
 
     /// No centre nearby is nearer to the farthest corner.
     #[test]
-    fn a_sphere_around_a_triangle_or_a_parallelogram_is_the_smallest() {
+    fn sphere_around_triangle_or_parallelogram_is_smallest() {
         let mut random = ChaCha8Rng::seed_from_u64(4);
         for _ in 0..2000 {
             let place = unit(&mut random) * random.random_range(0.0..10.0);

@@ -94,7 +94,7 @@ fn moved_sphere_is_traced_at_its_old_and_new_place() {
 }
 
 #[test]
-fn a_new_colour_is_a_change() {
+fn colour_change_is_traced() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
     let mut screen = Screen::new();
     screen.show(0, &before);

@@ -132,7 +132,7 @@ fn too_small_steps_give_no_bound() {
 }
 
 #[test]
-fn a_hull_holds_all_spheres_between() {
+fn hull_contains_all_spheres_between() {
     let mut random = ChaCha8Rng::seed_from_u64(17);
     let mut bounded = 0;
     for _ in 0..2000 {

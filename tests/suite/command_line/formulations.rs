@@ -75,7 +75,7 @@ fn unshipped_formulation_is_refused_with_the_build_command() {
 }
 
 #[test]
-fn a_quality_is_a_choice_of_formulations() {
+fn quality_is_choice_of_formulations() {
     let scene = "scenes/paper16.nff";
     let points = ["fast", "default", "exact"].map(|quality| {
         let (_, [sphere, _], _) = rendered(scene, &["--quality", quality]);

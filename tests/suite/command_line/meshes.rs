@@ -27,7 +27,7 @@ fn mesh_is_rendered_with_notes_on_missing_parts() {
 }
 
 #[test]
-fn the_view_can_be_replaced() {
+fn view_can_be_replaced() {
     let (own, _) = render(&[]);
     let (above, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,-1"]);
     let (turned, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,0", "--up=1,1,0"]);

@@ -342,7 +342,7 @@ fn help_has_examples() {
 }
 
 #[test]
-fn a_sphereflake_is_written_as_a_scene() {
+fn sphereflake_is_written_as_scene() {
     let (out, _) = good(&["sphereflake", "2"]);
     let scene = scenes::parse(out.as_bytes(), "balls", &scenes::Limits::default()).unwrap();
     assert_eq!(scene, scenes::sphereflake::generate(2).unwrap());

@@ -35,7 +35,7 @@ fn new_game_is_accepted_by_cargo() {
 /// A game is built of what cellray is tested with, and its profile names nothing else: cargo would
 /// warn of it.
 #[test]
-fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
+fn new_game_has_versions_and_profile_of_workspace() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("game");
     good(&["new", game.to_str().unwrap(), "--path", "."]);
@@ -170,7 +170,7 @@ fn shader_is_scheduled_in_game_folder() {
 }
 
 #[test]
-fn a_schedule_does_not_replace_its_plain_source() {
+fn schedule_does_not_replace_its_plain_source() {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("stripes.s");
     fs::copy(STRIPES, &source).unwrap();

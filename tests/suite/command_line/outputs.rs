@@ -103,7 +103,7 @@ fn reader_that_closes_early_gets_first_lines() {
 }
 
 #[test]
-fn a_picture_goes_to_standard_output_alone() {
+fn picture_goes_to_standard_output_alone() {
     let arguments = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for more in [&[][..], &["--corners"]] {
         let output = cellray(&[&arguments[..], more].concat());
@@ -142,7 +142,7 @@ fn extension_selects_format() {
 }
 
 #[test]
-fn a_device_is_written_to() {
+fn output_may_be_a_device() {
     good(&["render", SCENE, "--size", "64x48", "--out", "/dev/null"]);
     bad(&["render", SCENE, "--size", "64x48", "--out", "/dev/full"], &["/dev/full"]);
 }
@@ -163,7 +163,7 @@ fn numbered_pictures_may_have_any_name() {
 }
 
 #[test]
-fn a_ground_too_large_for_its_shadows_is_noted() {
+fn ground_too_large_for_its_shadows_is_noted() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ground.nff");
     let scene = |radius: u32| {

@@ -116,7 +116,7 @@ fn numbered_pictures_store_eye_of_frame() {
 }
 
 #[test]
-fn the_picture_of_an_inspected_frame_has_its_settings() {
+fn picture_of_inspected_frame_has_its_settings() {
     let folder = tempfile::tempdir().unwrap();
     let [page, path] = ["page.html", "p.png"].map(|name| folder.path().join(name));
     let [page, out] = [&page, &path].map(|path| path.to_str().unwrap());

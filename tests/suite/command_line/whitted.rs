@@ -130,7 +130,7 @@ fn shapes_other_than_spheres_are_drawn() {
 }
 
 #[test]
-fn a_scene_with_too_many_lights_names_the_first_of_them() {
+fn scene_with_too_many_lights_names_first_of_them() {
     // Objects that don't fit are streamed from main memory; lights are not.
     let many = "l 0 0 9\n".repeat(65);
     bad_scene(&format!("{VIEW}{many}s 0 0 0 1\n"), &["bad.nff:73: more than 64 lights"]);

@@ -44,7 +44,7 @@ fn first(fixture: &Fixture, kind: u32) -> (usize, MeshHeader) {
 }
 
 #[test]
-fn the_picture_is_the_same_with_any_number_of_spus() {
+fn picture_is_same_with_any_number_of_spus() {
     for is_of_spheres in [false, true] {
         let scene = scene(is_of_spheres);
         assert!(Fixture::of(&scene, 1).frame.materials.get() != 0);

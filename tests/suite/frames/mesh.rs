@@ -172,7 +172,7 @@ impl Blocks {
 }
 
 #[test]
-fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
+fn picture_is_same_for_all_sizes_of_cache() {
     for scene in [scene(), spheres(), cones()] {
         let mut one = Blocks::of(&scene, 1);
         let picture = one.traced_with(&[]).unwrap();

@@ -186,7 +186,7 @@ fn sphereflake_equals_reference_within_tolerance() {
 }
 
 #[test]
-fn an_empty_scene_is_its_background() {
+fn empty_scene_shows_background() {
     let scene = nff_scene("empty.nff");
     let expected = scenes::depth::bytes(scene.background);
     for spus in [1, 2, 6] {

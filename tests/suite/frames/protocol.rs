@@ -195,7 +195,7 @@ fn maximum_values_of_whitteds_model_are_traced() {
 }
 
 #[test]
-fn a_descriptor_at_an_odd_address_is_refused() {
+fn descriptor_at_odd_address_is_refused() {
     let mut fixture = fixture(1);
     let frame = fixture.frame;
     for address in [0x1_0000_0040_u64, 0x1001, 0x7f] {

@@ -127,7 +127,7 @@ fn retain_and_skip_off_trace_every_pixel() {
 }
 
 #[test]
-fn the_background_is_not_sent_twice() {
+fn background_is_not_sent_twice() {
     let scene = Scene::from_nff(&nff_scene("paper1.nff")).unwrap();
     let retrace = Settings { retain: false, ..Settings::default() };
     let (framebuffer, shown) = Recorder::pair(640, 360);

@@ -56,7 +56,7 @@ fn scene() -> scenes::Scene {
 }
 
 #[test]
-fn the_picture_is_the_same_with_any_number_of_spus() {
+fn picture_is_same_with_any_number_of_spus() {
     is_the_same_with_spus(&scene(), 2..=6, 300);
 }
 

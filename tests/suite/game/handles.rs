@@ -80,7 +80,7 @@ fn material_in_use_is_kept() {
 }
 
 #[test]
-fn a_removed_light_is_refused() {
+fn removed_light_is_refused() {
     let mut world = World::new();
     let light = world.add_light(Light::at(DVec3::ONE)).unwrap();
     assert_eq!(world.light(light).unwrap(), Light::at(DVec3::ONE));
@@ -178,7 +178,7 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn an_error_names_the_line_that_called() {
+fn error_names_line_that_called() {
     let mut world = World::new();
     let line = line!() + 1;
     let error = world.fix(ObjectId::default()).unwrap_err();

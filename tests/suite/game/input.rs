@@ -38,7 +38,7 @@ fn every_key_is_pressed_held_and_released_alone() {
 }
 
 #[test]
-fn a_short_press_is_not_lost() {
+fn short_press_is_not_lost() {
     let mut input = after(&[key(Key::Space, true), key(Key::Space, false)]);
     assert!(input.key_pressed(Key::Space) && input.key_held(Key::Space));
     assert!(input.key_released(Key::Space));
@@ -56,7 +56,7 @@ fn two_keys_form_an_axis() {
 }
 
 #[test]
-fn the_mouse_moves_and_turns() {
+fn mouse_moves_and_turns() {
     let mut input = after(&[
         InputEvent::MouseMoved { to: [3.5, 4.0] },
         InputEvent::MouseMotion { by: [1.0, -2.0] },

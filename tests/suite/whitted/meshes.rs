@@ -59,7 +59,7 @@ fn scene(mesh: Mesh) -> scenes::Scene {
 
 /// From inside a closed mesh, no primary ray finds its way out between two triangles.
 #[test]
-fn a_closed_mesh_has_no_cracks() {
+fn closed_mesh_has_no_cracks() {
     let lower = bowl(24, false);
     let mut mesh = Mesh { two_sided: true, ..lower.clone() };
     let first = mesh.positions.len() as u32;

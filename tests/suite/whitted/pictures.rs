@@ -36,7 +36,7 @@ fn scenes_equal_reference() {
 }
 
 #[test]
-fn a_sky() {
+fn sky_equals_reference() {
     for colour in [Colour::Linear, Colour::Srgb] {
         let render_options = RenderOptions { colour, ..WHITTED };
         scenes_are_as_the_reference_has_them(&["daylight.nff"], render_options, SIZE);

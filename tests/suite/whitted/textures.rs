@@ -135,7 +135,7 @@ fn triangles_of_several_blocks() {
 }
 
 #[test]
-fn the_chess_scene() {
+fn chess_scene_equals_reference() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/chess.glb");
     let scene = meshes::load(&path).unwrap().scene;
     let off = compared(&scene, WHITTED, SIZE);

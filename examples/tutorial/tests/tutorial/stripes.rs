@@ -138,7 +138,7 @@ fn seen(from: DVec3, direction: DVec3, moon: DVec3) -> Result<DVec3, ()> {
 }
 
 #[test]
-fn the_planet_is_striped_and_lit() {
+fn planet_is_striped_and_lit() {
     let folder = tempfile::tempdir().unwrap();
     pictures(STRIPES, folder.path(), "0..2", &[]);
     let [first, second] = [0, 1].map(|frame| image::open(path(folder.path(), frame)).unwrap());

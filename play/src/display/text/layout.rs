@@ -390,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_line_is_broken_between_words() {
+    fn long_line_is_broken_between_words() {
         let line =
             Line { text: "  left and right arrow, mouse: aim with care".into(), emphasised: 30 };
         let lines = wrapped(&line, 20);

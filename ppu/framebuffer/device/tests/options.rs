@@ -13,7 +13,7 @@ const BORDERED: Options = Options {
 };
 
 #[test]
-fn the_video_mode_is_changed_first_and_restored_last() {
+fn video_mode_is_changed_first_and_restored_last() {
     let bordered = Script::new("ps3fb", 1124, 644, 4544, 9 * MIB - 0x1_0000);
     let mut script = Script::ps3fb();
     script.mode = 131;
@@ -89,7 +89,7 @@ fn single_frame_and_no_vsync_are_options() {
 }
 
 #[test]
-fn a_released_screen_is_restored_once_and_taken_over_again() {
+fn released_screen_is_restored_once_and_taken_over_again() {
     let (device, witness) = Script::ps3fb().open(None, None);
     let mut device = device.unwrap();
     show(&mut device, 0);

@@ -35,7 +35,7 @@ fn height(head: &Head, point: DVec3) -> f64 {
 }
 
 #[test]
-fn the_background_comes_first() {
+fn background_comes_first() {
     let block = block("b 0.25 0.5 0.75\n");
     let head: &Head = block.at(U32::new(SCENE_ADDRESS));
     assert_eq!(wide(head.centre), DVec3::ZERO);
@@ -51,7 +51,7 @@ fn the_background_comes_first() {
 }
 
 #[test]
-fn a_sky_is_the_shader_of_the_background() {
+fn sky_is_background_shader() {
     let block = block("b 0.25 0.5 0.75\n#cellray sky 0.125 0 1 0 3 -4\n");
     let head: &Head = block.at(U32::new(SCENE_ADDRESS));
     let material: &Material = block.at(head.material);

@@ -24,7 +24,7 @@ fn square(rows: u32) -> Scene {
 }
 
 #[test]
-fn a_small_mesh_is_in_local_store() {
+fn small_mesh_is_in_local_store() {
     let scene = square(10);
     let block = of(&scene, RenderOptions::default());
     assert!(block.mesh().is_none());
@@ -37,7 +37,7 @@ fn a_small_mesh_is_in_local_store() {
 }
 
 #[test]
-fn a_large_mesh_is_in_main_memory() {
+fn large_mesh_is_in_main_memory() {
     let scene = square(2000);
     for ray_depth in [1, 2, 5] {
         let options = RenderOptions { ray_depth, ..RenderOptions::default() };
@@ -151,7 +151,7 @@ fn many_materials_are_in_main_memory() {
 }
 
 #[test]
-fn a_few_materials_stay_in_local_store() {
+fn few_materials_stay_in_local_store() {
     let block = unchanging(&fills(1200, 50));
     let mesh = block.mesh().expect("spheres in main memory");
     assert!(mesh.table.is_none());
@@ -184,7 +184,7 @@ fn materials_of_movable_objects_have_separate_records() {
 }
 
 #[test]
-fn a_material_in_main_memory_is_changed_in_place() {
+fn material_in_main_memory_is_changed_in_place() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(1300, 1300);
     let mut block =

@@ -26,7 +26,7 @@ fn meshes_of_all_sizes() {
 }
 
 #[test]
-fn a_single_triangle_is_one_leaf() {
+fn single_triangle_is_one_leaf() {
     assert_eq!(checked(&soup(1, 1.0, 1)).count(), 1);
 }
 

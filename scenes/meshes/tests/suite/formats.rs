@@ -6,7 +6,7 @@ use scenes::LightKind;
 use super::files::{JSON, OBJ, PLY, binary_ply, container, glb, load, triangle};
 
 #[test]
-fn an_obj_file_has_its_materials_and_normals() {
+fn obj_file_has_its_materials_and_normals() {
     let loaded = load("t.obj", OBJ.as_bytes()).unwrap();
     let mesh = loaded.scene.mesh.unwrap();
     assert_eq!(mesh.triangles.len(), 4);
@@ -43,7 +43,7 @@ fn all_ply_forms_give_same_mesh() {
 }
 
 #[test]
-fn a_glb_file_has_transforms_a_camera_and_a_light() {
+fn glb_file_has_transforms_camera_and_light() {
     let loaded = load("t.glb", &glb()).unwrap();
     let mesh = loaded.scene.mesh.as_ref().unwrap();
     let corners = mesh.corners(0).map(|corner| corner.to_array());

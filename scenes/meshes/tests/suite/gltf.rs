@@ -410,7 +410,7 @@ fn gltf_unsupported_extensions_are_named() {
 }
 
 #[test]
-fn the_chess_scene_is_the_same_as_text_with_files() {
+fn chess_scene_is_same_as_text_with_files() {
     let folder = tempfile::tempdir().unwrap();
     let whole = concat!(env!("CARGO_MANIFEST_DIR"), "/../chess.glb");
     let bytes = fs::read(whole).unwrap();

@@ -61,7 +61,7 @@ fn texture(file: &str, bytes: &[u8]) -> (Texture, Vec<[f32; 2]>) {
 }
 
 #[test]
-fn a_png_in_the_binary_chunk() {
+fn png_in_binary_chunk_is_read() {
     let (found, coordinates) = texture("t.glb", &glb(&png(), "33071", "33071"));
     assert_eq!((found.width(), found.height()), (2, 1));
     assert_eq!(found.texels(), [[255, 0, 0], [0, 0, 255]]);
@@ -72,7 +72,7 @@ fn a_png_in_the_binary_chunk() {
 }
 
 #[test]
-fn a_jpeg() {
+fn jpeg_texture_is_read() {
     let grey = RgbImage::from_pixel(16, 8, Rgb([90; 3]));
     let bytes = glb(&encoded(&grey, ImageFormat::Jpeg), "image/png", "image/jpeg");
     let (found, _) = texture("t.glb", &bytes);
@@ -158,7 +158,7 @@ fn obj_texture_origin_is_at_bottom() {
 }
 
 #[test]
-fn a_mesh_without_textures_has_no_coordinates() {
+fn mesh_without_textures_has_no_coordinates() {
     let plain = glb(&png(), r#""baseColorTexture":{"index":0}"#, "");
     let mesh = load("t.glb", &plain).expect("a scene").scene.mesh.expect("a mesh");
     assert!(mesh.texture_coordinates.is_empty());
@@ -305,7 +305,7 @@ fn obj_unsupported_textures_are_notes() {
 }
 
 #[test]
-fn a_mask_of_an_obj_material_makes_holes() {
+fn mask_of_obj_material_makes_holes() {
     let obj = OBJ.replace("vt 1 0.25", "vt 1 0");
     let masked = |line: &str| {
         let folder = tempfile::tempdir().expect("a folder");
@@ -365,7 +365,7 @@ fn textures_over_the_limit_in_total() {
 }
 
 #[test]
-fn the_chess_scene_has_textures_glass_silver_and_lights() {
+fn chess_scene_has_textures_glass_silver_and_lights() {
     let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../chess.glb");
     let scene = meshes::load(&committed).expect("a scene").scene;
     let textured = scene.materials.iter().filter(|it| it.texture.is_some());

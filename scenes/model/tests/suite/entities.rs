@@ -107,7 +107,7 @@ fn line_ends_do_not_matter() {
 }
 
 #[test]
-fn the_background_is_black_if_absent() {
+fn background_is_black_if_absent() {
     assert_eq!(parsed(&scene_text("")).background, DVec3::ZERO);
 }
 

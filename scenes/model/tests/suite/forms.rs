@@ -58,7 +58,7 @@ fn faults_name_line_for_all_line_ends() {
 }
 
 #[test]
-fn a_byte_order_mark_in_the_middle_is_a_fault() {
+fn byte_order_mark_in_middle_is_fault() {
     let text = scene_text("\u{feff}s 0 0 0 1\n");
     let error = try_parse(text.as_bytes()).expect_err("a fault").to_string();
     assert_eq!(error, "t.nff:9: unknown entity `\\u{feff}s` (known: v b l f s c p pp)");

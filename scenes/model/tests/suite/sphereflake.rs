@@ -25,7 +25,7 @@ fn counts() {
 }
 
 #[test]
-fn the_published_positions() {
+fn spheres_have_published_positions() {
     // Line by line as balls.nff 3.x gives them for the first spheres of level 4 that have no
     // smaller one before them, to six digits; the radius shows the generation.
     let published = [

@@ -15,7 +15,7 @@ fn area(vertices: &[DVec3], triangle: [u32; 3]) -> DVec3 {
 }
 
 #[test]
-fn a_convex_polygon_gives_a_fan() {
+fn convex_polygon_gives_fan() {
     let hexagon =
         polygon(&[(2.0, 0.0), (1.0, 2.0), (-1.0, 2.0), (-2.0, 0.0), (-1.0, -2.0), (1.0, -2.0)]);
     assert_eq!(
@@ -25,7 +25,7 @@ fn a_convex_polygon_gives_a_fan() {
 }
 
 #[test]
-fn a_concave_polygon_is_covered_once() {
+fn concave_polygon_is_covered_once() {
     // A comb of 40 teeth and a star, each triangle counter-clockwise and their areas the whole.
     let mut comb: Vec<(f64, f64)> = vec![(0.0, 0.0), (80.0, 0.0)];
     for tooth in (0..40).rev() {
@@ -55,7 +55,7 @@ fn a_concave_polygon_is_covered_once() {
 }
 
 #[test]
-fn the_area_is_that_of_the_polygon_far_away_too() {
+fn area_equals_polygon_area_far_from_origin() {
     let square = [DVec3::ZERO, DVec3::X, DVec3::ONE.with_z(0.0), DVec3::Y];
     let far = square.map(|corner| corner + 1e9);
     assert_eq!(area_vector(&square), DVec3::Z * 2.0);

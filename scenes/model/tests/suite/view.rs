@@ -20,7 +20,7 @@ fn close(found: DVec3, expected: DVec3) {
 }
 
 #[test]
-fn the_angle_is_between_the_centres_of_the_outer_rows() {
+fn angle_is_between_centres_of_outer_rows() {
     // 90 degrees: from -1 to 1 over ten gaps, so 0.2 a pixel both ways.
     let camera = view(90.0).camera(21, 11).expect("a camera");
     close(camera.eye, DVec3::new(0.0, -10.0, 0.0));
@@ -32,7 +32,7 @@ fn the_angle_is_between_the_centres_of_the_outer_rows() {
 }
 
 #[test]
-fn an_even_size_has_its_middle_between_pixels() {
+fn even_size_has_centre_between_pixels() {
     let camera = view(90.0).camera(2, 2).expect("a camera");
     close(camera.direction(0, 0), DVec3::new(-1.0, 1.0, 1.0));
     close(camera.direction(1, 1), DVec3::new(1.0, 1.0, -1.0));

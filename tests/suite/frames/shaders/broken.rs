@@ -79,7 +79,7 @@ fn broken_shader_is_named_and_the_next_frame_is_traced() {
 /// If a shader has changed the driver's state, the tracer's program refuses valid work. The error
 /// then explains how to find the cause, unless the message names it already.
 #[test]
-fn an_error_without_the_check_names_the_check() {
+fn error_without_check_names_check() {
     let bad = parsed("#cellray shader changes_93");
     for (check_shaders, parts) in [
         (false, ["refused the work units: tiles", "--check-shaders"]),
@@ -170,7 +170,7 @@ fn cellray(shader: &str, options: &[&str]) -> (Output, Option<RgbImage>) {
 }
 
 #[test]
-fn the_command_line_checks_a_games_shaders() {
+fn command_line_checks_shaders_of_game() {
     let rings = "#cellray shader rings 1 0 0 4";
     let (output, plain) = cellray(rings, &[]);
     assert!(output.status.success(), "{output:?}");
