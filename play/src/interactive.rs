@@ -300,7 +300,6 @@ impl<'a> Show<'a> {
         })
     }
 
-    /// How the current picture looks.
     fn look_now(&self) -> Look {
         look_now(self.look, self.pace.as_ref())
     }

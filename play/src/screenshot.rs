@@ -9,7 +9,6 @@ use std::path::{Path, PathBuf};
 use cellray::framebuffer::write_picture;
 use image::RgbImage;
 
-/// The highest number.
 const MAX_NUMBER: u32 = 9999;
 
 /// Why a screenshot can't be written.

@@ -25,14 +25,12 @@ pub(super) struct Records {
     /// The program's code that tests boxes.
     box_code: Vec<u8>,
     mesh_code: SharedMemory,
-    /// The number of its bytes.
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
     colour_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
-    /// Its textures.
     textures: Option<Arc<Textures>>,
     /// Its materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,

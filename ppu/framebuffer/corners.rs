@@ -42,7 +42,6 @@ impl Corners {
         Corners { labels, ..self }
     }
 
-    /// The averaged picture.
     fn averaged(&self) -> RgbImage {
         let rays = self.memory.rgb();
         RgbImage::from_fn(rays.width() - 1, rays.height() - 1, |x, y| {

@@ -67,7 +67,6 @@ pub fn write_labelled(
     }
 }
 
-/// The format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Png,

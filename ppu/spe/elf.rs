@@ -79,7 +79,6 @@ pub(super) fn shaders(image: &[u8]) -> Result<Vec<String>, ProgramError> {
     names.collect()
 }
 
-/// The formulations that the image names.
 pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
     let file = parse(image)?;
     let note = file.section_by_name(".formulation");

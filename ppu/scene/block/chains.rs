@@ -74,7 +74,6 @@ impl Sends {
     }
 }
 
-/// The largest channel of a colour.
 pub(super) fn largest_channel(colour: &[F32]) -> f64 {
     let channels = colour.iter().map(|channel| f64::from(channel.get()));
     channels.fold(0.0, f64::max)

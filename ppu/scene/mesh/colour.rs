@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use crate::scene::colour::Colour;
 
-/// The largest number.
 const MAX_CHANNEL: f64 = 1023.0;
 
 /// A colour of a scene as SPUs get it: its light or, if it is sRGB's, the square root of that,

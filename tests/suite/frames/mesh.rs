@@ -122,7 +122,6 @@ impl Blocks {
         u32::from_be_bytes(self.good[at..at + 4].try_into().unwrap())
     }
 
-    /// The first block of a kind.
     fn first(&self, kind: u32) -> u32 {
         let blocks = 0..self.fixture.frame.mesh_blocks.get();
         let found = blocks.into_iter().find(|&block| self.get(word(block, KIND)) == kind);

@@ -161,8 +161,7 @@ mod tests {
     use std::os::fd::{FromRawFd as _, OwnedFd};
     use std::process::{Command, Stdio};
 
-    const NAME: &str =
-        "display::terminal::restore::tests::panic_is_reported_on_restored_terminal";
+    const NAME: &str = "display::terminal::restore::tests::panic_is_reported_on_restored_terminal";
     /// Set in the process that panics.
     const PANICS: &str = "CELLRAY_TEST_PANICS";
 

@@ -31,7 +31,6 @@ struct Open(Target);
 // belongs to its inner framebuffer, which may be sent to another thread together with it.
 unsafe impl Send for Open {}
 
-/// A page with text on it.
 struct Page {
     address: usize,
     /// Rows of pixels under the text: the index of the first word, and the words.
