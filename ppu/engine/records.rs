@@ -32,7 +32,7 @@ pub(super) struct Records {
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
     textures: Option<Arc<Textures>>,
-    /// Its materials, if they are not in the scene.
+    /// The mesh's materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
