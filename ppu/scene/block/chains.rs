@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn scene_that_reflects_nothing_has_chains_of_one_ray() {
+    fn scene_without_reflection_has_chains_of_one_ray() {
         let chains = Chains::of(to(16), [sends(0.0, 1.0)].into_iter(), [0.5, 0.0, 1.0]);
         assert_eq!(chains.ray_depth, 1);
     }

@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn ground_that_loses_shadows_is_named_with_line() {
+    fn ground_without_correct_shadows_is_named_with_line() {
         for ground in [
             "s 0 -1000000 0 1000000",
             "p 4\n-1e6 0 -1e6\n-1e6 0 1e6\n1e6 0 1e6\n1e6 0 -1e6",

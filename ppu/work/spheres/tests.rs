@@ -38,7 +38,7 @@ fn enters(sphere: &scene::Sphere, eye: DVec3, direction: DVec3) -> bool {
 }
 
 #[test]
-fn rays_that_hit_pass_sphere_test() {
+fn hitting_rays_pass_sphere_test() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut counts = [0; 4];
     for _ in 0..400 {
@@ -102,7 +102,7 @@ fn packet(random: &mut ChaCha8Rng, camera: &Camera) -> (Vec<Singles>, Singles) {
 }
 
 #[test]
-fn packets_that_hit_pass_sphere_test() {
+fn hitting_packets_pass_sphere_test() {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let (mut hits, mut misses) = (0, 0);
     for _ in 0..300 {

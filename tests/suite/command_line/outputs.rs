@@ -85,7 +85,7 @@ fn unwritable_data_is_an_error() {
 }
 
 #[test]
-fn reader_that_closes_early_gets_first_lines() {
+fn early_closing_reader_gets_first_lines() {
     let mut command = program();
     let mut generator = command
         .args(["sphereflake", "5"])

@@ -172,7 +172,7 @@ fn looping_program_times_out() {
 }
 
 #[test]
-fn program_that_ignores_mail_times_out() {
+fn mail_ignoring_program_times_out() {
     // The engine can't end it. It sleeps, because an endless loop would keep the processors busy
     // until the last of the other tests has ended.
     let text = silent_for(1, assemble("        rdch $5,$SPU_RdSigNotify1\n"));

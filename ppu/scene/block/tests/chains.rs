@@ -20,7 +20,7 @@ fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
 }
 
 #[test]
-fn scene_that_reflects_nothing_has_primary_rays_alone() {
+fn scene_without_reflection_has_primary_rays_alone() {
     let (block, ..) = changing(1);
     assert_eq!(block.ray_depth(), 1);
     assert_eq!(block.batch(), MAX_BATCH);
