@@ -477,7 +477,7 @@ mod tests {
     use crate::statistics::{Rays, SpuStatistics};
 
     #[test]
-    fn the_timebase_is_read_from_cpuinfo() {
+    fn timebase_is_read_from_cpuinfo() {
         let console = "cpu\t\t: Cell Broadband Engine, altivec supported\ntimebase\t: 79800000\n";
         assert_eq!(timebase_of(console), Some(79_800_000.0));
         assert_eq!(timebase_of("timebase : 0\n"), None);
@@ -505,7 +505,7 @@ mod tests {
     }
 
     #[test]
-    fn the_slowest_spu_sets_the_frame_rate() {
+    fn slowest_spu_determines_frame_rate() {
         let mut report = Report::new("s", (4, 4), 2);
         let traced = frame([(798_000, 0), (1_000_000, 596_000)], 16);
         report.add(&traced);
@@ -537,7 +537,7 @@ mod tests {
     }
 
     #[test]
-    fn a_loop_that_sleeps_is_free() {
+    fn sleeping_loop_counts_as_idle() {
         let mut report = Report::new("s", (4, 4), 2);
         let began = LoopTime::now();
         std::thread::sleep(std::time::Duration::from_millis(50));

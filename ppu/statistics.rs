@@ -207,7 +207,7 @@ impl SpuStatistics {
             rays: Rays::of(line),
             tests: Tests {
                 made: made * PACKET_RAYS,
-                intersections_computed: line.hits_looked_for.get() * PACKET_RAYS,
+                intersections_computed: line.intersections_computed.get() * PACKET_RAYS,
                 skipped: line.tests_possible.get().saturating_sub(made) * PACKET_RAYS,
                 hidden: line.tests_hidden.get() * PACKET_RAYS,
                 unseen: line.packets.get() * spheres_unseen * PACKET_RAYS,

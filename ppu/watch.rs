@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_change_is_noticed_once() {
+    fn change_is_reported_once() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("scene.nff");
         fs::write(&file, "1").unwrap();

@@ -43,7 +43,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_panic_becomes_efault() {
+    fn panic_becomes_efault() {
         set_errno(0);
         assert_eq!(int(|| panic!("expected by this test")), -1);
         assert_eq!(std::io::Error::last_os_error().raw_os_error(), Some(libc::EFAULT));

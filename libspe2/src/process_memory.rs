@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn a_write_is_accepted_if_all_of_its_pages_can_be_written() {
+    fn write_is_accepted_if_all_of_its_pages_can_be_written() {
         // SAFETY: a new private mapping overlaps nothing.
         let pages = unsafe {
             libc::mmap(

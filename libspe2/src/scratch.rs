@@ -13,7 +13,7 @@ use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 pub(crate) const SCRATCH: usize = 16 * 1024;
 
 /// The most pieces of one system call.
-const MOST_PIECES: usize = 64;
+const MAX_PIECES: usize = 64;
 
 pub(crate) struct Scratch {
     file: OwnedFd,
@@ -115,7 +115,7 @@ impl Scratch {
     /// Copies the pieces of `from` with one system call. Returns how many bytes it has copied: none
     /// if there are too many for one.
     fn store_at_once(&mut self, pieces: &[(u64, usize)], from: &[u8]) -> usize {
-        if pieces.len() > MOST_PIECES || from.len() > SCRATCH {
+        if pieces.len() > MAX_PIECES || from.len() > SCRATCH {
             return 0;
         }
         // SAFETY: the mapping has SCRATCH bytes, `from` has no more and does not overlap it.
@@ -123,7 +123,7 @@ impl Scratch {
             ptr::copy_nonoverlapping(from.as_ptr(), self.mapping.as_ptr(), from.len());
         }
         let nowhere = libc::iovec { iov_base: ptr::null_mut(), iov_len: 0 };
-        let mut targets = [nowhere; MOST_PIECES];
+        let mut targets = [nowhere; MAX_PIECES];
         for (target, &(ea, length)) in targets.iter_mut().zip(pieces) {
             target.iov_base = ptr::with_exposed_provenance_mut(ea as usize);
             target.iov_len = length;

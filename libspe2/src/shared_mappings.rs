@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn the_addresses_of_one_byte_have_one_place() {
+    fn aliased_addresses_have_one_place() {
         let (one, other) = (file(), file());
         let first = mapped(libc::MAP_SHARED, one.as_raw_fd(), 0);
         let second = mapped(libc::MAP_SHARED, one.as_raw_fd(), 4096);

@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn comments_are_not_code_unless_the_scheduler_reads_them() {
+    fn comments_change_checksum_only_if_scheduler_reads_them() {
         let code = sum_of("        ai $3,$3,1\n        bi $lr\n");
         assert_eq!(code, sum_of("# one more\n        ai $3,$3,1  # here\n\n        bi $lr\n"));
         assert_ne!(code, sum_of("        ai $3,$3,2\n        bi $lr\n"));
@@ -117,7 +117,7 @@ mod tests {
     }
 
     #[test]
-    fn the_images_are_those_of_the_sources() {
+    fn images_match_checksum_of_sources() {
         let folder = find().unwrap();
         for formulations in Formulations::shipped() {
             let image = fs::read(folder.join(file(&formulations))).unwrap();

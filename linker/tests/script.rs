@@ -14,9 +14,9 @@ fn main() -> ExitCode {
     if let Some(shaders) = std::env::var_os(SHADERS) {
         return spu_build::embed("tracer.elf", || spu_build::tracer()?.folder(shaders.as_ref()));
     }
-    a_shader_that_is_right_is_built_and_watched();
-    an_error_in_a_shader_is_all_that_is_said();
-    missing_tools_are_told_of_to_who_has_no_clone();
+    valid_shader_is_built_and_watched();
+    shader_error_is_the_only_output();
+    missing_tools_error_explains_installation();
     ExitCode::SUCCESS
 }
 
@@ -32,7 +32,7 @@ fn script(folder: &Path, instruction: &str) -> Command {
     script
 }
 
-fn a_shader_that_is_right_is_built_and_watched() {
+fn valid_shader_is_built_and_watched() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();
     let output = script(folder, "nop").output().unwrap();
@@ -47,7 +47,7 @@ fn a_shader_that_is_right_is_built_and_watched() {
     assert!(lines.contains(&"cargo:rerun-if-env-changed=SPU_AS"), "{out}");
 }
 
-fn an_error_in_a_shader_is_all_that_is_said() {
+fn shader_error_is_the_only_output() {
     let folder = tempfile::tempdir().unwrap();
     let output = script(folder.path(), "bogus   $3").output().unwrap();
     let (out, err) = texts(&output);
@@ -57,7 +57,7 @@ fn an_error_in_a_shader_is_all_that_is_said() {
     assert!(err.lines().any(found), "{err}");
 }
 
-fn missing_tools_are_told_of_to_who_has_no_clone() {
+fn missing_tools_error_explains_installation() {
     let folder = tempfile::tempdir().unwrap();
     let output =
         script(folder.path(), "nop").env("SPU_AS", "/nonexistent/spu-as").output().unwrap();

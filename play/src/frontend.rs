@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn a_released_key_ends_nothing() {
+    fn released_key_does_not_end_session() {
         let mut front = front(vec![
             vec![key(Key::Escape, false), key(Key::Q, false)],
             vec![DisplayEvent::HungUp],
@@ -408,7 +408,7 @@ mod tests {
     }
 
     #[test]
-    fn the_sessions_keys_are_not_the_games() {
+    fn session_keys_do_not_reach_game() {
         let mut front = front(vec![
             vec![
                 key(Key::F1, true),

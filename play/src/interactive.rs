@@ -27,7 +27,7 @@ use crate::viewer::VIEW;
 use crate::waiting::Waiting;
 
 /// The minimum width and height in pixels; smaller pictures show nothing useful.
-const LEAST_SIDE: u32 = 8;
+const MIN_SIDE: u32 = 8;
 /// While a picture is refined, it is drawn once in this time, because drawing takes as long as
 /// tracing a tile or two.
 const REFINED_EVERY: Duration = Duration::from_millis(80);
@@ -184,7 +184,7 @@ impl<'a> Show<'a> {
                     // Nobody takes them any more.
                     self.events.clear();
                 }
-                self.trace_again()?;
+                self.redraw()?;
                 Some(ControlFlow::Continue(()))
             }
             Some(step) => Some(self.step(step)?),
@@ -216,14 +216,14 @@ impl<'a> Show<'a> {
         let flow = self.traced(|session, events, tracing| session.step(step, events, tracing))?;
         if self.session.engine().statistics().is_put_off {
             self.coarsen()?;
-            self.trace_again()?;
+            self.redraw()?;
         }
         Ok(flow)
     }
 
     /// Traces the last step's world again. In a pause that refines the picture, and shows the text
     /// where the SPUs write to the screen.
-    fn trace_again(&mut self) -> Result<(), PlayError> {
+    fn redraw(&mut self) -> Result<(), PlayError> {
         self.traced(|session, _, tracing| session.redraw(tracing))
     }
 
@@ -300,7 +300,6 @@ impl<'a> Show<'a> {
         })
     }
 
-    /// How the current picture looks.
     fn look_now(&self) -> Look {
         look_now(self.look, self.pace.as_ref())
     }
@@ -469,7 +468,7 @@ fn look_now(look: Look, pace: Option<&Pace>) -> Look {
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
     let divisor = pace.map_or(Divisor::ONE, Pace::divisor);
     // Both sides are divided by the same, so that the proportions stay.
-    let most = area.width.min(area.height) / LEAST_SIDE;
+    let most = area.width.min(area.height) / MIN_SIDE;
     let side = |side: u32| divisor.of(side).max(side / most.max(1));
     match (pace, fixed) {
         (None, Some(size)) => size,
@@ -583,7 +582,7 @@ mod tests {
 
     /// Else nobody could read the score.
     #[test]
-    fn the_end_of_a_game_stays_until_the_display_is_closed() {
+    fn finished_game_stays_until_display_closes() {
         let watched = played(&[]);
         assert_eq!(watched.ending, Ending::Closed);
         // Nobody waits for a reader where a number of frames was asked for.
@@ -591,7 +590,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_games_become_names_of_files() {
+    fn game_names_become_file_names() {
         assert_eq!(file_stem("view paper16.nff"), "paper16-nff");
         assert_eq!(file_stem("view my scene.nff"), "my-scene-nff");
         assert_eq!(file_stem("billiards"), "billiards");
@@ -599,7 +598,7 @@ mod tests {
     }
 
     #[test]
-    fn a_requested_size_is_kept() {
+    fn requested_size_is_kept() {
         let area = Geometry { width: 640, height: 360 };
         let fixed = Geometry { width: 33, height: 17 };
         assert_eq!(wanted_size(area, None, Some(fixed)), fixed);

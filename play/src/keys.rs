@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_is_aligned() {
+    fn key_table_is_aligned() {
         let table = table();
         let places = table.lines().skip(1).zip(KEYS).map(|(line, (key, what))| {
             assert!(line.starts_with(&format!("  {key}")), "{line}");

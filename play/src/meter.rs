@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn the_limit_is_of_one_quality_and_says_which() {
+    fn limit_names_its_quality() {
         let began = Instant::now();
         let last = FrameStatistics::default();
         let mut report = Report::new("a scene", (64, 36), 1);

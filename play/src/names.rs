@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_is_meant_if_it_is_like_the_wrong_one() {
+    fn similar_name_is_suggested() {
         let known = ["billiards", "marbles", "orrery", "screensaver"];
         for (wrong, meant) in [
             ("biliards", Some("billiards")),

@@ -71,7 +71,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn one_line_has_it_all() {
+    fn overlay_fits_one_line() {
         let overlay = Overlay {
             speeds: vec!["12 frames/s".into(), "64x48".into()],
             loads: vec![0.25, 1.0],

@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn a_steady_load_comes_to_rest_and_is_fluid() {
+    fn steady_load_settles_at_fluid_rate() {
         for full in [0.001, 0.02, 0.05, 0.1, 0.4, 1.0, 2.5, 40.0] {
             let settled = Load::new(full).moving(&mut Pace::new(false), 200)[100..].to_vec();
             assert!(settled.windows(2).all(|pair| pair[0] == pair[1]), "{full}: {settled:?}");
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_is_as_fine_as_the_time_allows() {
+    fn resolution_is_maximum_for_frame_time() {
         for full in [0.1, 0.4, 1.0, 1.7, 2.5] {
             let mut pace = Pace::new(false);
             let settled = Load::new(full).moving(&mut pace, 200)[199];
@@ -287,7 +287,7 @@ mod tests {
     }
 
     #[test]
-    fn a_light_load_is_not_divided_and_a_heavy_one_is_at_once() {
+    fn only_heavy_load_is_divided() {
         let mut pace = Pace::new(false);
         assert_eq!(pace.divisor(), COARSEST);
         let divisors = Load::new(0.01).moving(&mut pace, 100);
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn the_number_of_tiles_follows_their_cost() {
+    fn tile_count_follows_cost() {
         let mut pace = Pace::new(false);
         let mut load = Load::new(10.0);
         load.moving(&mut pace, 2);
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fine_picture_is_not_refined() {
+    fn fine_picture_is_not_refined() {
         let mut pace = Pace::new(false);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fine_picture_is_antialiased_at_rest() {
+    fn fine_picture_is_antialiased_at_rest() {
         let mut pace = Pace::new(true);
         let mut load = Load::new(0.01);
         load.moving(&mut pace, 100);

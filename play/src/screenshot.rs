@@ -9,8 +9,7 @@ use std::path::{Path, PathBuf};
 use cellray::framebuffer::write_picture;
 use image::RgbImage;
 
-/// The highest number.
-const MOST: u32 = 9999;
+const MAX_NUMBER: u32 = 9999;
 
 /// Why a screenshot can't be written.
 #[derive(Debug, thiserror::Error)]
@@ -26,7 +25,7 @@ pub enum ScreenshotError {
     #[error(transparent)]
     Png(#[from] cellray::framebuffer::FramebufferError),
     /// All numbers are in use.
-    #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png exist already", folder.display())]
+    #[error("{}: all of {stem}-0001.png to {stem}-{MAX_NUMBER}.png exist already", folder.display())]
     Full {
         folder: PathBuf,
         /// The beginning of the names.
@@ -39,7 +38,7 @@ pub enum ScreenshotError {
 /// # Errors
 /// The file can't be created or written, or all numbers are in use.
 pub fn write(folder: &Path, stem: &str, picture: &RgbImage) -> Result<PathBuf, ScreenshotError> {
-    for number in 1..=MOST {
+    for number in 1..=MAX_NUMBER {
         let path = folder.join(format!("{stem}-{number:04}.png"));
         // The file is created first, so that a concurrent writer gets another name.
         match OpenOptions::new().write(true).create_new(true).open(&path) {
@@ -77,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_one_leaves_no_file() {
+    fn failed_screenshot_leaves_no_file() {
         let folder = tempfile::tempdir().expect("a folder");
         // The encoder refuses a picture without pixels.
         let error = write(folder.path(), "s", &RgbImage::new(0, 0)).expect_err("no picture");

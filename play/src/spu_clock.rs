@@ -64,7 +64,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn whose_speed_it_is_depends_on_the_machine_and_the_timing() {
+    fn limit_label_depends_on_machine_and_timing() {
         for (is_console, timing, words) in [
             (true, None, "SPUs' limit"),
             (false, Some("1"), "a console's limit, in simulated time"),
@@ -76,7 +76,7 @@ mod tests {
     }
 
     #[test]
-    fn only_the_hosts_clock_makes_the_number_of_spus_depend_on_the_host() {
+    fn default_spus_depend_on_host_only_in_real_time() {
         for clock in [SpuClock::Console, SpuClock::Model] {
             assert_eq!(clock.usual_spus(), 6);
         }

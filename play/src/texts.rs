@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn at_first_there_is_one_line_that_says_where_the_rest_is() {
+    fn first_text_is_one_line_hint() {
         let silent = Chess("");
         let now = Instant::now();
         let speeds = ["60 frames/s".to_owned()];
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_screen_without_text_still_tells_of_a_pause_and_helps() {
+    fn empty_text_level_still_shows_pause_and_help() {
         let now = Instant::now();
         let mut texts = Texts::new(false);
         assert_eq!(shown(&mut texts, now), Overlay::default());
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn the_hint_fades_and_messages_come_before_it() {
+    fn hint_fades_and_messages_precede_it() {
         let began = Instant::now();
         let mut texts = Texts::new(true);
         let after = |seconds| began + Duration::from_secs_f32(seconds);

@@ -401,7 +401,7 @@ mod tests {
     }
 
     #[test]
-    fn keys_turn_the_eye_about_the_scene() {
+    fn keys_orbit_eye_around_scene() {
         let mut player = Player::new();
         let begin = player.play(&[], 1);
         assert_eq!(begin, DVec3::new(0.0, -10.0, 0.0));
@@ -420,7 +420,7 @@ mod tests {
     }
 
     #[test]
-    fn a_tap_is_one_small_turn_however_slow_the_machine_is() {
+    fn tap_turns_by_one_step_at_any_frame_rate() {
         let tapped = [key(Key::Right, true), key(Key::Right, false)];
         for delta in [1.0 / 240.0, 1.0 / 60.0, 0.05, 0.19, 1.0, 30.0] {
             // Both events in one frame, or the release only in the next.
@@ -436,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn a_held_key_turns_at_the_stated_speed_in_limited_steps() {
+    fn held_key_turns_at_stated_speed_in_limited_steps() {
         let speed = TURN.to_degrees();
         for delta in [1.0 / 240.0, 1.0 / 60.0, 0.05, 0.1, 1.0, 30.0] {
             let mut player = Player::new();
@@ -462,7 +462,7 @@ mod tests {
     }
 
     #[test]
-    fn the_eye_turns_around_what_is_in_the_middle_of_the_picture() {
+    fn eye_orbits_object_in_picture_centre() {
         let eye = DVec3::new(0.0, -10.0, 0.0);
         for (name, from, at, target) in [
             ("the file's point, in the ball", eye, DVec3::ZERO, DVec3::ZERO),
@@ -495,7 +495,7 @@ mod tests {
     }
 
     #[test]
-    fn a_headlight_comes_with_the_eye_and_no_other_light_does() {
+    fn only_headlight_moves_with_eye() {
         let lit = |has_headlight: bool| {
             let mut scene = scene();
             scene.lights[0].kind = LightKind::Directional { to_light: DVec3::new(-1.0, -2.0, 2.0) };
@@ -528,7 +528,7 @@ mod tests {
     }
 
     #[test]
-    fn the_eye_never_passes_a_pole() {
+    fn eye_stops_before_poles() {
         for (held, sign) in [(Key::Up, 1.0), (Key::Down, -1.0)] {
             let mut player = Player::new();
             let eye = player.play(&[key(held, true)], 500);
@@ -543,7 +543,7 @@ mod tests {
     }
 
     #[test]
-    fn a_drag_goes_on_where_the_picture_becomes_coarser() {
+    fn drag_continues_after_resolution_change() {
         let mut player = Player::new();
         let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
         let left = InputEvent::MouseButton { button: MouseButton::Left, down: true };
@@ -558,7 +558,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_has_one_name_by_all_its_paths() {
+    fn scene_name_is_independent_of_path() {
         for path in ["x.nff", "./x.nff", "/there/../x.nff"] {
             let scene = scenes::Scene { name: path.into(), ..scene() };
             assert_eq!(Viewer::new(scene, RenderOptions::default(), false).name(), "view x.nff");
@@ -566,7 +566,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scene_follows_the_mouse_and_the_wheel_brings_it_near() {
+    fn drag_turns_scene_and_wheel_zooms() {
         let mut player = Player::new();
         let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
         let left = |down| InputEvent::MouseButton { button: MouseButton::Left, down };

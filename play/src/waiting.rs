@@ -36,7 +36,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_second_without_a_picture_is_told_of() {
+    fn each_second_without_picture_is_reported() {
         let began = Instant::now();
         let after = |milliseconds| began + Duration::from_millis(milliseconds);
         let mut waiting = Waiting::new(began);

@@ -245,7 +245,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_those_of_packages() {
+    fn names_are_package_names() {
         assert_eq!(package_name(Path::new("/tmp/my-game")), Ok("my-game"));
         assert!(package_name(Path::new("2d")).is_err());
         assert!(package_name(Path::new("a game")).is_err());
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn a_game_names_the_repository_that_has_its_sources() {
+    fn game_names_its_source_repository() {
         let folder = tempfile::tempdir().unwrap();
         let (clone, commit) = (folder.path().join("clone"), ["commit", "-q", "-m", "changed"]);
         let git = |arguments: &[&str]| {
@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn addresses_are_those_that_cargo_takes() {
+    fn addresses_are_accepted_as_by_cargo() {
         let there = |remote| address(remote);
         assert_eq!(there("ssh://a@b/c").as_deref(), Some("ssh://a@b/c"));
         assert_eq!(

@@ -13,8 +13,8 @@ use crate::shared::SharedMemory;
 use crate::spe::Program;
 use crate::work::{Addresses, Plan, tile_count};
 use protocol::layout::{
-    BOX_CODE, COLOUR_CODE_ROOM, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_ROOM, Sphere,
-    Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
+    BOX_CODE, COLOUR_CODE_CAPACITY, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_CAPACITY,
+    Sphere, Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -25,16 +25,14 @@ pub(super) struct Records {
     /// The program's code that tests boxes.
     box_code: Vec<u8>,
     mesh_code: SharedMemory,
-    /// The number of its bytes.
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
     colour_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
-    /// Its textures.
     textures: Option<Arc<Textures>>,
-    /// Its materials, if they are not in the scene.
+    /// The mesh's materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
@@ -56,12 +54,12 @@ impl Records {
                 memory.write(0, &code);
                 (memory, code.len() as u32)
             });
-        let mut colour_code = SharedMemory::new(COLOUR_CODE_ROOM as usize);
+        let mut colour_code = SharedMemory::new(COLOUR_CODE_CAPACITY as usize);
         colour_code.write(0, &program.colour_code());
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
-            scene: SharedMemory::new(SCENE_ROOM as usize),
+            scene: SharedMemory::new(SCENE_CAPACITY as usize),
             box_code: program.box_code(),
             mesh_code,
             mesh_code_bytes,

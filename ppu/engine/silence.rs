@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn sleeps_follow_the_clock_that_they_are_counted_by() {
+    fn sleeps_follow_their_clock() {
         let left = Duration::MAX;
         let mut pause = Pause::new();
         for _ in 0..20 {

@@ -42,7 +42,6 @@ impl Corners {
         Corners { labels, ..self }
     }
 
-    /// The averaged picture.
     fn averaged(&self) -> RgbImage {
         let rays = self.memory.rgb();
         RgbImage::from_fn(rays.width() - 1, rays.height() - 1, |x, y| {
@@ -89,7 +88,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pixel_is_the_mean_of_its_corners() {
+    fn pixel_is_mean_of_corners() {
         let geometry = Geometry { width: 9, height: 5 };
         let mut corners = Corners::new(None, geometry).unwrap();
         assert_eq!(corners.geometry().to_string(), "10x6");
@@ -108,7 +107,7 @@ mod tests {
     }
 
     #[test]
-    fn the_picture_is_written_when_presented() {
+    fn picture_is_written_when_presented() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("p.png");
         let geometry = Geometry { width: 4, height: 4 };

@@ -134,7 +134,7 @@ mod tests {
     const ODD_STRIDE: usize = 448;
 
     #[test]
-    fn a_new_file_has_the_drivers_layout_and_pixels() {
+    fn new_file_has_driver_layout_and_pixels() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let mut file = File::open(&path, Some(ODD)).unwrap();
@@ -152,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn an_existing_frame_of_the_same_geometry_is_taken_over() {
+    fn existing_frame_of_same_geometry_is_taken_over() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, vec![7; ODD_STRIDE * 57]).unwrap();
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn every_stride_serves_dma() {
+    fn every_stride_is_aligned_for_dma() {
         let folder = tempfile::tempdir().unwrap();
         for width in 1..=70 {
             let path = folder.path().join(width.to_string());
@@ -173,7 +173,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_of_another_geometry_is_refused_and_kept() {
+    fn file_of_another_geometry_is_refused_and_kept() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, "something else").unwrap();
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_cut_while_open_is_reported() {
+    fn file_cut_while_open_is_reported() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let mut file = File::open(&path, Some(ODD)).unwrap();
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn a_read_only_file_is_an_error() {
+    fn read_only_file_is_error() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         fs::write(&path, "").unwrap();

@@ -196,7 +196,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_first_signal_is_a_request() {
+    fn first_signal_is_request() {
         let status = in_child(|| {
             for signal in SIGNALS {
                 let interrupted = Interrupted::install().unwrap();
@@ -214,7 +214,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_second_signal_ends_the_program() {
+    fn second_signal_ends_program() {
         let status = in_child(|| {
             let interrupted = Interrupted::install().unwrap();
             raise(SIGINT);
@@ -227,7 +227,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn without_a_handle_signals_act_as_by_default() {
+    fn without_handle_signals_have_default_action() {
         let status = in_child(|| {
             drop(Interrupted::install().unwrap());
             raise(SIGHUP);
@@ -238,7 +238,7 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn an_ignored_signal_stays_ignored() {
+    fn ignored_signal_stays_ignored() {
         let status = in_child(|| {
             // SAFETY: this process is the test's own.
             unsafe { libc::signal(SIGHUP, libc::SIG_IGN) };

@@ -231,7 +231,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_on_powerpc_are_those_of_its_kernel() {
+    fn powerpc_requests_equal_kernel_encoding() {
         let ppc = Encoding::POWERPC;
         assert_eq!(ppc.fbio_waitforvsync(), 0x8004_4620);
         assert_eq!(ppc.ps3fb_ioctl_setmode(), 0x8004_7201);
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn the_hosts_encoding_is_that_of_its_libc() {
+    fn host_encoding_equals_libc() {
         // A request that writes an int, which libc defines for every machine.
         let host = Encoding::HOST;
         assert_eq!(

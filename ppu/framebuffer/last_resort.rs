@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn promise_is_kept_at_every_fatal_signal() {
+    fn last_resort_is_called_at_every_fatal_signal() {
         let segv: fn() -> i32 = || {
             let _promise = promise();
             // SAFETY: not sound on purpose: the test is about the fault, in a process of its own.
@@ -390,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn a_signal_that_the_program_handles_is_left_to_it() {
+    fn handled_signal_is_left_to_program() {
         let status = in_child(|| {
             extern "C" fn seven(_: i32) {
                 // SAFETY: ends the child.

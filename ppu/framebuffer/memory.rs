@@ -86,7 +86,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn frames_come_out_as_they_were_written() {
+    fn frames_read_back_as_written() {
         for (width, height) in [(1, 1), (101, 57), (64, 3)] {
             let mut memory = Memory::new(Geometry { width, height }).unwrap();
             for seed in 0..2 {
@@ -98,7 +98,7 @@ mod tests {
     }
 
     #[test]
-    fn a_side_of_zero_is_refused() {
+    fn side_of_zero_is_refused() {
         let error = Memory::new(Geometry { width: 0, height: 4 }).err().unwrap();
         assert!(error.to_string().contains("0x4"), "{error}");
     }

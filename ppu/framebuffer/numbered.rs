@@ -8,7 +8,7 @@ use super::FramebufferError;
 use super::picture_file::Format;
 
 /// The most digits of a number: as many as the largest `u64` has.
-const MOST_DIGITS: usize = 20;
+const MAX_DIGITS: usize = 20;
 
 /// A pattern of paths with a number: `%d` stands for the number, `%05d` for at least five digits.
 /// What is around it may be any bytes that a file's name can have.
@@ -54,7 +54,7 @@ impl NumberedPath {
                     _ => return None,
                 };
                 let before = std::mem::take(&mut text);
-                if digits > MOST_DIGITS || found.replace((before, digits)).is_some() {
+                if digits > MAX_DIGITS || found.replace((before, digits)).is_some() {
                     return None;
                 }
                 rest = &rest[end + 1..];
@@ -83,7 +83,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_pattern_has_one_number() {
+    fn pattern_has_one_number() {
         let path =
             |pattern: &str, number| NumberedPath::new(pattern).expect("a pattern").of(number);
         for (pattern, number, expected) in [
@@ -113,14 +113,14 @@ mod tests {
     }
 
     #[test]
-    fn a_pattern_may_have_bytes_that_are_no_text() {
+    fn pattern_may_contain_invalid_utf8() {
         let pattern = OsStr::from_bytes(b"\xe4%03d\xff.png");
         let path = NumberedPath::new(pattern).expect("a pattern").of(7);
         assert_eq!(path.as_os_str().as_bytes(), b"\xe4007\xff.png");
     }
 
     #[test]
-    fn a_format_that_is_not_written_is_refused() {
+    fn unsupported_format_is_refused() {
         let error = NumberedPath::new("f-%d.gif").expect_err("a format");
         assert!(error.to_string().contains(".jpg"), "{error}");
     }

@@ -67,7 +67,7 @@ mod tests {
     use std::os::unix::net::UnixListener;
 
     #[test]
-    fn a_directory_pipe_or_socket_is_no_framebuffer() {
+    fn directory_pipe_or_socket_is_refused() {
         let folder = tempfile::tempdir().unwrap();
         let size = Some(Geometry { width: 4, height: 4 });
         let socket = folder.path().join("socket");
@@ -93,7 +93,7 @@ mod tests {
     }
 
     #[test]
-    fn an_absent_path_becomes_a_file() {
+    fn absent_path_becomes_file() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("fb0");
         let size = Geometry { width: 101, height: 57 };

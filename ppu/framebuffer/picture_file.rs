@@ -67,7 +67,6 @@ pub fn write_labelled(
     }
 }
 
-/// The format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Format {
     Png,
@@ -279,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_survives_the_round_trip() {
+    fn picture_round_trip_is_lossless() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frame.png");
         let mut file = PictureFile::new(&path, Geometry { width: 101, height: 57 }).unwrap();
@@ -297,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn labels_are_in_the_file_and_leave_the_pixels_as_they_are() {
+    fn labels_are_stored_without_pixel_changes() {
         let folder = tempfile::tempdir().unwrap();
         let [plain, labelled] = ["plain.png", "labelled.png"].map(|name| folder.path().join(name));
         let picture = RgbImage::from_fn(64, 32, |x, y| image::Rgb([x as u8 * 3, y as u8 * 7, 90]));
@@ -327,7 +326,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failed_write_leaves_the_old_picture_and_no_other_file() {
+    fn failed_write_keeps_old_picture_only() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frame.png");
         fs::write(&path, "old").unwrap();
@@ -341,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_is_followed_and_kept() {
+    fn link_is_followed_and_kept() {
         let folder = tempfile::tempdir().unwrap();
         let (real, link) = (folder.path().join("real.png"), folder.path().join("link.png"));
         fs::write(&real, "old").unwrap();
@@ -352,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_to_nothing_is_an_error() {
+    fn dangling_link_is_an_error() {
         let folder = tempfile::tempdir().unwrap();
         let link = folder.path().join("link.png");
         symlink(folder.path().join("nothing.png"), &link).unwrap();
@@ -362,7 +361,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_decides_the_format() {
+    fn extension_selects_format() {
         let folder = tempfile::tempdir().unwrap();
         let picture = RgbImage::from_fn(64, 32, |x, y| image::Rgb([x as u8 * 3, y as u8 * 7, 90]));
         for (name, format) in [
@@ -397,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pipe_is_written_to() {
+    fn output_may_be_a_pipe() {
         let folder = tempfile::tempdir().unwrap();
         let pipe = folder.path().join("pipe.png");
         let name = std::ffi::CString::new(pipe.as_os_str().as_encoded_bytes()).unwrap();
@@ -415,7 +414,7 @@ mod tests {
     }
 
     #[test]
-    fn a_character_device_is_written_to_and_stays_one() {
+    fn character_device_is_written_and_kept() {
         let picture = RgbImage::new(2, 2);
         let node = Path::new("/dev/null");
         write_picture(node, &picture).unwrap();

@@ -54,7 +54,6 @@ impl Switching {
         Ok(Switching(()))
     }
 
-    /// Takes the pending request.
     pub(super) fn take_request(&self) -> Option<ScreenRequest> {
         if LEAVE.swap(false, Ordering::SeqCst) {
             Some(ScreenRequest::Leave)

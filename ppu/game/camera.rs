@@ -201,7 +201,7 @@ mod tests {
     };
 
     #[test]
-    fn it_stays_within_its_bounds_whatever_the_mouse_says() {
+    fn orbit_stays_within_bounds_for_any_mouse_input() {
         let mut orbit = ORBIT;
         let mut input = Input::default();
         let button = MouseButton::Left;
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn it_rests_without_a_player() {
+    fn orbit_rests_without_input() {
         assert!(!ORBIT.clone().steer(&Input::default(), 1.0));
         // Wrapping an angle to the range of a turn does not count as movement either.
         let mut orbit = OrbitCamera { turn: 4.0, ..ORBIT };
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_held_at_a_bound_is_a_player() {
+    fn key_held_at_bound_counts_as_input() {
         let mut orbit = ORBIT;
         let mut input = Input::default();
         let key = Key::W;
@@ -240,7 +240,7 @@ mod tests {
     }
 
     #[test]
-    fn it_comes_nearer_and_goes_farther_as_is_written() {
+    fn orbit_distance_follows_keys() {
         let pad = PadId(0);
         let name = "a pad".to_owned();
         let after = |event: InputEvent| {
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn it_walks_where_it_looks() {
+    fn walk_follows_view_direction() {
         let mut camera = WalkCamera::new([1.0, 1.7, 2.0], 3.0);
         let step = camera.steer(&held(&[Key::W]), 0.5);
         assert_eq!(step, DVec3::new(0.0, 0.0, -1.5));
@@ -292,7 +292,7 @@ mod tests {
     }
 
     #[test]
-    fn it_looks_around_but_never_straight_up() {
+    fn view_pitch_stays_below_vertical() {
         let mut camera = WalkCamera::new(DVec3::ZERO, 1.0);
         assert_eq!(camera.direction(), DVec3::new(0.0, 0.0, -1.0));
         camera.steer(&held(&[Key::Left]), 0.5);

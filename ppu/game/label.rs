@@ -132,7 +132,7 @@ mod tests {
     const SIZE: (u32, u32) = (320, 180);
 
     #[test]
-    fn a_point_is_where_it_is_picked() -> Result<(), WorldError> {
+    fn label_point_equals_picked_pixel() -> Result<(), WorldError> {
         let mut world = World::new();
         world.look_from([3.0, -2.0, 9.0], [0.5, 1.0, 0.0])?;
         let white = world.add_material(Material::matte(1.0, 1.0, 1.0))?;

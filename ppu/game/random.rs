@@ -65,7 +65,7 @@ mod tests {
     use super::Random;
 
     #[test]
-    fn a_seed_gives_these_numbers_for_ever() {
+    fn seed_gives_fixed_numbers() {
         let mut random = Random::new(0);
         // As computed by the published definitions of xoshiro256++ and, for the seed, SplitMix64.
         let units = [0; 3].map(|_| random.unit() * (1u64 << 53) as f64);
@@ -79,7 +79,7 @@ mod tests {
     }
 
     #[test]
-    fn every_number_comes_and_none_beyond_the_bounds() {
+    fn range_gives_every_number_within_bounds() {
         let mut random = Random::new(7);
         let mut seen = [0; 6];
         for _ in 0..6000 {

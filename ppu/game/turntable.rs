@@ -62,7 +62,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_eye_goes_around_at_its_height_and_distance() {
+    fn eye_orbits_at_constant_height_and_distance() {
         let text = "v\nfrom 3 -4 2\nat 0 0 1\nup 0 0 2\nangle 40\nhither 1\nresolution 4 4\nf 1 1 1 1 0 0 0 1\ns 0 0 1 1\n";
         let scene =
             scenes::parse(text.as_bytes(), "s", &scenes::Limits::default()).expect("a scene");

@@ -411,7 +411,6 @@ impl World {
         }
     }
 
-    /// The options with which the world is traced.
     fn traced_options(&self) -> RenderOptions {
         let options = self.render_options;
         self.look.map_or(options, |look| look.of(options, self.light_count()))

@@ -17,7 +17,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_peak_is_read_from_proc() {
+    fn peak_is_read_from_proc() {
         let status =
             "Name:\tcellray\nVmPeak:\t  9999 kB\nVmHWM:\t    1234 kB\nVmRSS:\t      99 kB\n";
         assert_eq!(peak_of(status), Some(1234 * 1024));

@@ -4,7 +4,7 @@
 //! hits a sphere only where it crosses it again. A kernel computes both crossings from a centre and
 //! a radius that are rounded, so the first is at a distance of some ulps, of either sign, from ray
 //! to ray. The PPU computes the side in double precision. It moves such a surface away from the eye
-//! by [`LEAST_GAP`], to the side on which each crossing has the sign that it should have.
+//! by [`MIN_GAP`], to the side on which each crossing has the sign that it should have.
 //!
 //! A crossing is at t = b -+ root, where root^2 = b^2 + e and e is twice the gap times the radius.
 //! With u = 2^-23, the errors of b (three ulps of the distance), of the direction's length and of
@@ -19,7 +19,7 @@
 use glam::DVec3;
 
 /// The minimum gap between the eye and a surface, relative to the radius.
-const LEAST_GAP: f64 = 1.0 / (1 << 19) as f64;
+const MIN_GAP: f64 = 1.0 / (1 << 19) as f64;
 
 /// The side of a surface that the eye is on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,7 +49,7 @@ impl EyeSide {
     /// The radius of a sphere at this distance from the eye, moved away from an eye on this side;
     /// the given radius if it is far enough from the eye, or if the eye is on the surface.
     pub(crate) fn clear_radius(self, distance: f64, radius: f64) -> f64 {
-        let gap = LEAST_GAP * radius.abs();
+        let gap = MIN_GAP * radius.abs();
         if (distance - radius.abs()).abs() >= gap {
             return radius;
         }
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_eye_on_a_surface_is_told_in_spite_of_its_rounding() {
+    fn eye_on_surface_is_detected_despite_rounding() {
         let side = |eye: [f64; 3], radius| EyeSide::of(DVec3::from(eye), DVec3::ZERO, radius);
         assert_eq!(side([0.3, 0.4, 1.2], 1.3), EyeSide::On);
         assert_eq!(side([0.3, 0.4, 1.2], -1.3), EyeSide::On);
@@ -76,13 +76,13 @@ mod tests {
     }
 
     #[test]
-    fn a_radius_changes_only_near_the_eye() {
+    fn radius_changes_only_near_eye() {
         for (side, distance, radius, expected) in [
-            (EyeSide::Inside, 1.0, 1.0, 1.0 + LEAST_GAP),
-            (EyeSide::Outside, 1.0, -1.0, -1.0 + LEAST_GAP),
-            (EyeSide::Outside, 1.0 + 1e-9, 1.0, 1.0 + 1e-9 - LEAST_GAP),
+            (EyeSide::Inside, 1.0, 1.0, 1.0 + MIN_GAP),
+            (EyeSide::Outside, 1.0, -1.0, -1.0 + MIN_GAP),
+            (EyeSide::Outside, 1.0 + 1e-9, 1.0, 1.0 + 1e-9 - MIN_GAP),
             (EyeSide::On, 1.0, 1.0, 1.0),
-            (EyeSide::Inside, 1.0 - 2.0 * LEAST_GAP, 1.0, 1.0),
+            (EyeSide::Inside, 1.0 - 2.0 * MIN_GAP, 1.0, 1.0),
             (EyeSide::Outside, 3.0, 1.0, 1.0),
         ] {
             let radius = side.clear_radius(distance, radius);

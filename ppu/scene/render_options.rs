@@ -1,6 +1,6 @@
 //! Render options: settings of a picture that scene files don't have.
 
-use protocol::layout::MESH_MOST_SLOTS;
+use protocol::layout::MESH_MAX_SLOTS;
 
 use super::colour::Colour;
 
@@ -106,7 +106,7 @@ impl Default for RenderOptions {
             colour: Colour::Linear,
             roll_off: false,
             corners: false,
-            mesh_cache: MESH_MOST_SLOTS,
+            mesh_cache: MESH_MAX_SLOTS,
             refit_pictures: REFIT_PICTURES,
             volumes: NodeVolumes::Best,
         }

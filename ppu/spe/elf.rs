@@ -79,7 +79,6 @@ pub(super) fn shaders(image: &[u8]) -> Result<Vec<String>, ProgramError> {
     names.collect()
 }
 
-/// The formulations that the image names.
 pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
     let file = parse(image)?;
     let note = file.section_by_name(".formulation");
@@ -140,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn the_tracers_shaders_are_sorted_and_numbered() {
+    fn tracers_shaders_are_sorted_and_numbered() {
         let program = Program::from_image(Program::tracer().image()).expect("a program");
         assert_eq!(program.shaders().expect("a table"), ["checker", "depth", "sky"]);
         assert_eq!(program.shader("depth").expect("there"), 1);
@@ -197,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn an_image_without_a_table_says_so() {
+    fn image_without_shader_table_is_an_error() {
         let program = Program::from_image(&changed(b".shaders\0", b".shadows\0"));
         let error = program.expect("a program").shaders().expect_err("no table");
         assert!(matches!(error, ProgramError::NoTable), "{error}");
@@ -207,7 +206,7 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_not_there_is_named() {
+    fn missing_file_is_named() {
         let error = Program::from_file("no/such.elf".as_ref()).expect_err("none");
         assert!(error.to_string().starts_with("no/such.elf: "), "{error}");
     }

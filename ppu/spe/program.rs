@@ -12,8 +12,8 @@ use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
 use protocol::layout::{
-    BOX_CODE, BOX_CODE_ROOM, COLOUR_CODE, COLOUR_CODE_ROOM, EYE_CODE, EYE_CODE_ROOM,
-    MESH_CODE_ROOM, TEXTURE_CODE, TEXTURE_CODE_ROOM,
+    BOX_CODE, BOX_CODE_CAPACITY, COLOUR_CODE, COLOUR_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY,
+    MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -130,14 +130,14 @@ impl Program {
     /// loaded from `EYE_CODE` on, in whole quadwords. It is empty if the program has none.
     #[must_use]
     pub fn mesh_code(&self) -> Vec<u8> {
-        let addresses = EYE_CODE..EYE_CODE + EYE_CODE_ROOM + MESH_CODE_ROOM;
+        let addresses = EYE_CODE..EYE_CODE + EYE_CODE_CAPACITY + MESH_CODE_CAPACITY;
         elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The code that looks up textures, in the same way: what is loaded from `TEXTURE_CODE` on.
     #[must_use]
     pub fn texture_code(&self) -> Vec<u8> {
-        let addresses = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_ROOM;
+        let addresses = TEXTURE_CODE..TEXTURE_CODE + TEXTURE_CODE_CAPACITY;
         elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
@@ -145,10 +145,10 @@ impl Program {
     /// end of its range. It is empty if the program has none.
     #[must_use]
     pub fn colour_code(&self) -> Vec<u8> {
-        let addresses = COLOUR_CODE..COLOUR_CODE + COLOUR_CODE_ROOM;
+        let addresses = COLOUR_CODE..COLOUR_CODE + COLOUR_CODE_CAPACITY;
         let mut code = elf::loaded(self.image, addresses).unwrap_or_default();
         if !code.is_empty() {
-            code.resize(COLOUR_CODE_ROOM as usize, 0);
+            code.resize(COLOUR_CODE_CAPACITY as usize, 0);
         }
         code
     }
@@ -156,7 +156,7 @@ impl Program {
     /// The code that tests boxes, in the same way: what is loaded from `BOX_CODE` on.
     #[must_use]
     pub fn box_code(&self) -> Vec<u8> {
-        let addresses = BOX_CODE..BOX_CODE + BOX_CODE_ROOM;
+        let addresses = BOX_CODE..BOX_CODE + BOX_CODE_CAPACITY;
         elf::loaded(self.image, addresses).unwrap_or_default()
     }
 

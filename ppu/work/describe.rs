@@ -11,7 +11,7 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_ROOM, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS, FEATURE_MESH,
+    EYE_CODE_CAPACITY, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS, FEATURE_MESH,
     FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES,
     FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
@@ -153,7 +153,7 @@ pub fn describe(order: &Order) -> Frame {
         }
         if let Some(textures) = mesh.textures {
             // Their tiles have the place of the code for eye rays.
-            let eye_code = EYE_CODE_ROOM.min(addresses.mesh_code_bytes);
+            let eye_code = EYE_CODE_CAPACITY.min(addresses.mesh_code_bytes);
             frame.mesh_code = (addresses.mesh_code + u64::from(eye_code)).into();
             frame.mesh_code_bytes = (addresses.mesh_code_bytes - eye_code).into();
             frame.textures = textures.address().into();

@@ -15,7 +15,7 @@ use crate::scene::Scene;
 use protocol::layout::{TILE_BLANK, UnitCost, WorkUnit};
 
 /// The number of pages that are remembered; no framebuffer has more.
-const MOST: usize = 4;
+const MAX_PAGES: usize = 4;
 
 /// The pages of a framebuffer.
 #[derive(Default)]
@@ -83,7 +83,7 @@ impl Pages {
         self.to_show.take(scene, camera);
         let found = self.pages.iter().position(|page| page.place == place);
         self.open = found.unwrap_or_else(|| {
-            if self.pages.len() == MOST {
+            if self.pages.len() == MAX_PAGES {
                 self.pages.clear();
             }
             self.pages.push(Page::new(place));

@@ -15,7 +15,6 @@ use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
 use protocol::layout::UnitCost;
 
-/// Plans frames.
 #[derive(Default)]
 pub(crate) struct Plan {
     spheres: EyeSpheres,

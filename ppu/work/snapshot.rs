@@ -28,13 +28,13 @@ use protocol::layout::{self, SCENE_ADDRESS};
 
 /// The most pairs of a changed object and an object that its shadow may fall on. Looking at more
 /// pairs would take longer than tracing the whole picture.
-const MOST_SHADOWS: usize = 4096;
+const MAX_SHADOWS: usize = 4096;
 
 /// The content of a picture. Its buffers are reused for the next.
 #[derive(Default)]
 pub struct Snapshot {
     /// `None` before the first picture.
-    everywhere: Option<Everywhere>,
+    global: Option<GlobalState>,
     /// The spheres of depth shading.
     spheres: Vec<Sphere>,
     /// This and all further fields: Whitted's model.
@@ -52,7 +52,7 @@ pub struct Snapshot {
 
 /// The settings that every pixel depends on.
 #[derive(Clone, Copy, PartialEq)]
-struct Everywhere {
+struct GlobalState {
     camera: Camera,
     background: DVec3,
     sky: Option<Sky>,
@@ -83,7 +83,7 @@ impl Snapshot {
     /// Records the content of a scene for a camera. The scene's block must be written for the
     /// camera's eye.
     pub fn take(&mut self, scene: &Scene, camera: &Camera) {
-        self.everywhere = Some(Everywhere {
+        self.global = Some(GlobalState {
             camera: *camera,
             background: scene.background(),
             sky: scene.sky(),
@@ -114,15 +114,15 @@ impl Snapshot {
 
     /// Whether both pictures have the same background.
     pub fn has_background_of(&self, other: &Self) -> bool {
-        let background = |shown: &Self| shown.everywhere.map(|all| all.background);
+        let background = |shown: &Self| shown.global.map(|all| all.background);
         background(self) == background(other)
     }
 
     /// Adds the tiles in which `self` differs from `before`. If the cameras or the render options
     /// differ, these are all tiles.
     pub fn changes(&self, before: &Self, projection: &Projection, changed: &mut TileSet) {
-        match self.everywhere {
-            Some(all) if before.everywhere == Some(all) => {
+        match self.global {
+            Some(all) if before.global == Some(all) => {
                 self.changed_spheres(before, projection, changed);
                 self.changed_objects(before, all.render_options.shadows, projection, changed);
             }
@@ -209,7 +209,7 @@ impl Snapshot {
             if self.change(new.as_ref(), before, old.as_ref()) == Change::Place {
                 pairs += of_one * new.iter().chain(old).count();
             }
-            pairs > MOST_SHADOWS
+            pairs > MAX_SHADOWS
         })
     }
 

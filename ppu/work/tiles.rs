@@ -126,7 +126,7 @@ mod tests {
     const ODD: Geometry = Geometry { width: 200, height: 50 };
 
     #[test]
-    fn the_pixels_of_all_tiles_are_the_picture() {
+    fn tiles_cover_picture() {
         for (width, height) in [(1, 1), (64, 16), (65, 17), (200, 50), (1280, 720), (8192, 8192)] {
             let geometry = Geometry { width, height };
             let pixels: u32 =
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn some_are_kept_and_the_rest_comes_later_from_all_over_the_picture() {
+    fn deferred_tiles_are_spread_over_picture() {
         for (width, height) in [(64, 16), (200, 50), (1280, 720), (640, 16)] {
             let geometry = Geometry { width, height };
             let count = tile_count(geometry) as usize;

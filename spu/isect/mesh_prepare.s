@@ -89,7 +89,7 @@ function mesh_prepare
         or      $bad,$bad,$wrong
         rotqbyi $nodes,$counts,MESH_HEADER_nodes&15
         ai      $t,$nodes,-1
-        clgti   $wrong,$t,MESH_MOST_NODES-1
+        clgti   $wrong,$t,MESH_MAX_NODES-1
         or      $bad,$bad,$wrong
         rotqbyi $triangles,$counts,MESH_HEADER_triangles&15
         clgti   $wrong,$triangles,MESH_FACES
@@ -283,7 +283,7 @@ next_four:
         ai      $a_vertex,$a_vertex,4*MESH_VERTEX_SIZE
         ai      $a_again,$a_again,4*MESH_VERTEX_SIZE
         ai      $left,$left,-1
-        brnz    $left,next_four                 # one pass: the room for this code is full
+        brnz    $left,next_four                 # one pass: the memory for this code is full
         # No index is above the largest one.
 faces:  ai      $vertices,$vertices,-1
         load_constant $t,0x03030313

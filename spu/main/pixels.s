@@ -478,7 +478,7 @@ endfunction pairs_test
 #   Uses    $3-$79
 function listed_test
         rotmi   $4,$4,-PAIR_SIZE_LOG2
-        count   hits_looked_for,$4,$t_sum,$t_add,$t_carry
+        count   intersections_computed,$4,$t_sum,$t_add,$t_carry
         # Without skipping, filter_spheres_r16 has already counted these tests.
         sfi     $bits,$g_skip,0
         and     $bits,$bits,$4

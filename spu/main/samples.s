@@ -12,14 +12,14 @@
         .error  "a packet of samples is no PACKET"
     .endif
 # The maximum number of packets of a list of samples.
-        .set    MOST_PACKETS,TILE_PACKETS/4
+        .set    MAX_PACKETS,TILE_PACKETS/4
 
         .section .bss
         .align  4
 spheres_here:                           # how many spheres are in the tile's frustum
         .skip   16
 packet_places:                          # of which only the packet is used
-        .skip   MOST_PACKETS*PLACE_SIZE
+        .skip   MAX_PACKETS*PLACE_SIZE
 
         .section .rodata
         .align  4
@@ -54,7 +54,7 @@ culled:
         lqa     $place,first_packet
         lqa     $step,packet_step
         .set    line,0
-    .rept   MOST_PACKETS
+    .rept   MAX_PACKETS
         stqa    $place,packet_places+line
         a       $place,$place,$step
         .set    line,line+PLACE_SIZE

@@ -1,6 +1,6 @@
 # shadow_rays_r16   rays from where sixteen rays have hit to a light, unless they show nothing
 #   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
-#                                     const struct object *background, float least,
+#                                     const struct object *background, float min_share,
 #                                     struct ray_packet *, struct site *listed);
 #   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the minimum
 #           share of the light that counts, or 0 if every ray does; $8 where the rays go, $9 where
@@ -47,7 +47,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
 
         .set    NEXT,3
         registers a_sites,count,a_light,background
-        registers least                                 # later in all lanes
+        registers min_share                             # later in all lanes
         registers a_shadow,a_listed
         # constants
         registers k_half,k_one,k_minus_one
@@ -114,7 +114,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         fma     $share,$most,$diffuse,$share
         fm      $share,$weight,$share
         or      $facing,$facing,$facing_plane
-        fcmgt   $\there,$share,$least
+        fcmgt   $\there,$share,$min_share
         cgti    $facing,$facing,0
         and     $\there,$\there,$facing
         sf      $rays,$\there,$rays                    # true is -1
@@ -138,9 +138,9 @@ function shadow_rays_r16
         and     $k_beyond,$k_beyond,$there
         splat_mask $m_lane
         splat   $background,$background,$m_lane
-        splat   $least,$least,$m_lane
+        splat   $min_share,$min_share,$m_lane
         lqa     $m_seen,as_is
-        ceqi    $t_e,$least,0
+        ceqi    $t_e,$min_share,0
         ilh     $m_lane,0x1010
         and     $t_e,$t_e,$m_lane
         or      $m_seen,$m_seen,$t_e

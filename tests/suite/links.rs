@@ -121,7 +121,7 @@ fn check(folder: &Path, text: &str) -> (Vec<String>, usize) {
 }
 
 #[test]
-fn every_link_leads_somewhere() {
+fn every_link_has_a_target() {
     let documents = files(Path::new(""));
     let documents =
         documents.iter().filter(|path| path.extension().is_some_and(|ending| ending == "md"));
@@ -176,7 +176,7 @@ fn every_path_in_backquotes_exists() {
 }
 
 #[test]
-fn a_broken_link_is_found() {
+fn broken_link_is_found() {
     let text = "# A heading, `code`: two\n\n## Again\n\n## Again\n\n```\n# no heading\n```\n";
     let expected = ["a-heading-code-two", "again", "again-1"];
     assert_eq!(anchors(text), expected.map(String::from).into());

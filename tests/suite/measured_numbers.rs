@@ -59,7 +59,7 @@ fn is_among(number: &str, cells: &[f64]) -> bool {
 }
 
 #[test]
-fn every_speed_is_a_measured_one() {
+fn every_speed_is_measured() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let (mut cells, mut quoted) = (Vec::new(), Vec::new());
     let mut blocks = 0;
@@ -90,7 +90,7 @@ fn every_speed_is_a_measured_one() {
 }
 
 #[test]
-fn a_number_that_nobody_measured_is_found() {
+fn unmeasured_number_is_found() {
     let text = "It makes 61 frames/s, and\n99.5 frames a second.\n";
     assert_eq!(speeds(text), ["61", "99.5"]);
     assert!(is_among("61", &[60.6]) && !is_among("60.5", &[60.6]));

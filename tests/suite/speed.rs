@@ -92,7 +92,7 @@ fn spus_are_busy() {
 }
 
 #[test]
-fn six_spus_do_what_one_does_six_times() {
+fn six_spus_are_six_times_as_fast() {
     for options in [&["--retrace", "--frames", "6"][..], &["--no-skip"]] {
         let rate = |options: &[&str]| {
             let found = simulated("scenes/paper16.nff", options);

@@ -29,7 +29,7 @@ const ORDERS: usize = 0x19_2080;
 const ORDER_BYTES: usize = 128;
 
 /// Most SPUs that can share a transform: one for each batch.
-pub const MOST_SPUS: u32 = 16;
+pub const MAX_SPUS: u32 = 16;
 
 /// Real and imaginary part.
 pub type Complex = [f32; 2];
@@ -106,7 +106,7 @@ pub enum FftError {
 ///
 /// # Panics
 ///
-/// `input` has another size, `times` is 0, or `spus` is not 1 to [`MOST_SPUS`], or not 1 for the
+/// `input` has another size, `times` is 0, or `spus` is not 1 to [`MAX_SPUS`], or not 1 for the
 /// small size.
 pub fn transform(
     size: Size,
@@ -115,7 +115,7 @@ pub fn transform(
     times: u32,
 ) -> Result<Transformed, FftError> {
     assert!(input.len() == size.numbers() && times > 0);
-    let most = if size == Size::Small { 1 } else { MOST_SPUS };
+    let most = if size == Size::Small { 1 } else { MAX_SPUS };
     assert!((1..=most).contains(&spus));
     let mut memory = SharedMemory::new(ORDERS + spus as usize * ORDER_BYTES);
     let address = memory.address();

@@ -151,7 +151,7 @@ mod tests {
     }
 
     #[test]
-    fn momentum_is_kept_and_energy_never_grows() {
+    fn momentum_is_conserved_and_energy_does_not_grow() {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(1);
         let mut met = 0;
         for _ in 0..10_000 {
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn balls_part_along_the_line_between_them_when_they_touched() {
+    fn colliding_balls_separate_along_line_of_centres() {
         for degrees in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0] {
             for speed in [1.0, 2.5, 4.0, 6.0, 7.5] {
                 for part in [0.01, 0.2, 0.4, 0.6, 0.8, 0.99] {
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn balls_in_one_place_part() {
+    fn coincident_balls_separate() {
         let mut balls = [Body::new(DVec3::ONE, 0.5); 2];
         let [a, b] = &mut balls;
         assert!(meet(a, b, 1.0));
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_balls_exchange_what_is_along_the_line_between_them() {
+    fn equal_balls_exchange_velocity_along_line_of_centres() {
         let mut balls = [
             Body { velocity: DVec3::new(2.0, 1.0, 0.0), ..Body::new(DVec3::ZERO, 0.5) },
             Body::new(DVec3::X * 0.9, 0.5),
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn every_pair_comes_once() {
+    fn every_pair_is_visited_once() {
         let mut pairs_seen = Vec::new();
         pairs(&mut [0, 1, 2, 3], |a, b| pairs_seen.push((*a, *b)));
         assert_eq!(pairs_seen, [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);

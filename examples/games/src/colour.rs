@@ -17,7 +17,7 @@ mod tests {
     use cellray::game::DVec3;
 
     #[test]
-    fn a_third_of_a_turn_apart_are_red_green_and_blue() {
+    fn hues_120_degrees_apart_are_red_green_and_blue() {
         assert_eq!(hue(0.0, 0.0), DVec3::X);
         assert_eq!(hue(-2.0, 0.0), DVec3::X);
         assert!(hue(1.0 / 3.0, 0.0).distance(DVec3::Y) < 1e-12);

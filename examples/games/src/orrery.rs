@@ -456,7 +456,7 @@ mod tests {
     use cellray::game::DVec3;
 
     #[test]
-    fn planets_keep_to_their_ellipses() {
+    fn planets_stay_on_their_ellipses() {
         for planet in PLANETS {
             let (long, eccentricity) = (planet.distance, planet.eccentricity);
             let (mut nearest, mut farthest) = (f64::INFINITY, 0.0_f64);
@@ -474,7 +474,7 @@ mod tests {
     }
 
     #[test]
-    fn in_equal_times_equal_areas_are_swept() {
+    fn equal_areas_are_swept_in_equal_times() {
         let mercury = &PLANETS[0];
         let day = mercury.period / 2000.0;
         let swept = |step: f64| {

@@ -39,14 +39,14 @@ mod tests {
     }
 
     #[test]
-    fn a_long_frame_is_cut_short() {
+    fn long_frame_time_is_limited() {
         let mut steps = Steps::default();
         assert_eq!(steps.of(1e9), (LONGEST / STEP) as u32);
         assert_eq!(steps.of(-1.0), 0);
     }
 
     #[test]
-    fn after_a_frame_without_a_time_they_go_on() {
+    fn steps_continue_after_frame_without_time() {
         let mut steps = Steps::default();
         assert_eq!(steps.of(2.5 * STEP), 2);
         assert_eq!(steps.of(f64::NAN), 0);

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 #[test]
-fn the_log_has_rings() {
+fn log_has_rings() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("still_life.png");
     let status = Command::new(env!("CARGO_BIN_EXE_shader-example")).arg(&path).status().unwrap();
@@ -19,7 +19,7 @@ fn the_log_has_rings() {
 }
 
 #[test]
-fn a_path_is_asked_for() {
+fn missing_path_is_an_error() {
     let output = Command::new(env!("CARGO_BIN_EXE_shader-example")).output().unwrap();
     assert!(!output.status.success());
     let error = String::from_utf8_lossy(&output.stderr);

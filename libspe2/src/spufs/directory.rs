@@ -111,7 +111,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn refusals_of_the_kernel() {
+    fn kernel_errors_are_mapped() {
         let refused = |errno| refusal(&io::Error::from_raw_os_error(errno));
         for errno in [libc::EEXIST, libc::ENODEV, libc::EPERM, libc::EBUSY] {
             assert_eq!(refused(errno), Errno(errno));

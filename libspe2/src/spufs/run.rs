@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn the_order_of_causes() {
+    fn stop_causes_are_ordered() {
         const STORAGE: c_int = SPE_DMA_STORAGE;
         let exit = 0x2007 << 16 | SPE_SPU_STOPPED_BY_STOP;
         assert_eq!(reported(exit, 0), (0, 0x2007, exit));

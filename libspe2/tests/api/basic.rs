@@ -46,7 +46,7 @@ fn null_handles_are_esrch() {
 }
 
 #[test]
-fn flags_unsupported_on_a_playstation_3_are_refused() {
+fn flags_unsupported_on_playstation_3_are_refused() {
     let cases = [
         (SPE_ISOLATE, libc::ENODEV),
         (SPE_ISOLATE_EMULATE, libc::EINVAL),
@@ -91,7 +91,7 @@ fn areas() {
 }
 
 #[test]
-fn the_inbound_mailbox_fills_before_the_first_run() {
+fn inbound_mailbox_fills_before_first_run() {
     let context = Context::new(0);
     let mut words = [1, 2, 3, 4, 5, 6];
     let data = words.as_mut_ptr();
@@ -145,7 +145,7 @@ again:  rdch    $10,$ch29
 ";
 
 #[test]
-fn blocking_calls_move_all_words() {
+fn blocking_mailbox_calls_transfer_all_words() {
     const COUNT: usize = 200;
     let context = Context::with_program(ECHO);
     let words: Vec<u32> = (0..COUNT as u32).rev().collect();

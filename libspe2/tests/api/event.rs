@@ -95,7 +95,7 @@ fn arguments() {
 }
 
 #[test]
-fn a_timeout_is_kept() {
+fn event_wait_times_out() {
     let handler = Handler::new();
     let context = Context::new(SPE_EVENTS_ENABLE);
     assert_eq!(handler.register(&context, SPE_EVENT_OUT_INTR_MBOX, 0), 0);
@@ -106,7 +106,7 @@ fn a_timeout_is_kept() {
 }
 
 #[test]
-fn inbound_mailbox_event_is_up_until_it_is_full() {
+fn inbound_mailbox_event_is_set_until_mailbox_is_full() {
     let handler = Handler::new();
     let context = Context::new(SPE_EVENTS_ENABLE);
     assert_eq!(handler.register(&context, SPE_EVENT_IN_MBOX, 77), 0);
@@ -182,7 +182,7 @@ fn one_thread_waits_for_two_contexts() {
 }
 
 #[test]
-fn stops_queue_up_while_they_are_registered() {
+fn stop_events_are_queued_while_registered() {
     let context = Context::with_program("stop 0x2001\n stop 0x2002\n");
     let handler = Handler::new();
     assert_eq!(handler.register(&context, SPE_EVENT_SPE_STOPPED, 0), 0);
@@ -198,7 +198,7 @@ fn stops_queue_up_while_they_are_registered() {
 }
 
 #[test]
-fn a_tag_is_up_until_it_is_read() {
+fn tag_event_is_set_until_read() {
     let context = Context::new(SPE_EVENTS_ENABLE);
     let handler = Handler::new();
     assert_eq!(handler.register(&context, SPE_EVENT_TAG_GROUP, 5), 0);
@@ -217,7 +217,7 @@ fn a_tag_is_up_until_it_is_read() {
 }
 
 #[test]
-fn no_more_units_than_asked_for() {
+fn event_count_is_limited_by_argument() {
     let contexts: Vec<Context> = (0..3).map(|_| Context::new(SPE_EVENTS_ENABLE)).collect();
     let handler = Handler::new();
     for context in &contexts {

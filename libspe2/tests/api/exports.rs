@@ -8,7 +8,7 @@ use std::path::Path;
 use object::{Object, ObjectSymbol};
 
 #[test]
-fn the_shared_library_is_a_drop_in() {
+fn shared_library_exports_libspe2_symbols() {
     let own = std::env::current_exe().unwrap();
     let library = own.with_file_name("libspe2.so");
     let bytes = fs::read(&library).unwrap_or_else(|error| panic!("{}: {error}", library.display()));
@@ -48,7 +48,7 @@ fn sources(folder: &Path) -> String {
 }
 
 #[test]
-fn the_document_lists_each_variable() {
+fn document_lists_each_variable() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let code = sources(&root.join("src"));
     let strings = code.split('"').filter(|text| text.starts_with("LIBSPE2_"));

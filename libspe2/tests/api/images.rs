@@ -63,7 +63,7 @@ fn null_programs() {
 }
 
 #[test]
-fn an_embedded_image_is_loaded_from_its_address_alone() {
+fn embedded_image_is_loaded_from_its_address() {
     let folder = tempfile::tempdir().unwrap();
     let mut program = fs::read(assemble(folder.path(), "stop 0x2007")).unwrap();
     let mut handle = SpeProgramHandle {
@@ -83,7 +83,7 @@ fn an_embedded_image_is_loaded_from_its_address_alone() {
 }
 
 #[test]
-fn the_toe_holds_the_images_address() {
+fn toe_contains_image_address() {
     let folder = tempfile::tempdir().unwrap();
     // The linker script has no place for it, so the linker puts it after the rest.
     let path = assemble(

@@ -207,7 +207,7 @@ fn after(command: &str, held: u64, written: u64) -> u32 {
 /// All commands write the bytes that are there already. So the reservation is lost by the write,
 /// and not because the line has changed.
 #[test]
-fn a_reservation_is_lost_by_whatever_address_its_line_is_written() {
+fn reservation_is_lost_by_write_to_any_alias() {
     const KEPT: u32 = 0;
     const LOST: u32 = 0x11;
     for Pages { twice, other } in [file(), segment()] {

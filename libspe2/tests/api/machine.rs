@@ -5,7 +5,7 @@ use spe2::cpu_info::spe_cpu_info_get;
 use crate::support::assert_fails;
 
 #[test]
-fn the_machine_is_a_playstation_3() {
+fn machine_is_playstation_3() {
     unsafe {
         assert_eq!(spe_cpu_info_get(1, -1), 1);
         assert_fails(spe_cpu_info_get(1, 0), libc::EINVAL);

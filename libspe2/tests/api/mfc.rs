@@ -38,7 +38,7 @@ const COPY: &str = "
 ";
 
 #[test]
-fn the_spu_reaches_this_process() {
+fn spu_accesses_process_memory() {
     let mut from = Aligned::<0x4000>::new();
     let mut to = Aligned::<0x4000>::new();
     for (n, byte) in from.0.iter_mut().enumerate() {
@@ -95,7 +95,7 @@ again:  command GETLLAR, 0x10000, $3, 128, 0
 ";
 
 #[test]
-fn spes_and_this_process_count_together() {
+fn spes_and_process_share_atomic_counter() {
     use std::sync::atomic::{AtomicU32, Ordering::SeqCst};
     let mut line = Aligned::<128>::new();
     let ea = line.ea();
@@ -191,7 +191,7 @@ fn proxy_arguments() {
 }
 
 #[test]
-fn a_proxy_transfer_to_nowhere_ends_the_run() {
+fn proxy_transfer_to_bad_address_ends_run() {
     let context = Context::with_program("rdch $10,$ch29\n stop 0x2000\n");
     let stop = elsewhere(
         || context.run(),

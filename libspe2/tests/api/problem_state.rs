@@ -89,7 +89,7 @@ fn give(command: Area, lsa: u32, ea: u64, size_and_tag: u32, opcode: u32) {
 
 /// Provenance: see `Sequence` in the library.
 #[test]
-fn a_command_without_its_parameters_is_a_sequence_error() {
+fn command_without_its_parameters_is_sequence_error() {
     const SEQUENCE_ERROR: u32 = 1;
     let context = mapped("stop 0x2000");
     let mut there = Aligned::<16>::new();
@@ -157,7 +157,7 @@ fn commands_are_given_by_registers() {
 }
 
 #[test]
-fn the_functions_agree_with_the_registers() {
+fn functions_equal_problem_state_registers() {
     let context = mapped("stop 0x2000");
     let mut there = Aligned::<16>::new();
     there.0 = [9; 16];

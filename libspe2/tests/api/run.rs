@@ -24,7 +24,7 @@ fn expected(returned: i32, errno: i32, reason: u32, code: i32, status: i32) -> S
 }
 
 #[test]
-fn the_stop_table() {
+fn stop_codes_give_documented_results() {
     let cases = [
         ("stop 0x2000", expected(0, 0, SPE_EXIT, 0, 0x2000_0002)),
         ("stop 0x206b", expected(0, 0, SPE_EXIT, 107, 0x206b_0002)),
@@ -65,7 +65,7 @@ fn dma_errors_are_exceptions() {
 }
 
 #[test]
-fn a_run_goes_on_where_it_stopped() {
+fn run_continues_at_stop_address() {
     let context = Context::with_program("stop 1\n stop 2\n stop 0x2003\n");
     let mut entry = SPE_DEFAULT_ENTRY;
     for expected in [1, 2, 3] {
@@ -124,7 +124,7 @@ fn start_registers() {
 }
 
 #[test]
-fn every_start_clears_the_environment() {
+fn every_start_clears_environment() {
     let context = Context::with_program("stqa $2,0x8000\n il $2,7\n stop 0x2000\n");
     for _ in 0..2 {
         assert_eq!(elsewhere(|| context.run(), || ()).returned, 0);
@@ -218,7 +218,7 @@ again:  stop    0x21cc
 }
 
 #[test]
-fn the_last_stop_can_be_read_once() {
+fn last_stop_can_be_read_once() {
     let context = Context::with_program("stop 0x2001");
     let mut info = no_stop_info();
     let read =
@@ -236,7 +236,7 @@ fn the_last_stop_can_be_read_once() {
 }
 
 #[test]
-fn an_empty_local_store_stops_at_once() {
+fn empty_local_store_stops_at_once() {
     let context = Context::new(0);
     let stop = elsewhere(|| context.run(), || ());
     assert_eq!((stop.returned, stop.reason), (0, SPE_STOP_AND_SIGNAL));

@@ -23,7 +23,7 @@ const SPU_CREATE: libc::c_long =
 
 /// The library's contexts are the kernel's, by the names that IBM's library gives them.
 #[test]
-fn contexts_have_folders_of_their_names() {
+fn contexts_have_named_folders() {
     let context = Context::new(0);
     let number = context.pointer().addr();
     let name = format!("/spu/spethread-{}-{number}", std::process::id());
@@ -40,7 +40,7 @@ fn contexts_have_folders_of_their_names() {
 }
 
 #[test]
-fn a_gang_is_a_folder_of_contexts() {
+fn gang_is_folder_of_contexts() {
     let gang = unsafe { spe_gang_context_create(0) };
     assert!(!gang.is_null());
     let context = Context::owning(unsafe { spe_context_create(0, gang) });
@@ -54,7 +54,7 @@ fn a_gang_is_a_folder_of_contexts() {
 }
 
 #[test]
-fn an_affinity_is_the_kernels_to_refuse() {
+fn affinity_is_refused_by_kernel() {
     let gang = unsafe { spe_gang_context_create(0) };
     let neighbor = Context::owning(unsafe { spe_context_create(0, gang) });
     assert_null(unsafe { spe_context_create_affinity(0, neighbor.pointer(), gang) }, libc::EINVAL);
@@ -62,7 +62,7 @@ fn an_affinity_is_the_kernels_to_refuse() {
 }
 
 #[test]
-fn a_context_that_is_never_scheduled_out_needs_root() {
+fn nosched_context_requires_root() {
     let context = unsafe { spe_context_create(SPE_NOSCHED, ptr::null_mut()) };
     if unsafe { libc::geteuid() } == 0 {
         drop(Context::owning(context));
@@ -73,7 +73,7 @@ fn a_context_that_is_never_scheduled_out_needs_root() {
 
 /// A context's number follows from its address, which the next context may get again.
 #[test]
-fn a_destroyed_context_leaves_nothing_behind() {
+fn destroyed_context_leaves_no_folder() {
     for _ in 0..50 {
         let context = Context::new(SPE_MAP_PS);
         assert_eq!(context.local_store(0, 4), [0; 4]);
@@ -83,7 +83,7 @@ fn a_destroyed_context_leaves_nothing_behind() {
 
 /// A proxy command by the file waits until a thread runs the context.
 #[test]
-fn a_proxy_command_waits_for_the_run() {
+fn proxy_command_waits_for_run() {
     let context = Context::new(0);
     let mut there = Aligned::<16>::new();
     there.0 = [5; 16];
@@ -158,7 +158,7 @@ fn interrupted(body: impl FnOnce() -> (i32, i32) + Send) -> (i32, i32) {
 }
 
 #[test]
-fn a_signal_ends_a_wait_for_a_mailbox() {
+fn signal_ends_wait_for_mailbox() {
     let context = Context::new(0);
     let result = interrupted(|| {
         let mut word = 0;
@@ -171,7 +171,7 @@ fn a_signal_ends_a_wait_for_a_mailbox() {
 }
 
 #[test]
-fn a_signal_ends_a_wait_for_events_that_has_a_limit() {
+fn signal_ends_event_wait_with_timeout() {
     let (count, _) = interrupted(|| unsafe {
         let handler = spe_event_handler_create();
         let mut unit =

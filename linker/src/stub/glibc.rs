@@ -210,7 +210,6 @@ fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<
     share(compiler, soname, &source, &[versions], library)
 }
 
-/// Compiles the copies into an archive.
 fn archive(compiler: &Path, start: &str, archive: &Path) -> Result<(), Error> {
     let printed = output(Command::new(compiler).arg("-print-prog-name=ar"))?;
     let mut archiver = Command::new(printed.trim());

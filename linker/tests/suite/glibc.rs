@@ -110,7 +110,7 @@ fn program_linked_to_stubs_needs_no_newer_glibc() {
 }
 
 #[test]
-fn a_compiler_without_a_c_library_is_told_of() {
+fn compiler_without_c_library_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
     let compiler = folder.path().join("compiler");
     fs::write(&compiler, "#!/bin/sh\necho \"${1#-print-file-name=}\"\n").unwrap();

@@ -36,7 +36,7 @@ fn failure(source: &str) -> String {
 }
 
 #[test]
-fn a_program_becomes_an_spu_executable() {
+fn program_is_linked_as_spu_executable() {
     let folder = folder(" .text\n .global _start\n_start:\n il $3,1\nlast:\n stop 0x2000\n");
     let elf = fs::read(build(folder.path(), &Tools::find().unwrap()).unwrap()).unwrap();
     let elf = object::File::parse(&*elf).unwrap();
@@ -46,7 +46,7 @@ fn a_program_becomes_an_spu_executable() {
 }
 
 #[test]
-fn an_error_in_a_source_is_shown_with_file_line_and_command() {
+fn source_error_has_file_line_and_command() {
     let text = failure(" .text\n il $3,99999\n");
     assert!(text.contains("program.s:2") && text.contains("--fatal-warnings"), "{text}");
     let text = failure(" .text\n bogus $3\n");
@@ -54,20 +54,20 @@ fn an_error_in_a_source_is_shown_with_file_line_and_command() {
 }
 
 #[test]
-fn a_warning_is_an_error() {
+fn warning_is_error() {
     // For an operand outside the useful range, the assembler only warns.
     let text = failure(" .text\n shli $3,$4,70\n");
     assert!(text.contains("program.s:2"), "{text}");
 }
 
 #[test]
-fn an_undefined_symbol_is_shown_by_the_linker() {
+fn undefined_symbol_is_a_linker_error() {
     let text = failure(" .text\n .global _start\n_start:\n brsl $0,nowhere\n");
     assert!(text.contains("nowhere"), "{text}");
 }
 
 #[test]
-fn a_folder_without_sources() {
+fn folder_without_sources_is_an_error() {
     let empty = tempfile::tempdir().unwrap();
     let error = build(empty.path(), &Tools::find().unwrap()).unwrap_err();
     assert!(matches!(error, Error::NoSources(_)), "{error}");
@@ -126,7 +126,7 @@ fn tools_are_taken_from_path_under_either_name() {
 /// A compiler driver can replace both tools, on `PATH` or named by the variables. This one handles
 /// `-Wa,` and `-Wl,` like gcc and calls the real tools.
 #[test]
-fn a_compiler_driver_assembles_and_links() {
+fn compiler_driver_assembles_and_links() {
     const DRIVER: &str = r#"#!/bin/sh
 tool=$LD
 for argument do
@@ -164,7 +164,7 @@ exec "$tool" "$@"
 }
 
 #[test]
-fn a_stub_has_its_soname_and_its_names() {
+fn stub_has_its_soname_and_its_names() {
     let folder = tempfile::tempdir().unwrap();
     let library = folder.path().join("libthing.so");
     let names = stub::names("# a list\nthing_one\nthing_two # the second\n\n");
@@ -179,7 +179,7 @@ fn a_stub_has_its_soname_and_its_names() {
 }
 
 #[test]
-fn the_tracer_takes_further_shaders() {
+fn tracer_takes_further_shaders() {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("own.s");
     let elf = folder.path().join("tracer.elf");

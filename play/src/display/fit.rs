@@ -92,7 +92,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn all_of_the_picture_is_shown_and_nothing_else() {
+    fn fit_shows_exactly_the_picture() {
         for (picture, display) in [
             ((4, 4), (4, 4)),
             ((320, 180), (1280, 720)),
@@ -118,7 +118,7 @@ mod tests {
     }
 
     #[test]
-    fn proportions_are_kept_but_for_rounding() {
+    fn proportions_are_kept_within_rounding() {
         let bars = Fit::new((100, 100), (300, 100));
         assert_eq!(
             (bars.column(99), bars.column(100), bars.column(199), bars.column(200)),
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coarse_picture_fills_the_place_of_the_whole_one() {
+    fn coarse_picture_fills_same_area() {
         // 22 rows are not in proportion to 40 columns, but there are no bars.
         let fit = Fit::new((640, 360), (640, 360)).filled_by((40, 22));
         assert_eq!((fit.column(0), fit.column(639)), (Some(0), Some(39)));
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn no_picture_is_nowhere() {
+    fn empty_picture_has_no_area() {
         for (picture, display) in [((0, 0), (10, 10)), ((10, 10), (10, 0))] {
             let fit = Fit::new(picture, display);
             let found = (fit.column(0), fit.row(0), fit.place(1.0, 1.0));

@@ -61,7 +61,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_resting_mouse_is_reported_again_in_the_next_pictures_pixels() {
+    fn resting_mouse_is_rescaled_for_next_picture() {
         let mut pointer = Pointer::default();
         let of = |width, height| Fit::new((width, height), (960, 540));
         pointer.refit(of(960, 540));

@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn the_filter_is_smooth_and_its_weights_add_up() {
+    fn filter_is_smooth_and_weights_sum_to_one() {
         for step in 0..=100 {
             let at = f64::from(step) / 100.0;
             let sum: f64 = (-1..3).map(|tap| mitchell((at - f64::from(tap)).abs())).sum();
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn a_colour_is_the_filters_in_either_direction() {
+    fn columns_and_rows_are_filtered_alike() {
         // Steps, whose overshoot is cut off.
         let steps = [0, 0, 255, 255, 0, 90, 180, 180, 20];
         let column = RgbImage::from_fn(9, 9, |_, y| image::Rgb([steps[y as usize], 7, 255]));
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_is_where_it_is_in_the_larger_picture() {
+    fn scaled_ray_position_is_kept() {
         let view = scenes::View {
             from: DVec3::ZERO,
             at: DVec3::NEG_Z,
@@ -230,13 +230,13 @@ mod tests {
     }
 
     #[test]
-    fn the_same_size_is_the_same_picture() {
+    fn same_size_copies_picture() {
         let picture = RgbImage::from_fn(7, 5, |x, y| image::Rgb([x as u8 * 30, y as u8 * 50, 9]));
         assert_eq!(Enlarged::new(&picture, (7, 5)).all(), picture);
     }
 
     #[test]
-    fn any_size_becomes_any_other() {
+    fn any_size_scales_to_any_other() {
         for size in [(1, 1), (2, 1), (1, 3), (3, 2)] {
             let picture = RgbImage::from_pixel(size.0, size.1, image::Rgb([250, 3, 99]));
             for larger in [(3, 3), (1, 9), (40, 1), (41, 23)] {
@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn below_the_picture_is_nothing() {
+    fn rows_below_picture_are_empty() {
         let picture = RgbImage::new(2, 2);
         let mut large = Enlarged::new(&picture, (4, 4));
         assert_eq!((large.row(3).len(), large.row(4).len()), (4, 0));

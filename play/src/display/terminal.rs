@@ -34,7 +34,7 @@ use crate::overlay::Overlay;
 /// Columns and rows if the system reports no size.
 const DEFAULT: (u16, u16) = (80, 24);
 /// The most columns and rows; no real terminal has more.
-const MOST: u16 = 1000;
+const MAX_CELLS: u16 = 1000;
 /// The width and height of a character in pixels, for games that use the mouse's motion. Most
 /// fonts are about this size.
 const CHARACTER: [f32; 2] = [8.0, 16.0];
@@ -246,7 +246,7 @@ impl Display for Terminal {
 /// serial line.
 pub fn size() -> (u16, u16) {
     let (columns, rows) = crossterm::terminal::size().unwrap_or(DEFAULT);
-    if columns == 0 || rows == 0 { DEFAULT } else { (columns.min(MOST), rows.min(MOST)) }
+    if columns == 0 || rows == 0 { DEFAULT } else { (columns.min(MAX_CELLS), rows.min(MAX_CELLS)) }
 }
 
 /// The motion of the mouse from one character to another, in pixels; `None` if it did not move.
@@ -269,7 +269,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mouse_on_characters_has_gone_pixels() {
+    fn mouse_steps_on_characters_are_pixels() {
         assert_eq!(way((3, 4), (3, 4)), None);
         assert_eq!(way((3, 4), (5, 3)), Some([16.0, -16.0]));
         assert_eq!(way((u16::MAX, 0), (0, 0)), Some([-8.0 * 65535.0, 0.0]));

@@ -30,7 +30,7 @@ use crate::overlay::Overlay;
 /// The pixels of a touchpad's scrolling that count as one notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 40.0;
 /// The minimum width and height in pixels; smaller windows show nothing useful.
-const LEAST: u32 = 64;
+const MIN_SIDE: u32 = 64;
 
 /// The channels of a window's words, which have red, green and blue in their lowest bytes.
 const FORMAT: PixelFormat = if cfg!(target_endian = "big") {
@@ -124,7 +124,7 @@ impl State {
         let attributes = Winit::default_attributes()
             .with_title(self.title.as_str())
             .with_inner_size(self.wanted)
-            .with_min_inner_size(PhysicalSize::new(LEAST, LEAST));
+            .with_min_inner_size(PhysicalSize::new(MIN_SIDE, MIN_SIDE));
         let window = Rc::new(system.create_window(attributes)?);
         let context = softbuffer::Context::new(Rc::clone(&window))?;
         let surface = Surface::new(&context, Rc::clone(&window))?;
@@ -393,7 +393,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_desktop_without_the_libraries_of_keyboards_is_told_of() {
+    fn missing_keyboard_libraries_are_an_error() {
         let (there, missing) = (|| true, || false);
         assert_eq!(missing_library(true, there, there), None);
         assert_eq!(missing_library(false, there, missing), None);
@@ -406,7 +406,7 @@ mod tests {
     }
 
     #[test]
-    fn a_display_server_is_named_by_its_variable() {
+    fn display_server_is_named_by_its_variable() {
         let of = |pairs: &[(&str, &str)]| {
             server(|variable| {
                 let mut found = pairs.iter().filter(|(name, _)| *name == variable);
@@ -422,13 +422,13 @@ mod tests {
     }
 
     #[test]
-    fn a_connection_that_is_handed_on_is_an_open_file() {
+    fn inherited_connection_must_be_an_open_file() {
         assert!(is_open_file("0") || is_open_file("1"));
         assert!(!is_open_file("4242") && !is_open_file("none") && !is_open_file("-1"));
     }
 
     #[test]
-    fn places_in_the_sources_of_others_are_not_told() {
+    fn source_positions_are_removed_from_errors() {
         let place =
             "os error at /home/she/.cargo/registry/src/i-1/winit-0.30.13/src/a/mod.rs:765: ";
         let words = "Could not find: a compositor";
@@ -438,7 +438,7 @@ mod tests {
     }
 
     #[test]
-    fn panics_of_others_are_errors() {
+    fn panics_of_dependencies_are_errors() {
         let lacks = catch_panics::<()>(|| panic!("{} lacks it", "the server"));
         assert_eq!(lacks, Err("the server lacks it".to_owned()));
         let lacks = catch_panics::<()>(|| panic!("it lacks that"));
@@ -447,7 +447,7 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_is_painted_smoothly_with_bars_beside_it() {
+    fn picture_is_painted_smoothly_with_bars_beside_it() {
         let picture = RgbImage::from_vec(2, 1, vec![0, 40, 80, 100, 140, 180]).expect("two pixels");
         let mut pixels = [7; 24];
         paint(&picture, Fit::new((2, 1), (4, 6)), &mut pixels, 4);

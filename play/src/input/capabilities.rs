@@ -124,7 +124,7 @@ mod tests {
     const SIXAXIS_KEYS: &str = "f 0 7fdb000000000000 0 0 0 0\n";
 
     #[test]
-    fn words_are_read_from_the_highest() {
+    fn words_are_read_from_highest_to_lowest() {
         let codes = Codes::parse(SIXAXIS_KEYS, 64).expect("codes");
         for code in [0x130, 0x131, 0x133, 0x134, 0x136, 0x13c, 0x13e] {
             assert!(codes.has(code), "{code:#x}");
@@ -136,7 +136,7 @@ mod tests {
     }
 
     #[test]
-    fn codes_are_put_in_and_taken_out() {
+    fn codes_are_inserted_and_removed() {
         let all = [0, 63, 64, 0x130, 0x2ff];
         let mut codes: Codes = all.into_iter().collect();
         assert!(codes.iter().eq(all));
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn words_of_32_bits_are_the_same_codes() {
+    fn words_of_32_bits_give_same_codes() {
         let wide = Codes::parse("8000000000000001 30000", 64);
         let narrow = Codes::parse("80000000 1 0 30000", 32);
         assert!(wide.is_some());
@@ -163,7 +163,7 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_is_read_and_a_broken_one_named() {
+    fn folder_is_read_and_invalid_folder_is_named() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path();
         fs::create_dir(path.join("capabilities")).expect("a folder");

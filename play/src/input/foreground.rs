@@ -97,7 +97,7 @@ mod tests {
     use std::fs;
 
     #[test]
-    fn a_switch_is_seen_and_so_is_the_way_back() {
+    fn switch_to_background_and_back_is_noticed() {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("active");
         assert!(Active::of(&file).is_err());
@@ -110,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_notification_is_cleared_by_the_call_that_finds_it() {
+    fn notification_is_cleared_when_read() {
         // If the kernel has virtual terminals, nobody switches them during tests.
         if let Ok(mut active) = Active::of(Path::new(ACTIVE)) {
             active.was_other();
@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn a_stop_is_seen() {
+    fn stop_signal_is_noticed() {
         let mut foreground = SystemForeground::new().expect("a signal");
         foreground.is_continued.store(false, Ordering::SeqCst);
         signal_hook::low_level::raise(SIGCONT).expect("a signal");

@@ -182,7 +182,7 @@ impl Player {
 }
 
 #[test]
-fn both_numberings_of_the_sixaxis_are_the_same_buttons() {
+fn sixaxis_numberings_give_same_buttons() {
     let new = [
         (0x130, Button::Cross),
         (0x131, Button::Circle),
@@ -243,7 +243,7 @@ fn both_numberings_of_the_sixaxis_are_the_same_buttons() {
 }
 
 #[test]
-fn sticks_and_triggers_go_from_end_to_end() {
+fn sticks_and_triggers_use_full_range() {
     for (found, right) in [(new_sixaxis(), [3, 4]), (old_sixaxis(), [2, 5])] {
         let bench = Bench::default();
         let said = bench.plug("event0", found);
@@ -315,7 +315,7 @@ fn other_pads_have_their_own_tables() {
 }
 
 #[test]
-fn a_pads_sensors_are_the_pads() {
+fn sensors_belong_to_their_pad() {
     let bench = Bench::default();
     // Numbered before the pad: the order of the nodes must not matter.
     let sensors = device("Sony PLAYSTATION(R)3 Controller Motion Sensors", &[], &[0, 1, 2], &[]);
@@ -332,7 +332,7 @@ fn a_pads_sensors_are_the_pads() {
 }
 
 #[test]
-fn keyboards_and_mice_are_read_where_they_are_wanted() {
+fn keyboards_and_mice_are_read_on_request() {
     for wanted in [DeviceSet::All, DeviceSet::Pads] {
         let bench = Bench::default();
         let keys = bench.plug("event0", keyboard());
@@ -371,7 +371,7 @@ fn keyboards_and_mice_are_read_where_they_are_wanted() {
 }
 
 #[test]
-fn pads_come_and_go_and_keep_their_players() {
+fn reconnected_pads_keep_their_players() {
     let bench = Bench::default();
     let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
@@ -403,7 +403,7 @@ fn pads_come_and_go_and_keep_their_players() {
 }
 
 #[test]
-fn a_node_without_permission_is_tried_again_and_told_of_once() {
+fn unreadable_node_is_retried_and_reported_once() {
     let bench = Bench::default();
     bench.plug("event0", new_sixaxis());
     bench.let_open("event0", false);
@@ -437,7 +437,7 @@ fn key_released_in_dropped_events_is_released() {
 }
 
 #[test]
-fn a_keyboard_that_vanishes_holds_nothing() {
+fn removed_keyboard_releases_keys() {
     let bench = Bench::default();
     let keys = bench.plug("event0", keyboard());
     let mut player = Player::new(&bench, DeviceSet::All);
@@ -490,7 +490,7 @@ fn key_held_across_dropped_events_stays_held() {
 }
 
 #[test]
-fn a_mouse_is_no_keyboard() {
+fn mouse_is_not_a_keyboard() {
     let bench = Bench::default();
     bench.plug("event0", mouse());
     let mut player = Player::new(&bench, DeviceSet::All);
@@ -505,7 +505,7 @@ fn a_mouse_is_no_keyboard() {
 }
 
 #[test]
-fn a_pad_that_takes_the_place_of_what_is_of_no_use_is_found() {
+fn pad_replacing_useless_device_is_found() {
     let bench = Bench::default();
     bench.plug("event0", device("Power Button", &[116], &[], &[]));
     bench.plug("event1", keyboard());
@@ -523,7 +523,7 @@ fn a_pad_that_takes_the_place_of_what_is_of_no_use_is_found() {
 }
 
 #[test]
-fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
+fn reconnected_pad_has_no_held_buttons() {
     let bench = Bench::default();
     let said = bench.plug("event0", new_sixaxis());
     let mut player = Player::new(&bench, DeviceSet::Pads);
@@ -542,7 +542,7 @@ fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
 }
 
 #[test]
-fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
+fn pads_are_recognised_by_capabilities() {
     // xpad's, whatever it calls them: no buttons for the triggers.
     let xpad: Vec<_> =
         [0x130, 0x131, 0x133, 0x134, 0x136, 0x137].into_iter().chain(0x13a..=0x13e).collect();

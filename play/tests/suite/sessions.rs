@@ -71,7 +71,7 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 }
 
 #[test]
-fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
+fn picture_ranges_equal_one_run_and_resume() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let messages = pictures(whole.path(), "0..12", &[]);
     assert!(messages.contains("12 picture(s) written, 0 existed already"), "{messages}");
@@ -105,7 +105,7 @@ fn on_a_full_disk() -> Command {
 }
 
 #[test]
-fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
+fn full_disk_names_picture_and_leaves_no_partial_file() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("f-%05d.png");
     let output = on_a_full_disk()
@@ -120,7 +120,7 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
 }
 
 #[test]
-fn signals_end_pictures_between_two_of_them() {
+fn signals_end_sequence_between_pictures() {
     [libc::SIGTERM, libc::SIGINT].into_iter().for_each(ends_pictures);
 }
 
@@ -149,7 +149,7 @@ fn ends_pictures(signal: i32) {
 }
 
 #[test]
-fn bad_input_is_told_of() {
+fn bad_input_is_an_error() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("there");
     fs::write(&file, "something").expect("a file");
@@ -192,7 +192,7 @@ fn bad_input_is_told_of() {
 }
 
 #[test]
-fn a_display_server_that_is_not_there_is_named_and_nothing_of_the_sources_is_told() {
+fn missing_display_server_is_named_without_source_positions() {
     let folder = tempfile::tempdir().expect("a folder");
     for (variable, value) in [
         ("DISPLAY", ":4242"),
@@ -228,13 +228,13 @@ fn games_are_listed() {
 }
 
 #[test]
-fn capitals_make_no_difference_to_a_games_name() {
+fn game_names_ignore_case() {
     let name = GAME.to_uppercase();
     good(&["play", &name, "--size", "64x36", "--display", "none", "--frames", "1"]);
 }
 
 #[test]
-fn a_file_takes_the_framebuffers_place() {
+fn file_replaces_framebuffer() {
     let folder = tempfile::tempdir().expect("a folder");
     let fb = folder.path().join("fb");
     let device = fb.to_str().expect("text");
@@ -279,7 +279,7 @@ fn in_a_long_frame(record: &Path) -> Pty {
 }
 
 #[test]
-fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
+fn terminal_session_shows_colours_and_is_replayed() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
@@ -332,7 +332,7 @@ fn a_terminal_shows_colours_takes_keys_and_its_recording_is_played_back() {
 }
 
 #[test]
-fn a_recording_that_the_disk_has_no_room_for_is_told_of() {
+fn recording_on_full_disk_is_an_error() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let output = on_a_full_disk()
@@ -400,7 +400,7 @@ fn incomplete_recording_is_an_error() {
 }
 
 #[test]
-fn a_timeout_may_be_longer_than_time() {
+fn timeout_may_exceed_maximum_duration() {
     let memory = Memory::new(Geometry::new(16, 16).expect("a size")).expect("memory");
     let settings = Settings { timeout: Duration::MAX, ..Settings::default() };
     let mut session = Session::start(Still, settings, Box::new(memory)).expect("a session");
@@ -410,7 +410,7 @@ fn a_timeout_may_be_longer_than_time() {
 }
 
 #[test]
-fn the_last_frame_of_a_recording_tells_of_the_world() {
+fn last_recorded_frame_has_world_checksum() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let name = record.to_str().expect("text");
@@ -436,7 +436,7 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
 }
 
 #[test]
-fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
+fn full_disk_is_an_error_and_earlier_pictures_stay() {
     let folder = tempfile::tempdir().expect("a folder");
     let earlier = folder.path().join("paper16-nff-0001.png");
     fs::write(&earlier, "an earlier picture").expect("a file");
@@ -463,7 +463,7 @@ fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
 const F12: &str = "\x1b[24;1:1~\x1b[24;1:3~";
 
 #[test]
-fn a_live_sessions_pictures_are_those_of_its_replay() {
+fn live_pictures_equal_replayed_pictures() {
     let folder = tempfile::tempdir().expect("a folder");
     let [shots, again] = ["shots", "again"].map(|name| folder.path().join(name));
     for path in [&shots, &again] {
@@ -514,7 +514,7 @@ fn a_live_sessions_pictures_are_those_of_its_replay() {
 }
 
 #[test]
-fn closed_output_is_no_error_but_a_full_one_is() {
+fn closed_output_succeeds_and_full_output_fails() {
     let mut sh = Command::new("sh");
     let program = env!("CARGO_BIN_EXE_cellray-play");
     let closed = ["-c", "exec 3>&1; { \"$0\" play; echo $? >&3; } | :"];
@@ -533,7 +533,7 @@ fn closed_output_is_no_error_but_a_full_one_is() {
 }
 
 #[test]
-fn a_framebuffers_keys_are_taken_though_the_talk_goes_to_a_file() {
+fn framebuffer_takes_keys_with_redirected_messages() {
     let folder = tempfile::tempdir().expect("a folder");
     let [fb, log] = ["fb", "log"].map(|name| folder.path().join(name));
     let mut command = Command::new("sh");

@@ -87,7 +87,7 @@ fn noted(found: io::Result<i32>, denied: bool) -> (Box<Noted>, Notes) {
 }
 
 #[test]
-fn the_mode_found_comes_back() {
+fn previous_mode_is_restored() {
     for found in [KD_TEXT, KD_GRAPHICS] {
         let (terminal, notes) = noted(Ok(found), false);
         drop(Console::take("tty", terminal).unwrap());
@@ -97,7 +97,7 @@ fn the_mode_found_comes_back() {
 }
 
 #[test]
-fn the_mode_found_comes_back_after_a_panic() {
+fn previous_mode_is_restored_after_panic() {
     let (terminal, notes) = noted(Ok(KD_TEXT), false);
     let console = Console::take("tty", terminal).unwrap();
     let panicked = catch_unwind(AssertUnwindSafe(move || {
@@ -120,7 +120,7 @@ fn file_without_terminal_requests_is_not_changed() {
 }
 
 #[test]
-fn the_screen_is_lost_while_another_terminal_is_on_it() {
+fn screen_is_owned_only_while_own_terminal_is_shown() {
     let (terminal, notes) = noted(Ok(KD_TEXT), false);
     notes.show(Some(2));
     let console = Console::take("tty", terminal).unwrap();
@@ -176,7 +176,7 @@ mod switching {
     }
 
     #[test]
-    fn the_screen_goes_to_another_terminal_and_comes_back() {
+    fn screen_switches_to_another_terminal_and_back() {
         let status = in_child(|| {
             let (mut console, notes) = taken();
             let [Call::Mode(KD_GRAPHICS), Call::Changes(ours)] = notes.calls()[..] else {
@@ -253,7 +253,7 @@ mod switching {
     }
 
     #[test]
-    fn a_program_whose_screen_is_away_can_be_ended() {
+    fn program_without_screen_can_be_ended() {
         let status = in_child(|| {
             let interrupted = Interrupted::install().unwrap();
             let (mut console, notes) = taken();

@@ -35,7 +35,7 @@ fn ps3fb_alternates_two_frames_in_its_own_memory() {
 }
 
 #[test]
-fn contents_are_kept_in_private_memory_and_under_a_console_of_our_own() {
+fn contents_are_kept_in_private_memory_and_on_own_console() {
     // The script has no console, so the device's memory may not keep its contents.
     let (device, _) = Script::ps3fb().open(None, Some(Mode::Direct));
     assert!(!device.unwrap().keeps_contents());
@@ -154,7 +154,7 @@ fn another_failure_is_an_error_that_names_the_call() {
 }
 
 #[test]
-fn a_blank_that_does_not_come_does_not_stop_frames() {
+fn missing_vertical_blank_does_not_stop_frames() {
     for errno in [libc::ETIMEDOUT, libc::EINTR] {
         let (device, witness) = Script::ps3fb().failing([(Vsync, errno)]).open(None, None);
         let mut device = device.unwrap();
@@ -165,7 +165,7 @@ fn a_blank_that_does_not_come_does_not_stop_frames() {
 }
 
 #[test]
-fn panning_alternates_and_goes_back_to_where_it_was() {
+fn panning_alternates_and_is_restored() {
     let mut script = Script::panning();
     script.var.yoffset = 3;
     let (device, witness) = script.open(None, None);
@@ -183,7 +183,7 @@ fn panning_alternates_and_goes_back_to_where_it_was() {
 }
 
 #[test]
-fn the_frame_shown_first_is_black() {
+fn first_shown_frame_is_black() {
     let (_device, witness) = Script::panning().open(None, None);
     assert_eq!(witness.bytes(0..404 * 57 * 2), vec![0; 404 * 57 * 2]);
 }
@@ -206,7 +206,7 @@ fn drivers_without_panning_show_one_frame() {
 }
 
 #[test]
-fn a_screen_within_a_larger_picture_is_written_where_it_is_seen() {
+fn panned_screen_is_written_at_visible_offset() {
     let geometry = Geometry { width: 31, height: 20 };
     let mut script = Script::new("other", 31, 20, 203, 203 * 30);
     (script.var.xres_virtual, script.var.yres_virtual) = (50, 30);
@@ -229,7 +229,7 @@ fn a_screen_within_a_larger_picture_is_written_where_it_is_seen() {
 }
 
 #[test]
-fn direct_is_possible_only_where_dma_is() {
+fn direct_output_requires_dma() {
     // 101 pixels are written as 104, for which 416 bytes are just enough.
     let (device, witness) =
         Script::new("other", 101, 57, 416, 416 * 57).open(None, Some(Mode::Direct));
@@ -262,7 +262,7 @@ fn direct_is_possible_only_where_dma_is() {
 }
 
 #[test]
-fn ps3fb_can_be_told_to_copy() {
+fn ps3fb_copies_on_request() {
     let (device, witness) = Script::ps3fb().open(None, Some(Mode::Shadow));
     let mut device = device.unwrap();
     assert_eq!(device.mode(), Mode::Shadow);
@@ -272,7 +272,7 @@ fn ps3fb_can_be_told_to_copy() {
 }
 
 #[test]
-fn another_size_than_the_devices_is_refused() {
+fn size_other_than_device_size_is_refused() {
     let (device, witness) = Script::ps3fb().open(Some(Geometry { width: 640, height: 480 }), None);
     let text = device.err().unwrap().to_string();
     assert!(text.contains("640x480") && text.contains("1280x720"), "{text}");
@@ -282,7 +282,7 @@ fn another_size_than_the_devices_is_refused() {
 }
 
 #[test]
-fn other_pixels_are_refused_in_the_drivers_words() {
+fn other_pixel_formats_are_refused_in_driver_terms() {
     let plain = || Script::new("vga16fb", 64, 48, 256, 256 * 48);
     let changed = |change: fn(&mut Script)| {
         let mut script = plain();

@@ -25,7 +25,6 @@ pub struct Sensors {
 }
 
 impl Sensors {
-    /// Whether all readings are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let mut numbers = self.acceleration.iter().chain([&self.turn]);
         numbers.all(|number| number.is_finite())

@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn real_time_passes_and_is_not_outrun() {
+    fn real_time_passes_and_limits_frame_rate() {
         let mut clock = RealTime::at_most(100);
         let start = Instant::now();
         assert_eq!(clock.tick(), Duration::ZERO);
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_bound_nothing_waits() {
+    fn unlimited_rate_does_not_wait() {
         assert_eq!(RealTime::at_most(0).minimum, Duration::ZERO);
     }
 }

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_frame_has_few_moves_and_the_same_input() {
+    fn merged_moves_give_same_input() {
         let key = |down| InputEvent::Key { key: Key::A, down };
         let mut events: Vec<_> = (0..20_000).flat_map(moves).collect();
         events.extend([key(true), InputEvent::FocusLost, key(true), key(false)]);

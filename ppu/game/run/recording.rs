@@ -125,7 +125,6 @@ impl FrameRecord {
     }
 }
 
-/// Writes a recording.
 pub(super) struct Recorder {
     writer: Box<dyn Write>,
     /// Buffer for a line.

@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn the_nearest_object_under_a_pixel_is_found() {
+    fn nearest_object_under_pixel_is_found() {
         let mut world = world();
         let red = world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap();
         let farther = world.add_sphere([0.0, 0.0, -3.0], 2.0, red).unwrap();
@@ -303,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn surfaces_are_met_from_the_sides_that_show() {
+    fn picking_hits_visible_sides_only() {
         let mut world = world();
         let red = world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap();
         let glass = world.add_material(Material::glass()).unwrap();
@@ -363,7 +363,7 @@ mod tests {
     /// Meshes are met where a game draws them: each triangle alone, as a polygon in the world's
     /// coordinates, is met at the same point.
     #[test]
-    fn meshes_are_met_at_their_places() {
+    fn picking_hits_meshes_at_their_positions() {
         let mut random = ChaCha8Rng::seed_from_u64(8);
         let mut found = [0; 2];
         for turn in 0..40 {

@@ -87,7 +87,7 @@ mod tests {
     }
 
     #[test]
-    fn equal_materials_on_other_lines_are_one() {
+    fn equal_materials_on_different_lines_are_one() {
         let materials = [1, 2, 3].map(material);
         assert_eq!(firsts(&materials), [0, 0, 0]);
     }

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quick_sphere_around_four_is_little_larger() {
+    fn approximate_sphere_of_four_is_little_larger() {
         let mut random = ChaCha8Rng::seed_from_u64(3);
         let (mut sum, mut worst) = (0.0, 0.0_f64);
         const COUNT: u32 = 2000;
@@ -229,7 +229,7 @@ mod tests {
 
     /// No centre nearby is nearer to the farthest corner.
     #[test]
-    fn a_sphere_around_a_triangle_or_a_parallelogram_is_the_smallest() {
+    fn sphere_around_triangle_or_parallelogram_is_smallest() {
         let mut random = ChaCha8Rng::seed_from_u64(4);
         for _ in 0..2000 {
             let place = unit(&mut random) * random.random_range(0.0..10.0);
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sphere_is_nearly_the_smallest() {
+    fn bounding_sphere_is_nearly_smallest() {
         let mut random = ChaCha8Rng::seed_from_u64(2);
         for _ in 0..200 {
             // The smallest sphere around the ends of a diameter and points inside is known.

@@ -22,7 +22,7 @@ use super::streamed::{InMainMemory, Streamed, may_stay};
 use super::{SceneBlock, Surface, alike};
 use crate::scene::mesh::{MeshError, NumberWidth, Numbers};
 use crate::scene::render_options::{NodeVolumes, RenderOptions};
-use protocol::layout::{self, BOX_CODE_ROOM, MAX_DEPTH, SCENE_ADDRESS};
+use protocol::layout::{self, BOX_CODE_CAPACITY, MAX_DEPTH, SCENE_ADDRESS};
 
 /// Amounts of spare capacity to try, as divisors of the number of objects: as many again, half as
 /// many, a quarter, an eighth.
@@ -220,7 +220,7 @@ impl<'a> Builder<'a> {
         self.add_background(&mut block)?;
         if volumes.contains(&Volumes::Boxes) {
             // The code is the program's, which is not known here.
-            block.reserve(BOX_CODE_ROOM as usize);
+            block.reserve(BOX_CODE_CAPACITY as usize);
         }
         let ambient = materials::ambient(&scene.name, scene.ambient)?;
         let lights = materials::lights(scene)?;

@@ -32,7 +32,7 @@ const SLACK: f64 = 1.0 / (1 << 18) as f64;
 const LANES: usize = 4;
 
 /// How much the sum of a BVH's radii may grow by refitting before the BVH is rebuilt.
-const MOST_GROWTH: f64 = 1.5;
+const MAX_GROWTH: f64 = 1.5;
 
 /// A larger sphere, to allow for the rounding of the SPU's test as seen from `eye`: the test
 /// passes every ray that hits an object inside `sphere`.
@@ -167,7 +167,7 @@ impl Bvh {
                 }
             }
         }
-        self.sizes() <= MOST_GROWTH * self.built_sizes
+        self.sizes() <= MAX_GROWTH * self.built_sizes
     }
 
     /// The sum of the radii, or of the boxes' edges, above the lowest level.

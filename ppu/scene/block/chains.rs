@@ -3,7 +3,7 @@
 //!
 //! The weight of a ray is its share of its pixel's colour: the product of the shares that the
 //! surfaces on its way reflect or let through. The ray adds to its pixel at most its weight times
-//! the maximum brightness that any ray can see. If that is less than [`LEAST_CHANGE`] of a byte's
+//! the maximum brightness that any ray can see. If that is less than [`MIN_CHANGE`] of a byte's
 //! step, the ray is not sent. The materials' largest share also bounds the depth at which a ray
 //! can still have enough weight. `docs/numerics.md` derives the bound.
 //!
@@ -19,7 +19,7 @@ use crate::scene::render_options::RenderOptions;
 use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray must be able to add to its pixel, or it is not sent.
-const LEAST_CHANGE: f64 = 1.0 / 16.0;
+const MIN_CHANGE: f64 = 1.0 / 16.0;
 /// The number of a byte's steps from black to white.
 const STEPS: f64 = 255.0;
 /// A bound of the relative error of the SPU's weights, which are products of singles.
@@ -74,7 +74,6 @@ impl Sends {
     }
 }
 
-/// The largest channel of a colour.
 pub(super) fn largest_channel(colour: &[F32]) -> f64 {
     let channels = colour.iter().map(|channel| f64::from(channel.get()));
     channels.fold(0.0, f64::max)
@@ -109,7 +108,7 @@ impl Chains {
             });
             seen = surfaces.fold(background, f64::max);
         }
-        let least_weight = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
+        let least_weight = MIN_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
         let (mut ray_depth, mut weight) = (1, share * (1.0 + ROUNDING));
         while ray_depth < options.ray_depth && weight > 0.0 && weight >= least_weight {
             ray_depth += 1;
@@ -132,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_that_reflects_nothing_has_chains_of_one_ray() {
+    fn scene_without_reflection_has_chains_of_one_ray() {
         let chains = Chains::of(to(16), [sends(0.0, 1.0)].into_iter(), [0.5, 0.0, 1.0]);
         assert_eq!(chains.ray_depth, 1);
     }
@@ -148,21 +147,21 @@ mod tests {
     }
 
     #[test]
-    fn counting_as_in_spd_bounds_nothing() {
+    fn counting_as_in_spd_keeps_all_chains() {
         let options = RenderOptions { spd_rays: true, ..to(6) };
         let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
     }
 
     #[test]
-    fn an_own_shader_bounds_nothing() {
+    fn custom_shader_keeps_all_chains() {
         let own = Sends { is_own: true, ..sends(0.0, 1.0) };
         let chains = Chains::of(to(7), [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (7, 0.0));
     }
 
     #[test]
-    fn the_brighter_a_scene_the_lighter_the_rays_that_are_sent() {
+    fn brighter_scene_lowers_minimum_weight() {
         let least_weight = |lights| {
             Chains::of(to(5), [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight
         };

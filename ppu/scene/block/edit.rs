@@ -23,7 +23,7 @@ use super::{SceneBlock, Surface};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
 
 /// The most objects or materials. It includes removed ones, because their numbers are not reused.
-const MOST_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
+const MAX_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 
 impl SceneBlock {
     /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and
@@ -145,7 +145,7 @@ impl SceneBlock {
     /// space.
     pub(crate) fn add_material(&mut self) -> Option<usize> {
         let number = self.materials.len();
-        if number == MOST_NUMBERS {
+        if number == MAX_NUMBERS {
             return None;
         }
         self.materials.push(None);
@@ -264,7 +264,7 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<Option<usize>, BlockError> {
         let number = self.objects.len();
-        if number == MOST_NUMBERS {
+        if number == MAX_NUMBERS {
             return Ok(None);
         }
         let first = self.parts.len();

@@ -13,7 +13,7 @@ use super::source_location::SourceLocation;
 use super::streamed::Streamed;
 
 /// The most primitives of a kind.
-const MOST: usize = MAX_OBJECTS as usize;
+const MAX_OF_KIND: usize = MAX_OBJECTS as usize;
 
 /// The primitives that are in local store.
 #[derive(Default)]
@@ -54,7 +54,7 @@ impl Found {
                 // Above the limit, objects are still counted, but not split into triangles, which
                 // takes time.
                 let count = &mut counts.of_kinds[kind as usize];
-                if about > MOST || *count > MOST {
+                if about > MAX_OF_KIND || *count > MAX_OF_KIND {
                     *count += about;
                     counts.too_many.get_or_insert((place, kind));
                     continue;
@@ -107,7 +107,7 @@ impl Found {
         let kind = primitive.kind();
         counts.of_kinds[kind as usize] += 1;
         let found = &mut self.found[kind as usize];
-        if found.len() == MOST {
+        if found.len() == MAX_OF_KIND {
             counts.too_many.get_or_insert((place, kind));
             return;
         }

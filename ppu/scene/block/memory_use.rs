@@ -4,7 +4,7 @@ use scenes::{Scene, Shape};
 
 use super::bvh::{self, Volumes};
 use super::primitive::{PATCH_SIZE, PrimitiveKind};
-use protocol::layout::{self, QueuedRay, RayPacket, SCENE_ROOM, SMALL_BATCH, Shear};
+use protocol::layout::{self, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, Shear};
 
 /// The number of rays in a packet.
 const PACKET: usize = 16;
@@ -88,7 +88,7 @@ impl MemoryUse {
 
 /// The bytes that the queue of rays leaves for a scene.
 pub(super) fn capacity(batch: u32, ray_depth: u32) -> usize {
-    (SCENE_ROOM as usize).saturating_sub(queue_bytes(batch, ray_depth))
+    (SCENE_CAPACITY as usize).saturating_sub(queue_bytes(batch, ray_depth))
 }
 
 /// The bytes of the queue of rays in local store: three batches, if chains have more than one ray.

@@ -16,7 +16,7 @@ use super::source_location::SourceLocation;
 /// The largest part of the smallest object's radius that an offset may be. A ball of radius r that
 /// rests on a surface hides its shadow's first sqrt(2 offset r), which is a third of r at this
 /// limit: less than what the ball itself hides from most eyes.
-const MOST: f64 = 1.0 / 16.0;
+const MAX_RATIO: f64 = 1.0 / 16.0;
 
 /// An object's size, and how far rays leave its surface.
 #[derive(Clone, Copy)]
@@ -39,7 +39,7 @@ pub(crate) fn offset_note(scene: &Scene) -> Option<String> {
         ))
     });
     let (smallest, largest) = extremes?;
-    let limit = MOST * smallest.size;
+    let limit = MAX_RATIO * smallest.size;
     if largest.leave <= limit {
         return None;
     }
@@ -115,7 +115,7 @@ mod tests {
     }
 
     #[test]
-    fn the_scenes_and_generators_are_well_within() {
+    fn scenes_and_generators_have_small_offsets() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
         let files = std::fs::read_dir(folder).unwrap();
         let files = files.map(|entry| entry.unwrap().path());
@@ -127,7 +127,7 @@ mod tests {
         for name in scenes {
             let scene = scenes::load(&name).unwrap();
             let ratio = ratio(&scene);
-            assert!(ratio < 0.75 * MOST, "{}: {ratio}", name.display());
+            assert!(ratio < 0.75 * MAX_RATIO, "{}: {ratio}", name.display());
             assert_eq!(offset_note(&scene), None, "{}", name.display());
         }
     }
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ground_that_loses_shadows_is_named_with_its_line() {
+    fn ground_without_correct_shadows_is_named_with_line() {
         for ground in [
             "s 0 -1000000 0 1000000",
             "p 4\n-1e6 0 -1e6\n-1e6 0 1e6\n1e6 0 1e6\n1e6 0 -1e6",
@@ -157,7 +157,7 @@ mod tests {
     }
 
     #[test]
-    fn an_ordinary_ground_is_none() {
+    fn ordinary_ground_loses_no_shadows() {
         for ground in ["s 0 -1000 0 1000", "s 0 -10000 0 10000"] {
             assert_eq!(offset_note(&with(ground)), None, "{ground}");
         }

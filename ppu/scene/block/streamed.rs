@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use protocol::layout::{
-    self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MOST_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
-    SCENE_ROOM, TEXTURE_CODE,
+    self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
+    SCENE_CAPACITY, TEXTURE_CODE,
 };
 use scenes::{Material, Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
@@ -27,7 +27,7 @@ use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
 /// The minimum capacity of the cache, in blocks.
-const LEAST_SLOTS: usize = 8;
+const MIN_SLOTS: usize = 8;
 
 /// The kinds of a scene's objects that are in main memory beside its mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,7 +51,7 @@ impl InMainMemory {
             objects.filter(|object| kind.holds(&object.shape)).count()
         };
         let [spheres, cones] = [Self::SPHERES, Self::CONES].map(count);
-        let capacity = (EYE_CODE - SCENE_ADDRESS) as usize - LEAST_SLOTS * MESH_BLOCK as usize;
+        let capacity = (EYE_CODE - SCENE_ADDRESS) as usize - MIN_SLOTS * MESH_BLOCK as usize;
         let mut choices = Vec::new();
         if spheres > 0 && cones * size_of::<layout::Cone>() <= capacity {
             choices.push(Self::SPHERES);
@@ -243,8 +243,8 @@ impl Streamed {
 
     /// The minimum number of bytes that the mesh takes from the space of a scene and its queue.
     pub fn minimum_size(&self) -> usize {
-        let code = SCENE_ADDRESS + SCENE_ROOM - self.end();
-        code as usize + LEAST_SLOTS * MESH_BLOCK as usize
+        let code = SCENE_ADDRESS + SCENE_CAPACITY - self.end();
+        code as usize + MIN_SLOTS * MESH_BLOCK as usize
     }
 
     /// The address of a texture's record, if it is one of the mesh's.
@@ -258,7 +258,7 @@ impl Streamed {
     /// in the cache.
     pub fn place(&self, used: usize, eye: DVec3, most: u32) -> MeshPlace<'_> {
         let capacity = (self.end() - SCENE_ADDRESS).saturating_sub(used as u32);
-        let slots = (capacity / MESH_BLOCK).min(MESH_MOST_SLOTS).min(most);
+        let slots = (capacity / MESH_BLOCK).min(MESH_MAX_SLOTS).min(most);
         let [x, y, z] = singles(eye - self.origin);
         MeshPlace {
             blocks: &self.blocks,

@@ -18,7 +18,7 @@ use super::*;
 use crate::scene::Colour;
 use crate::scene::render_options::NodeVolumes;
 use crate::scene::single::singles;
-use protocol::layout::{self, BoxNode, FARTHEST, Node, SCENE_ADDRESS, SCENE_ROOM};
+use protocol::layout::{self, BoxNode, FARTHEST, Node, SCENE_ADDRESS, SCENE_CAPACITY};
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";

@@ -38,7 +38,6 @@ impl SceneBlock {
         self.chains
     }
 
-    /// The scene's lights.
     pub(crate) fn lights(&self) -> &[Light] {
         &self.lights
     }

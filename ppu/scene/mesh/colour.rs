@@ -4,8 +4,7 @@ use glam::DVec3;
 
 use crate::scene::colour::Colour;
 
-/// The largest number.
-const MOST: f64 = 1023.0;
+const MAX_CHANNEL: f64 = 1023.0;
 
 /// A colour of a scene as SPUs get it: its light or, if it is sRGB's, the square root of that,
 /// which has as many steps in the dark as a screen. It is off by at most a fifth of a step of 8
@@ -18,7 +17,7 @@ pub(super) fn packed(colour: [f32; 3], meaning: Colour) -> u32 {
             Colour::Srgb => light.max(0.0).sqrt(),
         };
         // Beyond the range, and where it is no number, this is its end.
-        (MOST * value).round().clamp(0.0, MOST) as u32
+        (MAX_CHANNEL * value).round().clamp(0.0, MAX_CHANNEL) as u32
     });
     red << 22 | green << 12 | blue << 2
 }
@@ -43,7 +42,7 @@ mod tests {
             for (worst, meaning) in worst.iter_mut().zip([Colour::Linear, Colour::Srgb]) {
                 let word = packed([value, 0.0, 1.0], meaning);
                 assert_eq!(word & 0x003f_ffff, 1023 << 2);
-                let part = f64::from(word >> 22) / MOST;
+                let part = f64::from(word >> 22) / MAX_CHANNEL;
                 let found = match meaning {
                     Colour::Linear => part,
                     Colour::Srgb => encoded(part * part),
@@ -56,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_out_of_range_end_at_it() {
+    fn out_of_range_colours_are_clamped() {
         assert_eq!(packed([-1.0, 2.0, 0.0], Colour::Srgb), 1023 << 12);
         assert_eq!(packed([f32::NAN; 3], Colour::Srgb), 0);
     }

@@ -13,7 +13,7 @@ const NODES: usize = (MESH_BLOCK as usize - size_of::<MeshHeader>()) / size_of::
 /// The most nodes of the third level.
 const THIRD: usize = NODES - 1 - WIDTH;
 /// Children of the largest block.
-const MOST: usize = WIDTH * THIRD;
+const MAX_CHILDREN: usize = WIDTH * THIRD;
 /// If not all leaves are children of one block, each child gets about as many: more would not fit
 /// a block of its own, and fewer would leave it empty.
 const SHARE: usize = 32;
@@ -33,7 +33,7 @@ pub(super) enum Branch {
 /// The root's children, for the block of a node of the tree that is not a leaf; and the number of
 /// levels.
 pub(super) fn cut(tree: &[Node], root: usize) -> (Vec<Branch>, usize) {
-    let share = if tree[root].leaves <= MOST { 1 } else { SHARE };
+    let share = if tree[root].leaves <= MAX_CHILDREN { 1 } else { SHARE };
     let first = spread(tree, vec![root], WIDTH, share);
     let blocks = |items: Vec<usize>| items.into_iter().map(Branch::Block).collect::<Vec<_>>();
     let is_done = |items: &[usize]| items.iter().all(|&item| tree[item].leaves <= share);

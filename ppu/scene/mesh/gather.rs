@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn few_triangles_stay_where_they_are() {
+    fn few_triangles_are_not_gathered() {
         let scene = scene("tetra:3");
         assert!(matches!(gathered(&scene), Cow::Borrowed(_)));
     }
@@ -202,7 +202,7 @@ mod tests {
     }
 
     #[test]
-    fn all_polygons_are_gathered_if_they_must_be() {
+    fn all_polygons_are_gathered_if_required() {
         let few = scene("tetra:1");
         let gathered = gathered_all(&few).expect("polygons");
         assert!(gathered.objects.is_empty());

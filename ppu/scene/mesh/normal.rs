@@ -45,7 +45,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_holds_a_normal_to_a_ten_thousandth() {
+    fn packed_normal_error_is_below_1e_4() {
         let mut random = ChaCha8Rng::seed_from_u64(1);
         for _ in 0..10_000 {
             let normal = unit(&mut random);

@@ -33,12 +33,10 @@ impl MeshObjects {
         spheres.chain(self.cones.iter().map(|cone| cone.material))
     }
 
-    /// The spheres as pieces of a tree.
     pub(super) fn sphere_pieces(&self) -> Vec<Piece> {
         pieces(self.spheres.iter().map(MeshSphere::bounds))
     }
 
-    /// The cones as pieces of a tree.
     pub(super) fn cone_pieces(&self) -> Vec<Piece> {
         pieces(self.cones.iter().map(MeshCone::bounds))
     }

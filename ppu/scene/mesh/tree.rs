@@ -53,7 +53,6 @@ impl Bounds {
     }
 }
 
-/// The kind of pieces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     /// Triangles with these `SIDES_` bits.
@@ -91,13 +90,11 @@ impl Piece {
     }
 }
 
-/// The box around pieces.
 pub(super) fn around(pieces: &[Piece]) -> Bounds {
     let boxes = pieces.iter().map(|piece| piece.bounds);
     boxes.fold(Bounds::EMPTY, Bounds::with)
 }
 
-/// A node of the tree.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub bounds: Bounds,

@@ -25,7 +25,6 @@ const FEW: usize = 16;
 /// Bits of a run's word below the number of its triangles.
 pub(super) const RUN_SHIFT: u32 = 16;
 
-/// The content of blocks.
 #[derive(Clone, Copy)]
 pub(super) struct Content<'a> {
     pub mesh: &'a Mesh,

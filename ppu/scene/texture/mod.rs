@@ -125,7 +125,6 @@ impl Textures {
         self.levels.len() as u32
     }
 
-    /// The number of a texture.
     pub(super) fn number_of(&self, texture: &Arc<Texture>) -> Option<usize> {
         let mut sources = self.sources.iter();
         sources.position(|source| Arc::ptr_eq(source, texture))

@@ -62,7 +62,7 @@ fn levels_halve_until_there_is_one_texel() {
 }
 
 #[test]
-fn levels_have_the_mean_light_of_their_texels() {
+fn levels_average_light_of_texels() {
     let half = |texture: &Texture| Level::new(texture).half().expect("a level");
     let grey = half(&plain(6, 5, |_, _| [90, 7, 200]));
     assert_eq!((grey.width(), grey.height()), (3, 2));
@@ -97,7 +97,7 @@ fn records_name_each_textures_levels() {
 /// In sRGB a tile has square roots of light, whose squares are less than two thirds of a step
 /// of the screen away from what they stand for.
 #[test]
-fn tiles_of_srgb_have_roots_of_light() {
+fn srgb_tiles_store_square_roots_of_light() {
     let texture = plain(256, 1, |x, _| [x as u8, 255, 0]);
     let textures = Textures::new(vec![Arc::new(texture)], Colour::Srgb);
     for (byte, place) in (0..256_usize).map(|byte| (byte, byte + 1)) {

@@ -94,7 +94,7 @@ fn moved_sphere_is_traced_at_its_old_and_new_place() {
 }
 
 #[test]
-fn a_new_colour_is_a_change() {
+fn colour_change_is_traced() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
     let mut screen = Screen::new();
     screen.show(0, &before);
@@ -117,7 +117,7 @@ fn added_and_removed_spheres_are_changes() {
 }
 
 #[test]
-fn another_view_background_or_depth_is_a_new_picture() {
+fn view_background_or_depth_change_traces_all() {
     let first = format!("{HEAD}{SPHERES}");
     let mut screen = Screen::new();
     for other in [
@@ -133,7 +133,7 @@ fn another_view_background_or_depth_is_a_new_picture() {
 }
 
 #[test]
-fn an_unfinished_frame_is_not_relied_on() {
+fn unfinished_frame_is_traced_again() {
     let scene = scene(&format!("{HEAD}{SPHERES}"));
     let mut screen = Screen::new();
     screen.show(0, &scene);
@@ -145,7 +145,7 @@ fn an_unfinished_frame_is_not_relied_on() {
 }
 
 #[test]
-fn the_same_address_in_another_form_is_another_page() {
+fn same_address_with_other_format_is_another_page() {
     let scene = scene(&format!("{HEAD}{SPHERES}"));
     let mut screen = Screen::new();
     screen.show(0, &scene);

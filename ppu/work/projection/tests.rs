@@ -26,7 +26,7 @@ fn seen(camera: &Camera, projection: &Projection, sphere: &scene::Sphere) -> Vec
 }
 
 #[test]
-fn no_pixel_out_of_bounds_shows_the_sphere() {
+fn pixels_outside_bounds_miss_sphere() {
     let mut random = ChaCha8Rng::seed_from_u64(11);
     let (mut shown, mut bounded) = (0, 0);
     for _ in 0..60 {
@@ -98,7 +98,7 @@ fn bounds_are_empty_beside_the_view_and_full_around_the_eye() {
 }
 
 #[test]
-fn rays_are_no_further_from_their_packets_middle_than_is_said() {
+fn rays_stay_within_stated_distance_of_packet_centre() {
     let mut random = ChaCha8Rng::seed_from_u64(14);
     let mut limited = 0;
     for _ in 0..300 {
@@ -119,7 +119,7 @@ fn rays_are_no_further_from_their_packets_middle_than_is_said() {
 }
 
 #[test]
-fn steps_too_small_for_directions_bound_nothing() {
+fn too_small_steps_give_no_bound() {
     let camera = Camera {
         eye: DVec3::ZERO,
         corner: DVec3::Z,
@@ -132,7 +132,7 @@ fn steps_too_small_for_directions_bound_nothing() {
 }
 
 #[test]
-fn a_hull_holds_all_spheres_between() {
+fn hull_contains_all_spheres_between() {
     let mut random = ChaCha8Rng::seed_from_u64(17);
     let mut bounded = 0;
     for _ in 0..2000 {

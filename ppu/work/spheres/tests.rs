@@ -38,7 +38,7 @@ fn enters(sphere: &scene::Sphere, eye: DVec3, direction: DVec3) -> bool {
 }
 
 #[test]
-fn no_ray_that_enters_a_sphere_fails_its_test() {
+fn hitting_rays_pass_sphere_test() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut counts = [0; 4];
     for _ in 0..400 {
@@ -70,7 +70,7 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
 }
 
 #[test]
-fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
+fn sphere_test_rejects_nearly_all_misses() {
     let mut random = ChaCha8Rng::seed_from_u64(2);
     let camera = camera(&mut random, SIZE.width, SIZE.height);
     let projection = Projection::new(&camera, SIZE);
@@ -102,7 +102,7 @@ fn packet(random: &mut ChaCha8Rng, camera: &Camera) -> (Vec<Singles>, Singles) {
 }
 
 #[test]
-fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
+fn hitting_packets_pass_sphere_test() {
     let mut random = ChaCha8Rng::seed_from_u64(3);
     let (mut hits, mut misses) = (0, 0);
     for _ in 0..300 {
@@ -143,7 +143,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
 }
 
 #[test]
-fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
+fn plane_test_keeps_hit_spheres() {
     let mut random = ChaCha8Rng::seed_from_u64(4);
     let mut outside = 0;
     for _ in 0..300 {
@@ -229,7 +229,7 @@ fn sphere_touching_the_eye_is_visible_from_outside() {
 }
 
 #[test]
-fn extreme_numbers_stay_singles() {
+fn extreme_numbers_stay_finite_f32() {
     let mut random = ChaCha8Rng::seed_from_u64(7);
     let most = (1_u64 << 62) as f64;
     let mut camera = camera(&mut random, SIZE.width, SIZE.height);
@@ -262,7 +262,7 @@ fn extreme_numbers_stay_singles() {
 }
 
 #[test]
-fn records_come_nearest_first_and_only_of_what_can_be_seen() {
+fn records_are_sorted_and_visible_only() {
     let view = scenes::View {
         from: DVec3::ZERO,
         at: DVec3::Z,

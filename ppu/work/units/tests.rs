@@ -44,7 +44,7 @@ fn every_tile_is_in_one_unit() {
 }
 
 #[test]
-fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the_end() {
+fn units_without_costs_shrink_towards_end() {
     let wanted: Vec<u32> = (0..900).collect();
     let mut units = Units::default();
     for (spus, first, count) in [(6, 7, 22..32), (16, 3, 15..25), (1, 31, 28..45)] {
@@ -63,7 +63,7 @@ fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the
 }
 
 #[test]
-fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_are_small() {
+fn units_with_costs_start_expensive_and_end_small() {
     let mut random = ChaCha8Rng::seed_from_u64(22);
     let wanted: Vec<u32> = (0..900).collect();
     let costs: Vec<u32> = wanted.iter().map(|_| random.random_range(100..3000)).collect();
@@ -147,7 +147,7 @@ fn slices_are_consecutive_and_equal_in_tiles() {
 }
 
 #[test]
-fn costs_are_those_of_the_last_time() {
+fn costs_come_from_last_frame() {
     let geometry = Geometry { width: 256, height: 32 };
     let mut costs = TileCosts::default();
     assert_eq!(costs.of(geometry), None);

@@ -138,8 +138,8 @@ record! {
         /// Effective address of the first of the mesh's materials with `FEATURE_MATERIALS`, a
         /// `MATERIAL` each `MATERIAL_STRIDE` bytes; a multiple of 128.
         materials: U64,
-        /// Effective address of the code that interpolates colours, `COLOUR_CODE_ROOM` bytes; a
-        /// multiple of 128.
+        /// Effective address of the code that interpolates colours, `COLOUR_CODE_CAPACITY` bytes;
+        /// a multiple of 128.
         colour_code: U64,
     }
 }
@@ -226,8 +226,8 @@ record! {
         tests_made: U64,
         /// Such tests without any skipping, including those that `generations` count.
         tests_possible: U64,
-        /// Those of `tests_made` after which the SPU looked for a hit.
-        hits_looked_for: U64,
+        /// Those of `tests_made` after which the SPU computed the intersections.
+        intersections_computed: U64,
         /// Tiles in which nothing can be seen: filled.
         tiles_empty: U64,
         /// Of these, those that showed the background before: nothing was sent.

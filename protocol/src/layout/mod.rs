@@ -86,7 +86,7 @@ constants! {
     /// Feature bit: Whitted's model; the scene is the one that `scene` has, and there are no sphere
     /// records.
     FEATURE_WHITTED = 2;
-    /// Feature bit: with Whitted's model, all lights shine through everything.
+    /// Feature bit: with Whitted's model, no shadows.
     FEATURE_NO_SHADOWS = 4;
     /// Feature bit: every call of a shader is checked for what it must keep.
     FEATURE_CHECK_SHADERS = 8;
@@ -142,12 +142,12 @@ constants! {
     /// `OBJECT`.
     SCENE_ADDRESS = 0x2ec00;
     /// Bytes for the scene and the waiting rays.
-    SCENE_ROOM = 0x10380;
+    SCENE_CAPACITY = 0x10380;
     /// Address in local store of the code that tests boxes, after the background's `OBJECT` and
     /// `MATERIAL`; only the scenes with trees of boxes have it.
     BOX_CODE = SCENE_ADDRESS + 144;
     /// Bytes for that code.
-    BOX_CODE_ROOM = 4736;
+    BOX_CODE_CAPACITY = 4736;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -229,17 +229,17 @@ constants! {
     /// Most textures of a mesh.
     MESH_TEXTURES = 256;
     /// Bytes at the end of the scene's memory for the code that traces meshes.
-    MESH_CODE_ROOM = 31232;
+    MESH_CODE_CAPACITY = 31232;
     /// Address in local store of that code.
-    MESH_CODE = SCENE_ADDRESS + SCENE_ROOM - MESH_CODE_ROOM;
+    MESH_CODE = SCENE_ADDRESS + SCENE_CAPACITY - MESH_CODE_CAPACITY;
     /// Bytes in front of it for the code that traces eye rays through meshes without textures.
-    EYE_CODE_ROOM = 7424;
+    EYE_CODE_CAPACITY = 7424;
     /// Address in local store of that code.
-    EYE_CODE = MESH_CODE - EYE_CODE_ROOM;
+    EYE_CODE = MESH_CODE - EYE_CODE_CAPACITY;
     /// Fewest blocks that the cache of an SPU must hold.
-    MESH_LEAST_SLOTS = 4;
+    MESH_MIN_SLOTS = 4;
     /// Most blocks that the cache of an SPU can have.
-    MESH_MOST_SLOTS = 20;
+    MESH_MAX_SLOTS = 20;
     /// Entries of the table of leaf blocks, `MESH_LEAVES`: a block's is that of the last bits of its
     /// number.
     MESH_LEAF_PLACES = 32;
@@ -253,20 +253,20 @@ constants! {
     /// Most tiles of all textures.
     TEXTURE_TILES = 0x0010_0000;
     /// Most texels across and down a texture.
-    TEXTURE_MOST = 4096;
+    MAX_TEXTURE_SIDE = 4096;
     /// Most levels of all textures.
     TEXTURE_LEVELS = 1024;
     /// Tiles in an SPU's cache.
     TEXTURE_SLOTS = 16;
     /// Bytes in front of `EYE_CODE` for the code that looks up textures.
-    TEXTURE_CODE_ROOM = 4096;
+    TEXTURE_CODE_CAPACITY = 4096;
     /// Address in local store of that code.
-    TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_ROOM;
+    TEXTURE_CODE = EYE_CODE - TEXTURE_CODE_CAPACITY;
     /// Bytes in front of `TEXTURE_CODE` for the code that interpolates colours, of meshes with or
     /// without textures.
-    COLOUR_CODE_ROOM = 2048;
+    COLOUR_CODE_CAPACITY = 2048;
     /// Address in local store of that code.
-    COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_ROOM;
+    COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
@@ -432,7 +432,7 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave space in `SCENE_ROOM` for the queued rays, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
+    /// Must be a multiple of 128 and leave space in `SCENE_CAPACITY` for the queued rays, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";
@@ -476,7 +476,7 @@ const _: () = {
     assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
     assert!(
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
-            && BOX_CODE_ROOM.is_multiple_of(16)
+            && BOX_CODE_CAPACITY.is_multiple_of(16)
     );
     assert!(size_of::<Frame>() == 512);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);

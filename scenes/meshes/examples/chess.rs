@@ -127,7 +127,6 @@ const KING: &[[f64; 2]] = &[
     [0.0, 1.81],
 ];
 
-/// A mesh's arrays.
 #[derive(Default)]
 struct Arrays {
     positions: Vec<[f32; 3]>,
@@ -143,7 +142,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-/// The whole file.
 fn file() -> Result<Vec<u8>, image::ImageError> {
     let mut chunk = Chunk::default();
     let mut meshes = Vec::new();

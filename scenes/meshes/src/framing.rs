@@ -3,9 +3,7 @@
 use glam::{DMat3, DVec3};
 use scenes::{Light, LightKind, View};
 
-/// The background's colour.
 pub(crate) const BACKGROUND: DVec3 = DVec3::new(0.55, 0.65, 0.8);
-/// The ambient light.
 pub(crate) const AMBIENT: DVec3 = DVec3::splat(0.2);
 /// The angle of the view in degrees.
 const ANGLE: f64 = 40.0;

@@ -327,14 +327,14 @@ mod tests {
     }
 
     #[test]
-    fn half_of_a_texture_leaves_half_of_a_square() {
+    fn half_opaque_texture_keeps_half_of_square() {
         let mask = Mask::new(2, &[255, 0, 255, 0], 1.0, 0.5, [Wrap::Clamp; 2]);
         let found = area(&mask, &SQUARE);
         assert!((found - 0.5).abs() < 1e-3, "{found}");
     }
 
     #[test]
-    fn masks_without_holes_and_without_surface_cut_nothing() {
+    fn full_and_empty_masks_cut_no_edges() {
         let whole = Mask::new(2, &[255, 200, 128, 255], 1.0, 0.5, [Wrap::Repeat; 2]);
         assert!(whole.is_whole());
         assert_eq!(whole.parts(SQUARE[0]), [[0, 1, 2].map(Corner::Own)]);

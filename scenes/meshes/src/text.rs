@@ -136,21 +136,21 @@ mod tests {
     }
 
     #[test]
-    fn a_continued_line_has_the_number_of_its_beginning() {
+    fn continued_line_has_number_of_first_line() {
         let found = lines(b"f 1 2 \\\r\n 3\\\n4\nv");
         let expected = [(1, b"f 1 2   3 4".to_vec()), (4, b"v".to_vec())];
         assert_eq!(found, expected);
     }
 
     #[test]
-    fn backslashes_of_comments_and_of_names_continue_nothing() {
+    fn backslashes_in_comments_and_names_do_not_continue() {
         for text in [&b"# C:\\\nv"[..], b"map_Kd C:\\maps\\\nv", b"usemtl \x90\\\nv"] {
             assert_eq!(lines(text).len(), 2, "{}", String::from_utf8_lossy(text));
         }
     }
 
     #[test]
-    fn encodings_are_told_by_their_marks() {
+    fn byte_order_marks_select_encoding() {
         assert_eq!(without_mark(b"\xef\xbb\xbfv"), Ok(&b"v"[..]));
         assert_eq!(without_mark(b"\xff\xfev\0"), Err("UTF-16"));
         assert_eq!(without_mark(b"\xff\xfe\0\0v"), Err("UTF-32"));

@@ -145,7 +145,7 @@ mod tests {
     use crate::area_vector;
 
     #[test]
-    fn a_box_is_closed_and_seen_from_outside() {
+    fn box_is_closed_and_seen_from_outside() {
         let (low, high) = (DVec3::new(-1.0, 2.0, 0.5), DVec3::new(1.0, 3.0, 4.5));
         let middle = low.midpoint(high);
         let outwards = |polygon: &[DVec3]| {

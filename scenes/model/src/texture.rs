@@ -102,7 +102,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn texels_are_whole_rows_of_a_size_that_is_supported() {
+    fn texels_must_fill_supported_size() {
         let make = |width: u32, count: usize| {
             Texture::new(width, vec![[0; 3]; count], [Wrap::Repeat; 2])
                 .map(|texture| (texture.width(), texture.height()))

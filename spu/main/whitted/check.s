@@ -45,8 +45,8 @@ function whitted_check
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned mesh_code,LINE,MeshCode
-        require_at_most mesh_code_bytes,EYE_CODE_ROOM+MESH_CODE_ROOM,MeshCode
-        load_constant $limit,MESH_CODE_ROOM
+        require_at_most mesh_code_bytes,EYE_CODE_CAPACITY+MESH_CODE_CAPACITY,MeshCode
+        load_constant $limit,MESH_CODE_CAPACITY
         clgt    $bad,$value,$limit
         andi    $batch,$batch,FEATURE_TEXTURES
         ceqi    $batch,$batch,0
@@ -60,13 +60,13 @@ no_mesh:
         require_from_one ray_depth,MAX_DEPTH,RayDepth
         require_from_one batch,MAX_BATCH,Batch
         require_at_most light_count,MAX_LIGHTS,LightCount
-        require_at_most scene_bytes,SCENE_ROOM,SceneBytes
+        require_at_most scene_bytes,SCENE_CAPACITY,SceneBytes
         ori     $scene_bytes,$value,0
         andi    $bad,$value,LINE-1
         refuse_if $bad,SceneBytes
         require_at_most box_trees,(1<<TREES)-1,BoxTrees
         ceqi    $value,$value,0
-        load_constant $limit,BOX_CODE+BOX_CODE_ROOM-SCENE_ADDRESS
+        load_constant $limit,BOX_CODE+BOX_CODE_CAPACITY-SCENE_ADDRESS
         clgt    $bad,$limit,$scene_bytes
         andc    $bad,$bad,$value
         refuse_if $bad,BoxTrees
@@ -98,7 +98,7 @@ no_mesh:
         a       $left,$left,$quad
         mpyu    $left,$left,$batch
         a       $value,$value,$left
-small:  load_constant $limit,SCENE_ROOM
+small:  load_constant $limit,SCENE_CAPACITY
         lqa     $batch,streamed
         brz     $batch,resident
         ila     $limit,EYE_CODE-SCENE_ADDRESS

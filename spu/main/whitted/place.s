@@ -60,7 +60,7 @@ large:
         place   bounds_at,LARGE_BOUNDS
         place   sites_at,LARGE_SITES
         place   roots_at,LARGE_ROOTS
-        load_constant $at,SCENE_ADDRESS+SCENE_ROOM
+        load_constant $at,SCENE_ADDRESS+SCENE_CAPACITY
         ila     $every,0x10203
         il      $size,RAYS16_SIZE
         mpyu    $size,$size,$packets

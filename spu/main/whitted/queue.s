@@ -78,7 +78,7 @@ function queue_prepare
         il      $first,0
         stqa    $first,spilled
         ila     $a_frame,frame
-        load_constant $first,SCENE_ADDRESS+SCENE_ROOM
+        load_constant $first,SCENE_ADDRESS+SCENE_CAPACITY
         lqa     $t_c,streamed
         brz     $t_c,to_the_end
         load_word $first,FRAME_mesh_cache,$a_frame

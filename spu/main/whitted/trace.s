@@ -92,8 +92,18 @@ kernels:
         .set    tree,14
         .set    objects,15
         .set    at_once,16
-        .set    room,17
-        .set    c_room,18
+        .set    candidate_count,17
+        .set    zero,17                                 # reused, like the next five
+        .set    c_rectangles,17
+        .set    any,17
+        .set    c_levels,17
+        .set    node_sort,17
+        .set    m_word,17
+        .set    capacity,18
+        .set    c_full,18                               # reused, like the next three
+        .set    c_shadow,18
+        .set    c_bounced,18
+        .set    c_no_levels,18
         .set    test,19
         .set    levels,20
         .set    roots,21
@@ -147,8 +157,8 @@ function bvhs_plan
         ila     $a_kernel,kernels
         lqa     $a_list,roots_at
         il      $bvhs_left,TREES
-        il      $room,0
-        stqa    $room,any_deep
+        il      $zero,0
+        stqa    $zero,any_deep
         rotmi   $most,$w_most,-4
         cwd     $m_first,0($sp)
         lqa     $step,packet_step
@@ -170,15 +180,15 @@ next_plan:
         # As many packets at once as have candidates that always fit; those of one packet always do.
         # MAX_NODES is for a small batch.
         il      $at_once,1
-        ori     $room,$objects,0
+        ori     $candidate_count,$objects,0
 another:
-        a       $room,$room,$objects
-        lqa     $c_room,object_list_nodes
-        shli    $c_room,$c_room,2
-        cgt     $c_room,$room,$c_room
-        brnz    $c_room,as_many
-        cgti    $c_room,$at_once,SMALL_BATCH-1
-        brnz    $c_room,as_many
+        a       $candidate_count,$candidate_count,$objects
+        lqa     $capacity,object_list_nodes
+        shli    $capacity,$capacity,2
+        cgt     $c_full,$candidate_count,$capacity
+        brnz    $c_full,as_many
+        cgti    $c_full,$at_once,SMALL_BATCH-1
+        brnz    $c_full,as_many
         ai      $at_once,$at_once,1
         br      another
 as_many:
@@ -187,34 +197,34 @@ as_many:
         # Where the children of scattered rays' nodes are tested with the rays: of shadow rays in
         # deep trees, unless their objects are as quickly tested; of others if a level above them
         # passes or the objects take long.
-        cgti    $c_room,$levels,DEEP-1
-        ila     $room,isect_rectangle_pairs_r16
-        ceq     $room,$room,$test
-        andc    $c_room,$c_room,$room
-        lqa     $room,any_deep
-        or      $room,$room,$c_room
-        stqa    $room,any_deep
-        andi    $c_room,$c_room,4
-        store_word $c_room,PLAN_shadow,$a_plan,$t_quad,$t_mask
-        cgti    $room,$levels,1
-        ila     $c_room,isect_cone_pairs_r16
-        ceq     $c_room,$c_room,$test
-        or      $c_room,$c_room,$room
-        andi    $c_room,$c_room,4
-        store_word $c_room,PLAN_bounced,$a_plan,$t_quad,$t_mask
-        il      $room,0
-        store_word $room,PLAN_bounced+8,$a_plan,$t_quad,$t_mask
-        andi    $room,$boxes,1
-        shli    $room,$room,4
+        cgti    $c_shadow,$levels,DEEP-1
+        ila     $c_rectangles,isect_rectangle_pairs_r16
+        ceq     $c_rectangles,$c_rectangles,$test
+        andc    $c_shadow,$c_shadow,$c_rectangles
+        lqa     $any,any_deep
+        or      $any,$any,$c_shadow
+        stqa    $any,any_deep
+        andi    $c_shadow,$c_shadow,4
+        store_word $c_shadow,PLAN_shadow,$a_plan,$t_quad,$t_mask
+        cgti    $c_levels,$levels,1
+        ila     $c_bounced,isect_cone_pairs_r16
+        ceq     $c_bounced,$c_bounced,$test
+        or      $c_bounced,$c_bounced,$c_levels
+        andi    $c_bounced,$c_bounced,4
+        store_word $c_bounced,PLAN_bounced,$a_plan,$t_quad,$t_mask
+        il      $zero,0
+        store_word $zero,PLAN_bounced+8,$a_plan,$t_quad,$t_mask
+        andi    $node_sort,$boxes,1
+        shli    $node_sort,$node_sort,4
         ila     $node,node_kernels
-        lqx     $node,$node,$room
+        lqx     $node,$node,$node_sort
         stqd    $node,PLAN_cull($a_plan)
         rotqbyi $node,$node,8
         rotqbyi $root_step,$test,4
-        ceqi    $c_room,$levels,0
-        selb    $root_step,$node,$root_step,$c_room
-        fsmbi   $room,0xf000
-        and     $root_step,$root_step,$room
+        ceqi    $c_no_levels,$levels,0
+        selb    $root_step,$node,$root_step,$c_no_levels
+        fsmbi   $m_word,0xf000
+        and     $root_step,$root_step,$m_word
         rotqbyi $roots,$tree,BVH_root_count
         store_word $a_list,PLAN_candidates,$a_plan,$t_quad,$t_mask
         store_word $at_once,PLAN_at_once,$a_plan,$t_quad,$t_mask

@@ -60,11 +60,11 @@ pub fn during(work: impl FnOnce()) -> Vec<String> {
 }
 
 #[test]
-fn requests_name_their_function() {
+fn allocations_name_their_function() {
     let mut list: Vec<u8> = Vec::new();
     let asked = during(|| list.reserve(10));
     assert_eq!(asked.len(), 1);
-    assert!(asked[0].contains("requests_name_their_function"), "{}", asked[0]);
+    assert!(asked[0].contains("allocations_name_their_function"), "{}", asked[0]);
     assert!(during(|| list.push(1)).is_empty());
     assert_eq!(during(|| list.reserve(1000)).len(), 1);
     drop(list);

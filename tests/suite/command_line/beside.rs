@@ -6,7 +6,7 @@ use std::process::Command;
 use crate::command_line::support::text;
 
 #[test]
-fn commands_are_handed_over_to_their_programs() {
+fn commands_run_their_programs() {
     for (command, program, expected) in [
         ("bench", "cellray-bench", "accuracy --seed x y --help\n"),
         ("play", "cellray-play", "play accuracy --seed x y --help\n"),

@@ -38,7 +38,7 @@ fn names(folder: &Path) -> Vec<String> {
 }
 
 #[test]
-fn the_picture_has_the_scenes_name_and_one_line_tells_of_it() {
+fn picture_has_scene_name_and_is_reported() {
     let folder = folder();
     let scene = "scenes/paper13.nff";
     let (code, said) = render(folder.path(), &[scene]);
@@ -56,7 +56,7 @@ fn the_picture_has_the_scenes_name_and_one_line_tells_of_it() {
 }
 
 #[test]
-fn a_picture_by_another_program_is_kept_unless_it_is_named() {
+fn picture_of_other_program_is_replaced_only_by_name() {
     let folder = folder();
     let own = folder.path().join("paper13.png");
     let foreign = image::RgbImage::new(3, 2);
@@ -75,7 +75,7 @@ fn a_picture_by_another_program_is_kept_unless_it_is_named() {
 }
 
 #[test]
-fn no_picture_is_written_if_none_is_asked_for() {
+fn no_picture_is_written_without_request() {
     let folder = folder();
     let page = ["--inspect", "page.html"];
     for options in [&["--out", "none"][..], &["--out", "none", "--corners"]] {
@@ -91,7 +91,7 @@ fn no_picture_is_written_if_none_is_asked_for() {
 }
 
 #[test]
-fn statistics_are_told_if_asked_for() {
+fn statistics_are_printed_on_request() {
     let folder = folder();
     for option in ["--verbose", "-v"] {
         let arguments = ["scenes/paper13.nff", "--spus", "3", option];

@@ -31,7 +31,7 @@ fn different(a: &RgbImage, b: &RgbImage) -> usize {
 }
 
 #[test]
-fn every_formulation_draws_the_same_picture_but_for_its_error() {
+fn formulations_draw_same_picture_within_error() {
     let standard = Formulations::standard();
     for (scene, of_scene) in
         [("scenes/paper16.nff", standard.eye), ("scenes/whitted16.nff", standard.seen)]
@@ -75,7 +75,7 @@ fn unshipped_formulation_is_refused_with_the_build_command() {
 }
 
 #[test]
-fn a_quality_is_a_choice_of_formulations() {
+fn quality_is_choice_of_formulations() {
     let scene = "scenes/paper16.nff";
     let points = ["fast", "default", "exact"].map(|quality| {
         let (_, [sphere, _], _) = rendered(scene, &["--quality", quality]);

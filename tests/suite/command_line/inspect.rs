@@ -11,7 +11,7 @@ fn all<'t>(text: &'t str, before: &str, after: &str) -> Vec<&'t str> {
 }
 
 #[test]
-fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
+fn page_shows_each_tile_in_each_map_and_is_repeatable() {
     let folder = tempfile::tempdir().unwrap();
     let pages = ["first.html", "second.html"].map(|name| {
         let page = folder.path().join(name);
@@ -68,7 +68,7 @@ fn the_page_shows_each_tile_in_each_map_and_on_its_spu_and_repeats() {
 }
 
 #[test]
-fn one_frame_is_inspected_and_a_page_that_cannot_be_written_is_named() {
+fn one_frame_is_inspected_and_unwritable_page_is_named() {
     let scene = "scenes/paper13.nff";
     let page = ["--inspect", "/nowhere/at/all.html", "--size", "64x16"];
     let start = ["render", scene];

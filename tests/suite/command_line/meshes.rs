@@ -20,14 +20,14 @@ fn render(options: &[&str]) -> (RgbImage, String) {
 }
 
 #[test]
-fn a_mesh_is_rendered_with_notes_on_what_it_lacks() {
+fn mesh_is_rendered_with_notes_on_missing_parts() {
     let (_, messages) = render(&[]);
     assert!(messages.contains("note: "), "{messages}");
     assert!(messages.contains("gone.mtl"), "{messages}");
 }
 
 #[test]
-fn the_view_can_be_replaced() {
+fn view_can_be_replaced() {
     let (own, _) = render(&[]);
     let (above, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,-1"]);
     let (turned, _) = render(&["--from", "0.5,0.5,4", "--look-at", "0.5,0.5,0", "--up=1,1,0"]);
@@ -40,7 +40,7 @@ fn the_view_can_be_replaced() {
 }
 
 #[test]
-fn bad_meshes_and_views() {
+fn bad_meshes_and_views_are_errors() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bad.obj");
     fs::write(&path, OBJ.replace("f 1 2", "f 1 9")).unwrap();

@@ -21,7 +21,7 @@ use std::process::Command;
 use support::{VIEW, bad, bad_scene, good, text};
 
 #[test]
-fn renders_a_picture_with_statistics() {
+fn picture_is_rendered_with_statistics() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");
     let stats = folder.path().join("s.json");
@@ -94,7 +94,7 @@ fn renders_a_picture_with_statistics() {
 }
 
 #[test]
-fn a_frame_that_stands_still_is_traced_once_unless_asked_for() {
+fn still_frame_is_traced_once_by_default() {
     let run = |option: &[&str]| -> (serde_json::Value, String) {
         let arguments = [
             "render",
@@ -146,7 +146,7 @@ fn skipping_changes_no_byte_of_a_picture() {
 /// Transfers that complete as late as possible, and in the wrong order where that is allowed,
 /// change nothing: the SPU program waits for everything that it needs.
 #[test]
-fn late_transfers_change_nothing() {
+fn late_transfers_give_same_picture() {
     let folder = tempfile::tempdir().unwrap();
     // Spheres in local store; triangles, spheres and tiles of textures that are fetched when
     // needed.
@@ -171,7 +171,7 @@ fn late_transfers_change_nothing() {
 
 /// In simulated time the statistics are the console's, and two runs have identical statistics.
 #[test]
-fn simulated_time_repeats() {
+fn simulated_time_is_repeatable() {
     let folder = tempfile::tempdir().unwrap();
     let [first, second] = ["first", "second"].map(|name| {
         let report = folder.path().join(name);
@@ -205,14 +205,14 @@ fn simulated_time_repeats() {
 }
 
 #[test]
-fn statistics_on_standard_output_are_nothing_but_json() {
+fn statistics_on_standard_output_are_pure_json() {
     let (out, _) =
         good(&["render", "scenes/paper13.nff", "--size", "8x8", "--out", "none", "--stats", "-"]);
     serde_json::from_str::<serde_json::Value>(&out).unwrap();
 }
 
 #[test]
-fn a_file_takes_the_place_of_the_framebuffer() {
+fn file_replaces_framebuffer() {
     let folder = tempfile::tempdir().unwrap();
     let device = folder.path().join("fb0");
     let picture = folder.path().join("p.png");
@@ -228,7 +228,7 @@ fn a_file_takes_the_place_of_the_framebuffer() {
 }
 
 #[test]
-fn a_framebuffer_of_another_geometry() {
+fn framebuffer_of_other_geometry_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let device = folder.path().join("fb0");
     let device = device.to_str().unwrap();
@@ -247,7 +247,7 @@ fn a_framebuffer_of_another_geometry() {
 }
 
 #[test]
-fn bad_scenes() {
+fn bad_scenes_are_errors() {
     bad_scene("", &["bad.nff"]);
     bad_scene("v\nfrom 0 0 9\nat 0 0", &["bad.nff", "3"]);
     bad_scene(&format!("{VIEW}s 0 0 0 NaN\n"), &["bad.nff:9", "NaN"]);
@@ -267,7 +267,7 @@ fn bad_scenes() {
 /// A file of 17 GB that needs no space on the disk: a sparse file is all zero bytes, whatever its
 /// first line is.
 #[test]
-fn seventeen_gigabytes() {
+fn scene_of_17_gigabytes_is_refused() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("huge.nff");
     let huge = |start: &[u8]| {
@@ -284,7 +284,7 @@ fn seventeen_gigabytes() {
 }
 
 #[test]
-fn bad_arguments() {
+fn bad_arguments_are_errors() {
     let scene = "scenes/paper16.nff";
     for size in ["0x10", "9000x10", "99999999999x10"] {
         let message = format!("a picture of {size} pixels: each side must be 1 to 8192");
@@ -342,7 +342,7 @@ fn help_has_examples() {
 }
 
 #[test]
-fn a_sphereflake_is_written_as_a_scene() {
+fn sphereflake_is_written_as_scene() {
     let (out, _) = good(&["sphereflake", "2"]);
     let scene = scenes::parse(out.as_bytes(), "balls", &scenes::Limits::default()).unwrap();
     assert_eq!(scene, scenes::sphereflake::generate(2).unwrap());

@@ -9,7 +9,7 @@ use super::support::{bad, good, pixels, text};
 const STRIPES: &str = "examples/tutorial/shaders/stripes.s";
 
 #[test]
-fn a_new_game_is_a_crate_that_cargo_takes() {
+fn new_game_is_accepted_by_cargo() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("my-game");
     let path = game.to_str().unwrap();
@@ -35,7 +35,7 @@ fn a_new_game_is_a_crate_that_cargo_takes() {
 /// A game is built of what cellray is tested with, and its profile names nothing else: cargo would
 /// warn of it.
 #[test]
-fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
+fn new_game_has_versions_and_profile_of_workspace() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("game");
     good(&["new", game.to_str().unwrap(), "--path", "."]);
@@ -76,7 +76,7 @@ fn a_new_game_has_the_versions_and_the_profile_of_the_workspace() {
 }
 
 #[test]
-fn a_new_game_may_come_from_git() {
+fn new_game_may_depend_on_git() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("game");
     good(&["new", game.to_str().unwrap(), "--git", "https://example.org/cellray"]);
@@ -85,7 +85,7 @@ fn a_new_game_may_come_from_git() {
 }
 
 #[test]
-fn a_new_game_needs_a_name_and_sources() {
+fn new_game_requires_name_and_sources() {
     let folder = tempfile::tempdir().unwrap();
     let name = folder.path().join("2d");
     bad(&["new", name.to_str().unwrap()], &["2d: a package's name"]);
@@ -96,7 +96,7 @@ fn a_new_game_needs_a_name_and_sources() {
 }
 
 #[test]
-fn a_shader_is_tried_with_and_without_a_program() {
+fn shader_is_tested_with_and_without_program() {
     let folder = tempfile::tempdir().unwrap();
     let file = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let scene = file("striped.nff");
@@ -116,7 +116,7 @@ fn a_shader_is_tried_with_and_without_a_program() {
 }
 
 #[test]
-fn a_shader_that_is_wrong_is_told_by_its_line() {
+fn invalid_shader_is_named_with_line() {
     let folder = tempfile::tempdir().unwrap();
     let wrong = folder.path().join("wrong.s");
     fs::write(&wrong, "        nop\n        add $3,$3,$4\n").unwrap();
@@ -125,7 +125,7 @@ fn a_shader_that_is_wrong_is_told_by_its_line() {
 }
 
 #[test]
-fn a_shader_is_scheduled_where_the_game_is() {
+fn shader_is_scheduled_in_game_folder() {
     let folder = tempfile::tempdir().unwrap();
     let game = folder.path().join("game");
     good(&["new", game.to_str().unwrap(), "--template", "stripes"]);
@@ -170,7 +170,7 @@ fn a_shader_is_scheduled_where_the_game_is() {
 }
 
 #[test]
-fn a_schedule_does_not_replace_its_plain_source() {
+fn schedule_does_not_replace_its_plain_source() {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("stripes.s");
     fs::copy(STRIPES, &source).unwrap();
@@ -183,7 +183,7 @@ fn a_schedule_does_not_replace_its_plain_source() {
 }
 
 #[test]
-fn the_loop_of_a_shader_is_told_by_its_pass() {
+fn shader_loop_report_has_cycles_of_a_pass() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("faster.s");
     let out = out.to_str().unwrap();

@@ -32,7 +32,7 @@ fn full_disk() -> Stdio {
 }
 
 #[test]
-fn a_message_that_nobody_reads_costs_no_picture() {
+fn unread_message_does_not_lose_picture() {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");
     let numbered = folder.path().join("p-%d.png");
@@ -57,7 +57,7 @@ fn a_message_that_nobody_reads_costs_no_picture() {
 }
 
 #[test]
-fn data_whose_reader_has_gone_ends_quietly() {
+fn closed_pipe_ends_without_error() {
     let stats = ["render", SCENE, "--size", "64x48", "--out", "none", "--stats", "-"];
     let picture = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for arguments in [&["sphereflake", "5"][..], &["info"], &stats, &picture] {
@@ -85,7 +85,7 @@ fn unwritable_data_is_an_error() {
 }
 
 #[test]
-fn a_reader_that_has_enough_gets_the_first_lines() {
+fn early_closing_reader_gets_first_lines() {
     let mut command = program();
     let mut generator = command
         .args(["sphereflake", "5"])
@@ -103,7 +103,7 @@ fn a_reader_that_has_enough_gets_the_first_lines() {
 }
 
 #[test]
-fn a_picture_goes_to_standard_output_alone() {
+fn picture_goes_to_standard_output_alone() {
     let arguments = ["render", SCENE, "--size", "64x48", "--out", "-"];
     for more in [&[][..], &["--corners"]] {
         let output = cellray(&[&arguments[..], more].concat());
@@ -118,7 +118,7 @@ fn a_picture_goes_to_standard_output_alone() {
 }
 
 #[test]
-fn the_extension_is_the_format() {
+fn extension_selects_format() {
     let folder = tempfile::tempdir().unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let render = |out: &str| {
@@ -142,7 +142,7 @@ fn the_extension_is_the_format() {
 }
 
 #[test]
-fn a_device_is_written_to() {
+fn output_may_be_a_device() {
     good(&["render", SCENE, "--size", "64x48", "--out", "/dev/null"]);
     bad(&["render", SCENE, "--size", "64x48", "--out", "/dev/full"], &["/dev/full"]);
 }
@@ -163,7 +163,7 @@ fn numbered_pictures_may_have_any_name() {
 }
 
 #[test]
-fn a_ground_too_large_for_its_shadows_is_noted() {
+fn ground_too_large_for_its_shadows_is_noted() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("ground.nff");
     let scene = |radius: u32| {

@@ -38,7 +38,7 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 }
 
 #[test]
-fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
+fn partial_runs_equal_one_run_and_keep_files() {
     let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
     let stderr = render(whole.path(), "0..9");
     assert!(stderr.contains("9 picture(s) written, 0 existed already"), "{stderr}");
@@ -68,7 +68,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
 }
 
 #[test]
-fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
+fn full_disk_names_picture_and_leaves_no_partial_file() {
     let folder = tempfile::tempdir().unwrap();
     // In blocks of 512 bytes: this is enough for an emulated SPU's local store, but not for a
     // picture of this size.
@@ -87,7 +87,7 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
 }
 
 #[test]
-fn signals_end_it_between_two_pictures() {
+fn signals_end_sequence_between_pictures() {
     for signal in [libc::SIGINT, libc::SIGTERM] {
         let folder = tempfile::tempdir().unwrap();
         // The process that starts the tests may ignore signals, and children inherit that.

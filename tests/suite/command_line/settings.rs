@@ -43,7 +43,7 @@ fn compared(scene: &str, options: &[&str], path: &Path, settings: &Settings) {
 }
 
 #[test]
-fn by_default() {
+fn default_settings_are_stored() {
     let whitted =
         ["--antialias 4", "--colour srgb", "--contrast 32", "--model whitted", "--ray-depth 5"];
     assert_eq!(check("scenes/whitted16.nff", &[]), whitted);
@@ -55,7 +55,7 @@ fn by_default() {
 }
 
 #[test]
-fn all_kinds_of_scenes() {
+fn settings_are_stored_for_all_scene_kinds() {
     for scene in [
         "scenes/daylight.nff",
         "scenes/shapes.nff",
@@ -72,7 +72,7 @@ fn all_kinds_of_scenes() {
 }
 
 #[test]
-fn each_option_that_changes_the_picture() {
+fn picture_options_are_stored() {
     for options in [
         &["--antialias", "1"][..],
         &["--antialias", "16", "--contrast", "8"],
@@ -97,7 +97,7 @@ fn each_option_that_changes_the_picture() {
 }
 
 #[test]
-fn numbered_pictures_have_the_eye_of_their_frames() {
+fn numbered_pictures_store_eye_of_frame() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("f-%d.png");
     let scene = "scenes/whitted16.nff";
@@ -116,7 +116,7 @@ fn numbered_pictures_have_the_eye_of_their_frames() {
 }
 
 #[test]
-fn the_picture_of_an_inspected_frame_has_its_settings() {
+fn picture_of_inspected_frame_has_its_settings() {
     let folder = tempfile::tempdir().unwrap();
     let [page, path] = ["page.html", "p.png"].map(|name| folder.path().join(name));
     let [page, out] = [&page, &path].map(|path| path.to_str().unwrap());
@@ -127,7 +127,7 @@ fn the_picture_of_an_inspected_frame_has_its_settings() {
 
 /// What leaves the pixels as they are leaves the file as it is.
 #[test]
-fn other_options_are_not_in_the_file() {
+fn other_options_are_not_stored() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("p.png");
     let out = path.to_str().unwrap();

@@ -21,7 +21,7 @@ circle:
 ";
 
 #[test]
-fn the_time_allowed_is_the_hosts_where_time_is_simulated() {
+fn timeout_is_host_time_in_simulation() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("silent.s"), SILENT).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -5,7 +5,7 @@ use crate::command_line::support::{bad, good};
 const SCENE: &str = "scenes/paper13.nff";
 
 #[test]
-fn numbered_frames_need_a_place_for_the_number() {
+fn numbered_frames_require_number_in_pattern() {
     for (out, name) in [
         (&["--out", "f.png"][..], "--out 'f-%05d.png'"),
         (&["--out", "a.b/f.jpg"], "--out 'a.b/f-%05d.jpg'"),
@@ -19,7 +19,7 @@ fn numbered_frames_need_a_place_for_the_number() {
 }
 
 #[test]
-fn generated_scenes_that_are_not() {
+fn unknown_generated_scenes_are_refused() {
     for (name, parts) in [
         ("sphereflake", &["sphereflake: this scene needs a level, as in sphereflake:2"][..]),
         ("tetra", &["as in tetra:3"]),
@@ -49,7 +49,7 @@ fn generated_scenes_that_are_not() {
 }
 
 #[test]
-fn scene_files_that_are_not() {
+fn missing_scene_files_are_refused() {
     for (name, meant) in [
         ("scenes/whitted61.nff", "did you mean scenes/whitted16.nff?"),
         ("scenes/whitted16", "did you mean scenes/whitted16.nff?"),
@@ -93,7 +93,7 @@ fn similar_words_are_suggested() {
 }
 
 #[test]
-fn a_formulation_beside_a_quality_is_told() {
+fn formulation_with_quality_is_refused() {
     let render = |options: &[&str]| {
         let arguments = ["render", SCENE, "--size", "64x36", "--out", "none"];
         good(&[&arguments[..], options].concat()).1
@@ -112,7 +112,7 @@ fn a_formulation_beside_a_quality_is_told() {
 
 /// Whoever waits for a long trace learns before it that the picture has no place.
 #[test]
-fn a_folder_that_is_not_there_is_told_before_tracing() {
+fn missing_folder_is_reported_before_tracing() {
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("gone/p.png");
     let missing = format!("there is no folder {}", folder.path().join("gone").display());

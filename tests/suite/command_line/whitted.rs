@@ -54,7 +54,7 @@ fn rays(stats: &serde_json::Value) -> [u64; 7] {
 }
 
 #[test]
-fn each_option_of_whitteds_model_changes_what_it_says() {
+fn each_whitted_option_has_its_effect() {
     let scene = "scenes/whitted16.nff";
     let linear = ["--antialias", "1", "--colour", "linear"];
     let one = |options: &[&str]| traced(scene, &[&linear[..], options].concat());
@@ -104,7 +104,7 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
 }
 
 #[test]
-fn invisible_rays_are_sent_on_request() {
+fn invisible_rays_are_traced_on_request() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("glass.nff");
     // This glass reflects nothing.
@@ -130,7 +130,7 @@ fn shapes_other_than_spheres_are_drawn() {
 }
 
 #[test]
-fn a_scene_with_too_many_lights_names_the_first_of_them() {
+fn scene_with_too_many_lights_names_first_of_them() {
     // Objects that don't fit are streamed from main memory; lights are not.
     let many = "l 0 0 9\n".repeat(65);
     bad_scene(&format!("{VIEW}{many}s 0 0 0 1\n"), &["bad.nff:73: more than 64 lights"]);

@@ -30,12 +30,12 @@ fn scene() -> scenes::Scene {
 }
 
 #[test]
-fn the_picture_is_the_same_with_any_number_of_spus() {
+fn picture_is_same_with_any_number_of_spus() {
     is_the_same_with_spus(&scene(), [2, 5], 200);
 }
 
 #[test]
-fn fields_of_the_colours_that_are_wrong() {
+fn invalid_colour_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 2] = [
         ("colour_code", "a multiple of 128", |frame| {
             frame.colour_code = (frame.colour_code.get() + 64).into()

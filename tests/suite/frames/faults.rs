@@ -85,27 +85,27 @@ const DMA: &str = "
         wrch $MFC_TagID,$11";
 
 #[test]
-fn an_unknown_stop_code() {
+fn unknown_stop_code_is_an_error() {
     check("        stop 0x1234", &["SPU ", "unknown code 0x1234", "0x00010", "0x00001234"]);
 }
 
 #[test]
-fn an_exit_in_the_middle() {
+fn early_exit_is_an_error() {
     check("        stop 0x2007", &["exited with code 7"]);
 }
 
 #[test]
-fn a_halt() {
+fn halt_is_an_error() {
     check("        heq $3,$3", &["halt"]);
 }
 
 #[test]
-fn an_invalid_instruction() {
+fn invalid_instruction_is_an_error() {
     check("        .long 0x00800000", &["invalid instruction"]);
 }
 
 #[test]
-fn a_dma_of_an_impossible_size() {
+fn dma_of_invalid_size_is_an_error() {
     let body = format!(
         "{DMA}\n        il $12,24\n        wrch $MFC_Size,$12\n        il $13,0x40\n        wrch $MFC_Cmd,$13"
     );
@@ -113,7 +113,7 @@ fn a_dma_of_an_impossible_size() {
 }
 
 #[test]
-fn a_dma_over_16_kb() {
+fn dma_over_16_kb_is_an_error() {
     let body = format!(
         "{DMA}\n        ila $12,0x8000\n        wrch $MFC_Size,$12\n        il $13,0x40\n        wrch $MFC_Cmd,$13"
     );
@@ -121,7 +121,7 @@ fn a_dma_over_16_kb() {
 }
 
 #[test]
-fn an_unknown_dma_command() {
+fn unknown_dma_command_is_an_error() {
     let body = format!(
         "{DMA}\n        il $12,16\n        wrch $MFC_Size,$12\n        il $13,0x13\n        wrch $MFC_Cmd,$13"
     );
@@ -129,7 +129,7 @@ fn an_unknown_dma_command() {
 }
 
 #[test]
-fn a_dma_to_memory_that_is_not_there() {
+fn dma_to_unmapped_memory_is_an_error() {
     let body = format!(
         "{DMA}\n        il $10,64\n        wrch $MFC_LSA,$10\n        wrch $MFC_EAH,$11\n        \
          wrch $MFC_EAL,$10\n        il $12,16\n        wrch $MFC_Size,$12\n        \
@@ -163,13 +163,13 @@ fn silence(program: Program) -> String {
 }
 
 #[test]
-fn a_program_that_sleeps() {
+fn sleeping_program_times_out() {
     let text = silence(program("        rdch $5,$SPU_RdSigNotify1"));
     assert!(text.contains("waited for a channel"), "{text}");
 }
 
 #[test]
-fn a_program_that_goes_round_in_circles() {
+fn looping_program_times_out() {
     let text = silence(program("        nop\ncircle: nop\n        br circle"));
     // Taking the mail needs four instructions.
     let places = ["was at 0x00014, circle;", "was at 0x00018, circle+0x4;"];
@@ -177,7 +177,7 @@ fn a_program_that_goes_round_in_circles() {
 }
 
 #[test]
-fn a_program_that_does_not_look_at_its_mail() {
+fn mail_ignoring_program_times_out() {
     // The engine can't end it. It sleeps, because an endless loop would keep the processors busy
     // until the last of the other tests has ended.
     let text = silent_for(1, assemble("        rdch $5,$SPU_RdSigNotify1\n"));
@@ -239,7 +239,7 @@ take:   ila $10,0x2000
         wrch $SPU_WrOutIntrMbox,$6";
 
 #[test]
-fn a_program_that_is_slow_is_waited_for() {
+fn slow_program_is_waited_for() {
     let began = Instant::now();
     let error = render(SLOWLY, UNIT_PATIENCE);
     let incomplete = matches!(error, EngineError::Incomplete { .. });
@@ -248,13 +248,13 @@ fn a_program_that_is_slow_is_waited_for() {
 }
 
 #[test]
-fn an_answer_that_means_nothing() {
+fn unknown_reply_is_an_error() {
     let error = render("        il $6,999\n        wrch $SPU_WrOutIntrMbox,$6", PATIENCE);
     assert!(error.to_string().contains("unknown status 999"), "{error}");
 }
 
 #[test]
-fn a_program_that_says_done_and_has_done_nothing() {
+fn false_completion_is_an_error() {
     let error = render("        il $6,0\n        wrch $SPU_WrOutIntrMbox,$6", PATIENCE);
     assert!(matches!(error, EngineError::Incomplete { traced: 0, wanted: 4096, .. }), "{error}");
 }

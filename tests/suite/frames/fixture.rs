@@ -9,7 +9,7 @@ use crate::recorder::Recorder;
 use cellray::framebuffer::{Framebuffer as _, Memory};
 use cellray::{Engine, EngineError, Settings, SharedMemory, work};
 use image::RgbImage;
-use protocol::layout::{Frame, SCENE_ROOM, Statistics, UnitCounter, WAITING_SIZE};
+use protocol::layout::{Frame, SCENE_CAPACITY, Statistics, UnitCounter, WAITING_SIZE};
 
 /// Changes one field of a descriptor to a wrong value.
 pub type Spoil = fn(&mut Frame);
@@ -54,7 +54,7 @@ impl Fixture {
         let costs = SharedMemory::new(units.len());
         let [spheres, mesh, mesh_code, units] =
             [spheres, mesh, mesh_code, units].map(|bytes| shared(&bytes));
-        let mut scene = SharedMemory::new(SCENE_ROOM as usize);
+        let mut scene = SharedMemory::new(SCENE_CAPACITY as usize);
         scene.write(0, &block);
         let [textures, texture_code] = [textures, texture_code].map(|bytes| shared(&bytes));
         let unit_counter = SharedMemory::new(size_of::<UnitCounter>());

@@ -44,7 +44,7 @@ fn first(fixture: &Fixture, kind: u32) -> (usize, MeshHeader) {
 }
 
 #[test]
-fn the_picture_is_the_same_with_any_number_of_spus() {
+fn picture_is_same_with_any_number_of_spus() {
     for is_of_spheres in [false, true] {
         let scene = scene(is_of_spheres);
         assert!(Fixture::of(&scene, 1).frame.materials.get() != 0);
@@ -53,7 +53,7 @@ fn the_picture_is_the_same_with_any_number_of_spus() {
 }
 
 #[test]
-fn fields_of_the_materials_that_are_wrong() {
+fn invalid_material_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 5] = [
         ("materials", "a multiple of 128", |frame| {
             frame.materials = (frame.materials.get() + 64).into()

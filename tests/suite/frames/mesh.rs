@@ -7,7 +7,7 @@ use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
 use image::RgbImage;
 use protocol::layout::{
-    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_LEAST_SLOTS, MESH_SPHERES,
+    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MIN_SLOTS, MESH_SPHERES,
     NO_BOX, SCENE_ADDRESS,
 };
 use rand::{Rng as _, SeedableRng as _};
@@ -122,7 +122,6 @@ impl Blocks {
         u32::from_be_bytes(self.good[at..at + 4].try_into().unwrap())
     }
 
-    /// The first block of a kind.
     fn first(&self, kind: u32) -> u32 {
         let blocks = 0..self.fixture.frame.mesh_blocks.get();
         let found = blocks.into_iter().find(|&block| self.get(word(block, KIND)) == kind);
@@ -172,14 +171,14 @@ impl Blocks {
 }
 
 #[test]
-fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
+fn picture_is_same_for_all_sizes_of_cache() {
     for scene in [scene(), spheres(), cones()] {
         let mut one = Blocks::of(&scene, 1);
         let picture = one.traced_with(&[]).unwrap();
         let background = picture.get_pixel(0, 0);
         let seen = picture.pixels().filter(|pixel| *pixel != background);
         assert!(seen.count() > 500, "{} is in the picture", scene.name);
-        for slots in [MESH_LEAST_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
+        for slots in [MESH_MIN_SLOTS, 5, 7, one.fixture.frame.mesh_slots.get()] {
             let mut frame = one.fixture.frame;
             frame.mesh_slots = slots.into();
             one.fixture.submit(&frame).unwrap();
@@ -191,7 +190,7 @@ fn the_picture_is_the_same_for_all_sizes_of_the_cache() {
 }
 
 #[test]
-fn fields_of_the_mesh_that_are_wrong() {
+fn invalid_mesh_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 20] = [
         ("mesh", "a multiple of 128", |frame| frame.mesh = (frame.mesh.get() + 16).into()),
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0.into()),
@@ -237,7 +236,7 @@ fn fields_of_the_mesh_that_are_wrong() {
 }
 
 #[test]
-fn a_scene_that_leaves_no_room_for_the_code_is_refused() {
+fn scene_without_memory_for_code_is_refused() {
     let mut fixture = Fixture::of(&scene(), 1);
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the code, without space for the queued rays.
@@ -308,12 +307,12 @@ fn invalid_blocks_are_refused() {
 }
 
 #[test]
-fn blocks_of_spheres_that_are_not_as_they_should_be() {
+fn invalid_sphere_blocks_are_refused() {
     objects_are_refused(&spheres(), MESH_SPHERES, 48);
 }
 
 #[test]
-fn blocks_of_cones_that_are_not_as_they_should_be() {
+fn invalid_cone_blocks_are_refused() {
     objects_are_refused(&cones(), MESH_CONES, 64);
 }
 

@@ -18,7 +18,7 @@ fn one_spu() -> Settings {
 }
 
 #[test]
-fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
+fn picture_is_independent_of_spus_split_and_costs() {
     let scene = nff_scene("paper16.nff");
     // Widths of whole tiles, of part of a tile, and one that is no multiple of four pixels.
     for (width, height) in [(256, 64), (101, 57), (1, 1), (3, 200), (700, 33)] {
@@ -167,7 +167,7 @@ fn like_the_reference(scene: &scenes::Scene, width: u32, height: u32) {
 }
 
 #[test]
-fn the_scenes_are_like_the_reference() {
+fn scenes_equal_reference_within_tolerance() {
     for name in SCENES {
         let (width, height) = match name {
             "paper16.nff" => (1280, 720),
@@ -178,7 +178,7 @@ fn the_scenes_are_like_the_reference() {
 }
 
 #[test]
-fn a_sphereflake_is_like_the_reference() {
+fn sphereflake_equals_reference_within_tolerance() {
     let mut scene = scenes::sphereflake::generate(2).unwrap();
     // With depth shading, as for all scenes without lights.
     scene.lights.clear();
@@ -186,7 +186,7 @@ fn a_sphereflake_is_like_the_reference() {
 }
 
 #[test]
-fn an_empty_scene_is_its_background() {
+fn empty_scene_shows_background() {
     let scene = nff_scene("empty.nff");
     let expected = scenes::depth::bytes(scene.background);
     for spus in [1, 2, 6] {
@@ -289,7 +289,7 @@ impl Framebuffer for Straddling {
 }
 
 #[test]
-fn a_framebuffer_across_a_multiple_of_4_gb() {
+fn framebuffer_may_cross_multiple_of_4_gb() {
     let geometry = Geometry { width: 120, height: 200 };
     let framebuffer = Box::new(Straddling::new(geometry));
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();

@@ -3,7 +3,7 @@
 use crate::frames::fixture::{Fixture, Spoil};
 use crate::recorder::nff_scene;
 use cellray::EngineError;
-use protocol::layout::{BOX_CODE, BOX_CODE_ROOM, SCENE_ADDRESS, SCENE_ROOM, WorkUnit};
+use protocol::layout::{BOX_CODE, BOX_CODE_CAPACITY, SCENE_ADDRESS, SCENE_CAPACITY, WorkUnit};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -44,7 +44,7 @@ fn whitted_fixture(spus: u32) -> Fixture {
 }
 
 #[test]
-fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
+fn invalid_field_is_named_and_next_frame_is_traced() {
     let cases: [(&str, &str, Spoil); 32] = [
         ("magic", "0x43524119", |frame| frame.magic = (0x4352_4159_u32 ^ 0x40).into()),
         ("version", "1 (0x1)", |frame| frame.version = 1.into()),
@@ -83,7 +83,7 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 }
 
 #[test]
-fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
+fn invalid_whitted_field_is_named() {
     let cases: [(&str, &str, Spoil); 32] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
@@ -94,14 +94,14 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "must be a multiple of 128 and leave", |frame| {
             frame.scene_bytes = (frame.scene_bytes.get() + 64).into()
         }),
-        ("scene_bytes", "leave space", |frame| frame.scene_bytes = (SCENE_ROOM + 128).into()),
+        ("scene_bytes", "leave space", |frame| frame.scene_bytes = (SCENE_CAPACITY + 128).into()),
         ("scene_bytes", "4294967168", |frame| frame.scene_bytes = 0xffff_ff80.into()),
         ("scene_bytes", "4294967295", |frame| frame.scene_bytes = u32::MAX.into()),
         // Three batches of eight packets need 12288 bytes.
         ("ray_depth", "16 (0x10), 8 (0x8): must be a multiple", |frame| {
             frame.ray_depth = 16.into();
             frame.batch = 8.into();
-            frame.scene_bytes = (SCENE_ROOM - 12288 + 128).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 12288 + 128).into();
         }),
         ("ray_depth", "0 (0x0): must be 1 to 16", |frame| frame.ray_depth = 0.into()),
         ("ray_depth", "17 (0x11): must be 1 to 16", |frame| frame.ray_depth = 17.into()),
@@ -110,7 +110,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "1 (0x1), 16 (0x10): must be a multiple", |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 16.into();
-            frame.scene_bytes = (SCENE_ROOM - 29696 + 128).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 29696 + 128).into();
         }),
         ("batch", "0 (0x0): must be 1 to 16, and at most 8 with a mesh", |frame| {
             frame.batch = 0.into()
@@ -144,7 +144,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         // The scene ends 16 bytes before the end of the code for boxes.
         ("scene_bytes", "the code for boxes", |frame| {
             frame.box_trees = 2.into();
-            frame.scene_bytes = (BOX_CODE + BOX_CODE_ROOM - SCENE_ADDRESS - 16).into();
+            frame.scene_bytes = (BOX_CODE + BOX_CODE_CAPACITY - SCENE_ADDRESS - 16).into();
         }),
         ("trees", "1024 objects", |frame| frame.trees[0].objects = 1025.into()),
         ("trees", "1024 objects", |frame| frame.trees[3].objects = u32::MAX.into()),
@@ -178,7 +178,7 @@ fn maximum_values_of_whitteds_model_are_traced() {
         |frame| {
             frame.ray_depth = 1.into();
             frame.batch = 16.into();
-            frame.scene_bytes = (SCENE_ROOM - 29696).into();
+            frame.scene_bytes = (SCENE_CAPACITY - 29696).into();
         },
         |frame| frame.light_count = 0.into(),
         // A tree without objects is not checked.
@@ -195,7 +195,7 @@ fn maximum_values_of_whitteds_model_are_traced() {
 }
 
 #[test]
-fn a_descriptor_at_an_odd_address_is_refused() {
+fn descriptor_at_odd_address_is_refused() {
     let mut fixture = fixture(1);
     let frame = fixture.frame;
     for address in [0x1_0000_0040_u64, 0x1001, 0x7f] {
@@ -209,7 +209,7 @@ fn a_descriptor_at_an_odd_address_is_refused() {
 }
 
 #[test]
-fn a_work_unit_that_is_none_is_refused() {
+fn invalid_work_unit_is_refused() {
     let mut fixture = fixture(1);
     let frame = fixture.frame;
     let mut good = WorkUnit::new_zeroed();
@@ -247,7 +247,7 @@ fn invalid_slices_stay_within_the_picture() {
 }
 
 #[test]
-fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
+fn unmapped_frame_memory_is_a_dma_error() {
     let spoils: [(&str, Spoil); 5] = [
         ("framebuffer", |frame| frame.framebuffer = 0x1000.into()),
         ("spheres", |frame| frame.spheres = 0x1000.into()),

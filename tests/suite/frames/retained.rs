@@ -20,7 +20,7 @@ use cellray::work::{Skip, Split};
 use cellray::{Engine, EngineError, Scene, Settings};
 
 #[test]
-fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
+fn unchanged_frame_is_shown_and_not_traced() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
     let (framebuffer, shown) = Recorder::pair(200, 100);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
@@ -41,7 +41,7 @@ type Change = fn(&mut scenes::Scene);
 
 /// With Whitted's model too, a change is traced wherever it is visible.
 #[test]
-fn whitteds_model_is_traced_again_where_anything_has_changed() {
+fn whitted_pixels_are_traced_again_where_changed() {
     let whitted = nff_scene("whitted16.nff");
     let changes: [(&str, Change); 11] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),
@@ -127,7 +127,7 @@ fn retain_and_skip_off_trace_every_pixel() {
 }
 
 #[test]
-fn the_background_is_not_sent_twice() {
+fn background_is_not_sent_twice() {
     let scene = Scene::from_nff(&nff_scene("paper1.nff")).unwrap();
     let retrace = Settings { retain: false, ..Settings::default() };
     let (framebuffer, shown) = Recorder::pair(640, 360);
@@ -146,7 +146,7 @@ fn the_background_is_not_sent_twice() {
 }
 
 #[test]
-fn a_framebuffer_that_was_asked_for_counts_as_drawn_to() {
+fn borrowed_framebuffer_counts_as_drawn_to() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
     let (framebuffer, shown) = Recorder::pair(64, 64);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
@@ -242,7 +242,7 @@ impl Framebuffer for TwoPages {
 }
 
 #[test]
-fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
+fn retained_frames_equal_full_frames() {
     let mut retained = 0;
     for (seed, (pair, split)) in (41..).zip([
         (Recorder::pair as fn(u32, u32) -> (Box<dyn Framebuffer>, Snapshot), Split::Units),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cellray::EngineError;
 use image::RgbImage;
 use protocol::layout::{
-    EYE_CODE_ROOM, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
+    EYE_CODE_CAPACITY, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -56,12 +56,12 @@ fn scene() -> scenes::Scene {
 }
 
 #[test]
-fn the_picture_is_the_same_with_any_number_of_spus() {
+fn picture_is_same_with_any_number_of_spus() {
     is_the_same_with_spus(&scene(), 2..=6, 300);
 }
 
 #[test]
-fn fields_of_the_textures_that_are_wrong() {
+fn invalid_texture_fields_are_refused() {
     let cases: [(&str, &str, Spoil); 15] = [
         ("texture_code", "a multiple of 128", |frame| {
             frame.texture_code = (frame.texture_code.get() + 64).into()
@@ -100,7 +100,7 @@ fn fields_of_the_textures_that_are_wrong() {
 }
 
 #[test]
-fn a_scene_that_leaves_no_room_for_the_tiles_is_refused() {
+fn scene_without_memory_for_tiles_is_refused() {
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the tiles, without space for the queued rays.
         frame.scene_bytes = (TEXTURE_CODE - SCENE_ADDRESS).into();
@@ -131,7 +131,7 @@ impl Records {
 }
 
 #[test]
-fn records_of_textures_that_are_wrong() {
+fn invalid_texture_records_are_refused() {
     let fixture = Fixture::of(&scene(), 2);
     let frame = fixture.frame;
     let mut records = Records { fixture };
@@ -206,8 +206,8 @@ fn blocks_with_texture_coordinates() {
     let mut plain = frame;
     plain.features = (frame.features.get() & !protocol::layout::FEATURE_TEXTURES).into();
     // Such a frame has the code for eye rays, which is in front of the rest.
-    plain.mesh_code = (frame.mesh_code.get() - u64::from(EYE_CODE_ROOM)).into();
-    plain.mesh_code_bytes = (frame.mesh_code_bytes.get() + EYE_CODE_ROOM).into();
+    plain.mesh_code = (frame.mesh_code.get() - u64::from(EYE_CODE_CAPACITY)).into();
+    plain.mesh_code_bytes = (frame.mesh_code_bytes.get() + EYE_CODE_CAPACITY).into();
     let refused = fixture.refused(&plain).to_string();
     assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.read(at + 24, &mut word);

@@ -2,7 +2,9 @@
 
 use cellray::EngineError;
 use cellray::framebuffer::Framebuffer as _;
-use protocol::layout::{MAX_BATCH, QueuedRay, RayPacket, SCENE_ROOM, SMALL_BATCH, WAITING_SIZE};
+use protocol::layout::{
+    MAX_BATCH, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, WAITING_SIZE,
+};
 
 use crate::frames::fixture::Fixture;
 use crate::recorder::nff_scene;
@@ -15,8 +17,8 @@ fn most_scene_bytes(batch: u32) -> u32 {
     let rays = 3 * PACKET * size_of::<QueuedRay>() as u32;
     let buffers = 2 * size_of::<RayPacket>() as u32;
     match batch {
-        ..=SMALL_BATCH => SCENE_ROOM - batch * rays,
-        _ => SCENE_ROOM - batch * (rays + buffers),
+        ..=SMALL_BATCH => SCENE_CAPACITY - batch * rays,
+        _ => SCENE_CAPACITY - batch * (rays + buffers),
     }
 }
 
@@ -34,7 +36,7 @@ fn used(fixture: &Fixture, spus: u32) -> Vec<usize> {
 }
 
 #[test]
-fn rays_without_room_in_local_store_wait_in_main_memory() {
+fn rays_over_local_store_capacity_wait_in_main_memory() {
     for (spus, batch) in [(1, 8), (2, 8), (1, 16), (2, 11)] {
         let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), spus);
         let mut frame = fixture.frame;
@@ -60,7 +62,7 @@ fn rays_without_room_in_local_store_wait_in_main_memory() {
 }
 
 #[test]
-fn main_memory_that_is_not_there_is_a_dma_error() {
+fn unmapped_waiting_memory_is_a_dma_error() {
     let mut fixture = Fixture::of(&nff_scene("nested-glass.nff"), 1);
     let mut frame = fixture.frame;
     frame.batch = 8.into();

@@ -184,7 +184,7 @@ fn without_shadows() {
 
 /// Adding and removing lights changes a world's model.
 #[test]
-fn the_model_follows_the_lights() {
+fn model_depends_on_lights() {
     let mut random = ChaCha8Rng::seed_from_u64(5);
     let mut played = Played::new(&mut random, RenderOptions::default(), 0, false);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));

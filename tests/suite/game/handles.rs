@@ -19,7 +19,7 @@ fn red(world: &mut World) -> MaterialId {
 }
 
 #[test]
-fn a_removed_object_is_never_another() {
+fn removed_handle_is_never_reused() {
     let mut world = World::new();
     let red = red(&mut world);
     let mut removed = Vec::new();
@@ -52,7 +52,7 @@ fn a_removed_object_is_never_another() {
 }
 
 #[test]
-fn a_material_in_use_stays() {
+fn material_in_use_is_kept() {
     let mut world = World::new();
     let (red, blue) = (red(&mut world), red(&mut world));
     let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
@@ -80,7 +80,7 @@ fn a_material_in_use_stays() {
 }
 
 #[test]
-fn a_removed_light_is_refused() {
+fn removed_light_is_refused() {
     let mut world = World::new();
     let light = world.add_light(Light::at(DVec3::ONE)).unwrap();
     assert_eq!(world.light(light).unwrap(), Light::at(DVec3::ONE));
@@ -96,7 +96,7 @@ fn a_removed_light_is_refused() {
 }
 
 #[test]
-fn a_fixed_object_stays_until_it_is_freed() {
+fn fixed_object_is_kept_until_freed() {
     let mut world = World::new();
     let red = red(&mut world);
     let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
@@ -178,7 +178,7 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
 }
 
 #[test]
-fn an_error_names_the_line_that_called() {
+fn error_names_line_that_called() {
     let mut world = World::new();
     let line = line!() + 1;
     let error = world.fix(ObjectId::default()).unwrap_err();
@@ -193,7 +193,7 @@ fn an_error_names_the_line_that_called() {
 }
 
 #[test]
-fn a_box_and_a_plane_are_where_they_were_put() {
+fn box_and_plane_have_given_positions() {
     let mut world = World::new();
     let red = red(&mut world);
     let sides = world.add_box([2.0, 3.0, 1.0], [-2.0, 1.0, -1.0], red).unwrap();
@@ -226,7 +226,7 @@ fn a_box_and_a_plane_are_where_they_were_put() {
 
 /// A world that does not fit fails to render, and renders again once it fits.
 #[test]
-fn too_much_is_refused_until_it_is_gone() {
+fn objects_over_capacity_are_refused_until_removed() {
     let program = Program::tracer();
     let mut world = World::new();
     // With Whitted's model, spheres would be streamed.
@@ -252,7 +252,7 @@ fn too_much_is_refused_until_it_is_gone() {
 
 /// The same with Whitted's model, whose objects are streamed if they are too many.
 #[test]
-fn too_many_lights_are_refused_until_they_are_gone() {
+fn lights_over_capacity_are_refused_until_removed() {
     let program = Program::tracer();
     let mut world = World::new();
     let red = red(&mut world);
@@ -276,7 +276,7 @@ fn too_many_lights_are_refused_until_they_are_gone() {
 }
 
 #[test]
-fn a_shader_that_there_is_not_is_named() {
+fn unknown_shader_is_named() {
     let program = Program::tracer();
     let mut world = World::new();
     let red = red(&mut world);
@@ -297,7 +297,7 @@ fn a_shader_that_there_is_not_is_named() {
 }
 
 #[test]
-fn a_scene_comes_back_as_it_was() {
+fn restored_scene_is_equal() {
     for name in ["whitted16.nff", "shapes.nff", "paper16.nff"] {
         let scene = nff_scene(name);
         let world = World::from_nff(&scene, RenderOptions::default()).unwrap();

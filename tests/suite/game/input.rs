@@ -38,7 +38,7 @@ fn every_key_is_pressed_held_and_released_alone() {
 }
 
 #[test]
-fn a_short_press_is_not_lost() {
+fn short_press_is_not_lost() {
     let mut input = after(&[key(Key::Space, true), key(Key::Space, false)]);
     assert!(input.key_pressed(Key::Space) && input.key_held(Key::Space));
     assert!(input.key_released(Key::Space));
@@ -47,7 +47,7 @@ fn a_short_press_is_not_lost() {
 }
 
 #[test]
-fn two_keys_are_an_axis() {
+fn two_keys_form_an_axis() {
     let axis = |events: &[InputEvent]| after(events).key_axis(Key::Left, Key::Right);
     assert_eq!(axis(&[]), 0.0);
     assert_eq!(axis(&[key(Key::Left, true)]), -1.0);
@@ -56,7 +56,7 @@ fn two_keys_are_an_axis() {
 }
 
 #[test]
-fn the_mouse_moves_and_turns() {
+fn mouse_moves_and_turns() {
     let mut input = after(&[
         InputEvent::MouseMoved { to: [3.5, 4.0] },
         InputEvent::MouseMotion { by: [1.0, -2.0] },
@@ -76,7 +76,7 @@ fn the_mouse_moves_and_turns() {
 }
 
 #[test]
-fn pads_come_and_go() {
+fn pads_connect_and_disconnect() {
     let connected = |pad| InputEvent::PadConnected { pad: PadId(pad), name: format!("pad {pad}") };
     let button = |pad, down| InputEvent::PadButton { pad: PadId(pad), button: Button::Cross, down };
     let axis = |value| InputEvent::PadAxis { pad: PadId(1), axis: Axis::LeftX, value };

@@ -186,7 +186,7 @@ fn play(mesh: Mesh) {
 /// More materials than fit in local store: each is changed in place, the mesh moves, and a
 /// sphere in local store has one of them, too.
 #[test]
-fn more_materials_than_local_store_has_room_for() {
+fn materials_over_local_store_capacity() {
     let (mut world, _) = world();
     let mut mesh = pear(16, 20);
     let count = mesh.triangles.len() as u32;
@@ -277,7 +277,7 @@ fn meshes_move_in_local_store() {
 /// The tree is refitted until rays have wasted as many tests as they make in two pictures, and so
 /// is one that has stopped moving while the eye moves.
 #[test]
-fn a_tree_that_has_become_bad_is_replaced() {
+fn degraded_tree_is_rebuilt() {
     for refit_pictures in [0, 2, u32::MAX] {
         let (mut world, red) = world();
         world.set_render_options(RenderOptions { refit_pictures, ..RenderOptions::default() });
@@ -319,7 +319,7 @@ fn a_tree_that_has_become_bad_is_replaced() {
 
 /// A quarter turn is exact, so the vertices can be turned here without the world's own arithmetic.
 #[test]
-fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {
+fn placed_mesh_equals_mesh_with_moved_vertices() {
     let mesh = pear(30, 30);
     let turned = |vectors: &[[f32; 3]], by: f32| -> Vec<[f32; 3]> {
         vectors.iter().map(|&[x, y, z]| [-y + by, x, z]).collect()
@@ -345,7 +345,7 @@ fn a_mesh_at_a_place_is_a_mesh_with_these_vertices() {
 }
 
 #[test]
-fn the_checksum_has_the_places_of_meshes() {
+fn checksum_includes_mesh_positions() {
     let (mut world, red) = world();
     let before = world.checksum();
     let mesh = world.add_mesh(Arc::new(pear(4, 4)), &[red], at(1.0, 0.0, 0.0)).unwrap();
@@ -358,7 +358,7 @@ fn the_checksum_has_the_places_of_meshes() {
 }
 
 #[test]
-fn more_spheres_than_local_store_has_room_for() {
+fn spheres_over_local_store_capacity() {
     let (mut world, red) = world();
     let mut random = ChaCha8Rng::seed_from_u64(7);
     let mut spheres = Vec::new();
@@ -388,7 +388,7 @@ fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> scenes::Shape {
 }
 
 #[test]
-fn more_cones_than_local_store_has_room_for() {
+fn cones_over_local_store_capacity() {
     let (mut world, red) = world();
     let mut random = ChaCha8Rng::seed_from_u64(8);
     let mut cones = Vec::new();
@@ -441,7 +441,7 @@ fn polygons_beside_cones_in_main_memory() {
 }
 
 #[test]
-fn more_triangles_than_local_store_has_room_for() {
+fn triangles_over_local_store_capacity() {
     let scene = scenes::load("tetra:5".as_ref()).unwrap();
     let mut world = World::from_nff(&scene, RenderOptions::default()).unwrap();
     assert_eq!((world.object_count(), world.meshes().count()), (0, 1));
@@ -450,7 +450,7 @@ fn more_triangles_than_local_store_has_room_for() {
 
 /// Polygons join the meshes when there are too many of them, and leave them when there are few.
 #[test]
-fn more_polygons_than_local_store_has_room_for() {
+fn polygons_over_local_store_capacity() {
     for count in [513, 2000] {
         let (mut world, red) = world();
         let ball = world.add_sphere([0.0, 1.0, 2.0], 0.4, red).unwrap();
@@ -493,7 +493,7 @@ fn more_polygons_than_local_store_has_room_for() {
 }
 
 #[test]
-fn wrong_meshes_are_refused() {
+fn invalid_meshes_are_refused() {
     let (mut world, red) = world();
     let good = pear(3, 3);
     let spoilt = |spoil: &dyn Fn(&mut Mesh)| {

@@ -84,7 +84,7 @@ fn in_one_go(session: &mut Session<Pushed>) -> RgbImage {
 }
 
 #[test]
-fn a_refined_picture_is_the_one_that_is_traced_in_one_go() {
+fn refined_picture_equals_picture_traced_at_once() {
     for spus in 1..=6 {
         for most in [1, 7, 24, 1000] {
             let mut session = start(spus);
@@ -108,7 +108,7 @@ fn a_refined_picture_is_the_one_that_is_traced_in_one_go() {
 }
 
 #[test]
-fn movement_puts_a_refined_picture_off_at_once() {
+fn movement_cancels_refinement_at_once() {
     let mut session = start(6);
     session.engine().limit_tiles(Some(4));
     for frames in [1, 3, 6] {
@@ -143,7 +143,7 @@ fn movement_puts_a_refined_picture_off_at_once() {
 }
 
 #[test]
-fn a_picture_that_was_put_off_is_begun_anew_on_the_same_framebuffer() {
+fn cancelled_refinement_restarts_on_same_framebuffer() {
     let mut session = start(3);
     session.engine().limit_tiles(Some(9));
     for down in [None, Some(true), Some(false)] {
@@ -174,7 +174,7 @@ fn frames_without_retained_pixels_are_not_divided() {
 }
 
 #[test]
-fn a_framebuffer_shows_the_picture_that_it_began_with() {
+fn new_framebuffer_shows_its_first_picture() {
     let framebuffer = framebuffer();
     assert_eq!(framebuffer.picture(), Some(backdrop()));
     assert_eq!((framebuffer.geometry().width, framebuffer.geometry().height), SIZE);

@@ -42,7 +42,7 @@ fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
 }
 
 #[test]
-fn a_ball_and_its_shadows_are_a_few_tiles() {
+fn moving_ball_changes_few_tiles() {
     let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
     let sun = Light::sun(DVec3::new(0.2, 1.0, 0.3));
     let ground = Material::matte(0.5, 0.6, 0.5);
@@ -54,7 +54,7 @@ fn a_ball_and_its_shadows_are_a_few_tiles() {
 
 /// Tiles along a long shadow are traced, and few others.
 #[test]
-fn a_low_sun_throws_a_long_shadow() {
+fn low_sun_changes_tiles_of_long_shadow() {
     let low = Light::sun(DVec3::new(-1.0, 0.12, 0.0));
     let ground = Material::matte(0.5, 0.6, 0.5);
     let (mut world, ball) = balls(ground, &[low]).unwrap();
@@ -64,7 +64,7 @@ fn a_low_sun_throws_a_long_shadow() {
 
 /// Every tile that a mirror may affect is traced, and no other.
 #[test]
-fn a_mirror_is_traced_again() {
+fn changed_mirror_image_is_traced_again() {
     let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
     let (mut world, ball) = balls(Material::mirror(), &[above]).unwrap();
     // The floor is six tiles wide.
@@ -84,7 +84,7 @@ fn a_mirror_is_traced_again() {
 /// With depth shading, only the ball's tiles are traced. But if the ball's distance sets the
 /// range, all are.
 #[test]
-fn depth_shading_needs_a_range_of_its_own() {
+fn depth_shading_requires_fixed_range() {
     let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[]).unwrap();
     world.set_fade(Some(DepthShading { near: 5.0, far: 40.0 })).unwrap();
     let [moved, still] = traced(&mut world, ball);

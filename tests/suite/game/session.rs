@@ -176,7 +176,7 @@ fn replay(game: Driven, bytes: &[u8]) -> (Session<Driven>, Snapshot) {
 }
 
 #[test]
-fn a_recorded_session_is_played_back_bit_for_bit() {
+fn recorded_session_is_replayed_bit_for_bit() {
     let (expected, bytes) = recorded();
     assert!(expected.windows(2).any(|pair| pair[0] != pair[1]));
     let again = Shared::default();
@@ -191,7 +191,7 @@ fn a_recorded_session_is_played_back_bit_for_bit() {
 }
 
 #[test]
-fn a_recording_is_played_back_antialiased_by_any_number_of_spus() {
+fn recording_is_played_back_antialiased_by_any_number_of_spus() {
     let (_, bytes) = recorded();
     let looked_at = |look, spus| {
         let (framebuffer, shown) = Recorder::pair(64, 36);
@@ -211,7 +211,7 @@ fn a_recording_is_played_back_antialiased_by_any_number_of_spus() {
 }
 
 #[test]
-fn a_recording_is_played_back_in_another_size() {
+fn recording_is_played_back_in_another_size() {
     let (_, bytes) = recorded();
     let (session, shown) = start(Driven::new(), (96, 64));
     let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
@@ -222,7 +222,7 @@ fn a_recording_is_played_back_in_another_size() {
 }
 
 #[test]
-fn a_game_that_plays_otherwise_is_found_out() {
+fn diverging_game_is_detected() {
     let (_, bytes) = recorded();
     let odd = Driven { odd_from: 20, ..Driven::new() };
     let (mut session, _) = replay(odd, &bytes);
@@ -232,7 +232,7 @@ fn a_game_that_plays_otherwise_is_found_out() {
 }
 
 #[test]
-fn another_games_recording_is_refused() {
+fn recording_of_other_game_is_refused() {
     let header =
         r#"{"format":"cellray recording","version":1,"game":"other","seed":0,"size":[4,4]}"#;
     let (session, _) = start(Driven::new(), (64, 32));
@@ -275,7 +275,7 @@ fn invalid_recording_is_refused() {
 }
 
 #[test]
-fn a_game_that_is_over_ends_the_session() {
+fn finished_game_ends_session() {
     struct Quitter(u32);
     impl InputSource for Quitter {
         fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
@@ -313,7 +313,7 @@ fn end_or_failure_of_input_ends_the_session() {
 
 /// The size may change during a game. The game and its replay see the change.
 #[test]
-fn a_session_moves_to_another_framebuffer() {
+fn session_moves_to_another_framebuffer() {
     let bytes = Shared::default();
     let (session, _) = start(Driven::new(), (64, 32));
     let mut clock = FixedSteps(Duration::from_millis(10));

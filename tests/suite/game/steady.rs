@@ -128,7 +128,7 @@ fn by_depth_shading() {
 
 /// The frame loop sleeps while SPUs trace, so it uses only a small part of the processor's time.
 #[test]
-fn the_frame_loop_sleeps() {
+fn frame_loop_sleeps() {
     let mut session = session(Model::Whitted, 64);
     run(&mut session, 30);
     let report = session.report();

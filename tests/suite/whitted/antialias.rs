@@ -15,7 +15,7 @@ use crate::recorder::{Recorder, nff_scene};
 use crate::whitted::frame::{Frame, WHITTED, options};
 
 const SIZE: (u32, u32) = (485, 270);
-const LEAST: u8 = 16;
+const MIN_CONTRAST: u8 = 16;
 const TILE: (u32, u32) = (64, 16);
 
 fn antialiased(samples: Samples, contrast: u8) -> RenderOptions {
@@ -81,7 +81,7 @@ fn off(picture: &RgbImage, pixels: &[(u32, u32)], light: &Light, side: u32) -> u
 fn samples_are_those_of_the_reference(scene: &scenes::Scene, one: RenderOptions, light: &Light) {
     let all: Vec<_> = (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y))).collect();
     let plain = Frame::of(scene, one, SIZE, Settings::default());
-    let chosen = differing(&plain.picture, LEAST);
+    let chosen = differing(&plain.picture, MIN_CONTRAST);
     assert!(chosen.len() > all.len() / 100 && chosen.len() < all.len() / 2);
     for samples in [Samples::Four, Samples::Sixteen] {
         let count = samples as usize;
@@ -90,7 +90,7 @@ fn samples_are_those_of_the_reference(scene: &scenes::Scene, one: RenderOptions,
             let options = RenderOptions { samples, contrast, ..one };
             Frame::of(scene, options, SIZE, Settings::default())
         };
-        let smooth = of_contrast(LEAST);
+        let smooth = of_contrast(MIN_CONTRAST);
         let rays = smooth.rays();
         assert_eq!(rays.samples, (count * chosen.len()) as u64);
         assert_eq!(rays.eye - rays.samples, all.len() as u64);
@@ -142,7 +142,7 @@ fn all_shapes() {
 }
 
 #[test]
-fn a_picture_of_full_size_is_that_of_the_reference() {
+fn full_size_picture_equals_reference() {
     let (width, height) = (1280, 720);
     let scene = nff_scene("whitted16.nff");
     let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
@@ -190,17 +190,17 @@ fn is_explained(found: Rgb<u8>, light: &Light, (x, y): (u32, u32), side: u32) ->
 /// With 16 samples a pixel, 16 rays may decide otherwise than the reference at an edge, and each of
 /// them moves the pixel by a sixteenth of the edge.
 #[test]
-fn sixteen_samples_are_off_only_where_rays_pass_an_edge() {
+fn sixteen_samples_differ_only_near_edges() {
     let (width, height) = (1280, 720);
     let scene = nff_scene("whitted16.nff");
     let probe = Probe::new(&scene, width, height, &options(WHITTED)).unwrap();
     let light: &Light = &|x, y| probe.light(x, y);
     let frame = |samples| {
-        let options = antialiased(samples, LEAST);
+        let options = antialiased(samples, MIN_CONTRAST);
         Frame::of(&scene, options, (width, height), Settings::default()).picture
     };
     let (plain, smooth) = (frame(Samples::One), frame(Samples::Sixteen));
-    let chosen = differing(&plain, LEAST);
+    let chosen = differing(&plain, MIN_CONTRAST);
     let wrong: Vec<_> = chosen.iter().filter(|&&at| off(&smooth, &[at], light, 4) > 0).collect();
     // What one ray of a pixel decides otherwise, of all pixels.
     let all: Vec<_> = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).collect();
@@ -226,7 +226,7 @@ fn picture_is_independent_of_spus_and_work_units() {
     let scene = nff_scene("whitted16.nff");
     let frame = |spus, split, skip| {
         let settings = Settings { spus, split, skip, ..Settings::default() };
-        Frame::of(&scene, antialiased(Samples::Sixteen, LEAST), SIZE, settings)
+        Frame::of(&scene, antialiased(Samples::Sixteen, MIN_CONTRAST), SIZE, settings)
     };
     let one = frame(1, Split::Units, Skip::Misses);
     for spus in 2..=6 {
@@ -240,11 +240,12 @@ fn picture_is_independent_of_spus_and_work_units() {
 }
 
 #[test]
-fn depth_shading_depends_on_nothing_either() {
+fn depth_shading_is_independent_of_spus_and_work_units() {
     let scene = nff_scene("paper16.nff");
     let frame = |spus, skip| {
         let settings = Settings { spus, skip, ..Settings::default() };
-        let options = RenderOptions { model: Model::Depth, ..antialiased(Samples::Four, LEAST) };
+        let options =
+            RenderOptions { model: Model::Depth, ..antialiased(Samples::Four, MIN_CONTRAST) };
         Frame::of(&scene, options, SIZE, settings)
     };
     let one = frame(1, Skip::Misses);
@@ -265,13 +266,14 @@ fn empty_picture_has_no_edges() {
 }
 
 #[test]
-fn a_frame_after_another_is_as_if_it_were_the_first() {
+fn later_frame_equals_first_frame() {
     let scene = nff_scene("whitted16.nff");
     let program = Program::tracer();
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
     use Samples::{Four, One, Sixteen};
-    for (samples, threshold) in [(One, 1), (Four, LEAST), (Sixteen, 64), (One, 0), (Four, 0)] {
+    for (samples, threshold) in [(One, 1), (Four, MIN_CONTRAST), (Sixteen, 64), (One, 0), (Four, 0)]
+    {
         let prepared = Scene::new(&scene, antialiased(samples, threshold), &program).unwrap();
         engine.render(&prepared, &mut |_| ()).unwrap();
         let picture = shown.lock().unwrap().take().unwrap();

@@ -23,7 +23,7 @@ fn traced(name: &str, render_options: RenderOptions, skip: Skip) -> Frame {
 /// No ray loses what it hits: each frame has hundreds of thousands of rays, from surfaces, into
 /// mirrors and glass and to lights, and is the same when every ray is tested with every object.
 #[test]
-fn boxes_hide_nothing() {
+fn boxes_change_no_byte() {
     for name in SCENES {
         let [by_boxes, by_all] =
             [Skip::Misses, Skip::Nothing].map(|skip| traced(name, BOXES, skip));
@@ -36,7 +36,7 @@ fn boxes_hide_nothing() {
 }
 
 #[test]
-fn pictures_with_boxes_are_as_the_reference_has_them() {
+fn pictures_with_boxes_equal_reference() {
     for name in SCENES {
         let result = compared(&nff_scene(name), BOXES, SIZE);
         println!("{name}: {result:?}");

@@ -41,7 +41,7 @@ fn nested_glass_sends_fewer_rays_for_the_same_picture() {
 }
 
 #[test]
-fn a_depth_that_no_ray_reaches_changes_nothing() {
+fn unreached_depth_changes_no_byte() {
     let mut scene = scenes::load(Path::new("scenes/whitted16.nff")).unwrap();
     for material in &mut scene.materials {
         (material.specular, material.transmittance) = (0.0, 0.0);

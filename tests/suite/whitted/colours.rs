@@ -72,7 +72,7 @@ fn checked(scene: &scenes::Scene, render_options: RenderOptions, what: &str) -> 
 }
 
 #[test]
-fn a_single_triangle() {
+fn single_triangle() {
     let mut scene = scene();
     scene.mesh = Some(Arc::new(Mesh {
         positions: vec![[-2.5, -1.0, 0.0], [2.5, -1.0, 0.5], [0.0, 2.0, -1.0]],

@@ -177,7 +177,7 @@ const SPD: [(&str, u32, f64); 9] = [
 ];
 
 #[test]
-fn the_scenes_of_spd_by_its_rules() {
+fn spd_scenes_counted_by_spd_rules() {
     for (name, side, wrong) in SPD {
         let scene = scenes::load(Path::new(name)).unwrap();
         let by_spd = RenderOptions { spd_rays: true, ..WHITTED };

@@ -7,7 +7,7 @@ use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 use oracle::whitted::{Options, trace};
 use oracle::{Comparison, Picture, Pixels};
-use protocol::layout::MESH_MOST_SLOTS;
+use protocol::layout::MESH_MAX_SLOTS;
 
 use crate::recorder::Recorder;
 
@@ -23,7 +23,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     colour: Colour::Linear,
     roll_off: false,
     corners: false,
-    mesh_cache: MESH_MOST_SLOTS,
+    mesh_cache: MESH_MAX_SLOTS,
     refit_pictures: 50,
     volumes: NodeVolumes::Best,
 };

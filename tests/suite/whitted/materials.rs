@@ -129,7 +129,7 @@ fn repeated_fills_in_local_store() {
 
 /// The pictures with materials in main memory are those with materials in local store.
 #[test]
-fn where_materials_are_makes_no_difference() {
+fn picture_is_independent_of_material_memory() {
     let few = triangles(600);
     let mut few = scenes::Scene { materials: few.materials[..6].to_vec(), ..few };
     for object in &mut few.objects {

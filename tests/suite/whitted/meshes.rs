@@ -59,7 +59,7 @@ fn scene(mesh: Mesh) -> scenes::Scene {
 
 /// From inside a closed mesh, no primary ray finds its way out between two triangles.
 #[test]
-fn a_closed_mesh_has_no_cracks() {
+fn closed_mesh_has_no_cracks() {
     let lower = bowl(24, false);
     let mut mesh = Mesh { two_sided: true, ..lower.clone() };
     let first = mesh.positions.len() as u32;
@@ -243,7 +243,7 @@ fn cones_in_main_memory_by_other_options() {
 }
 
 #[test]
-fn a_mesh_is_drawn_as_the_reference_draws_it() {
+fn mesh_equals_reference() {
     for (rows, normals) in [(8, false), (8, true), (24, false), (24, true)] {
         let scene = scene(bowl(rows, normals));
         let found = Frame::of(&scene, WHITTED, SIZE, Settings::default());

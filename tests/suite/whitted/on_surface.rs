@@ -33,7 +33,7 @@ fn assert_right(what: &str, result: Comparison) {
 }
 
 #[test]
-fn an_eye_on_a_sphere_sees_what_the_reference_sees() {
+fn picture_from_eye_on_sphere_equals_reference() {
     for (from, at, material, sphere) in [
         // Into the sphere, along its surface, and away from it.
         ("0 0 1", "0 0 0", OPAQUE, "0 0 0 1"),
@@ -78,7 +78,7 @@ fn moved(from: &scenes::Scene, to: &scenes::Scene) -> RgbImage {
 }
 
 #[test]
-fn an_eye_that_comes_onto_a_sphere_or_leaves_it_sees_the_same() {
+fn eye_moved_to_or_from_sphere_gives_fresh_picture() {
     for material in [OPAQUE, GLASS] {
         let on = scene("0 0 1", "0.3 0 0.5", material, "0 0 0 1");
         let off = scene("0 0.5 6", "0 0 0", material, "0 0 0 1");
@@ -91,7 +91,7 @@ fn an_eye_that_comes_onto_a_sphere_or_leaves_it_sees_the_same() {
 
 /// By depth shading, such a sphere is as invisible as one around the eye.
 #[test]
-fn depth_shading_shows_no_sphere_on_whose_surface_the_eye_is() {
+fn depth_shading_omits_sphere_under_eye() {
     for (from, sphere) in [("0 0 1", "0 0 0 1"), ("0.3 0.4 1.2", "0 0 0 1.3")] {
         for skip in [cellray::work::Skip::Misses, cellray::work::Skip::Nothing] {
             let mut scene = scene(from, "0.1 0 -1", OPAQUE, sphere);

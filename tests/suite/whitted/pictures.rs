@@ -31,12 +31,12 @@ fn scenes_are_as_the_reference_has_them(
 }
 
 #[test]
-fn scenes_as_they_are_meant() {
+fn scenes_equal_reference() {
     scenes_are_as_the_reference_has_them(&ALL, WHITTED, SIZE);
 }
 
 #[test]
-fn a_sky() {
+fn sky_equals_reference() {
     for colour in [Colour::Linear, Colour::Srgb] {
         let render_options = RenderOptions { colour, ..WHITTED };
         scenes_are_as_the_reference_has_them(&["daylight.nff"], render_options, SIZE);

@@ -19,7 +19,7 @@ fn size(scene: &scenes::Scene) -> f64 {
 }
 
 #[test]
-fn size_and_place_of_a_scene_do_not_change_its_picture() {
+fn picture_is_independent_of_scene_scale_and_position() {
     let mut failures = Vec::new();
     for name in ["shapes.nff", "glass.nff"] {
         let original = nff_scene(name);

@@ -74,7 +74,7 @@ pub fn dark_scene() -> scenes::Scene {
 }
 
 #[test]
-fn a_texture_is_drawn_as_the_reference_draws_it() {
+fn texture_equals_reference() {
     for (width, height, wrap) in [
         (64, 64, [Wrap::Repeat, Wrap::Mirror]),
         (37, 90, [Wrap::Mirror, Wrap::Repeat]),
@@ -135,7 +135,7 @@ fn triangles_of_several_blocks() {
 }
 
 #[test]
-fn the_chess_scene() {
+fn chess_scene_equals_reference() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/chess.glb");
     let scene = meshes::load(&path).unwrap().scene;
     let off = compared(&scene, WHITTED, SIZE);

@@ -117,7 +117,7 @@ fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
 }
 
 #[test]
-fn random_scenes_are_as_the_reference_has_them() {
+fn random_scenes_equal_reference() {
     let scenes = match env::var("CELLRAY_SCENES") {
         Ok(number) => number.parse().expect("CELLRAY_SCENES must be a number of scenes"),
         Err(_) => SCENES,

@@ -18,7 +18,7 @@ const POWER_A_SECOND: f64 = 0.7;
 const HEIGHT_A_NOTCH: f64 = 0.1;
 const HEIGHT_A_SECOND: f64 = 1.0;
 /// Below this power there is no shot: the mouse was drawn back and brought forward again.
-const LEAST_POWER: f64 = 0.03;
+const MIN_POWER: f64 = 0.03;
 /// Speed of the cue ball at full power.
 const FASTEST: f64 = 7.5;
 
@@ -118,13 +118,13 @@ impl Aim {
             self.let_go();
         }
         if input.mouse_released(MouseButton::Left) && self.before.is_some() {
-            if self.power >= LEAST_POWER {
+            if self.power >= MIN_POWER {
                 blow = true;
             } else {
                 self.let_go();
             }
         }
-        blow &= self.power >= LEAST_POWER;
+        blow &= self.power >= MIN_POWER;
         if blow {
             // After any shot, releasing the button has no effect.
             self.before = None;
@@ -184,7 +184,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mouse_draws_back_and_lets_go() {
+    fn mouse_drag_and_release_strike() {
         let mut played = Played::default();
         assert!(!played.frame(&[PRESS]));
         assert!(!played.frame(&[motion(50.0, 100.0)]));
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blow_by_a_key_ends_the_mouses_drawing() {
+    fn key_strike_ends_mouse_drag() {
         let mut played = Played::default();
         played.frame(&[PRESS, motion(0.0, 75.0)]);
         let (key, down) = (Key::Space, true);
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_new_game_begins_with_a_cue_at_rest() {
+    fn new_game_has_cue_at_rest() {
         let mut played = Played::default();
         played.frame(&[PRESS, motion(0.0, 75.0)]);
         played.aim.point(DVec3::ZERO, DVec3::X);

@@ -355,7 +355,7 @@ mod tests {
     use cellray::game::DVec3;
 
     #[test]
-    fn a_ball_bounces_off_a_jaws_corner_by_where_it_touched() {
+    fn ball_bounces_off_jaw_corner_along_contact_normal() {
         // The end of a long cushion next to the side pocket at negative z.
         let [corner, _] = CUSHIONS[1].nose;
         for degrees in [10.0, 25.0, 40.0, 55.0, 70.0] {

@@ -194,7 +194,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_ball_after_the_break_gives_the_group() {
+    fn first_ball_after_break_assigns_group() {
         let rules = play(&[shot(Some(1), &[3]), shot(Some(9), &[12, 2])]);
         assert_eq!((rules.turn(), rules.group()), (0, Some(Group::Striped)));
         let rules = play(&[shot(Some(1), &[]), shot(Some(9), &[12])]);
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn the_eight_decides() {
+    fn pocketed_eight_ends_game() {
         let full = [1, 2, 3, 4, 5, 6, 7];
         let early = play(&[shot(Some(1), &[2]), shot(Some(EIGHT), &[EIGHT])]);
         assert_eq!(early.winner(), Some(1));
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn a_shot_that_misses_the_rack_is_no_break() {
+    fn missed_rack_is_not_a_break() {
         let missed = shot(None, &[]);
         let rules = play(std::slice::from_ref(&missed));
         assert_eq!((rules.turn(), rules.was_foul()), (1, true));
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn each_player_has_a_group_whoever_is_at_the_table() {
+    fn groups_are_kept_when_turn_changes() {
         // Player 0 has the solids and loses by the eight, so the turn does not change.
         let rules = play(&[shot(Some(1), &[3]), shot(Some(1), &[2]), shot(Some(1), &[EIGHT])]);
         assert_eq!((rules.turn(), rules.winner()), (0, Some(1)));

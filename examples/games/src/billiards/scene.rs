@@ -381,7 +381,7 @@ mod tests {
     use crate::billiards::rules::Shot;
 
     #[test]
-    fn the_marker_lies_by_the_balls_of_whom_it_speaks() {
+    fn marker_is_beside_balls_of_its_player() {
         let mut rules = Rules::new(0);
         let mut gone = 0_u16;
         let mut judge = |rules: &mut Rules, touched: usize, pocketed: usize| {

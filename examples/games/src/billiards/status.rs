@@ -69,7 +69,7 @@ mod tests {
     }
 
     #[test]
-    fn a_game_is_told_from_break_to_win() {
+    fn status_describes_game_from_break_to_win() {
         let lines = after(&[
             (1, &[]),
             (9, &[9, 10]),

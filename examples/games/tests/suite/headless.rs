@@ -116,7 +116,7 @@ fn run(session: &mut Session<Box<dyn Game>>, frames: u64) {
 
 /// Without a player, nothing moves and no tile is traced again, however long the frames take.
 #[test]
-fn a_table_at_rest_is_traced_once() {
+fn table_at_rest_is_traced_once() {
     let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
     let mut session = session("billiards", 7, (32, 18));
     let report = session.run(Some(200), &mut clock, &mut NoInput).unwrap();
@@ -134,7 +134,7 @@ fn played(name: &str, seed: u64, player: u64) -> u64 {
 }
 
 #[test]
-fn every_game_takes_any_player_and_is_the_same_twice() {
+fn every_game_is_deterministic_for_any_input() {
     for game in GAMES {
         let first = played(game.name, 1, 2);
         assert_eq!(played(game.name, 1, 2), first, "{}", game.name);
@@ -143,7 +143,7 @@ fn every_game_takes_any_player_and_is_the_same_twice() {
 }
 
 #[test]
-fn seeds_give_other_worlds() {
+fn different_seeds_give_different_worlds() {
     for game in GAMES {
         let world = |seed| {
             let mut session = session(game.name, seed, (32, 18));
@@ -155,7 +155,7 @@ fn seeds_give_other_worlds() {
 }
 
 #[test]
-fn frames_take_no_memory() {
+fn frames_allocate_no_memory() {
     for game in GAMES {
         let mut session = session(game.name, 1, (48, 27));
         run(&mut session, 10);
@@ -167,7 +167,7 @@ fn frames_take_no_memory() {
 }
 
 #[test]
-fn games_are_found_by_the_name_they_have() {
+fn games_are_found_by_name() {
     for game in GAMES {
         assert_eq!((game.new)().name(), game.name);
         assert!(!game.line.is_empty() && !(game.new)().controls().is_empty());

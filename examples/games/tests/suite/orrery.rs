@@ -78,7 +78,7 @@ impl Played {
 }
 
 #[test]
-fn all_is_in_the_picture_at_any_time() {
+fn all_planets_are_in_picture_at_any_time() {
     let mut played = Played::new();
     for _ in 0..10 {
         played.press(Key::Up);
@@ -101,7 +101,7 @@ fn all_is_in_the_picture_at_any_time() {
 }
 
 #[test]
-fn the_eye_is_never_within_the_sun_or_a_planet() {
+fn eye_stays_outside_sun_and_planets() {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
     let mut played = Played::new();
     let objects: Vec<_> = played.world.objects().collect();
@@ -138,7 +138,7 @@ fn the_eye_is_never_within_the_sun_or_a_planet() {
 }
 
 #[test]
-fn the_eye_keeps_its_distance_from_the_sun() {
+fn eye_keeps_its_distance_from_sun() {
     let mut played = Played::new();
     played.frame(0.0, &[(Key::PageUp, true)]);
     for _ in 0..300 {
@@ -163,7 +163,7 @@ fn view(played: &Played) -> (DVec3, DVec3) {
 }
 
 #[test]
-fn the_eye_comes_to_rest_within_three_seconds() {
+fn eye_stops_within_three_seconds() {
     for key in [Key::Digit1, Key::Digit6, Key::Digit8, Key::Digit0] {
         let mut played = Played::new();
         played.press(Key::Digit3);
@@ -180,7 +180,7 @@ fn the_eye_comes_to_rest_within_three_seconds() {
 }
 
 #[test]
-fn planets_have_their_names_unless_the_player_hides_them() {
+fn planets_are_labelled_unless_labels_are_off() {
     let mut played = Played::new();
     played.frame(0.04, &[]);
     let names = |played: &Played| {
@@ -242,7 +242,7 @@ fn body_hidden_by_the_sun_has_no_label() {
 }
 
 #[test]
-fn days_do_not_depend_on_the_frames() {
+fn days_are_independent_of_frame_times() {
     let days = |frames: u32, step: f64| {
         let mut played = Played::new();
         (0..frames).for_each(|_| played.frame(step, &[]));

@@ -24,7 +24,7 @@ fn is_on_the_table(centre: DVec3) -> bool {
 }
 
 #[test]
-fn energy_never_grows_and_all_comes_to_rest_on_the_table_or_in_a_pocket() {
+fn energy_does_not_grow_and_balls_stop_on_table_or_in_pocket() {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(5);
     let (mut pocketed, mut gone) = (0, 0);
     for _ in 0..24 {
@@ -79,7 +79,7 @@ fn alone() -> Balls {
 }
 
 #[test]
-fn a_ball_driven_at_a_pocket_falls_into_it() {
+fn ball_aimed_at_pocket_falls_into_it() {
     for pocket in POCKETS {
         let mut balls = alone();
         if pocket.centre.x == 0.0 {
@@ -100,7 +100,7 @@ fn a_ball_driven_at_a_pocket_falls_into_it() {
 }
 
 #[test]
-fn the_tips_height_makes_the_cue_ball_follow_or_come_back() {
+fn tip_height_gives_follow_or_draw() {
     let after = |height: f64| {
         let mut balls = alone();
         balls.0[1].place = Place::Bed;
@@ -159,7 +159,7 @@ fn overlap(bodies: &[Body]) -> f64 {
 }
 
 #[test]
-fn the_screensaver_never_tires() {
+fn screensaver_never_stops_moving() {
     let mut game = Screensaver::default();
     let energy = |game: &Screensaver| game.bodies().iter().map(Body::energy).sum::<f64>();
     let mut first = None;
@@ -183,7 +183,7 @@ fn the_screensaver_never_tires() {
 }
 
 #[test]
-fn marbles_stay_in_their_tray_and_come_to_rest() {
+fn marbles_stay_in_tray_and_stop() {
     let mut rng = Xoshiro256PlusPlus::seed_from_u64(9);
     let arrows = [Key::Left, Key::Right, Key::Up, Key::Down];
     let mut game = Marbles::default();

@@ -62,7 +62,7 @@ fn make(recording: &Path, ended: &Path) {
 }
 
 #[test]
-fn a_recorded_game_ends_as_it_did() {
+fn replayed_game_has_same_end() {
     let (recording, ended) = (kept("billiards.jsonl"), kept("billiards.txt"));
     if std::env::var_os("MAKE_REF").is_some() {
         make(&recording, &ended);

@@ -5,7 +5,7 @@ use oracle::Picture;
 use crate::program::{BALL, SIZE, frames, good, path, pictures};
 
 #[test]
-fn it_is_where_the_formula_has_it() {
+fn ball_position_equals_formula() {
     let folder = tempfile::tempdir().unwrap();
     pictures(BALL, folder.path(), "0..13", &[]);
     let mut seen = Vec::new();
@@ -30,14 +30,14 @@ fn it_is_where_the_formula_has_it() {
 }
 
 #[test]
-fn it_runs_without_a_display() {
+fn runs_without_display() {
     let folder = tempfile::tempdir().unwrap();
     let stderr = good(BALL, folder.path(), &["--display", "none", "--frames", "3"]);
     assert_eq!(frames(&stderr), 3);
 }
 
 #[test]
-fn it_is_under_twenty_lines() {
+fn source_has_under_twenty_lines() {
     let source = include_str!("../../src/bin/ball.rs");
     let is_code = |line: &&str| !line.trim().is_empty() && !line.starts_with("//!");
     let lines = source.lines().filter(is_code).count();

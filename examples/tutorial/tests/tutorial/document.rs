@@ -107,7 +107,7 @@ fn shown_commands_are_valid() {
 }
 
 #[test]
-fn its_pictures_are_there() {
+fn pictures_of_document_exist() {
     let mut seen = 0;
     for part in TUTORIAL.split("](tutorial/").skip(1) {
         let name = part.split(')').next().unwrap();

@@ -66,7 +66,7 @@ fn recording(folder: &Path, frames: u32, keys: &[(u32, &str)]) {
 const REPLAY: [&str; 2] = ["--replay", "session"];
 
 #[test]
-fn the_first_picture_is_like_the_reference() {
+fn first_picture_equals_reference() {
     let folder = tempfile::tempdir().unwrap();
     pictures(STEER, folder.path(), "0..2", &[]);
     let first = path(folder.path(), 0);
@@ -78,7 +78,7 @@ fn the_first_picture_is_like_the_reference() {
 }
 
 #[test]
-fn keys_roll_the_ball_and_it_takes_a_pearls_colour() {
+fn keys_roll_ball_and_pearl_gives_its_colour() {
     let folder = tempfile::tempdir().unwrap();
     recording(folder.path(), 121, &[(1, "+right"), (60, "-right"), (60, "+up")]);
     for frames in ["59..60", "120..121"] {
@@ -91,7 +91,7 @@ fn keys_roll_the_ball_and_it_takes_a_pearls_colour() {
 }
 
 #[test]
-fn space_makes_it_jump() {
+fn space_key_makes_ball_jump() {
     let folder = tempfile::tempdir().unwrap();
     recording(folder.path(), 40, &[(1, "+space")]);
     for frames in ["6..7", "39..40"] {
@@ -114,7 +114,7 @@ fn still_picture_is_traced_once() {
 }
 
 #[test]
-fn a_session_is_played_back() {
+fn session_is_replayed() {
     let folder = tempfile::tempdir().unwrap();
     pictures(STEER, folder.path(), "0..3", &["--record", "session"]);
     let before = fs::read(path(folder.path(), 2)).unwrap();
@@ -130,7 +130,7 @@ fn a_session_is_played_back() {
 }
 
 #[test]
-fn the_game_that_was_played_is_won_again() {
+fn replayed_game_is_won() {
     let folder = tempfile::tempdir().unwrap();
     let recorded = concat!(env!("CARGO_MANIFEST_DIR"), "/played.session");
     let arguments = ["--display", "none", "--size", "64x36", "--replay", recorded];

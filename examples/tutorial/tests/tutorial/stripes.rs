@@ -46,7 +46,7 @@ fn own(colour: [f64; 3], parameters: [f64; 4]) -> Material {
 }
 
 #[test]
-fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
+fn shader_passes_rule_check() -> Result<(), Box<dyn std::error::Error>> {
     let program = Program::from_image(include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf")))?;
     let settings = Settings { program, check_shaders: true, ..Settings::default() };
     let mut world = World::new();
@@ -138,7 +138,7 @@ fn seen(from: DVec3, direction: DVec3, moon: DVec3) -> Result<DVec3, ()> {
 }
 
 #[test]
-fn the_planet_is_striped_and_lit() {
+fn planet_is_striped_and_lit() {
     let folder = tempfile::tempdir().unwrap();
     pictures(STRIPES, folder.path(), "0..2", &[]);
     let [first, second] = [0, 1].map(|frame| image::open(path(folder.path(), frame)).unwrap());
@@ -181,7 +181,7 @@ fn keys_change_the_stripes() {
 }
 
 #[test]
-fn it_runs_without_a_display() {
+fn runs_without_display() {
     let folder = tempfile::tempdir().unwrap();
     let stderr = good(STRIPES, folder.path(), &["--display", "none", "--frames", "3"]);
     assert_eq!(frames(&stderr), 3);

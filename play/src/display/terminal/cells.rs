@@ -244,7 +244,7 @@ mod tests {
     const BLUE: [u8; 3] = [0, 0, 99];
 
     #[test]
-    fn a_picture_is_lines_that_keep_its_shape() {
+    fn picture_lines_keep_proportions() {
         let picture = RgbImage::from_pixel(40, 20, image::Rgb(RED));
         let text = String::from_utf8(lines(&picture, 10, Colours::True)).expect("text");
         let cell = "\x1b[38;2;200;0;0m\x1b[48;2;200;0;0m\u{2580}";
@@ -258,7 +258,7 @@ mod tests {
     }
 
     #[test]
-    fn two_pixels_are_one_character_and_only_changes_are_written() {
+    fn cell_has_two_pixels_and_only_changes_are_written() {
         let mut grid = Grid::new(Colours::True);
         let mut shown = picture(&[RED, RED, BLUE, BLUE, RED, BLUE, RED, BLUE]);
         let first = draw(&mut grid, &shown, None);
@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn text_is_on_the_last_line_and_goes_again() {
+    fn text_on_last_line_is_removed() {
         let mut grid = Grid::new(Colours::Cube);
         let shown = picture(&[RED; 8]);
         let with_text = draw(&mut grid, &shown, Some("abc"));
@@ -294,7 +294,7 @@ mod tests {
     }
 
     #[test]
-    fn the_cubes_step_is_the_nearest() {
+    fn colour_cube_step_is_nearest() {
         for channel in 0..=255_u8 {
             let steps = [0, 95, 135, 175, 215, 255_u8];
             let away = |step: u8| steps[usize::from(step)].abs_diff(channel);

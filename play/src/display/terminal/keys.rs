@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_falls_silent_is_released() {
+    fn key_without_repeats_is_released() {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let at = |millis| start + Duration::from_millis(millis);
         let press = KeyEventKind::Press;
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_was_silent_during_a_long_frame_is_pressed_anew() {
+    fn key_without_repeats_in_long_frame_is_pressed_again() {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let press = KeyEventKind::Press;
         downs_of(&mut keys, KeyCode::F(12), press, start);
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_held_when_the_focus_was_lost_is_pressed_again() {
+    fn key_held_at_focus_loss_is_pressed_again() {
         let (mut keys, now) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
         downs_of(&mut keys, KeyCode::Up, press, now);
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn each_letter_is_of_one_key() {
+    fn each_letter_has_one_key() {
         let all: String = LETTERS.iter().map(|(letters, _)| *letters).collect();
         assert!((' '..='~').all(|letter| all.matches(letter).count() == 1));
         assert_eq!(of_letter('é'), None);

@@ -161,13 +161,12 @@ mod tests {
     use std::os::fd::{FromRawFd as _, OwnedFd};
     use std::process::{Command, Stdio};
 
-    const NAME: &str =
-        "display::terminal::restore::tests::a_panic_is_reported_on_the_restored_terminal";
+    const NAME: &str = "display::terminal::restore::tests::panic_is_reported_on_restored_terminal";
     /// Set in the process that panics.
     const PANICS: &str = "CELLRAY_TEST_PANICS";
 
     #[test]
-    fn a_panic_is_reported_on_the_restored_terminal() {
+    fn panic_is_reported_on_restored_terminal() {
         if std::env::var_os(PANICS).is_some() && io::stdin().is_terminal() {
             let _taken = TerminalGuard::take(true).expect("a terminal");
             panic!("as a game does");

@@ -99,7 +99,7 @@ mod tests {
     }
 
     #[test]
-    fn a_label_is_at_the_characters_of_its_place() {
+    fn label_is_at_characters_of_its_position() {
         let overlay = Overlay {
             labels: vec![PlacedLabel {
                 text: "Mars".into(),

@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_fill_their_cells_and_no_more() {
+    fn letters_fit_their_cells() {
         for height in [10, 14, 18, 27, 54] {
             let mut font = Font::new(height);
             let (width, _) = font.cell;

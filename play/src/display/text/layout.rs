@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn every_part_has_a_place_of_its_own() {
+    fn parts_do_not_overlap() {
         let all = place(panels(&overlay()), GRID);
         assert_eq!(all.len(), 5);
         for (number, placed) in all.iter().enumerate() {
@@ -298,14 +298,14 @@ mod tests {
     }
 
     #[test]
-    fn a_narrow_display_has_the_status_below_the_speeds() {
+    fn narrow_display_has_status_below_speeds() {
         let grid = Grid { area: (200, 360), ..GRID };
         let all = place(panels(&overlay()), grid);
         assert!(all[1].corner.1 >= all[0].corner.1 + all[0].size.1);
     }
 
     #[test]
-    fn where_there_is_little_room_the_keys_are_what_is_shown() {
+    fn small_display_shows_only_keys() {
         let grid = Grid { area: (120, 60), ..GRID };
         let mut overlay = overlay();
         overlay.notice = None;
@@ -390,7 +390,7 @@ mod tests {
     }
 
     #[test]
-    fn a_long_line_is_broken_between_words() {
+    fn long_line_is_broken_between_words() {
         let line =
             Line { text: "  left and right arrow, mouse: aim with care".into(), emphasised: 30 };
         let lines = wrapped(&line, 20);

@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn bars_are_as_high_as_the_loads() {
+    fn bar_height_is_load() {
         let overlay = Overlay { loads: vec![0.0, 0.5, 1.0], ..Overlay::default() };
         let area = (480, 480);
         let pixels = painted(&overlay, area);
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_fades() {
+    fn message_fades() {
         let message =
             |opacity| Overlay { message: Some(("H: help".into(), opacity)), ..Overlay::default() };
         let brightest = |opacity| {
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn a_label_is_drawn_in_its_colour_where_the_layout_says() {
+    fn label_has_its_colour_and_layout_position() {
         let area = (640, 800);
         let overlay = Overlay {
             labels: vec![PlacedLabel {
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_grow_with_the_display() {
+    fn letter_size_grows_with_display() {
         let mut painter = Painter::default();
         let mut height = |area| painter.font(area).cell.1;
         assert_eq!(height((320, 180)), 10);

@@ -31,7 +31,6 @@ struct Open(Target);
 // belongs to its inner framebuffer, which may be sent to another thread together with it.
 unsafe impl Send for Open {}
 
-/// A page with text on it.
 struct Page {
     address: usize,
     /// Rows of pixels under the text: the index of the first word, and the words.
@@ -159,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn text_comes_and_goes_and_the_picture_stays() {
+    fn removed_text_restores_picture() {
         let folder = tempfile::tempdir().expect("a folder");
         let path = folder.path().join("fb");
         let size = Geometry::new(200, 100).expect("a size");

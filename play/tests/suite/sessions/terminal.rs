@@ -20,7 +20,7 @@ fn on_framebuffer(device: &str) -> Pty {
 }
 
 #[test]
-fn a_terminal_that_hangs_up_ends_the_session() {
+fn terminal_hangup_ends_session() {
     let folder = tempfile::tempdir().expect("a folder");
     // The second time there is no signal of it.
     for trap in ["", "trap '' HUP; "] {
@@ -38,7 +38,7 @@ fn a_terminal_that_hangs_up_ends_the_session() {
 }
 
 #[test]
-fn half_an_event_keeps_no_one_waiting() {
+fn partial_event_does_not_block() {
     let folder = tempfile::tempdir().expect("a folder");
     // Alt and a bracket; a letter of Latin-1.
     for (number, typed) in [&b"\x1b["[..], b"\xe9"].into_iter().enumerate() {
@@ -56,7 +56,7 @@ fn half_an_event_keeps_no_one_waiting() {
 }
 
 #[test]
-fn whatever_ends_the_program_the_terminal_is_put_back() {
+fn terminal_is_restored_after_any_end() {
     let folder = tempfile::tempdir().expect("a folder");
     let (hangup, interrupt, term) = (libc::SIGHUP, libc::SIGINT, libc::SIGTERM);
     for (number, signals) in [
@@ -81,7 +81,7 @@ fn whatever_ends_the_program_the_terminal_is_put_back() {
 }
 
 #[test]
-fn a_stopped_program_leaves_the_terminal_and_takes_it_again() {
+fn stopped_program_releases_and_reacquires_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_terminal(&folder.path().join("session"));
     pty.wait_for(&HALF.to_string());
@@ -101,7 +101,7 @@ fn a_stopped_program_leaves_the_terminal_and_takes_it_again() {
 }
 
 #[test]
-fn a_terminal_of_another_size_for_a_moment_is_drawn_again() {
+fn briefly_resized_terminal_is_redrawn() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_terminal(&folder.path().join("session"));
     pty.wait_for(&HALF.to_string());
@@ -117,7 +117,7 @@ fn a_terminal_of_another_size_for_a_moment_is_drawn_again() {
 }
 
 #[test]
-fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
+fn mouse_moves_and_keys_held_at_focus_loss_are_pressed_again() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
@@ -138,7 +138,7 @@ fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
 }
 
 #[test]
-fn ctrl_c_ends_a_framebuffers_session_and_puts_the_terminal_back() {
+fn ctrl_c_ends_framebuffer_session_and_restores_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let device = folder.path().join("fb");
     let mut pty = on_framebuffer(device.to_str().expect("text"));
@@ -148,7 +148,7 @@ fn ctrl_c_ends_a_framebuffers_session_and_puts_the_terminal_back() {
 }
 
 #[test]
-fn a_framebuffers_file_that_is_cut_is_named_and_the_terminal_put_back() {
+fn truncated_framebuffer_file_is_named_and_terminal_restored() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("fb");
     let device = path.to_str().expect("text");
@@ -165,7 +165,7 @@ fn a_framebuffers_file_that_is_cut_is_named_and_the_terminal_put_back() {
 }
 
 #[test]
-fn a_terminal_says_the_keys_and_that_it_is_paused() {
+fn terminal_shows_keys_and_pause() {
     let folder = tempfile::tempdir().expect("a folder");
     let record = folder.path().join("session");
     let mut pty = in_terminal(&record);
@@ -195,7 +195,7 @@ fn a_terminal_says_the_keys_and_that_it_is_paused() {
 }
 
 #[test]
-fn a_framebuffer_without_text_holds_the_traced_picture() {
+fn framebuffer_without_text_equals_traced_picture() {
     let folder = tempfile::tempdir().expect("a folder");
     let picture = |more: &[&str]| {
         let path = folder.path().join(more.len().to_string());
@@ -223,7 +223,7 @@ fn a_framebuffer_without_text_holds_the_traced_picture() {
 }
 
 #[test]
-fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
+fn picture_width_is_terminal_width_or_default() {
     let folder = tempfile::tempdir().expect("a folder");
     let picture = folder.path().join("p.png");
     image::RgbImage::new(200, 20).save(&picture).expect("written");
@@ -240,7 +240,7 @@ fn a_picture_is_shown_as_wide_as_the_terminal_or_as_usual() {
 }
 
 #[test]
-fn signals_and_ctrl_c_put_the_terminal_back() {
+fn signals_and_ctrl_c_restore_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     for (number, signal) in
         [libc::SIGTERM, libc::SIGINT, libc::SIGHUP, libc::SIGQUIT].into_iter().enumerate()
@@ -262,7 +262,7 @@ fn signals_and_ctrl_c_put_the_terminal_back() {
 }
 
 #[test]
-fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
+fn second_signal_ends_at_once_and_restores_terminal() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_a_long_frame(&folder.path().join("session"));
     for signal in [libc::SIGINT, libc::SIGTERM] {
@@ -275,7 +275,7 @@ fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
 }
 
 #[test]
-fn a_terminals_size_is_followed() {
+fn terminal_size_is_followed() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_terminal(&folder.path().join("session"));
     pty.wait_for("\u{2580}");

@@ -13,7 +13,7 @@ const BORDERED: Options = Options {
 };
 
 #[test]
-fn the_video_mode_is_changed_first_and_restored_last() {
+fn video_mode_is_changed_first_and_restored_last() {
     let bordered = Script::new("ps3fb", 1124, 644, 4544, 9 * MIB - 0x1_0000);
     let mut script = Script::ps3fb();
     script.mode = 131;
@@ -35,7 +35,7 @@ fn the_video_mode_is_changed_first_and_restored_last() {
 }
 
 #[test]
-fn a_size_that_the_new_mode_does_not_have_puts_the_old_one_back() {
+fn size_missing_in_new_mode_restores_old_mode() {
     let mut script = Script::ps3fb();
     script.mode = 131;
     let (device, witness) =
@@ -45,7 +45,7 @@ fn a_size_that_the_new_mode_does_not_have_puts_the_old_one_back() {
 }
 
 #[test]
-fn video_modes_that_cannot_be_had_are_errors() {
+fn unavailable_video_modes_are_errors() {
     let other = Script::new("vesafb", 64, 48, 256, 256 * 48);
     let mut monitor = Script::ps3fb();
     monitor.mode = 12;
@@ -67,7 +67,7 @@ fn video_modes_that_cannot_be_had_are_errors() {
 }
 
 #[test]
-fn one_frame_and_no_vsync_can_be_asked_for() {
+fn single_frame_and_no_vsync_are_options() {
     let options = Options { two_frames: false, vsync: false, ..Options::default() };
     let (device, witness) = Script::ps3fb().open_with(options);
     let mut device = device.unwrap();
@@ -89,7 +89,7 @@ fn one_frame_and_no_vsync_can_be_asked_for() {
 }
 
 #[test]
-fn a_released_screen_is_restored_once_and_taken_over_again() {
+fn released_screen_is_restored_once_and_taken_over_again() {
     let (device, witness) = Script::ps3fb().open(None, None);
     let mut device = device.unwrap();
     show(&mut device, 0);
@@ -109,7 +109,7 @@ fn a_released_screen_is_restored_once_and_taken_over_again() {
 }
 
 #[test]
-fn a_look_tells_of_the_driver_and_changes_nothing() {
+fn inspection_describes_driver_without_changes() {
     let mut script = Script::ps3fb();
     script.mode = 131;
     let expected =

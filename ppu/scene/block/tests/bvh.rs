@@ -220,7 +220,7 @@ fn levels_and_nodes_at_the_top() {
 }
 
 #[test]
-fn neighbours_are_together() {
+fn neighbours_share_a_node() {
     // A shuffled field of 16x16 spheres: nodes have squares of 2x2 and 4x4 spheres.
     let mut places: Vec<(i32, i32)> = (0..256).map(|index| (index % 16, index / 16)).collect();
     let mut random = ChaCha8Rng::seed_from_u64(3);
@@ -251,7 +251,7 @@ fn volumes_of(rest: &str) -> u32 {
 
 /// Long cylinders in a hall are far smaller than spheres around them, and their test takes long.
 #[test]
-fn boxes_are_chosen_where_they_gain() {
+fn boxes_are_chosen_if_faster() {
     let hall = "p 4\n-4 -4 0\n4 -4 0\n4 4 0\n-4 4 0\n";
     let columns: String = (0..8)
         .map(|number| {
@@ -273,7 +273,7 @@ fn boxes_are_chosen_where_they_gain() {
 
 /// The choice agrees with what was measured: only of these scenes boxes make frames faster.
 #[test]
-fn boxes_are_chosen_for_the_scenes_that_gain() {
+fn boxes_are_chosen_for_scenes_that_gain() {
     let kinds = |kinds: &[PrimitiveKind]| kinds.iter().map(|&kind| 1 << kind as u32).sum::<u32>();
     for (name, trees) in [
         ("mirrors", kinds(&[PrimitiveKind::Rectangle, PrimitiveKind::Cone])),
@@ -294,7 +294,7 @@ fn boxes_are_chosen_for_the_scenes_that_gain() {
 
 /// Boxes take no space that small batches need: then nodes are spheres.
 #[test]
-fn without_room_for_boxes_nodes_are_spheres() {
+fn nodes_are_spheres_without_memory_for_box_code() {
     let mut has_been = [0; 2];
     for count in (40..=440).step_by(40) {
         let triangles: String =

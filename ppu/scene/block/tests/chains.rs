@@ -20,14 +20,14 @@ fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
 }
 
 #[test]
-fn a_scene_that_reflects_nothing_has_primary_rays_alone() {
+fn scene_without_reflection_has_primary_rays_alone() {
     let (block, ..) = changing(1);
     assert_eq!(block.ray_depth(), 1);
     assert_eq!(block.batch(), MAX_BATCH);
 }
 
 #[test]
-fn chains_get_longer_when_a_material_becomes_a_mirror() {
+fn new_mirror_lengthens_chains() {
     let (mut block, matt, shaders) = changing(1);
     let mirror = NffMaterial { specular: 1.0, ..matt.clone() };
     for (material, ray_depth) in [(&mirror, 5), (&matt, 1)] {
@@ -45,7 +45,7 @@ fn chains_get_longer_when_a_material_becomes_a_mirror() {
 }
 
 #[test]
-fn a_scene_that_leaves_longer_chains_no_room_says_so() {
+fn scene_without_memory_for_longer_chains_is_refused() {
     // More than fit with the queue for chains of five rays, and fewer than fit without.
     let (mut block, matt, shaders) = changing(865);
     let mirror = NffMaterial { specular: 1.0, ..matt };

@@ -35,7 +35,7 @@ fn height(head: &Head, point: DVec3) -> f64 {
 }
 
 #[test]
-fn the_background_comes_first() {
+fn background_comes_first() {
     let block = block("b 0.25 0.5 0.75\n");
     let head: &Head = block.at(U32::new(SCENE_ADDRESS));
     assert_eq!(wide(head.centre), DVec3::ZERO);
@@ -51,7 +51,7 @@ fn the_background_comes_first() {
 }
 
 #[test]
-fn a_sky_is_the_shader_of_the_background() {
+fn sky_is_background_shader() {
     let block = block("b 0.25 0.5 0.75\n#cellray sky 0.125 0 1 0 3 -4\n");
     let head: &Head = block.at(U32::new(SCENE_ADDRESS));
     let material: &Material = block.at(head.material);
@@ -162,7 +162,7 @@ fn polygons_are_triangles() {
 }
 
 #[test]
-fn where_edges_cross_what_is_inside_is_cut() {
+fn self_crossing_polygon_is_cut_by_even_odd_rule() {
     let star = "0 9 -5 9 9 1\n-5 -7 -5 9 9 1\n9 2 -5 9 9 1\n-9 2 -5 9 9 1\n5 -7 -5 9 9 1\n";
     let corners = star.replace(" 9 9 1\n", "\n");
     for shape in [format!("p 5\n{corners}"), format!("pp 5\n{star}")] {
@@ -381,7 +381,7 @@ fn lights() {
 }
 
 #[test]
-fn shadow_rays_end_as_near_to_a_light_as_they_start_off_objects() {
+fn shadow_rays_end_at_offset_from_light() {
     let mut block = block("l 1 2 3\ns 1 1 -2 8\n");
     block.write_for(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
     let light = block.at::<layout::Light>(U32::new(block.light_address()));
@@ -390,7 +390,7 @@ fn shadow_rays_end_as_near_to_a_light_as_they_start_off_objects() {
 }
 
 #[test]
-fn far_from_the_origin_nothing_near_the_eye_is_lost() {
+fn objects_near_eye_are_kept_far_from_origin() {
     let far = DVec3::new(1e6, -2e6, 3e6);
     let at = |x: f64, y: f64, z: f64| {
         let place = far + DVec3::new(x, y, z);
@@ -418,7 +418,7 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
 }
 
 #[test]
-fn a_block_is_that_of_its_last_eye() {
+fn block_is_written_for_last_eye() {
     let scene = scenes::sphereflake::generate(2).expect("a scene");
     let mut block = of(&scene, RenderOptions::default());
     let first = block.bytes().to_vec();

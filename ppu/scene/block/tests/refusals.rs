@@ -18,7 +18,7 @@ fn refusal_at(rest: &str, ray_depth: u32) -> String {
 }
 
 #[test]
-fn numbers_out_of_range() {
+fn out_of_range_numbers_are_refused() {
     let cases = [
         ("s 5e18 0 0 1", "9: centre 5e18 is out of range: its magnitude must be at most 2^62"),
         (
@@ -70,7 +70,7 @@ fn numbers_out_of_range() {
 }
 
 #[test]
-fn more_than_there_is_room_for() {
+fn scenes_over_capacity_are_refused() {
     let spheres = |count: usize| "s 0 0 0 1\n".repeat(count);
     for (count, fit) in [(1025, 862), (3000, 865)] {
         let message = format!(
@@ -119,7 +119,7 @@ fn more_than_there_is_room_for() {
 }
 
 #[test]
-fn a_scene_that_is_too_large_says_how_much_would_fit() {
+fn too_large_scene_error_has_capacity() {
     let triangles = |count: usize| {
         let each = |index: usize| format!("p 3\n{index} 0 0\n{index} 1 0\n{index} 0 1\n");
         MIRROR.to_owned() + &(0..count).map(each).collect::<String>()
@@ -132,7 +132,7 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
             .contains("for rays of depth 5): 1000 triangles 122640, 1 material 96, 1 light 32; "),
         "{message}"
     );
-    assert_eq!(capacity, SCENE_ROOM as usize - 16 * 32 * 3);
+    assert_eq!(capacity, SCENE_CAPACITY as usize - 16 * 32 * 3);
     // "About" means within some per cent.
     let fewer = fit - fit / 50;
     assert_eq!(block(&triangles(fewer)).leaves(PrimitiveKind::Triangle).len(), fewer);
@@ -181,7 +181,7 @@ fn numbers_of(message: &str) -> [usize; 3] {
 }
 
 #[test]
-fn the_batch_is_as_large_as_fits() {
+fn batch_is_largest_that_fits() {
     let waiting = 16 * 32;
     for ray_depth in 1..=16 {
         for spheres in [0, 200, 400, 500, 600] {
@@ -201,9 +201,9 @@ fn the_batch_is_as_large_as_fits() {
             };
             let batch = block.batch();
             assert!((1..=MAX_BATCH).contains(&batch));
-            assert!(taken(batch) <= SCENE_ROOM as usize);
+            assert!(taken(batch) <= SCENE_CAPACITY as usize);
             let larger = if batch < 8 { batch + 1 } else { MAX_BATCH };
-            assert!(batch == MAX_BATCH || spheres > 512 || taken(larger) > SCENE_ROOM as usize);
+            assert!(batch == MAX_BATCH || spheres > 512 || taken(larger) > SCENE_CAPACITY as usize);
         }
     }
 }

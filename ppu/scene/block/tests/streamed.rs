@@ -24,7 +24,7 @@ fn square(rows: u32) -> Scene {
 }
 
 #[test]
-fn a_small_mesh_is_in_local_store() {
+fn small_mesh_is_in_local_store() {
     let scene = square(10);
     let block = of(&scene, RenderOptions::default());
     assert!(block.mesh().is_none());
@@ -37,7 +37,7 @@ fn a_small_mesh_is_in_local_store() {
 }
 
 #[test]
-fn a_large_mesh_is_in_main_memory() {
+fn large_mesh_is_in_main_memory() {
     let scene = square(2000);
     for ray_depth in [1, 2, 5] {
         let options = RenderOptions { ray_depth, ..RenderOptions::default() };
@@ -61,7 +61,7 @@ fn a_large_mesh_is_in_main_memory() {
 }
 
 #[test]
-fn the_eye_moves_in_the_mesh_s_coordinates() {
+fn eye_moves_in_mesh_coordinates() {
     let mut block = of(&square(2000), RenderOptions::default());
     block.write_for(DVec3::new(1.0, 2.0, 3.0)).unwrap();
     let eye = block.mesh().unwrap().eye.map(F32::get);
@@ -69,7 +69,7 @@ fn the_eye_moves_in_the_mesh_s_coordinates() {
 }
 
 #[test]
-fn a_mesh_that_can_t_be_converted_names_its_file() {
+fn unconvertible_mesh_names_its_file() {
     let mut scene = square(2000);
     let mut mesh = Mesh::clone(scene.mesh.as_deref().unwrap());
     mesh.positions[5] = [1e30; 3];
@@ -80,7 +80,7 @@ fn a_mesh_that_can_t_be_converted_names_its_file() {
 }
 
 #[test]
-fn a_mesh_leaves_less_room_for_objects() {
+fn mesh_reduces_capacity_for_objects() {
     let mut scene = square(2000);
     let sphere = |number: u32| scenes::Object {
         line: number,
@@ -151,7 +151,7 @@ fn many_materials_are_in_main_memory() {
 }
 
 #[test]
-fn a_few_materials_stay_in_local_store() {
+fn few_materials_stay_in_local_store() {
     let block = unchanging(&fills(1200, 50));
     let mesh = block.mesh().expect("spheres in main memory");
     assert!(mesh.table.is_none());
@@ -159,7 +159,7 @@ fn a_few_materials_stay_in_local_store() {
 }
 
 #[test]
-fn materials_of_what_changes_have_records_of_their_own() {
+fn materials_of_movable_objects_have_separate_records() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(40, 2);
     let options = RenderOptions::default();
@@ -184,7 +184,7 @@ fn materials_of_what_changes_have_records_of_their_own() {
 }
 
 #[test]
-fn a_material_in_main_memory_is_changed_in_place() {
+fn material_in_main_memory_is_changed_in_place() {
     let shaders = ShaderEntries::new(Vec::new());
     let scene = fills(1300, 1300);
     let mut block =
@@ -244,7 +244,7 @@ fn only_kinds_beyond_local_store_go_to_main_memory() {
 
 /// Polygons that fit into local store alone, but not beside the code for meshes.
 #[test]
-fn polygons_make_room_for_nothing_else() {
+fn gathered_polygons_free_no_memory_for_other_shapes() {
     let crowd = crowd(1500, 1500, 400);
     let options = RenderOptions::default();
     let error = SceneBlock::new(&crowd, options, &entry).unwrap_err();
@@ -257,7 +257,7 @@ fn polygons_make_room_for_nothing_else() {
 }
 
 #[test]
-fn a_cone_in_main_memory_that_is_out_of_range_is_refused() {
+fn out_of_range_cone_in_main_memory_is_refused() {
     let mut scene = crowd(0, 1500, 0);
     let scenes::Shape::Cone { apex_radius, .. } = &mut scene.objects[1400].shape else {
         panic!("a cone");

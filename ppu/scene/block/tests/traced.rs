@@ -156,7 +156,7 @@ fn compare(scene: &Scene, side: u32) -> usize {
 }
 
 #[test]
-fn the_projects_own_scenes() {
+fn project_scenes_are_traced_as_by_reference() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     for name in ["shapes", "glass", "mirrors", "whitted16", "spheres64"] {
         let scene = scenes::read(&folder.join(format!("{name}.nff"))).expect("a scene");

@@ -118,7 +118,7 @@ fn every_cone_is_in_one_leaf() {
 
 /// The box holds both rims, and each of its sides is met by one of them.
 #[test]
-fn boxes_are_those_of_the_rims() {
+fn cone_boxes_bound_their_rims() {
     for cone in cones(500, 3) {
         let bounds = cone.bounds();
         let (low, high) = (bounds.low.as_dvec3(), bounds.high.as_dvec3());

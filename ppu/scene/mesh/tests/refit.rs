@@ -22,7 +22,7 @@ fn blocks(mesh: &Mesh) -> MeshBlocks {
 }
 
 #[test]
-fn blocks_stay_if_nothing_has_moved() {
+fn blocks_are_unchanged_if_vertices_are() {
     for mesh in [soup(1, 1.0, 1), soup(300, 0.1, 2), ball(60)] {
         let blocks = blocks(&mesh);
         let refitted = blocks.refitted(&mesh).unwrap();
@@ -49,7 +49,7 @@ fn boxes_are_made_around_moved_triangles() {
 }
 
 #[test]
-fn a_tree_is_worn_by_what_moves_its_triangles_apart() {
+fn tree_degrades_when_triangles_move_apart() {
     let mesh = soup(5000, 0.1, 3);
     let blocks = blocks(&mesh);
     let wear = |there: &Mesh| blocks.refitted(there).unwrap().wear();

@@ -29,7 +29,7 @@ fn coordinates_without_a_square() {
 }
 
 #[test]
-fn more_materials_than_a_number_tells() {
+fn too_many_materials_are_refused() {
     let mut colourful = soup(65_537, 1.0, 1);
     let materials = vec![materials().remove(0); 65_537];
     colourful.materials = (0..65_537).collect();

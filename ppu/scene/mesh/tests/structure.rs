@@ -26,7 +26,7 @@ fn meshes_of_all_sizes() {
 }
 
 #[test]
-fn a_single_triangle_is_one_leaf() {
+fn single_triangle_is_one_leaf() {
     assert_eq!(checked(&soup(1, 1.0, 1)).count(), 1);
 }
 
@@ -65,7 +65,7 @@ fn triangles_without_an_area_are_left_out() {
 }
 
 #[test]
-fn blocks_don_t_mix_sides() {
+fn blocks_have_one_side_mode() {
     let mut mixed = ball(20);
     mixed.normals = mixed.positions.clone();
     for (index, normal) in mixed.normals.iter_mut().enumerate() {
@@ -82,7 +82,7 @@ fn blocks_don_t_mix_sides() {
 }
 
 #[test]
-fn texture_coordinates_are_where_a_material_has_a_texture() {
+fn texture_coordinates_are_kept_for_textured_materials() {
     let texture = scenes::Texture::new(1, vec![[1, 2, 3]], [scenes::Wrap::Clamp; 2]);
     let mut materials = materials();
     materials[0].texture = texture.map(Arc::new);
@@ -136,7 +136,7 @@ fn equal_materials_share_a_number() {
 }
 
 #[test]
-fn colours_are_beside_vertices() {
+fn colours_are_stored_with_vertices() {
     let texture = scenes::Texture::new(1, vec![[1, 2, 3]], [scenes::Wrap::Clamp; 2]);
     let mut materials = materials();
     materials[0].texture = texture.map(Arc::new);
@@ -175,7 +175,7 @@ fn blocks_are_full() {
 }
 
 #[test]
-fn the_same_mesh_makes_the_same_bytes() {
+fn same_mesh_gives_same_bytes() {
     let mesh = ball(30);
     assert_eq!(checked(&mesh).bytes(), checked(&mesh).bytes());
 }

@@ -80,7 +80,7 @@ fn compare(mesh: &Mesh, rays: usize, seed: u64) {
 }
 
 #[test]
-fn rays_find_the_nearest_of_all_triangles() {
+fn rays_hit_nearest_triangle() {
     compare(&soup(40, 0.5, 1), 300, 1);
     compare(&soup(2000, 0.1, 2), 300, 2);
     compare(&ball(40), 300, 3);

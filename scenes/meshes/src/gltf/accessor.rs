@@ -8,7 +8,7 @@ use crate::Fault;
 use crate::builder::MAX_TRIANGLES;
 
 /// The most items of an accessor: three corners of each triangle.
-const MOST: usize = 3 * MAX_TRIANGLES;
+const MAX_ITEMS: usize = 3 * MAX_TRIANGLES;
 
 /// A file's JSON and its buffers.
 pub(super) struct Data<'a> {
@@ -123,8 +123,8 @@ impl Data<'_> {
             let number = accessor.component_type;
             wrong(format!("has components of the type {number}, which is not one for this use"))
         })?;
-        if *count > MOST {
-            return Err(wrong(format!("has {count} items; the most is {MOST}")));
+        if *count > MAX_ITEMS {
+            return Err(wrong(format!("has {count} items; the most is {MAX_ITEMS}")));
         }
         let normalises = component != Component::F32
             && match purpose {

@@ -49,7 +49,6 @@ struct Columns {
     coordinates: Option<[usize; 2]>,
 }
 
-/// What a file has.
 struct File {
     columns: Columns,
     vertices: Vec<Vertex>,

@@ -56,7 +56,7 @@ fn damaged(file: &[u8], damages: &[Damage]) -> Vec<u8> {
 
 proptest! {
     #[test]
-    fn damaged_files_make_no_panic(damages in prop::collection::vec(damage(), 1..6)) {
+    fn damaged_files_do_not_panic(damages in prop::collection::vec(damage(), 1..6)) {
         let folder = tempfile::tempdir().unwrap();
         let picture = textures::png();
         let files: [(&str, &[u8]); 11] = [

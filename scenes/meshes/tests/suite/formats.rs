@@ -6,7 +6,7 @@ use scenes::LightKind;
 use super::files::{JSON, OBJ, PLY, binary_ply, container, glb, load, triangle};
 
 #[test]
-fn an_obj_file_has_its_materials_and_normals() {
+fn obj_file_has_its_materials_and_normals() {
     let loaded = load("t.obj", OBJ.as_bytes()).unwrap();
     let mesh = loaded.scene.mesh.unwrap();
     assert_eq!(mesh.triangles.len(), 4);
@@ -24,14 +24,14 @@ fn an_obj_file_has_its_materials_and_normals() {
 }
 
 #[test]
-fn without_its_library_an_obj_file_is_grey_and_a_note_tells() {
+fn obj_file_without_library_is_grey_with_note() {
     let loaded = load("t.obj", OBJ.replace("m.mtl", "gone.mtl").as_bytes()).unwrap();
     assert!(loaded.notes[0].contains("gone.mtl"), "{:?}", loaded.notes);
     assert_eq!(loaded.scene.materials[0].colour, DVec3::splat(0.8));
 }
 
 #[test]
-fn all_forms_of_a_ply_file_are_the_same() {
+fn all_ply_forms_give_same_mesh() {
     let text = load("s.ply", PLY.as_bytes()).unwrap();
     let mesh = text.scene.mesh.clone().unwrap();
     assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3], [0, 1, 2]]);
@@ -43,7 +43,7 @@ fn all_forms_of_a_ply_file_are_the_same() {
 }
 
 #[test]
-fn a_glb_file_has_transforms_a_camera_and_a_light() {
+fn glb_file_has_transforms_camera_and_light() {
     let loaded = load("t.glb", &glb()).unwrap();
     let mesh = loaded.scene.mesh.as_ref().unwrap();
     let corners = mesh.corners(0).map(|corner| corner.to_array());
@@ -68,7 +68,7 @@ fn a_glb_file_has_transforms_a_camera_and_a_light() {
 }
 
 #[test]
-fn nodes_share_a_mesh_at_places_of_their_own() {
+fn nodes_place_shared_mesh_separately() {
     let json = JSON.replace("[0,1,2]", "[0,1,3]").replace(
         r#"{"translation":[0,4,0],"#,
         r#"{"mesh":0,"translation":[0,0,-3]},{"children":[2],"scale":[2,2,2],"#,
@@ -91,7 +91,7 @@ fn strips_and_missing_indices_make_triangles() {
 }
 
 #[test]
-fn a_file_without_a_view_shows_all_of_its_box() {
+fn file_without_view_shows_whole_bounding_box() {
     for (name, bytes) in [("t.obj", OBJ), ("s.ply", PLY)] {
         let scene = load(name, bytes.as_bytes()).unwrap().scene;
         let (low, high) = scene.mesh.as_ref().unwrap().bounds().unwrap();
@@ -114,7 +114,7 @@ fn a_file_without_a_view_shows_all_of_its_box() {
 }
 
 #[test]
-fn triangles_with_vertices_of_their_own_come_to_share_them() {
+fn equal_vertices_are_merged() {
     let soup = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 4 5 6\n";
     let mesh = load("s.obj", soup.as_bytes()).unwrap().scene.mesh.unwrap();
     assert_eq!(mesh.positions.len(), 4);
@@ -122,7 +122,7 @@ fn triangles_with_vertices_of_their_own_come_to_share_them() {
 }
 
 #[test]
-fn a_terrain_is_seen_from_above_and_has_all_materials() {
+fn terrain_is_viewed_from_above_with_all_materials() {
     let scene = meshes::load("terrain:6".as_ref()).unwrap().scene;
     let mesh = scene.mesh.unwrap();
     assert_eq!(mesh.triangles.len(), 2 * 64 * 64);
@@ -139,7 +139,7 @@ fn a_terrain_is_seen_from_above_and_has_all_materials() {
 }
 
 #[test]
-fn other_names_are_scenes() {
+fn other_names_are_generated_scenes() {
     let loaded = meshes::load("tetra:1".as_ref()).unwrap();
     assert_eq!(loaded.scene.objects.len(), 16);
 }

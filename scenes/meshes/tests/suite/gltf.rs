@@ -92,7 +92,7 @@ fn gltf_text_finds_its_buffers() {
 }
 
 #[test]
-fn gltf_members_of_any_kind_are_passed_over() {
+fn gltf_unknown_members_are_skipped() {
     for extras in [json!(5), json!("text"), json!([1, {}]), json!({"a": {}}), Value::Null] {
         let changes = json!({
             "extras": extras, "materials": [{"extras": extras, "name": ""}],
@@ -103,7 +103,7 @@ fn gltf_members_of_any_kind_are_passed_over() {
 }
 
 #[test]
-fn gltf_scenes_without_nodes_are_passed_over() {
+fn gltf_scenes_without_nodes_are_skipped() {
     let cases = [
         json!({"scenes": [{"nodes": [0]}, {"name": "Scene.001"}]}),
         json!({"scenes": [{"name": "empty"}, {"nodes": [0]}]}),
@@ -128,7 +128,7 @@ fn with_camera(mut node: Value) -> Vec<NamedFile> {
 }
 
 #[test]
-fn a_camera_looks_at_the_depth_of_the_scene() {
+fn camera_target_is_at_scene_depth() {
     for (name, node, at) in [
         ("far away", json!({"translation": [0, 0, 30]}), DVec3::new(0.0, 0.0, 0.0)),
         // Half the radius of the triangle's box ahead.
@@ -165,7 +165,7 @@ fn a_camera_looks_at_the_depth_of_the_scene() {
 }
 
 #[test]
-fn a_file_without_lights_has_its_sun_over_the_left_shoulder() {
+fn file_without_lights_has_sun_from_upper_left() {
     let seen = |files: &[NamedFile]| {
         let loaded = load(files).unwrap();
         assert!(loaded.added_light);
@@ -362,7 +362,7 @@ fn gltf_textures_are_moved_scaled_and_turned() {
 }
 
 #[test]
-fn gltf_textures_that_cannot_be_shown_are_notes() {
+fn gltf_unsupported_textures_are_notes() {
     let textured = json!({"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}});
     let mut files = leaf(textured.clone());
     files.pop();
@@ -382,7 +382,7 @@ fn gltf_textures_that_cannot_be_shown_are_notes() {
 }
 
 #[test]
-fn gltf_extensions_that_are_not_read_are_named() {
+fn gltf_unsupported_extensions_are_named() {
     for (extension, expected) in [
         ("KHR_draco_mesh_compression", "Draco; export the file without compression"),
         ("EXT_meshopt_compression", "meshopt; export the file without compression"),
@@ -410,7 +410,7 @@ fn gltf_extensions_that_are_not_read_are_named() {
 }
 
 #[test]
-fn the_chess_scene_is_the_same_as_text_with_files() {
+fn chess_scene_is_same_as_text_with_files() {
     let folder = tempfile::tempdir().unwrap();
     let whole = concat!(env!("CARGO_MANIFEST_DIR"), "/../chess.glb");
     let bytes = fs::read(whole).unwrap();

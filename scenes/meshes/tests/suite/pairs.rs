@@ -113,7 +113,7 @@ fn utf16_text_is_refused_by_name() {
 }
 
 #[test]
-fn obj_statements_that_are_not_understood_are_notes_with_their_line() {
+fn obj_unknown_statements_are_notes_with_line() {
     let plain = obj(format!("{CORNERS}f 1 2 3 4\n"));
     let cases = [
         ("usemtl", "usemtl\n", "x.obj:5: usemtl without a name"),
@@ -300,7 +300,7 @@ fn libraries_are_found_by_all_their_names() {
 }
 
 #[test]
-fn libraries_with_faults_keep_what_is_right() {
+fn faulty_libraries_keep_valid_values() {
     let plain = red(RED);
     let cases = [
         ("map_Kd\n", "a.mtl:3: map_Kd without the name of a picture"),
@@ -379,7 +379,7 @@ fn files_of_other_programs_are_named() {
 }
 
 #[test]
-fn files_with_the_names_of_other_formats_are_read_as_they_are() {
+fn content_overrides_extension() {
     let square = format!("# a square\n{CORNERS}f 1 2 3 4\n");
     let plain = obj(&square);
     same("OBJ as NFF", &[file("x.nff", &square)], &plain);

@@ -61,7 +61,7 @@ fn texture(file: &str, bytes: &[u8]) -> (Texture, Vec<[f32; 2]>) {
 }
 
 #[test]
-fn a_png_in_the_binary_chunk() {
+fn png_in_binary_chunk_is_read() {
     let (found, coordinates) = texture("t.glb", &glb(&png(), "33071", "33071"));
     assert_eq!((found.width(), found.height()), (2, 1));
     assert_eq!(found.texels(), [[255, 0, 0], [0, 0, 255]]);
@@ -72,7 +72,7 @@ fn a_png_in_the_binary_chunk() {
 }
 
 #[test]
-fn a_jpeg() {
+fn jpeg_texture_is_read() {
     let grey = RgbImage::from_pixel(16, 8, Rgb([90; 3]));
     let bytes = glb(&encoded(&grey, ImageFormat::Jpeg), "image/png", "image/jpeg");
     let (found, _) = texture("t.glb", &bytes);
@@ -144,7 +144,7 @@ pub const OBJ: &str = "mtllib m.mtl\nusemtl t\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0
                    f 1/1 2/2 3/3\n";
 
 #[test]
-fn an_obj_files_texture_counts_from_below() {
+fn obj_texture_origin_is_at_bottom() {
     for (line, wrap) in [
         ("map_Kd t.png", Wrap::Repeat),
         ("map_Kd -clamp on t.png", Wrap::Clamp),
@@ -158,7 +158,7 @@ fn an_obj_files_texture_counts_from_below() {
 }
 
 #[test]
-fn a_mesh_without_textures_has_no_coordinates() {
+fn mesh_without_textures_has_no_coordinates() {
     let plain = glb(&png(), r#""baseColorTexture":{"index":0}"#, "");
     let mesh = load("t.glb", &plain).expect("a scene").scene.mesh.expect("a mesh");
     assert!(mesh.texture_coordinates.is_empty());
@@ -173,7 +173,7 @@ fn notes(bytes: &[u8]) -> Vec<String> {
 }
 
 #[test]
-fn glb_textures_that_cannot_be_shown_are_notes() {
+fn glb_unsupported_textures_are_notes() {
     let whole = png();
     let broken = &whole[..whole.len() - 20];
     let view = r#"{"bufferView":3,"mimeType":"image/png"}"#;
@@ -260,7 +260,7 @@ fn faults_of_texture_coordinates() {
 }
 
 #[test]
-fn a_texture_that_is_too_large_is_made_smaller() {
+fn too_large_texture_is_reduced() {
     let wide = encoded(&RgbImage::new(8192, 2), ImageFormat::Png);
     let loaded = load("t.glb", &glb(&wide, "{", "{")).expect("a scene");
     let texture = loaded.scene.materials[0].texture.as_ref().expect("one");
@@ -280,7 +280,7 @@ fn non_finite_texture_coordinates_are_refused() {
 }
 
 #[test]
-fn obj_textures_that_cannot_be_shown_are_notes() {
+fn obj_unsupported_textures_are_notes() {
     let whole = png();
     let without = OBJ.replace("f 1/1 2/2 3/3", "f 1 2 3");
     let cases: [(&str, &str, &[u8], &str); 6] = [
@@ -305,7 +305,7 @@ fn obj_textures_that_cannot_be_shown_are_notes() {
 }
 
 #[test]
-fn a_mask_of_an_obj_material_makes_holes() {
+fn mask_of_obj_material_makes_holes() {
     let obj = OBJ.replace("vt 1 0.25", "vt 1 0");
     let masked = |line: &str| {
         let folder = tempfile::tempdir().expect("a folder");
@@ -365,7 +365,7 @@ fn textures_over_the_limit_in_total() {
 }
 
 #[test]
-fn the_chess_scene_has_textures_glass_silver_and_lights() {
+fn chess_scene_has_textures_glass_silver_and_lights() {
     let committed = Path::new(env!("CARGO_MANIFEST_DIR")).join("../chess.glb");
     let scene = meshes::load(&committed).expect("a scene").scene;
     let textured = scene.materials.iter().filter(|it| it.texture.is_some());

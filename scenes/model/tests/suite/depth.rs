@@ -5,7 +5,7 @@ use glam::DVec3;
 use scenes::depth::{self, DepthShading, Kind};
 
 #[test]
-fn the_range_spans_the_drawn_spheres() {
+fn range_spans_drawn_spheres() {
     // The eye is at (0, -10, 0).
     let scene = parsed(&scene_text("s 0 0 0 1\ns 0 20 0 2\ns 0 90 0 -5\n"));
     let shading = DepthShading::of(&scene);
@@ -17,7 +17,7 @@ fn the_range_spans_the_drawn_spheres() {
 }
 
 #[test]
-fn an_eye_inside_a_sphere_has_its_range_from_0() {
+fn eye_inside_sphere_has_range_from_0() {
     let scene = parsed(&scene_text("s 0 0 0 11\n"));
     assert_eq!(DepthShading::of(&scene), DepthShading { near: 0.0, far: 21.0 });
 }

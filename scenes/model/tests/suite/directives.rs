@@ -10,7 +10,7 @@ fn refusal(rest: &str) -> String {
 }
 
 #[test]
-fn without_directives_nothing_is_added() {
+fn scene_without_directives_is_unchanged() {
     let scene = parsed(&scene_text("l 1 2 3\ns 0 0 0 1\n"));
     assert_eq!(scene.ambient, DVec3::ZERO);
     assert_eq!(scene.materials[0].shader, Shader::Phong);
@@ -43,7 +43,7 @@ fn lights_in_the_order_of_the_file() {
 }
 
 #[test]
-fn a_sky_is_above_the_view_or_where_it_says() {
+fn sky_direction_is_view_up_or_given() {
     let sky = |text: &str| parsed(&scene_text(text)).sky;
     assert_eq!(sky("s 0 0 0 1"), None);
     let zenith = DVec3::new(0.1, 0.2, 0.3);
@@ -55,7 +55,7 @@ fn a_sky_is_above_the_view_or_where_it_says() {
 }
 
 #[test]
-fn daylight_leaves_the_scene_what_it_says_itself() {
+fn daylight_keeps_settings_of_scene() {
     let day = parsed(&scene_text("l 1 2 3\n#cellray daylight\n"));
     let up = day.view.up;
     assert_eq!(day.sky, Some(Sky::of_day(up)));
@@ -81,7 +81,7 @@ fn daylight_leaves_the_scene_what_it_says_itself() {
 }
 
 #[test]
-fn shaders_belong_to_the_material_before_them() {
+fn shader_applies_to_preceding_material() {
     let own = |name: &str, parameters| Shader::Own { name: name.to_owned(), parameters };
     for (text, shader) in [
         ("flat", Shader::Flat),

@@ -107,12 +107,12 @@ fn line_ends_do_not_matter() {
 }
 
 #[test]
-fn the_background_is_black_if_absent() {
+fn background_is_black_if_absent() {
     assert_eq!(parsed(&scene_text("")).background, DVec3::ZERO);
 }
 
 #[test]
-fn a_material_out_of_order_is_written_again() {
+fn material_out_of_order_is_rewritten() {
     let mut scene = parsed(&scene_text("s 0 0 0 1\nf 0 1 0 1 0 0 0 1\ns 1 0 0 1\ns 2 0 0 1\n"));
     scene.objects[2].material = 0;
     let back = parsed(&scene.to_string());

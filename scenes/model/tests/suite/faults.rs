@@ -274,7 +274,7 @@ fn unreadable_files_are_errors() {
 }
 
 #[test]
-fn a_sparse_file_of_17_gigabytes_is_refused_at_its_first_line() {
+fn sparse_file_of_17_gigabytes_is_refused_at_its_first_line() {
     let file = tempfile::NamedTempFile::new().expect("a file");
     file.as_file().set_len(17 << 30).expect("a sparse file");
     let error = scenes::read(file.path()).expect_err("one endless line");

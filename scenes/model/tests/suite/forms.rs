@@ -30,7 +30,7 @@ fn all_forms_of_a_file_are_the_same_scene() {
 }
 
 #[test]
-fn lines_are_counted_whatever_ends_them() {
+fn lines_are_counted_for_all_line_ends() {
     let lines = |name: &str| -> Vec<u32> {
         let scene = scene(name);
         let objects = scene.objects.iter().map(|object| object.line);
@@ -47,7 +47,7 @@ fn lines_are_counted_whatever_ends_them() {
 }
 
 #[test]
-fn faults_name_the_line_whatever_ends_it() {
+fn faults_name_line_for_all_line_ends() {
     for end in ["\n", "\r", "\r\n"] {
         let text = scene_text("s 0 0 0 1\ns 0 0 zero 1\n").replace('\n', end);
         for text in [text.clone(), format!("\u{feff}{text}")] {
@@ -58,7 +58,7 @@ fn faults_name_the_line_whatever_ends_it() {
 }
 
 #[test]
-fn a_byte_order_mark_in_the_middle_is_a_fault() {
+fn byte_order_mark_in_middle_is_fault() {
     let text = scene_text("\u{feff}s 0 0 0 1\n");
     let error = try_parse(text.as_bytes()).expect_err("a fault").to_string();
     assert_eq!(error, "t.nff:9: unknown entity `\\u{feff}s` (known: v b l f s c p pp)");

@@ -191,7 +191,7 @@ proptest! {
     }
 
     #[test]
-    fn a_damaged_scene_never_panics(scene in scene(), at in any::<prop::sample::Index>(), byte in any::<u8>()) {
+    fn damaged_scene_does_not_panic(scene in scene(), at in any::<prop::sample::Index>(), byte in any::<u8>()) {
         let mut bytes = scene.to_string().into_bytes();
         let at = at.index(bytes.len());
         bytes[at] = byte;
@@ -202,7 +202,7 @@ proptest! {
     }
 
     #[test]
-    fn a_camera_is_finite_and_square(view in view(), width in 1u32..5000, height in 1u32..5000) {
+    fn camera_is_finite_and_square(view in view(), width in 1u32..5000, height in 1u32..5000) {
         if let Ok(camera) = view.camera(width, height) {
             let middle = camera.corner
                 + f64::from(width - 1) / 2.0 * camera.right

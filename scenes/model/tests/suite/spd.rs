@@ -44,7 +44,7 @@ fn cones(scene: &Scene) -> Vec<[(DVec3, f64); 2]> {
 }
 
 #[test]
-fn the_default_sizes_have_the_published_numbers_of_primitives_and_lights() {
+fn default_sizes_have_published_numbers_of_primitives_and_lights() {
     for (name, count, lights) in [
         ("gears", 9345, 5),
         ("mount", 8196, 1),
@@ -64,7 +64,7 @@ fn the_default_sizes_have_the_published_numbers_of_primitives_and_lights() {
 }
 
 #[test]
-fn any_size_has_as_many_objects_as_said() {
+fn object_count_equals_prediction() {
     for generator in &GENERATORS {
         for size in 1..=5 {
             let scene = generator.generate(size).expect("a scene");
@@ -76,7 +76,7 @@ fn any_size_has_as_many_objects_as_said() {
 }
 
 #[test]
-fn their_lines_are_those_of_their_text() {
+fn generated_line_numbers_equal_text() {
     for generator in &GENERATORS {
         let scene = generator.generate(2).expect("a scene");
         let text = scene.to_string();
@@ -182,7 +182,7 @@ fn rings_are_regular_pentagons() {
 }
 
 #[test]
-fn branches_begin_where_others_end() {
+fn branches_start_at_ends_of_others() {
     let scene = scene("tree:4");
     let (cones, spheres) = (cones(&scene), spheres(&scene));
     assert_eq!(cones[0][0], (DVec3::ZERO, 0.15));
@@ -220,7 +220,7 @@ fn jacks_do_not_touch() {
 }
 
 #[test]
-fn the_surface_of_the_teapot_is_smooth_and_faces_outwards() {
+fn surface_of_teapot_is_smooth_and_faces_outwards() {
     let scene = scene("teapot");
     let mesh = scene.mesh.as_ref().expect("a mesh");
     assert!(mesh.two_sided);
@@ -256,7 +256,7 @@ fn the_surface_of_the_teapot_is_smooth_and_faces_outwards() {
 }
 
 #[test]
-fn a_sombrero_faces_up_and_is_highest_in_its_middle() {
+fn sombrero_faces_up_and_is_highest_in_its_middle() {
     let scene = scene("sombrero");
     assert!(polygons(&scene).all(|triangle| area_vector(triangle).y > 0.0));
     let highest = polygons(&scene).flatten().max_by(|a, b| a.y.total_cmp(&b.y));

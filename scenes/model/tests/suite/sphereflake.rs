@@ -25,7 +25,7 @@ fn counts() {
 }
 
 #[test]
-fn the_published_positions() {
+fn spheres_have_published_positions() {
     // Line by line as balls.nff 3.x gives them for the first spheres of level 4 that have no
     // smaller one before them, to six digits; the radius shows the generation.
     let published = [
@@ -81,7 +81,7 @@ fn children_touch_their_parent_and_keep_apart() {
 }
 
 #[test]
-fn its_lines_are_those_of_its_text() {
+fn generated_line_numbers_equal_text() {
     let scene = sphereflake::generate(1).expect("a scene");
     let text = scene.to_string();
     let read =
@@ -97,7 +97,7 @@ fn its_lines_are_those_of_its_text() {
 }
 
 #[test]
-fn levels_beyond_the_limit_tell_their_count() {
+fn levels_over_limit_report_their_count() {
     let message = |level| sphereflake::generate(level).expect_err("too many").to_string();
     assert_eq!(
         message(7),

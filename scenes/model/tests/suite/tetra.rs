@@ -47,7 +47,7 @@ fn four_faces_that_look_outwards_make_a_regular_tetrahedron() {
 }
 
 #[test]
-fn its_lines_are_those_of_its_text() {
+fn generated_line_numbers_equal_text() {
     let scene = tetra::generate(2).expect("a scene");
     let text = scene.to_string();
     let read =

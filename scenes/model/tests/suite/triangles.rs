@@ -15,7 +15,7 @@ fn area(vertices: &[DVec3], triangle: [u32; 3]) -> DVec3 {
 }
 
 #[test]
-fn a_convex_polygon_gives_a_fan() {
+fn convex_polygon_gives_fan() {
     let hexagon =
         polygon(&[(2.0, 0.0), (1.0, 2.0), (-1.0, 2.0), (-2.0, 0.0), (-1.0, -2.0), (1.0, -2.0)]);
     assert_eq!(
@@ -25,7 +25,7 @@ fn a_convex_polygon_gives_a_fan() {
 }
 
 #[test]
-fn a_concave_polygon_is_covered_once() {
+fn concave_polygon_is_covered_once() {
     // A comb of 40 teeth and a star, each triangle counter-clockwise and their areas the whole.
     let mut comb: Vec<(f64, f64)> = vec![(0.0, 0.0), (80.0, 0.0)];
     for tooth in (0..40).rev() {
@@ -55,7 +55,7 @@ fn a_concave_polygon_is_covered_once() {
 }
 
 #[test]
-fn the_area_is_that_of_the_polygon_far_away_too() {
+fn area_equals_polygon_area_far_from_origin() {
     let square = [DVec3::ZERO, DVec3::X, DVec3::ONE.with_z(0.0), DVec3::Y];
     let far = square.map(|corner| corner + 1e9);
     assert_eq!(area_vector(&square), DVec3::Z * 2.0);
@@ -90,7 +90,7 @@ fn sum_of_areas(parts: &[[DVec3; 3]]) -> f64 {
 }
 
 #[test]
-fn a_pentagram_has_five_tips_and_a_hole() {
+fn pentagram_is_filled_except_centre() {
     let vertices = polygon(&star(5, 2));
     assert_eq!(triangles(&vertices), None);
     let parts = even_odd(&vertices, 5).expect("few");
@@ -122,7 +122,7 @@ fn area_enclosed_twice_is_outside() {
 }
 
 #[test]
-fn a_hole_may_be_reached_by_an_edge_and_the_same_way_back() {
+fn hole_may_be_joined_by_double_edge() {
     let outer = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)];
     // A hole that goes round the other way is found by ears, one that goes round the same way is
     // not.
@@ -139,7 +139,7 @@ fn a_hole_may_be_reached_by_an_edge_and_the_same_way_back() {
 }
 
 #[test]
-fn very_many_crossings_are_given_up_early() {
+fn too_many_crossings_stop_early() {
     let vertices = polygon(&star(1025, 512));
     assert_eq!(even_odd(&vertices, 1024), None);
     let spokes: Vec<(f64, f64)> = (0..501)
@@ -167,7 +167,7 @@ proptest! {
 
     /// Few places, so that vertices and edges meet in all the ways there are, and any places.
     #[test]
-    fn inside_is_where_a_line_crosses_an_odd_number_of_edges(
+    fn inside_is_odd_number_of_crossings(
         rough in vec((0..5i32, 0..5i32), 3..14),
         fine in vec((0.0..4.0f64, 0.0..4.0f64), 3..14),
         is_rough in any::<bool>(),
@@ -214,7 +214,7 @@ proptest! {
     /// Seen from its middle each corner of a star is farther than the last: no edges cross,
     /// wherever it is.
     #[test]
-    fn a_polygon_whose_edges_do_not_cross_is_cut_into_its_own_vertices(
+    fn simple_polygon_gets_no_new_vertices(
         radii in vec(0.01..1.0f64, 3..40),
         (size, away) in (-6..6i32, -1e6..1e6f64),
     ) {

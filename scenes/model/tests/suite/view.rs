@@ -20,7 +20,7 @@ fn close(found: DVec3, expected: DVec3) {
 }
 
 #[test]
-fn the_angle_is_between_the_centres_of_the_outer_rows() {
+fn angle_is_between_centres_of_outer_rows() {
     // 90 degrees: from -1 to 1 over ten gaps, so 0.2 a pixel both ways.
     let camera = view(90.0).camera(21, 11).expect("a camera");
     close(camera.eye, DVec3::new(0.0, -10.0, 0.0));
@@ -32,14 +32,14 @@ fn the_angle_is_between_the_centres_of_the_outer_rows() {
 }
 
 #[test]
-fn an_even_size_has_its_middle_between_pixels() {
+fn even_size_has_centre_between_pixels() {
     let camera = view(90.0).camera(2, 2).expect("a camera");
     close(camera.direction(0, 0), DVec3::new(-1.0, 1.0, 1.0));
     close(camera.direction(1, 1), DVec3::new(1.0, 1.0, -1.0));
 }
 
 #[test]
-fn one_pixel_and_one_row() {
+fn one_pixel_and_one_row_have_views() {
     close(view(45.0).camera(1, 1).expect("a camera").corner, DVec3::Y);
     let row = view(90.0).camera(5, 1).expect("a camera");
     close(row.direction(0, 0), DVec3::new(-1.0, 1.0, 0.0));
@@ -49,7 +49,7 @@ fn one_pixel_and_one_row() {
 }
 
 #[test]
-fn the_lengths_of_sight_and_up_do_not_matter() {
+fn view_is_independent_of_vector_lengths() {
     let mut far = view(60.0);
     far.at = DVec3::new(0.0, 1e150, 0.0);
     far.up = DVec3::new(0.0, 0.0, 5e-324);
@@ -60,7 +60,7 @@ fn the_lengths_of_sight_and_up_do_not_matter() {
 }
 
 #[test]
-fn sizes_without_a_picture() {
+fn empty_sizes_are_refused() {
     for (width, height) in [(0, 1), (1, 0), (scenes::MAX_SIDE + 1, 1), (1, u32::MAX)] {
         assert_eq!(
             view(45.0).camera(width, height),

@@ -56,8 +56,8 @@ materials_checked:
         clgt    $bad,$value,$limit
         refuse_if $bad,MeshCache
         load_word $end,FRAME_mesh_slots,$a_frame
-        ai      $bad,$end,-MESH_LEAST_SLOTS
-        clgti   $bad,$bad,MESH_MOST_SLOTS-MESH_LEAST_SLOTS
+        ai      $bad,$end,-MESH_MIN_SLOTS
+        clgti   $bad,$bad,MESH_MAX_SLOTS-MESH_MIN_SLOTS
         refuse_if $bad,MeshCache
         shli    $end,$end,MESH_BLOCK_LOG2
         a       $end,$end,$value
@@ -77,7 +77,7 @@ materials_checked:
         or      $k_sides,$k_sides,$k_more
         stqa    $k_sides,sides_known
         require_aligned texture_code,LINE,TextureCode
-        require_at_most texture_code_bytes,TEXTURE_CODE_ROOM,TextureCode
+        require_at_most texture_code_bytes,TEXTURE_CODE_CAPACITY,TextureCode
         andi    $bad,$value,15
         refuse_if $bad,TextureCode
         ori     $6,$value,0
@@ -103,7 +103,7 @@ no_textures:
         ila     $3,COLOUR_CODE
         load_word $4,FRAME_colour_code,$a_frame
         load_word $5,FRAME_colour_code+4,$a_frame
-        il      $6,COLOUR_CODE_ROOM
+        il      $6,COLOUR_CODE_CAPACITY
         il      $7,TAG_FRAME
         brsl    $lr,dma_get
         il      $3,1<<TAG_FRAME

@@ -10,7 +10,7 @@
         .section .data.mesh,"aw",@progbits
         .align  4
 numbers:                                # of the blocks in the slots; no block has all ones
-    .rept   MESH_MOST_SLOTS
+    .rept   MESH_MAX_SLOTS
         .int    -1
     .endr
 next_slot:                              # the slot that is filled next: the oldest block leaves
@@ -31,7 +31,7 @@ waited: .skip   16
         .align  4
 slots_and_1:
     .set    slot,1
-    .rept   MESH_MOST_SLOTS
+    .rept   MESH_MAX_SLOTS
         .int    slot
     .set    slot,slot+1
     .endr
@@ -49,7 +49,7 @@ slots_and_1:
         splat   $number,$3,$m_splat
         il      $found,0
     .set    quad,0
-    .rept   MESH_MOST_SLOTS/4
+    .rept   MESH_MAX_SLOTS/4
         lqa     $in_slot,numbers+quad
         lqa     $slot_and_1,slots_and_1+quad
         ceq     $in_slot,$in_slot,$number

@@ -11,7 +11,7 @@
         .set    PREFETCHED,3
 # Up to FEW rays are tested with all of a leaf's lowest nodes. The children fit their list.
         .set    FEW,8
-    .if FEW*64 > MESH_LIST_ENTRIES || FEW+LIST_MARGIN > MESH_MOST_NODES
+    .if FEW*64 > MESH_LIST_ENTRIES || FEW+LIST_MARGIN > MESH_MAX_NODES
         .error  "too many rays are few"
     .endif
 

@@ -102,7 +102,7 @@ next_level:
         lqd     $record,0($levels)
         cflts   $value,$record,0
         ai      $bad,$value,-1
-        il      $limit,TEXTURE_MOST-1
+        il      $limit,MAX_TEXTURE_SIDE-1
         clgt    $bad,$bad,$limit
         brnz    $bad,wrong
         rotqbyi $rows,$record,LEVEL_height

@@ -134,7 +134,7 @@ bounded:
         # No child of a block has been met yet.
         lqa     $entry,no_entry
         ila     $a_out,arena+MESH_CHILDREN
-        il      $left,MESH_MOST_NODES/2
+        il      $left,MESH_MAX_NODES/2
 clear:  hbrr    cleared,clear
     .irp box, 0,1,2,3,4,5,6,7
         stqd    $entry,16*\box($a_out)

@@ -230,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_and_lines_are_those_of_the_kernels_arithmetic() {
+    fn frames_and_lines_equal_kernel_arithmetic() {
         // Words, bytes of a line, frames: what the driver's source gives for each.
         for (words, line, frames) in [
             ("mode:129", 2880, 6),
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mode_without_memory_or_number_is_refused_and_not_set() {
+    fn unavailable_mode_is_refused_and_not_set() {
         let mut small = driver("mode:3 memory:3");
         assert_eq!(small.set_mode(131), Err(libc::ENOMEM));
         assert_eq!(small.set_mode(14), Err(libc::EINVAL));

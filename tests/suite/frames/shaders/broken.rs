@@ -79,7 +79,7 @@ fn broken_shader_is_named_and_the_next_frame_is_traced() {
 /// If a shader has changed the driver's state, the tracer's program refuses valid work. The error
 /// then explains how to find the cause, unless the message names it already.
 #[test]
-fn an_error_without_the_check_names_the_check() {
+fn error_without_check_names_check() {
     let bad = parsed("#cellray shader changes_93");
     for (check_shaders, parts) in [
         (false, ["refused the work units: tiles", "--check-shaders"]),
@@ -109,7 +109,7 @@ fn wrong_lanes_are_not_found_without_the_check() {
 /// The numbers in a scene belong to the program that it was made with. Another program may have
 /// fewer shaders.
 #[test]
-fn a_number_that_the_program_does_not_have_is_refused() {
+fn unknown_shader_number_is_refused() {
     let other = parsed("#cellray shader rings 1 0 0 4");
     let (framebuffer, _) = Recorder::pair(SIZE.0, SIZE.1);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
@@ -123,7 +123,7 @@ fn a_number_that_the_program_does_not_have_is_refused() {
 }
 
 #[test]
-fn a_shader_for_which_there_is_no_room_is_not_linked() {
+fn too_large_shader_is_not_linked() {
     let folder = tempfile::tempdir().unwrap();
     let source = "        .include \"macros.inc\"\n        .include \"shader.inc\"\n\nshader large\n        \
                   bi      $lr\n        .skip   0x10000\nendshader large\n";
@@ -134,7 +134,7 @@ fn a_shader_for_which_there_is_no_room_is_not_linked() {
 }
 
 #[test]
-fn a_name_that_is_too_long_is_not_assembled() {
+fn too_long_name_is_not_assembled() {
     let folder = tempfile::tempdir().unwrap();
     let source = "        .include \"macros.inc\"\n        .include \"shader.inc\"\n\n\
                   shader seventeen_letters\n        bi      $lr\nendshader seventeen_letters\n";
@@ -170,7 +170,7 @@ fn cellray(shader: &str, options: &[&str]) -> (Output, Option<RgbImage>) {
 }
 
 #[test]
-fn the_command_line_checks_a_games_shaders() {
+fn command_line_checks_shaders_of_game() {
     let rings = "#cellray shader rings 1 0 0 4";
     let (output, plain) = cellray(rings, &[]);
     assert!(output.status.success(), "{output:?}");

@@ -38,7 +38,7 @@ p 4
 ";
 
 #[test]
-fn rings_are_where_the_formula_has_them() {
+fn rings_equal_formula() {
     let nff = scenes::parse(GROUND.as_bytes(), "ground", &scenes::Limits::default()).unwrap();
     let render_options = RenderOptions { model: Model::Whitted, ..RenderOptions::default() };
     let scene = Scene::new(&nff, render_options, &program()).unwrap();
@@ -63,7 +63,7 @@ fn rings_are_where_the_formula_has_them() {
 }
 
 #[test]
-fn the_check_changes_no_byte_of_the_still_life() {
+fn shader_check_changes_no_byte() {
     let scene = scenes::load(&file("examples/shader/still_life.nff")).unwrap();
     let scene = Scene::new(&scene, RenderOptions::default(), &program()).unwrap();
     let size = (160, 120);
