@@ -139,7 +139,7 @@ again:  command GETLLAR, 0x10000, $3, 128, 0
 ";
 
 #[test]
-fn who_wins_a_line_is_the_same_in_every_run() {
+fn contended_line_has_same_winners_in_every_run() {
     let contend = |method| {
         let machine = Machine::counting(method);
         let spes = machine.run_all(SPES as u32, CONTEND);
@@ -199,7 +199,7 @@ next:   ai      $5,$5,-1
 
 /// With a timeline each put waits for its turn, so this compares both ways.
 #[test]
-fn puts_that_do_not_wait_for_their_turn_are_made_in_it() {
+fn asynchronous_puts_complete_in_turn() {
     let share = |machine: Machine| {
         let image = assemble(SHARE);
         let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();

@@ -304,7 +304,7 @@ fn time_and_process() {
 }
 
 #[test]
-fn what_is_not_served_says_so() {
+fn unsupported_calls_report_an_error() {
     let mut files = Files::new();
     for name in ["adjtimex", "shmat", "shmctl", "shmdt", "shmget", "shm_open", "shm_unlink"] {
         assert_eq!(files.call(name, &[]), Reply::failed(-1, libc::ENOSYS), "{name}");

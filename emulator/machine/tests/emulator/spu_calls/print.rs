@@ -160,7 +160,7 @@ fn arguments_beyond_the_registers_lie_behind_the_frame_header() {
 }
 
 #[test]
-fn strings_are_cut_to_their_room() {
+fn strings_are_truncated_to_buffer() {
     let mut guest = GuestProgram::new("");
     let format = guest.text("number %d");
     guest.store.write(0x8000, &[0xee; 32]);

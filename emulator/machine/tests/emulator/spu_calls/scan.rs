@@ -117,7 +117,7 @@ fn fields_of_every_kind() {
 }
 
 #[test]
-fn what_ends_a_scan() {
+fn scan_stops_at_end_or_mismatch() {
     let mut guest = GuestProgram::new("");
     assert_eq!(scan(&mut guest, "", "%d"), -1, "the input ended");
     assert_eq!(scan(&mut guest, "   ", " %c"), -1);

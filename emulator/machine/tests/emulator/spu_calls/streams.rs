@@ -243,7 +243,7 @@ fn a_command_gives_its_status() {
 }
 
 #[test]
-fn handles_that_are_not_open() {
+fn closed_handles_fail() {
     let mut files = Files::new("");
     for handle in [0, 5, 17, u32::MAX] {
         assert_eq!(files.call(FEOF, &[handle]), Reply::failed(-1, libc::EBADF));
@@ -265,7 +265,7 @@ fn sizes_beyond_local_store() {
 }
 
 #[test]
-fn calls_that_nobody_serves_are_named() {
+fn unsupported_calls_are_named() {
     let mut guest = GuestProgram::new("");
     let error = guest.serve(7, 1, &[]).unwrap_err();
     assert_eq!(error, CallError::UnknownClass(7));
