@@ -46,7 +46,7 @@ fn the_limit_counts_every_instruction() {
 }
 
 #[test]
-fn calls_that_nobody_serves_are_named() {
+fn unsupported_calls_are_named() {
     fault(" stop 0x2109\n nop", &[], 124, &["class 0x09", "stop 0x2109"]);
     fault(" stop 0x2100\n .long 0x2a000000", &[], 124, &["call 42", "C99", "1 to 41"]);
     fault(" stop 0x2101\n .long 0", &[], 124, &["call 0", "Posix", "1 to 68"]);
@@ -77,7 +77,7 @@ fn a_program_that_sleeps_for_ever_is_ended() {
 }
 
 #[test]
-fn files_that_can_not_be_used_are_named() {
+fn unusable_files_are_named() {
     let bench = Bench::new();
     let program = bench.instructions(" stop 0x2000");
     let program = program.to_str().unwrap();
@@ -114,7 +114,7 @@ fn files_that_can_not_be_used_are_named() {
 }
 
 #[test]
-fn what_is_no_program_is_refused() {
+fn invalid_program_is_refused() {
     let bench = Bench::new();
     let program = bench.program("hello");
     let image = fs::read(&program).unwrap();

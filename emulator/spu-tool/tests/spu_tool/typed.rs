@@ -33,7 +33,7 @@ fn a_file_after_an_option_that_takes_it_by_equals() {
 }
 
 #[test]
-fn what_is_no_program() {
+fn wrong_file_type_is_explained() {
     let bench = Bench::new();
     bench.write("kernel.s", "        ai $3,$3,1\n");
     for command in ["run", "debug", "dump"] {

@@ -117,7 +117,7 @@ fn an_invalid_word_behind_a_compiled_loop_is_where_it_was() {
 
 /// A loop that replaces some of its instructions in each iteration, before or after the store.
 #[test]
-fn code_that_changes_itself() {
+fn self_modifying_code_is_recompiled() {
     for distance in [-2, 1, 2] {
         // $10 alternates between two quadwords of code. $11 holds their difference.
         let body = [
@@ -203,7 +203,7 @@ impl Channels for CodeWriter<'_> {
 }
 
 #[test]
-fn code_that_a_channel_brings_runs_at_once() {
+fn code_replaced_by_a_channel_write_runs_at_once() {
     // Calls a function that is replaced each time the counter is a multiple of 64.
     let body = [
         word(Op::Andi, [4, 2, 0], 63),
@@ -236,7 +236,7 @@ fn code_that_a_channel_brings_runs_at_once() {
 
 /// A compiled loop notices when another thread stores into its code.
 #[test]
-fn code_that_others_write_ends_a_loop() {
+fn code_written_by_others_ends_a_loop() {
     let machine = Machine::with_engine(Arc::new(RegisteredMemory::new()), Engine::Compiler);
     let spe = Spe::new(&machine, Config::default());
     load(
@@ -290,7 +290,7 @@ fn spes_share_translations() {
 }
 
 #[test]
-fn what_is_compiled_in_the_background_runs_compiled_afterwards() {
+fn background_compiled_code_runs_afterwards() {
     let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
     code.push(word(Op::Stop, [0; 3], 7));
     let translations =

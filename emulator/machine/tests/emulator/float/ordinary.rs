@@ -73,9 +73,9 @@ const CASES: [Case; 7] = [
 ];
 
 /// Whether there was a result. If there was, it must be correct.
-fn answers(case: &Case, operands: Operands) -> bool {
-    let answer = (case.ordinary)(operands);
-    if let Some(words) = answer {
+fn has_correct_result(case: &Case, operands: Operands) -> bool {
+    let result = (case.ordinary)(operands);
+    if let Some(words) = result {
         let expected = (case.full)(operands);
         assert_eq!(
             (words, [Flags::NONE; 4]),
@@ -85,7 +85,7 @@ fn answers(case: &Case, operands: Operands) -> bool {
             expected.0
         );
     }
-    answer.is_some()
+    result.is_some()
 }
 
 /// Words at the limits of what is ordinary, and some between.
@@ -102,17 +102,17 @@ fn borders() -> Vec<u32> {
 fn borders_by_borders() {
     let borders = borders();
     for case in &CASES {
-        let mut answered = 0;
+        let mut results = 0;
         for &a in &borders {
             for &b in &borders {
                 for c in borders.chunks_exact(4) {
                     let c = from_fn(|n| c[n]);
-                    answered += u32::from(answers(case, [[a; 4], [b; 4], c]));
-                    answered += u32::from(answers(case, [c, [b; 4], [a; 4]]));
+                    results += u32::from(has_correct_result(case, [[a; 4], [b; 4], c]));
+                    results += u32::from(has_correct_result(case, [c, [b; 4], [a; 4]]));
                 }
             }
         }
-        assert!(answered > 100_000, "{}: {answered}", case.name);
+        assert!(results > 100_000, "{}: {results}", case.name);
     }
 }
 
@@ -160,24 +160,24 @@ fn random_quads() {
     for case in &CASES {
         let quads = rounds(QUADS);
         let mut random = Random::new(case.name);
-        let mut answered = [0; 10];
+        let mut results = [0; 10];
         let borders = borders();
         for round in 0..quads {
             let kind = random.below(10);
             let lanes: [_; 4] = from_fn(|_| lane(&mut random, kind));
             let mut operands = from_fn(|operand| lanes.map(|lane| lane[operand]));
-            answered[kind as usize] += u32::from(answers(case, operands));
+            results[kind as usize] += u32::from(has_correct_result(case, operands));
             if round % 4 == 0 {
                 let border = borders[random.below(borders.len() as u64) as usize];
                 operands[random.below(3) as usize][random.below(4) as usize] = border;
-                answers(case, operands);
+                has_correct_result(case, operands);
             }
         }
         // All cases of the kinds without special values must have a result.
         if case.name != "fi" {
-            let share = f64::from(answered[0] + answered[1] + answered[8]) * 10.0 / 3.0;
+            let share = f64::from(results[0] + results[1] + results[8]) * 10.0 / 3.0;
             let share = share / f64::from(quads);
-            assert!(share > 0.98, "{}: {share}, {answered:?}", case.name);
+            assert!(share > 0.98, "{}: {share}, {results:?}", case.name);
         }
     }
 }
@@ -188,14 +188,14 @@ fn one_special_lane_is_enough() {
     const ONE: u32 = 0x3f80_0000;
     let special = [1, 0x007f_ffff, 0x7f80_0000, 0x7fff_ffff];
     for case in &CASES[..6] {
-        assert!(answers(case, [[ONE; 4]; 3]), "{}", case.name);
+        assert!(has_correct_result(case, [[ONE; 4]; 3]), "{}", case.name);
         let operands = if case.name.len() > 2 { 3 } else { 2 };
         for operand in 0..operands {
             for lane in 0..4 {
                 for word in special.into_iter().flat_map(|x| [x, x | SIGN]) {
                     let mut words = [[ONE; 4]; 3];
                     words[operand][lane] = word;
-                    assert!(!answers(case, words), "{} {words:08x?}", case.name);
+                    assert!(!has_correct_result(case, words), "{} {words:08x?}", case.name);
                 }
             }
         }
@@ -238,13 +238,13 @@ fn conversions() {
                 0 => [0, 1, u32::MAX, SIGN],
                 _ => from_fn(|_| random.bits() as u32 >> shift),
             };
-            let check = |name, answer: Option<_>, full: fn(u32, i32) -> (u32, Flags)| {
+            let check = |name, result: Option<_>, full: fn(u32, i32) -> (u32, Flags)| {
                 let full = x.map(|x| full(x, scale));
-                if let Some(words) = answer {
+                if let Some(words) = result {
                     let expected = (full.map(|lane| lane.0), full.map(|lane| lane.1));
                     assert_eq!((words, [Flags::NONE; 4]), expected, "{name} {x:08x?} {scale}");
                 }
-                assert_eq!(answer.is_some(), (-90..=126).contains(&scale));
+                assert_eq!(result.is_some(), (-90..=126).contains(&scale));
             };
             check("csflt", ordinary::csflt(x, scale), convert::csflt_flagged);
             check("cuflt", ordinary::cuflt(x, scale), convert::cuflt_flagged);

@@ -126,7 +126,7 @@ fn iret_goes_to_srr0_without_its_low_bits() {
 }
 
 #[test]
-fn code_that_writes_over_itself_runs_the_new_code() {
+fn store_over_cached_code_runs_the_new_code() {
     // The store replaces the quadword of `ai $6,$6,1` with that of `ai $6,$6,100`.
     let mut code = vec![on(Op::Stqa, 8, 0, 0x1010), on(Op::Brz, 9, 0, 12)];
     code.extend([instruction(Op::Lnop, 0); 2]);

@@ -72,7 +72,7 @@ fn addresses_have_names() {
 }
 
 #[test]
-fn what_is_no_spu_program_says_why() {
+fn invalid_spu_program_is_refused_with_reason() {
     let good = assemble(SOURCE);
     let with = |at: usize, byte: u8| {
         let mut bytes = good.clone();

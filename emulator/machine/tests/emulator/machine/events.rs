@@ -84,7 +84,7 @@ fn mailbox_and_signal_events_are_edges_that_stay_until_acknowledged() {
 }
 
 #[test]
-fn room_in_the_outbound_mailboxes_is_an_event() {
+fn outbound_mailbox_space_is_an_event() {
     let source = "
         set_channel 28, 1
         set_channel 30, 2

@@ -45,7 +45,7 @@ fn a_list_scatters_two_thousand_elements() {
 }
 
 #[test]
-fn nobody_else_wakes_a_stalled_list() {
+fn unacknowledged_stalled_list_keeps_waiting() {
     let source = "
         ila     $4,0x8000
         command GETL, 0x10000, $4, 8, 1

@@ -17,7 +17,7 @@ const SPES: usize = 6;
 
 /// A program that behaves as the ray tracer does. It sleeps until a frame comes and takes tiles
 /// from a shared counter until none is left. It works on each tile for a time that depends on the
-/// tile, moves data in and out under two tags, and sends an answer.
+/// tile, moves data in and out under two tags, and sends its count.
 const TRACER: &str = "
         ila     $5,0
         cwd     $14,0($13)
@@ -34,7 +34,7 @@ tile:   command GETLLAR, 0x10000, $3, 128, 0
         rdch    $12,$ch27
         brnz    $12,tile
         clgti   $17,$15,40
-        brnz    $17,answer
+        brnz    $17,reply
         ai      $5,$5,1
         # The tile's data, from its own place.
         shli    $18,$15,12
@@ -52,13 +52,13 @@ work:   fa      $21,$21,$22
         brnz    $20,work
         command PUT, 0x11000, $18, 4096, 2
         br      tile
-answer: wait_tags 6
+reply:  wait_tags 6
         wrch    $ch30,$5
         br      frame
 over:   stop    0x2000
 ";
 
-/// Three frames on six SPEs. Returns the figures, and what each SPE answered.
+/// Three frames on six SPEs. Returns the figures, and the counts that the SPEs sent.
 fn trace(
     image: &[u8],
     disturbance: &Disturbance,
@@ -73,18 +73,18 @@ fn trace(
         running.push(start(&spe, entry, number as u32, disturbance.delay()));
         spes.push((spe, entry));
     }
-    let mut answers = Vec::new();
+    let mut replies = Vec::new();
     for _ in 0..3 {
         machine.memory.write(BASE, &[0; 128]).unwrap();
         for (spe, _) in &spes {
             disturbance.sleep();
             assert!(spe.write_inbound(1, None));
         }
-        let answer = |(spe, _): &(Arc<Spe>, u32)| {
+        let reply = |(spe, _): &(Arc<Spe>, u32)| {
             disturbance.sleep();
             spe.read_outbound_interrupt(None).unwrap()
         };
-        answers.push(spes.iter().map(answer).collect());
+        replies.push(spes.iter().map(reply).collect());
         // Each SPE notices by itself that no tile is left.
         assert_eq!(machine.word(0), 41 + SPES as u32);
     }
@@ -95,7 +95,7 @@ fn trace(
     for one in running {
         one.end();
     }
-    (machine.report().spes, answers)
+    (machine.report().spes, replies)
 }
 
 #[test]
@@ -139,7 +139,7 @@ again:  command GETLLAR, 0x10000, $3, 128, 0
 ";
 
 #[test]
-fn who_wins_a_line_is_the_same_in_every_run() {
+fn contended_line_has_same_winners_in_every_run() {
     let contend = |method| {
         let machine = Machine::counting(method);
         let spes = machine.run_all(SPES as u32, CONTEND);
@@ -199,7 +199,7 @@ next:   ai      $5,$5,-1
 
 /// With a timeline each put waits for its turn, so this compares both ways.
 #[test]
-fn puts_that_do_not_wait_for_their_turn_are_made_in_it() {
+fn asynchronous_puts_complete_in_turn() {
     let share = |machine: Machine| {
         let image = assemble(SHARE);
         let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();

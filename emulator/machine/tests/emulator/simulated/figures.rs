@@ -75,7 +75,7 @@ fn figures_of_the_ppe() {
 
 #[test]
 #[should_panic(expected = "no line would ever arrive")]
-fn memory_that_gives_nothing_is_refused() {
+fn zero_outstanding_lines_are_refused() {
     let mut timing = Timing::default();
     timing.memory.outstanding_lines = 0;
     Machine::with(timing);

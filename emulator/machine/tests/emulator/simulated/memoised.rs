@@ -350,7 +350,7 @@ proptest! {
 /// The code counts the immediate of an instruction in its own loop up from 0. So no two passes run
 /// the same code, and there are more states and transitions than are kept.
 #[test]
-fn code_that_is_ever_new_is_timed_too() {
+fn always_new_code_is_timed() {
     const ROUNDS: i32 = 20_000;
     let at = |address: i32, index: i32| address - 4 * index;
     let code = [

@@ -120,7 +120,7 @@ fn a_sleeper_that_is_left_alone_lets_the_hosts_time_pass_too() {
 }
 
 #[test]
-fn threads_that_do_not_come_back_hold_nobody_up_for_long() {
+fn absent_threads_delay_others_briefly() {
     let machine = Machine::new();
     let image = assemble(ECHO);
     let (spe, entry) = machine.loaded(&image);

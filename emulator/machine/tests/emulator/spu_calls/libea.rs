@@ -1,6 +1,6 @@
 use spu_emulator::ppe_call::CallError;
 
-use super::support::{Answer, GuestProgram, HEAP, HEAP_EA, LIBEA, Value};
+use super::support::{GuestProgram, HEAP, HEAP_EA, LIBEA, Reply, Value};
 
 const CALLOC: u8 = 1;
 const FREE: u8 = 2;
@@ -8,10 +8,10 @@ const MALLOC: u8 = 3;
 const REALLOC: u8 = 4;
 const POSIX_MEMALIGN: u8 = 5;
 
-fn call(guest: &mut GuestProgram, opcode: u8, arguments: &[u64]) -> Answer {
+fn call(guest: &mut GuestProgram, opcode: u8, arguments: &[u64]) -> Reply {
     let cells: Vec<Value> = arguments.iter().map(|&value| Value::Long(value)).collect();
-    let answer: Result<Answer, CallError> = guest.serve(LIBEA, opcode, &cells);
-    answer.unwrap()
+    let reply: Result<Reply, CallError> = guest.serve(LIBEA, opcode, &cells);
+    reply.unwrap()
 }
 
 #[test]
@@ -41,9 +41,9 @@ fn aligned_memory_answers_by_error_number() {
     let mut guest = GuestProgram::new("");
     let mut memalign = |alignment, size| {
         let cells = [Value::Word(0x8000), Value::Long(alignment), Value::Long(size)];
-        let answer = guest.serve(LIBEA, POSIX_MEMALIGN, &cells).unwrap();
+        let reply = guest.serve(LIBEA, POSIX_MEMALIGN, &cells).unwrap();
         let [high, low] = guest.words(0x8000);
-        (answer.value, u64::from(high) << 32 | u64::from(low))
+        (reply.value, u64::from(high) << 32 | u64::from(low))
     };
     assert_eq!(memalign(16, 1), (0, HEAP_EA));
     let (result, ea) = memalign(4096, 100);

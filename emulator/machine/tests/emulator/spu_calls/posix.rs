@@ -3,14 +3,14 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::MetadataExt as _;
 use std::path::PathBuf;
 
-use super::support::{Answer, GuestProgram, HEAP_EA, POSIX, Value};
+use super::support::{GuestProgram, HEAP_EA, POSIX, Reply, Value};
 
 const O_RDWR: u32 = 2;
 const O_CREAT: u32 = 64;
 const O_EXCL: u32 = 128;
 const O_TRUNC: u32 = 512;
 const BUFFER: u32 = 0x8000;
-const ENOENT: Answer = Answer { value: -1, low: 0, errno: libc::ENOENT };
+const ENOENT: Reply = Reply { value: -1, low: 0, errno: libc::ENOENT };
 
 struct Files {
     guest: GuestProgram,
@@ -32,11 +32,11 @@ impl Files {
     }
 
     /// Calls a function by its name, from which the opcode is found.
-    fn call(&mut self, name: &str, arguments: &[u32]) -> Answer {
+    fn call(&mut self, name: &str, arguments: &[u32]) -> Reply {
         self.guest.call(POSIX, opcode(name), arguments)
     }
 
-    fn open(&mut self, name: &str, flags: u32) -> Answer {
+    fn open(&mut self, name: &str, flags: u32) -> Reply {
         let path = self.path(name);
         self.call("open", &[path, flags, 0o640])
     }
@@ -57,37 +57,37 @@ fn descriptors() {
     assert_eq!(files.open("f", O_CREAT | O_EXCL).errno, libc::EEXIST);
     assert_eq!(files.open("f", 1 << 20).errno, libc::EINVAL);
     let text = files.guest.text("0123456789");
-    assert_eq!(files.call("write", &[fd, text, 10]), Answer::ok(10));
-    assert_eq!(files.call("lseek", &[fd, -4_i32 as u32, 2]), Answer::ok(6));
-    assert_eq!(files.call("read", &[fd, BUFFER, 100]), Answer::ok(4));
+    assert_eq!(files.call("write", &[fd, text, 10]), Reply::ok(10));
+    assert_eq!(files.call("lseek", &[fd, -4_i32 as u32, 2]), Reply::ok(6));
+    assert_eq!(files.call("read", &[fd, BUFFER, 100]), Reply::ok(4));
     assert_eq!(files.guest.read_text(BUFFER), "6789");
-    assert_eq!(files.call("pread", &[fd, BUFFER, 3, 1]), Answer::ok(3));
+    assert_eq!(files.call("pread", &[fd, BUFFER, 3, 1]), Reply::ok(3));
     assert_eq!(files.guest.read_text(BUFFER), "1239");
-    assert_eq!(files.call("pwrite", &[fd, text, 2, 8]), Answer::ok(2));
-    assert_eq!(files.call("ftruncate", &[fd, 9]), Answer::ok(0));
+    assert_eq!(files.call("pwrite", &[fd, text, 2, 8]), Reply::ok(2));
+    assert_eq!(files.call("ftruncate", &[fd, 9]), Reply::ok(0));
     assert_eq!(fs::read(files.file("f")).unwrap(), b"012345670");
     let copy = files.call("dup", &[fd]).value as u32;
     assert_ne!(copy, fd);
-    assert_eq!(files.call("close", &[fd]), Answer::ok(0));
-    assert_eq!(files.call("fsync", &[copy]), Answer::ok(0));
-    assert_eq!(files.call("fdatasync", &[copy]), Answer::ok(0));
-    assert_eq!(files.call("fchmod", &[copy, 0o600]), Answer::ok(0));
-    assert_eq!(files.call("lockf", &[copy, 2, 0]), Answer::ok(0));
-    assert_eq!(files.call("dup2", &[copy, copy]), Answer::ok(copy as i32));
-    assert_eq!(files.call("close", &[copy]), Answer::ok(0));
+    assert_eq!(files.call("close", &[fd]), Reply::ok(0));
+    assert_eq!(files.call("fsync", &[copy]), Reply::ok(0));
+    assert_eq!(files.call("fdatasync", &[copy]), Reply::ok(0));
+    assert_eq!(files.call("fchmod", &[copy, 0o600]), Reply::ok(0));
+    assert_eq!(files.call("lockf", &[copy, 2, 0]), Reply::ok(0));
+    assert_eq!(files.call("dup2", &[copy, copy]), Reply::ok(copy as i32));
+    assert_eq!(files.call("close", &[copy]), Reply::ok(0));
     for name in ["read", "write", "pread", "pwrite", "lseek", "dup", "fsync", "fstat", "fchdir"] {
-        let answer = files.call(name, &[u32::MAX, BUFFER, 1, 0]);
-        assert_eq!(answer, Answer::failed(-1, libc::EBADF), "{name}");
+        let reply = files.call(name, &[u32::MAX, BUFFER, 1, 0]);
+        assert_eq!(reply, Reply::failed(-1, libc::EBADF), "{name}");
     }
 }
 
 #[test]
 fn standard_streams_go_through_the_outside() {
     let mut files = Files::new();
-    assert_eq!(files.call("read", &[0, BUFFER, 3]), Answer::ok(3));
+    assert_eq!(files.call("read", &[0, BUFFER, 3]), Reply::ok(3));
     assert_eq!(files.guest.read_text(BUFFER), "typ");
     let text = files.guest.text("out");
-    assert_eq!(files.call("write", &[1, text, 3]), Answer::ok(3));
+    assert_eq!(files.call("write", &[1, text, 3]), Reply::ok(3));
     assert_eq!(files.guest.output(), "out");
 }
 
@@ -102,17 +102,17 @@ fn vectors() {
         }
     };
     vector(&files, &[one, 4, two, 5]);
-    assert_eq!(files.call("writev", &[fd, 0x9000, 2]), Answer::ok(9));
+    assert_eq!(files.call("writev", &[fd, 0x9000, 2]), Reply::ok(9));
     files.call("lseek", &[fd, 0, 0]);
     vector(&files, &[BUFFER, 6, BUFFER + 16, 6]);
-    assert_eq!(files.call("readv", &[fd, 0x9000, 2]), Answer::ok(9));
+    assert_eq!(files.call("readv", &[fd, 0x9000, 2]), Reply::ok(9));
     assert_eq!(files.guest.read_text(BUFFER), "moonli");
     assert_eq!(files.guest.read_text(BUFFER + 16), "ght");
     let many = files.call("readv", &[fd, 0x9000, 1025]);
-    assert_eq!(many, Answer::failed(-1, libc::EINVAL));
+    assert_eq!(many, Reply::failed(-1, libc::EINVAL));
     vector(&files, &[BUFFER, 0x7fff_ffff, BUFFER, 1]);
     let long = files.call("writev", &[fd, 0x9000, 2]);
-    assert_eq!(long, Answer::failed(-1, libc::EINVAL));
+    assert_eq!(long, Reply::failed(-1, libc::EINVAL));
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn the_status_has_thirteen_words() {
     std::os::unix::fs::symlink("f", files.file("l")).unwrap();
     let known = fs::metadata(files.file("f")).unwrap();
     let (path, link) = (files.path("f"), files.path("l"));
-    assert_eq!(files.call("stat", &[path, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call("stat", &[path, BUFFER]), Reply::ok(0));
     let words: [u32; 14] = files.guest.words(BUFFER);
     let expected = [
         known.dev(),
@@ -155,25 +155,25 @@ fn names() {
     let (f, g, d) = (files.path("f"), files.path("g"), files.path("d"));
     let fd = files.call("creat", &[f, 0o600]).value as u32;
     files.call("close", &[fd]);
-    assert_eq!(files.call("access", &[f, 6]), Answer::ok(0));
+    assert_eq!(files.call("access", &[f, 6]), Reply::ok(0));
     assert_eq!(files.call("access", &[g, 0]), ENOENT);
-    assert_eq!(files.call("chmod", &[f, 0o644]), Answer::ok(0));
-    assert_eq!(files.call("truncate", &[f, 100]), Answer::ok(0));
+    assert_eq!(files.call("chmod", &[f, 0o644]), Reply::ok(0));
+    assert_eq!(files.call("truncate", &[f, 100]), Reply::ok(0));
     assert_eq!(fs::metadata(files.file("f")).unwrap().len(), 100);
-    assert_eq!(files.call("link", &[f, g]), Answer::ok(0));
-    assert_eq!(files.call("unlink", &[g]), Answer::ok(0));
-    assert_eq!(files.call("symlink", &[f, g]), Answer::ok(0));
+    assert_eq!(files.call("link", &[f, g]), Reply::ok(0));
+    assert_eq!(files.call("unlink", &[g]), Reply::ok(0));
+    assert_eq!(files.call("symlink", &[f, g]), Reply::ok(0));
     let length = files.file("f").as_os_str().len();
-    assert_eq!(files.call("readlink", &[g, BUFFER, 4096]), Answer::ok(length as i32));
+    assert_eq!(files.call("readlink", &[g, BUFFER, 4096]), Reply::ok(length as i32));
     assert_eq!(files.guest.read_text(BUFFER), files.file("f").to_str().unwrap());
-    assert_eq!(files.call("mkdir", &[d, 0o700]), Answer::ok(0));
-    assert_eq!(files.call("rmdir", &[d]), Answer::ok(0));
+    assert_eq!(files.call("mkdir", &[d, 0o700]), Reply::ok(0));
+    assert_eq!(files.call("rmdir", &[d]), Reply::ok(0));
     assert_eq!(files.call("rmdir", &[d]), ENOENT);
     files.guest.store.write(BUFFER, &[0, 0, 0, 77, 0, 0, 0, 88]);
-    assert_eq!(files.call("utime", &[f, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call("utime", &[f, BUFFER]), Reply::ok(0));
     assert_eq!(fs::metadata(files.file("f")).unwrap().mtime(), 88);
     files.guest.store.write(BUFFER, &[0, 0, 0, 7, 0, 0, 0, 1, 0, 0, 0, 9, 0, 0, 0, 2]);
-    assert_eq!(files.call("utimes", &[f, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call("utimes", &[f, BUFFER]), Reply::ok(0));
     let known = fs::metadata(files.file("f")).unwrap();
     assert_eq!((known.atime(), known.mtime(), known.mtime_nsec()), (7, 9, 2000));
     assert_ne!(files.call("ftok", &[f, 65]).value, -1);
@@ -188,7 +188,7 @@ fn temporary_names() {
     assert!(PathBuf::from(files.guest.read_text(template)).is_file());
     files.call("close", &[fd.value as u32]);
     let template = files.path("gXXXXXX");
-    assert_eq!(files.call("mktemp", &[template]), Answer::ok(template as i32));
+    assert_eq!(files.call("mktemp", &[template]), Reply::ok(template as i32));
     let name = files.guest.read_text(template);
     assert!(!name.ends_with("XXXXXX") && !PathBuf::from(name).exists());
     let bad = files.path("h");
@@ -198,13 +198,13 @@ fn temporary_names() {
 #[test]
 fn the_working_directory() {
     let mut files = Files::new();
-    assert_eq!(files.call("getcwd", &[BUFFER, 4096]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.call("getcwd", &[BUFFER, 4096]), Reply::ok(BUFFER as i32));
     let here = std::env::current_dir().unwrap();
     assert_eq!(files.guest.read_text(BUFFER), here.to_str().unwrap());
-    assert_eq!(files.call("getcwd", &[BUFFER, 0]), Answer::failed(0, libc::EINVAL));
-    assert_eq!(files.call("getcwd", &[BUFFER, 3]), Answer::failed(0, libc::ERANGE));
+    assert_eq!(files.call("getcwd", &[BUFFER, 0]), Reply::failed(0, libc::EINVAL));
+    assert_eq!(files.call("getcwd", &[BUFFER, 3]), Reply::failed(0, libc::ERANGE));
     let here = files.guest.text(here.as_os_str().as_bytes());
-    assert_eq!(files.call("chdir", &[here]), Answer::ok(0));
+    assert_eq!(files.call("chdir", &[here]), Reply::ok(0));
     let none = files.path("none");
     assert_eq!(files.call("chdir", &[none]), ENOENT);
 }
@@ -230,23 +230,23 @@ fn directories() {
         assert_eq!(files.guest.words(BUFFER), [known.ino() as u32]);
         found.push(name);
     }
-    assert_eq!(call(&mut files, "telldir", 0), Answer::ok(4));
+    assert_eq!(call(&mut files, "telldir", 0), Reply::ok(4));
     call(&mut files, "seekdir", 3);
     call(&mut files, "readdir", BUFFER);
     assert_eq!(files.guest.read_text(BUFFER + 4), found[3]);
     found.sort();
     assert_eq!(found, [".", "..", "a", "b"]);
     fs::write(files.file("c"), "").unwrap();
-    assert_eq!(call(&mut files, "rewinddir", 0), Answer::ok(0));
+    assert_eq!(call(&mut files, "rewinddir", 0), Reply::ok(0));
     let entries = std::iter::repeat_with(|| call(&mut files, "readdir", BUFFER).value);
     assert_eq!(entries.take_while(|&value| value != 0).count(), 5);
-    assert_eq!(call(&mut files, "closedir", 0), Answer::ok(0));
+    assert_eq!(call(&mut files, "closedir", 0), Reply::ok(0));
     for name in ["closedir", "telldir", "seekdir", "rewinddir"] {
         assert_eq!(call(&mut files, name, 0).errno, libc::EBADF, "{name}");
     }
     let none = files.path("none");
-    let answer = files.call("opendir", &[none]);
-    assert_eq!((answer.doubleword(), answer.errno), (0, libc::ENOENT));
+    let reply = files.call("opendir", &[none]);
+    assert_eq!((reply.doubleword(), reply.errno), (0, libc::ENOENT));
 }
 
 #[test]
@@ -273,7 +273,7 @@ fn files_in_effective_address_space() {
         cells.extend(words.map(Value::Word));
         files.guest.serve(POSIX, opcode(name), &cells).unwrap()
     };
-    assert_eq!(at(&mut files, "msync", [100, 0, 0]), Answer::ok(0));
+    assert_eq!(at(&mut files, "msync", [100, 0, 0]), Reply::ok(0));
     assert_eq!(at(&mut files, "mremap", [100, 8192, 0]).errno, libc::ENOMEM);
     assert_eq!(at(&mut files, "mremap", [100, 8192, 1]).errno, 0);
     assert_eq!(at(&mut files, "munmap", [100, 0, 0]).errno, libc::EINVAL, "it has moved");
@@ -287,26 +287,26 @@ fn time_and_process() {
     let told = files.call("time", &[BUFFER]).value as u32;
     assert!(told.wrapping_sub(now) < 60);
     assert_eq!(files.guest.words(BUFFER), [told]);
-    assert_eq!(files.call("gettimeofday", &[BUFFER, BUFFER + 16]), Answer::ok(0));
+    assert_eq!(files.call("gettimeofday", &[BUFFER, BUFFER + 16]), Reply::ok(0));
     let [seconds, microseconds] = files.guest.words(BUFFER);
     assert!(seconds.wrapping_sub(now) < 60 && microseconds < 1_000_000);
     files.guest.store.write(BUFFER, &[0, 0, 0, 0, 0, 0, 0, 9]);
-    assert_eq!(files.call("nanosleep", &[BUFFER, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call("nanosleep", &[BUFFER, BUFFER]), Reply::ok(0));
     assert_eq!(files.guest.words(BUFFER), [0, 0]);
     assert!(files.call("getpagesize", &[]).value >= 4096);
     let own = std::process::id();
-    assert_eq!(files.call("kill", &[own, 0]), Answer::ok(0));
-    assert_eq!(files.call("kill", &[u32::MAX, 9]), Answer::failed(-1, libc::EPERM));
+    assert_eq!(files.call("kill", &[own, 0]), Reply::ok(0));
+    assert_eq!(files.call("kill", &[u32::MAX, 9]), Reply::failed(-1, libc::EPERM));
     assert_eq!(files.call("waitpid", &[own, 0, 0]).errno, libc::ECHILD);
-    assert_eq!(files.call("sched_yield", &[]), Answer::ok(0));
+    assert_eq!(files.call("sched_yield", &[]), Reply::ok(0));
     let before = files.call("umask", &[0o22]).value;
-    assert_eq!(files.call("umask", &[before as u32]), Answer::ok(0o22));
+    assert_eq!(files.call("umask", &[before as u32]), Reply::ok(0o22));
 }
 
 #[test]
-fn what_is_not_served_says_so() {
+fn unsupported_calls_report_an_error() {
     let mut files = Files::new();
     for name in ["adjtimex", "shmat", "shmctl", "shmdt", "shmget", "shm_open", "shm_unlink"] {
-        assert_eq!(files.call(name, &[]), Answer::failed(-1, libc::ENOSYS), "{name}");
+        assert_eq!(files.call(name, &[]), Reply::failed(-1, libc::ENOSYS), "{name}");
     }
 }

@@ -2,7 +2,7 @@ use std::ffi::CString;
 
 use proptest::prelude::*;
 
-use super::support::{Answer, C99, GuestProgram, Value};
+use super::support::{C99, GuestProgram, Reply, Value};
 
 const VFPRINTF: u8 = 35;
 const VPRINTF: u8 = 37;
@@ -12,9 +12,9 @@ const VSPRINTF: u8 = 40;
 fn print(format: &str, arguments: &[Value]) -> String {
     let mut guest = GuestProgram::new("");
     let format = guest.text(format);
-    let answer = guest.variadic(VPRINTF, &[format], arguments);
+    let reply = guest.variadic(VPRINTF, &[format], arguments);
     let output = guest.output();
-    assert_eq!(answer, Answer::ok(output.len() as i32));
+    assert_eq!(reply, Reply::ok(output.len() as i32));
     output
 }
 
@@ -160,18 +160,18 @@ fn arguments_beyond_the_registers_lie_behind_the_frame_header() {
 }
 
 #[test]
-fn strings_are_cut_to_their_room() {
+fn strings_are_truncated_to_buffer() {
     let mut guest = GuestProgram::new("");
     let format = guest.text("number %d");
     guest.store.write(0x8000, &[0xee; 32]);
-    let answer = guest.variadic(VSNPRINTF, &[0x8000, 8, format], &[Value::Word(123)]);
-    assert_eq!(answer, Answer::ok(10));
+    let reply = guest.variadic(VSNPRINTF, &[0x8000, 8, format], &[Value::Word(123)]);
+    assert_eq!(reply, Reply::ok(10));
     assert_eq!(guest.read_text(0x8000), "number ");
     assert_eq!(guest.words::<1>(0x8008), [0xeeee_eeee]);
-    let answer = guest.variadic(VSNPRINTF, &[0x8010, 0, format], &[Value::Word(123)]);
-    assert_eq!((answer, guest.words::<1>(0x8010)), (Answer::ok(10), [0xeeee_eeee]));
-    let answer = guest.variadic(VSPRINTF, &[0x8000, format], &[Value::Word(123)]);
-    assert_eq!(answer, Answer::ok(10));
+    let reply = guest.variadic(VSNPRINTF, &[0x8010, 0, format], &[Value::Word(123)]);
+    assert_eq!((reply, guest.words::<1>(0x8010)), (Reply::ok(10), [0xeeee_eeee]));
+    let reply = guest.variadic(VSPRINTF, &[0x8000, format], &[Value::Word(123)]);
+    assert_eq!(reply, Reply::ok(10));
     assert_eq!(guest.read_text(0x8000), "number 123");
 }
 
@@ -182,7 +182,7 @@ fn streams_other_than_standard_output() {
     guest.variadic(VFPRINTF, &[3, format], &[Value::Word(0xe)]);
     assert_eq!(guest.console(|console| console.error.clone()), b"to e\n");
     let closed = guest.variadic(VFPRINTF, &[9, format], &[Value::Word(1)]);
-    assert_eq!(closed, Answer::failed(-1, libc::EBADF));
+    assert_eq!(closed, Reply::failed(-1, libc::EBADF));
 }
 
 #[test]
@@ -190,11 +190,11 @@ fn an_endless_field_is_an_error() {
     let mut guest = GuestProgram::new("");
     for format in ["%2147483647d", "%.99999999999999999999d", "%16000000d%16000000d"] {
         let format = guest.text(format);
-        let answer = guest.variadic(VPRINTF, &[format], &[Value::Word(1), Value::Word(2)]);
-        assert_eq!(answer, Answer::failed(-1, libc::EOVERFLOW));
+        let reply = guest.variadic(VPRINTF, &[format], &[Value::Word(1), Value::Word(2)]);
+        assert_eq!(reply, Reply::failed(-1, libc::EOVERFLOW));
     }
-    let answer = guest.call(C99, 25, &[0x3_0000]);
-    assert_eq!(answer, Answer::ok(1), "the library goes on");
+    let reply = guest.call(C99, 25, &[0x3_0000]);
+    assert_eq!(reply, Reply::ok(1), "the library goes on");
 }
 
 /// The host's formatting has widths and precisions of 16 bits.

@@ -2,7 +2,7 @@ use std::ffi::CString;
 
 use proptest::prelude::*;
 
-use super::support::{Answer, C99, GuestProgram, Value};
+use super::support::{C99, GuestProgram, Reply, Value};
 
 const VFSCANF: u8 = 36;
 const VSCANF: u8 = 38;
@@ -15,9 +15,9 @@ const RESULTS: u32 = 0x8000;
 fn scan(guest: &mut GuestProgram, text: &str, format: &str) -> i32 {
     let (text, format) = (guest.text(text), guest.text(format));
     let results: Vec<Value> = (0..8).map(|n| Value::Word(RESULTS + 128 * n)).collect();
-    let answer = guest.variadic(VSSCANF, &[text, format], &results);
-    assert_eq!(answer.errno, 0);
-    answer.value
+    let reply = guest.variadic(VSSCANF, &[text, format], &results);
+    assert_eq!(reply.errno, 0);
+    reply.value
 }
 
 fn word(guest: &GuestProgram, n: u32) -> u32 {
@@ -96,8 +96,8 @@ fn wide_characters_take_four_bytes_each() {
     assert_eq!(text(&guest, 0, 3), "ab\0");
     assert_eq!(text(&guest, 1, 1), "é");
     let (input, format) = (guest.text(b"\xff"), guest.text("%lc"));
-    let answer = guest.variadic(VSSCANF, &[input, format], &[Value::Word(RESULTS)]);
-    assert_eq!(answer, Answer::failed(-1, libc::EILSEQ));
+    let reply = guest.variadic(VSSCANF, &[input, format], &[Value::Word(RESULTS)]);
+    assert_eq!(reply, Reply::failed(-1, libc::EILSEQ));
 }
 
 #[test]
@@ -117,7 +117,7 @@ fn fields_of_every_kind() {
 }
 
 #[test]
-fn what_ends_a_scan() {
+fn scan_stops_at_end_or_mismatch() {
     let mut guest = GuestProgram::new("");
     assert_eq!(scan(&mut guest, "", "%d"), -1, "the input ended");
     assert_eq!(scan(&mut guest, "   ", " %c"), -1);
@@ -137,10 +137,10 @@ fn a_scan_leaves_the_rest_of_the_stream() {
     let mut guest = GuestProgram::new("12 34x");
     let format = guest.text("%d%d");
     let results = [Value::Word(RESULTS), Value::Word(RESULTS + 128)];
-    assert_eq!(guest.variadic(VSCANF, &[format], &results), Answer::ok(2));
+    assert_eq!(guest.variadic(VSCANF, &[format], &results), Reply::ok(2));
     assert_eq!([word(&guest, 0), word(&guest, 1)], [12, 34]);
-    assert_eq!(guest.call(C99, GETCHAR, &[]), Answer::ok(i32::from(b'x')));
-    assert_eq!(guest.variadic(VFSCANF, &[1, format], &results), Answer::ok(-1));
+    assert_eq!(guest.call(C99, GETCHAR, &[]), Reply::ok(i32::from(b'x')));
+    assert_eq!(guest.variadic(VFSCANF, &[1, format], &results), Reply::ok(-1));
     let closed = guest.variadic(VFSCANF, &[7, format], &results);
-    assert_eq!(closed, Answer::failed(-1, libc::EBADF));
+    assert_eq!(closed, Reply::failed(-1, libc::EBADF));
 }

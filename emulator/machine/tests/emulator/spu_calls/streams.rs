@@ -3,7 +3,7 @@ use std::os::unix::ffi::OsStrExt as _;
 
 use spu_emulator::ppe_call::{CallError, Class};
 
-use super::support::{Answer, C99, GuestProgram};
+use super::support::{C99, GuestProgram, Reply};
 
 const FCLOSE: u8 = 2;
 const FEOF: u8 = 3;
@@ -58,11 +58,11 @@ impl Files {
         self.guest.text(path.as_os_str().as_bytes())
     }
 
-    fn call(&mut self, opcode: u8, arguments: &[u32]) -> Answer {
+    fn call(&mut self, opcode: u8, arguments: &[u32]) -> Reply {
         self.guest.call(C99, opcode, arguments)
     }
 
-    fn open(&mut self, name: &str, mode: &str) -> Answer {
+    fn open(&mut self, name: &str, mode: &str) -> Reply {
         let (path, mode) = (self.path(name), self.guest.text(mode));
         self.call(FOPEN, &[path, mode])
     }
@@ -87,44 +87,44 @@ fn a_stream_reopens_its_own_file_in_another_mode() {
     let text = files.guest.text("kept");
     files.guest.call(C99, FPUTS, &[text, handle]);
     let again = files.guest.call(C99, FREOPEN, &[0, read, handle]);
-    assert_eq!(again, Answer::ok(handle as i32));
-    assert_eq!(files.guest.call(C99, FILENO, &[handle]), Answer::ok(number));
-    assert_eq!(files.guest.call(C99, FGETS, &[BUFFER, 100, handle]), Answer::ok(BUFFER as i32));
+    assert_eq!(again, Reply::ok(handle as i32));
+    assert_eq!(files.guest.call(C99, FILENO, &[handle]), Reply::ok(number));
+    assert_eq!(files.guest.call(C99, FGETS, &[BUFFER, 100, handle]), Reply::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "kept");
     assert_eq!(files.guest.call(C99, FREOPEN, &[0, append, handle]).value, handle as i32);
     assert_eq!(files.guest.call(C99, FGETC, &[handle]).errno, libc::EBADF);
-    assert_eq!(files.guest.call(C99, FCLOSE, &[handle]), Answer::ok(0));
-    assert_eq!(files.guest.call(C99, FREOPEN, &[0, read, handle]), Answer::failed(0, libc::EBADF));
+    assert_eq!(files.guest.call(C99, FCLOSE, &[handle]), Reply::ok(0));
+    assert_eq!(files.guest.call(C99, FREOPEN, &[0, read, handle]), Reply::failed(0, libc::EBADF));
 }
 
 #[test]
 fn a_file_is_written_and_read_back() {
     let mut files = Files::new("");
-    assert_eq!(files.open("f", "w"), Answer::ok(4));
+    assert_eq!(files.open("f", "w"), Reply::ok(4));
     let text = files.guest.text("line one\nline two\n");
-    assert_eq!(files.call(FPUTS, &[text, 4]), Answer::ok(1));
-    assert_eq!(files.call(FWRITE, &[text, 4, 2, 4]), Answer::ok(2));
-    assert_eq!(files.call(FPUTC, &[0x121, 4]), Answer::ok(0x21));
-    assert_eq!(files.call(FTELL, &[4]), Answer::ok(27));
+    assert_eq!(files.call(FPUTS, &[text, 4]), Reply::ok(1));
+    assert_eq!(files.call(FWRITE, &[text, 4, 2, 4]), Reply::ok(2));
+    assert_eq!(files.call(FPUTC, &[0x121, 4]), Reply::ok(0x21));
+    assert_eq!(files.call(FTELL, &[4]), Reply::ok(27));
     assert_eq!(files.contents("f"), "", "it is buffered");
-    assert_eq!(files.call(FFLUSH, &[4]), Answer::ok(0));
+    assert_eq!(files.call(FFLUSH, &[4]), Reply::ok(0));
     assert_eq!(files.contents("f"), "line one\nline two\nline one!");
-    assert_eq!(files.call(FCLOSE, &[4]), Answer::ok(0));
-    assert_eq!(files.call(FCLOSE, &[4]), Answer::failed(-1, libc::EBADF));
+    assert_eq!(files.call(FCLOSE, &[4]), Reply::ok(0));
+    assert_eq!(files.call(FCLOSE, &[4]), Reply::failed(-1, libc::EBADF));
 
-    assert_eq!(files.open("f", "r"), Answer::ok(4));
-    assert_eq!(files.call(FGETS, &[BUFFER, 6, 4]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.open("f", "r"), Reply::ok(4));
+    assert_eq!(files.call(FGETS, &[BUFFER, 6, 4]), Reply::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "line ");
-    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Reply::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "one\n");
-    assert_eq!(files.call(FREAD, &[BUFFER, 4, 100, 4]), Answer::ok(4), "whole items");
+    assert_eq!(files.call(FREAD, &[BUFFER, 4, 100, 4]), Reply::ok(4), "whole items");
     assert_eq!(files.guest.read_text(BUFFER), "line two\nline one!");
-    assert_eq!(files.call(FEOF, &[4]), Answer::ok(1));
-    assert_eq!(files.call(FGETC, &[4]), Answer::ok(-1));
-    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Answer::ok(0));
+    assert_eq!(files.call(FEOF, &[4]), Reply::ok(1));
+    assert_eq!(files.call(FGETC, &[4]), Reply::ok(-1));
+    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Reply::ok(0));
     files.call(REWIND, &[4]);
-    assert_eq!(files.call(FEOF, &[4]), Answer::ok(0));
-    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'l')));
+    assert_eq!(files.call(FEOF, &[4]), Reply::ok(0));
+    assert_eq!(files.call(FGETC, &[4]), Reply::ok(i32::from(b'l')));
 }
 
 #[test]
@@ -134,20 +134,20 @@ fn positions_count_what_is_buffered() {
     files.open("f", "r+");
     files.call(FGETC, &[4]);
     files.call(FGETC, &[4]);
-    assert_eq!(files.call(UNGETC, &[u32::from(b'x'), 4]), Answer::ok(0x78));
-    assert_eq!(files.call(FTELL, &[4]), Answer::ok(1));
-    assert_eq!(files.call(FGETC, &[4]), Answer::ok(0x78));
-    assert_eq!(files.call(FGETPOS, &[4, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call(UNGETC, &[u32::from(b'x'), 4]), Reply::ok(0x78));
+    assert_eq!(files.call(FTELL, &[4]), Reply::ok(1));
+    assert_eq!(files.call(FGETC, &[4]), Reply::ok(0x78));
+    assert_eq!(files.call(FGETPOS, &[4, BUFFER]), Reply::ok(0));
     assert_eq!(files.guest.words(BUFFER), [2]);
     // Reading went ahead of this position, but the written bytes must follow where reading
     // stopped.
     files.call(FPUTC, &[u32::from(b'A'), 4]);
-    assert_eq!(files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]), Answer::ok(0));
-    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'9')));
-    assert_eq!(files.call(FSETPOS, &[4, BUFFER]), Answer::ok(0));
-    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'A')));
+    assert_eq!(files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]), Reply::ok(0));
+    assert_eq!(files.call(FGETC, &[4]), Reply::ok(i32::from(b'9')));
+    assert_eq!(files.call(FSETPOS, &[4, BUFFER]), Reply::ok(0));
+    assert_eq!(files.call(FGETC, &[4]), Reply::ok(i32::from(b'A')));
     let bad = files.call(FSEEK, &[4, -5_i32 as u32, SEEK_SET]);
-    assert_eq!(bad, Answer::failed(-1, libc::EINVAL));
+    assert_eq!(bad, Reply::failed(-1, libc::EINVAL));
     files.call(FCLOSE, &[4]);
     assert_eq!(files.contents("f"), "01A3456789");
 }
@@ -156,62 +156,62 @@ fn positions_count_what_is_buffered() {
 fn thirteen_files_can_be_open() {
     let mut files = Files::new("");
     for handle in 4..=16 {
-        assert_eq!(files.open("f", "w"), Answer::ok(handle));
+        assert_eq!(files.open("f", "w"), Reply::ok(handle));
     }
-    assert_eq!(files.open("f", "w"), Answer::failed(0, libc::EMFILE));
-    assert_eq!(files.call(TMPFILE, &[]), Answer::failed(0, libc::EMFILE));
+    assert_eq!(files.open("f", "w"), Reply::failed(0, libc::EMFILE));
+    assert_eq!(files.call(TMPFILE, &[]), Reply::failed(0, libc::EMFILE));
     files.call(FCLOSE, &[7]);
-    assert_eq!(files.call(TMPFILE, &[]), Answer::ok(7));
+    assert_eq!(files.call(TMPFILE, &[]), Reply::ok(7));
     let text = files.guest.text("kept");
     files.call(FPUTS, &[text, 7]);
     files.call(REWIND, &[7]);
-    assert_eq!(files.call(FGETC, &[7]), Answer::ok(i32::from(b'k')));
+    assert_eq!(files.call(FGETC, &[7]), Reply::ok(i32::from(b'k')));
 }
 
 #[test]
 fn modes_and_errors_of_opening() {
     let mut files = Files::new("");
-    assert_eq!(files.open("none", "r"), Answer::failed(0, libc::ENOENT));
-    assert_eq!(files.open("f", "q"), Answer::failed(0, libc::EINVAL));
-    assert_eq!(files.call(FOPEN, &[0, 0]), Answer::failed(0, libc::EFAULT));
+    assert_eq!(files.open("none", "r"), Reply::failed(0, libc::ENOENT));
+    assert_eq!(files.open("f", "q"), Reply::failed(0, libc::EINVAL));
+    assert_eq!(files.call(FOPEN, &[0, 0]), Reply::failed(0, libc::EFAULT));
     files.put("f", "old");
-    assert_eq!(files.open("f", "wx"), Answer::failed(0, libc::EEXIST));
+    assert_eq!(files.open("f", "wx"), Reply::failed(0, libc::EEXIST));
     files.open("f", "a");
     files.call(FPUTC, &[u32::from(b'!'), 4]);
-    assert_eq!(files.call(FGETC, &[4]), Answer::failed(-1, libc::EBADF));
-    assert_eq!(files.call(FERROR, &[4]), Answer::ok(1));
+    assert_eq!(files.call(FGETC, &[4]), Reply::failed(-1, libc::EBADF));
+    assert_eq!(files.call(FERROR, &[4]), Reply::ok(1));
     files.call(1, &[4]);
-    assert_eq!(files.call(FERROR, &[4]), Answer::ok(0));
+    assert_eq!(files.call(FERROR, &[4]), Reply::ok(0));
     let (path, mode) = (files.path("f"), files.guest.text("r"));
-    assert_eq!(files.call(FREOPEN, &[path, mode, 4]), Answer::ok(4));
+    assert_eq!(files.call(FREOPEN, &[path, mode, 4]), Reply::ok(4));
     assert_eq!(files.contents("f"), "old!");
-    assert_eq!(files.call(FPUTC, &[0, 4]), Answer::failed(-1, libc::EBADF));
+    assert_eq!(files.call(FPUTC, &[0, 4]), Reply::failed(-1, libc::EBADF));
     let (from, to) = (files.path("f"), files.path("g"));
-    assert_eq!(files.call(RENAME, &[from, to]), Answer::ok(0));
+    assert_eq!(files.call(RENAME, &[from, to]), Reply::ok(0));
     assert_eq!(files.contents("g"), "old!");
-    assert_eq!(files.call(REMOVE, &[to]), Answer::ok(0));
-    assert_eq!(files.call(REMOVE, &[to]), Answer::failed(-1, libc::ENOENT));
+    assert_eq!(files.call(REMOVE, &[to]), Reply::ok(0));
+    assert_eq!(files.call(REMOVE, &[to]), Reply::failed(-1, libc::ENOENT));
 }
 
 #[test]
 fn standard_streams() {
     let mut files = Files::new("first line\nlast");
     let text = files.guest.text("text");
-    assert_eq!(files.call(PUTS, &[text]), Answer::ok(5));
-    assert_eq!(files.call(PUTCHAR, &[0x2a]), Answer::ok(0x2a));
+    assert_eq!(files.call(PUTS, &[text]), Reply::ok(5));
+    assert_eq!(files.call(PUTCHAR, &[0x2a]), Reply::ok(0x2a));
     assert_eq!(files.guest.output(), "text\n*");
-    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.call(GETS, &[BUFFER]), Reply::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "first line");
-    assert_eq!(files.call(GETCHAR, &[]), Answer::ok(i32::from(b'l')));
-    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.call(GETCHAR, &[]), Reply::ok(i32::from(b'l')));
+    assert_eq!(files.call(GETS, &[BUFFER]), Reply::ok(BUFFER as i32));
     assert_eq!(files.guest.read_text(BUFFER), "ast", "a line without an end");
-    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(0));
+    assert_eq!(files.call(GETS, &[BUFFER]), Reply::ok(0));
     files.call(PERROR, &[text, libc::ENOENT as u32]);
     files.call(PERROR, &[0, libc::EACCES as u32]);
     let error = files.guest.console(|console| console.error.clone());
     assert_eq!(error, b"text: No such file or directory\nPermission denied\n");
-    assert_eq!(files.call(FILENO, &[STDOUT]), Answer::ok(1));
-    assert_eq!(files.call(UNGETC, &[u32::MAX, STDIN]), Answer::ok(-1));
+    assert_eq!(files.call(FILENO, &[STDOUT]), Reply::ok(1));
+    assert_eq!(files.call(UNGETC, &[u32::MAX, STDIN]), Reply::ok(-1));
 }
 
 /// Calls without a result leave the cell unchanged.
@@ -222,7 +222,7 @@ fn buffering_is_the_programs_choice() {
     let written = |files: &Files| files.guest.console(|console| console.output.clone());
     files.call(FPUTS, &[text, STDOUT]);
     assert_eq!(written(&files), b"");
-    assert_eq!(files.call(SETVBUF, &[STDOUT, 0, 1, 0]), Answer::ok(0));
+    assert_eq!(files.call(SETVBUF, &[STDOUT, 0, 1, 0]), Reply::ok(0));
     files.call(FPUTS, &[text, STDOUT]);
     assert_eq!(written(&files), b"a\nba\nb");
     let untouched = files.call(SETBUF, &[STDOUT, 0]);
@@ -230,27 +230,27 @@ fn buffering_is_the_programs_choice() {
     files.call(PUTCHAR, &[0x2e]);
     assert_eq!(written(&files), b"a\nba\nb.");
     let bad = files.call(SETVBUF, &[STDOUT, 0, 3, 0]);
-    assert_eq!(bad, Answer::failed(-1, libc::EINVAL));
+    assert_eq!(bad, Reply::failed(-1, libc::EINVAL));
 }
 
 #[test]
 fn a_command_gives_its_status() {
     let mut files = Files::new("");
     let command = files.guest.text("exit 3");
-    assert_eq!(files.call(SYSTEM, &[command]), Answer::ok(3 << 8));
-    assert_eq!(files.call(SYSTEM, &[0]), Answer::ok(1), "there is a shell");
-    assert_eq!(files.call(TMPNAM, &[0]), Answer::ok(0));
+    assert_eq!(files.call(SYSTEM, &[command]), Reply::ok(3 << 8));
+    assert_eq!(files.call(SYSTEM, &[0]), Reply::ok(1), "there is a shell");
+    assert_eq!(files.call(TMPNAM, &[0]), Reply::ok(0));
 }
 
 #[test]
-fn handles_that_are_not_open() {
+fn closed_handles_fail() {
     let mut files = Files::new("");
     for handle in [0, 5, 17, u32::MAX] {
-        assert_eq!(files.call(FEOF, &[handle]), Answer::failed(-1, libc::EBADF));
+        assert_eq!(files.call(FEOF, &[handle]), Reply::failed(-1, libc::EBADF));
         let put = files.call(FPUTC, &[0, handle]);
-        assert_eq!(put, Answer::failed(-1, libc::EBADF));
+        assert_eq!(put, Reply::failed(-1, libc::EBADF));
         let read = files.call(FREAD, &[BUFFER, 1, 1, handle]);
-        assert_eq!(read, Answer::failed(0, libc::EBADF));
+        assert_eq!(read, Reply::failed(0, libc::EBADF));
     }
 }
 
@@ -259,13 +259,13 @@ fn sizes_beyond_local_store() {
     let mut files = Files::new("");
     files.open("f", "w");
     let written = files.call(FWRITE, &[0, 0x1_0000, 0x1_0000, 4]);
-    assert_eq!(written, Answer::ok(4), "local store once");
-    assert_eq!(files.call(FWRITE, &[0, 0, 5, 4]), Answer::ok(0));
-    assert_eq!(files.call(FREAD, &[0, 0, 5, STDIN]), Answer::ok(0));
+    assert_eq!(written, Reply::ok(4), "local store once");
+    assert_eq!(files.call(FWRITE, &[0, 0, 5, 4]), Reply::ok(0));
+    assert_eq!(files.call(FREAD, &[0, 0, 5, STDIN]), Reply::ok(0));
 }
 
 #[test]
-fn calls_that_nobody_serves_are_named() {
+fn unsupported_calls_are_named() {
     let mut guest = GuestProgram::new("");
     let error = guest.serve(7, 1, &[]).unwrap_err();
     assert_eq!(error, CallError::UnknownClass(7));

@@ -68,13 +68,13 @@ pub enum Value {
 
 /// The result cell of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Answer {
+pub struct Reply {
     pub value: i32,
     pub low: u32,
     pub errno: i32,
 }
 
-impl Answer {
+impl Reply {
     pub fn ok(value: i32) -> Self {
         Self { value, low: 0, errno: 0 }
     }
@@ -140,7 +140,7 @@ impl GuestProgram {
         std::array::from_fn(|n| self.store.load_word(address + 4 * n as u32))
     }
 
-    pub fn serve(&mut self, class: u8, opcode: u8, cells: &[Value]) -> Result<Answer, CallError> {
+    pub fn serve(&mut self, class: u8, opcode: u8, cells: &[Value]) -> Result<Reply, CallError> {
         for (n, cell) in (0..).zip(cells) {
             // The other words of a register must not matter.
             self.store.write(BLOCK + 16 * n, &[0xa5; 16]);
@@ -151,7 +151,7 @@ impl GuestProgram {
         // The lowest bit means that interrupts are enabled.
         self.library.serve(class, &self.store, OPCODE_WORD | 1)?;
         let [value, low, _, errno] = self.words(BLOCK);
-        Ok(Answer { value: value as i32, low, errno: errno as i32 })
+        Ok(Reply { value: value as i32, low, errno: errno as i32 })
     }
 
     fn put(&self, address: u32, value: &Value) {
@@ -163,14 +163,14 @@ impl GuestProgram {
     }
 
     /// A call with words as arguments.
-    pub fn call(&mut self, class: u8, opcode: u8, arguments: &[u32]) -> Answer {
+    pub fn call(&mut self, class: u8, opcode: u8, arguments: &[u32]) -> Reply {
         let cells: Vec<Value> = arguments.iter().map(|&word| Value::Word(word)).collect();
         self.serve(class, opcode, &cells).unwrap()
     }
 
     /// A call with a variadic list, laid out as newlib's functions do it: the fixed arguments, the
     /// list, the saved registers, and the remaining arguments beyond the caller's frame header.
-    pub fn variadic(&mut self, opcode: u8, fixed: &[u32], arguments: &[Value]) -> Answer {
+    pub fn variadic(&mut self, opcode: u8, fixed: &[u32], arguments: &[Value]) -> Reply {
         let list = BLOCK + 16 * fixed.len() as u32;
         let first = list + 32;
         let in_registers = SAVED - fixed.len();

@@ -189,7 +189,7 @@ fn an_address_may_be_advanced_between_its_accesses() {
 }
 
 #[test]
-fn what_is_no_multiple_of_a_quadword_does_not_move() {
+fn access_with_unaligned_step_keeps_its_offset() {
     let source = looped(
         &["lqd $8,0($4)", "fma $9,$5,$8,$8", "stqd $9,0($4)", "ai $4,$4,20", "ai $6,$6,-1"],
         &[],

@@ -36,7 +36,7 @@ fn faults_of_the_code_name_file_and_line() {
 }
 
 #[test]
-fn loops_that_stay_plain_are_named_with_the_reason() {
+fn unpipelined_loops_are_named_with_reason() {
     for (body, reason) in [
         (
             "pass:   ai $4,$4,-1\n        brz $5,skip\n        a $6,$6,$4\nskip:   brnz $4,pass\n",
@@ -56,7 +56,7 @@ fn loops_that_stay_plain_are_named_with_the_reason() {
 }
 
 #[test]
-fn files_that_do_not_fit_are_refused() {
+fn unsuitable_files_are_refused() {
     let good = format!("{START}        il $3,1\n{END}");
     let shop = Workshop::new(&good);
     shop.assemble("plain.s", "plain.o", &["-g"]);

@@ -274,7 +274,7 @@ fn a_text_that_says_something_else_is_an_error() {
 }
 
 #[test]
-fn what_the_assembler_says_of_the_text_is_told() {
+fn assembler_messages_are_reported() {
     let shop = Workshop::new(&format!("{START}{BODY}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
     let object = fs::read(shop.path("plain.o")).unwrap();
