@@ -1,4 +1,4 @@
-# What the run time of a program that was compiled with -pg does with the PPE and with interrupts:
+# The work of the run time of a program compiled with -pg, with the PPE and with interrupts:
 # it asks /proc/cpuinfo for the time base and Linux for the process, samples the program counter by
 # the decrementer's interrupt into a file, and counts calls of _mcount in effective address space.
         .set    own_start,1
@@ -26,7 +26,7 @@ _start: ila     $sp,__stack
         library pwrite, 0x2101, 66
         variadic sscanf, 2, 41
 
-# Adds 1 to the sample's counter in the file. What the library calls change is saved.
+# Adds 1 to the sample's counter in the file. Registers that the library calls change are saved.
 sample:
         .irp    register, 0, 3, 4, 5, 6, 75, 76, 77, 78, 79
         stqr    $\register,kept+16*\register

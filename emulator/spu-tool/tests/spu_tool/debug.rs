@@ -219,8 +219,8 @@ fn wrong_commands_change_nothing() {
     assert_eq!(outcome.error, "spu: --gdb does not go with spu debug; use spu run\n");
 }
 
-/// With commands in a file, standard input is the program's. What it prints comes before the
-/// answers to later commands.
+/// With commands in a file, standard input is the program's. Its output comes before the
+/// output of later commands.
 #[test]
 fn commands_from_a_file() {
     let bench = Bench::new();

@@ -1,4 +1,4 @@
-//! Checks `docs/spu-programming.md`: its sources do what it says, in as many cycles as it says.
+//! Checks `docs/spu-programming.md`: its sources do what it describes, in the cycles that it gives.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What shows a DMA that nobody waits for, and where a program's cycles go.
+//! Reports of a DMA that nobody waits for, and of where a program's cycles go.
 
 use super::support::Bench;
 

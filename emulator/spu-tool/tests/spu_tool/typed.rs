@@ -1,15 +1,15 @@
-//! What people type, and what they are told to type instead.
+//! Slips in typed commands, and the messages that suggest the right ones.
 
 use std::path::Path;
 
 use super::support::Bench;
 
-/// The message says all of this.
-fn assert_told(bench: &Bench, arguments: &[&str], status: i32, parts: &[&str]) {
+/// The message contains all of this.
+fn assert_error(bench: &Bench, arguments: &[&str], status: i32, parts: &[&str]) {
     let outcome = bench.spu(arguments);
     assert_eq!(outcome.status, status, "{arguments:?}: {}", outcome.error);
-    let told = &outcome.error;
-    assert!(parts.iter().all(|part| told.contains(part)), "{arguments:?}: {told}");
+    let error = &outcome.error;
+    assert!(parts.iter().all(|part| error.contains(part)), "{arguments:?}: {error}");
 }
 
 #[test]
@@ -20,16 +20,16 @@ fn a_file_after_an_option_that_takes_it_by_equals() {
     for option in ["--stats", "--timing", "--profile", "--trace", "--dump-regs"] {
         let command = format!("spu run {option}=out.json {program} arg");
         let arguments = ["run", option, "out.json", program, "arg"];
-        assert_told(&bench, &arguments, 127, &["out.json is no SPU program", &command]);
+        assert_error(&bench, &arguments, 127, &["out.json is no SPU program", &command]);
     }
     // Also if the file exists already.
     bench.write("out.json", "{}");
     let arguments = ["run", "--stats", "out.json", program];
-    assert_told(&bench, &arguments, 127, &["spu run --stats=out.json"]);
+    assert_error(&bench, &arguments, 127, &["spu run --stats=out.json"]);
     let arguments = ["run", "--stats", "out.json"];
-    assert_told(&bench, &arguments, 127, &["spu run --stats=out.json PROGRAM"]);
+    assert_error(&bench, &arguments, 127, &["spu run --stats=out.json PROGRAM"]);
     // A program may follow such an option.
-    assert_told(&bench, &["run", "--dump-regs", program], 7, &["$127"]);
+    assert_error(&bench, &["run", "--dump-regs", program], 7, &["$127"]);
 }
 
 #[test]
@@ -40,7 +40,7 @@ fn wrong_file_type_is_explained() {
         let arguments = [command, "kernel.s"];
         let parts =
             ["but text", "spu-elf-as kernel.s -o kernel.o", "spu-elf-ld kernel.o -o kernel.elf"];
-        assert_told(&bench, &arguments, 126, &parts);
+        assert_error(&bench, &arguments, 126, &parts);
     }
     let program = bench.program("calls");
     let objects = bench.path("objects");
@@ -48,12 +48,12 @@ fn wrong_file_type_is_explained() {
     let object = object.path();
     let object = object.strip_prefix(bench.folder.path()).unwrap_or(&object);
     let parts = ["it is an object", "spu-elf-ld", "spu time"];
-    assert_told(&bench, &["run", object.to_str().unwrap()], 126, &parts);
+    assert_error(&bench, &["run", object.to_str().unwrap()], 126, &parts);
     let this = std::env::current_exe().unwrap();
     let machine = if cfg!(target_arch = "x86_64") { "it is for x86-64" } else { "it is for" };
-    assert_told(&bench, &["run", this.to_str().unwrap()], 126, &[machine]);
+    assert_error(&bench, &["run", this.to_str().unwrap()], 126, &[machine]);
     bench.write("data", [0, 1, 2]);
-    assert_told(&bench, &["run", "data"], 126, &["data: not an ELF file\n"]);
+    assert_error(&bench, &["run", "data"], 126, &["data: not an ELF file\n"]);
     assert!(Path::new(&program).exists());
 }
 
@@ -62,11 +62,11 @@ fn a_wrong_word_for_the_right_one() {
     let bench = Bench::new();
     let program = bench.program("calls");
     let program = program.to_str().unwrap();
-    assert_told(&bench, &["runn", program], 127, &["'run'"]);
-    assert_told(&bench, &["debgu", program], 127, &["'debug'"]);
-    assert_told(&bench, &["run", "--timeing", program], 127, &["'--timing'"]);
+    assert_error(&bench, &["runn", program], 127, &["'run'"]);
+    assert_error(&bench, &["debgu", program], 127, &["'debug'"]);
+    assert_error(&bench, &["run", "--timeing", program], 127, &["'--timing'"]);
     let tip = format!("spu run {program}");
-    assert_told(&bench, &[program], 127, &[&tip]);
+    assert_error(&bench, &[program], 127, &[&tip]);
     let parts = ["at-once", "at-last"];
-    assert_told(&bench, &["run", "--mfc", "late", program], 127, &parts);
+    assert_error(&bench, &["run", "--mfc", "late", program], 127, &parts);
 }

@@ -79,7 +79,7 @@ pub struct Compiled {
 impl Compiled {
     pub fn new(compiler: &mut Compiler, trace: &Trace, mode: FloatMode) -> Self {
         let mut cpu = compiler.new_cpu();
-        let unit = compiler.compile(trace.clone(), mode).expect("there is room");
+        let unit = compiler.compile(trace.clone(), mode).expect("there is space");
         cpu.install(&unit);
         Self { cpu, mode, length: trace.steps().len() as u32 }
     }

@@ -167,7 +167,7 @@ fn case(file: &str, text: &Text, line: usize, row: &[&str]) -> Case {
             case.code.push('\n');
             continue;
         };
-        // A row's own line says more than the line that all rows share.
+        // A row's own line is more precise than the line that all rows share.
         let at = if raw == filled { at } else { line };
         let (what, rest) = directive.split_once(' ').unwrap_or((directive, ""));
         let bad = |part: &str| -> ! { panic!("{file}:{at}: `{part}` is not understood") };

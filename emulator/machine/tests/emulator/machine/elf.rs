@@ -13,8 +13,8 @@ here:   stop    0x2000
         .global table
 table:  .long   0x11223344
         .section .bss,\"aw\",@nobits
-        .global room
-room:   .space  64
+        .global zeros
+zeros:  .space  64
 ";
 
 fn header_field(image: &[u8], offset: usize) -> usize {

@@ -99,8 +99,8 @@ fn a_limit_is_simulated_time() {
     let limit = Duration::from_millis(1);
     assert!(simulation(&machine).wait(key, Some(limit), || None::<()>).is_none());
     let now = || Some(Instant::now());
-    let room = (0..9).take_while(|word| spe.write_inbound(*word, now()));
-    assert_eq!(room.count(), 4);
+    let accepted = (0..9).take_while(|word| spe.write_inbound(*word, now()));
+    assert_eq!(accepted.count(), 4);
     spe.request_stop();
     machine.depart();
     assert!(running.stopped());
@@ -159,15 +159,15 @@ delay:  dfa     $7,$7,$7
     let machine = Machine::new();
     let spes = [machine.loaded(&image), machine.loaded(&image)];
     let later = start(&spes[1].0, spes[1].1, 1, Duration::ZERO);
-    let (tell, told) = mpsc::channel();
+    let (done, finished) = mpsc::channel();
     thread::spawn(move || {
         let (spe, entry) = &spes[0];
         spe.run(*entry);
         later.end();
-        tell.send(()).unwrap();
+        done.send(()).unwrap();
     });
     machine.depart();
-    told.recv_timeout(2 * TIMEOUT).unwrap();
+    finished.recv_timeout(2 * TIMEOUT).unwrap();
     let clocks: Vec<u64> = machine.report().spes.iter().map(|spe| spe.clock).collect();
     assert!(clocks[1] > clocks[0] + PPE_WAKE_CYCLES, "{clocks:?}");
 }
@@ -203,20 +203,20 @@ again:  rdch    $6,$ch29
     let (spe, entry) = machine.loaded(&image);
     let running = start(&spe, entry, 0, Duration::ZERO);
     let ready = Arc::new(Barrier::new(4));
-    let (tell, told) = mpsc::channel();
+    let (done, finished) = mpsc::channel();
     for _ in 0..4 {
-        let (spe, ready, tell) = (Arc::clone(&spe), Arc::clone(&ready), tell.clone());
+        let (spe, ready, done) = (Arc::clone(&spe), Arc::clone(&ready), done.clone());
         thread::spawn(move || {
             ready.wait();
             for _ in 0..1000 {
                 assert!(spe.write_inbound(3, None));
             }
-            tell.send(()).unwrap();
+            done.send(()).unwrap();
         });
     }
     machine.depart();
     for _ in 0..4 {
-        told.recv_timeout(TIMEOUT).unwrap();
+        finished.recv_timeout(TIMEOUT).unwrap();
     }
     running.end();
     assert_eq!(register(&spe, 7), 12_000);

@@ -80,7 +80,7 @@ fn a_load_that_does_not_wait_races() {
     assert!(parts.iter().all(|part| text.contains(part)), "{text}");
 }
 
-/// By the clock the data has arrived long since, but the program can't know that.
+/// In simulated time the data has arrived long ago, but the program has no proof of it.
 #[test]
 fn time_alone_is_no_wait() {
     let late = "
@@ -90,7 +90,7 @@ fn time_alone_is_no_wait() {
         brnz    $9,1b";
     let load = "lqa $8,0x1010";
     assert_eq!(uses(&format!("{late}\n{load}")), [(Use::Load, 0x1010)]);
-    // The decrementer does not tell either.
+    // The decrementer is no proof either.
     let decrementer = format!("{late}\nrdch $8,$ch8\n{load}");
     assert_eq!(uses(&decrementer), [(Use::Load, 0x1010)]);
     // The count of free places in the queue does.
@@ -242,7 +242,7 @@ fn compiled_code_finds_races() {
     assert_eq!(uses(&both), [(Use::Store, 0x9000), (Use::Load, 0x9000)]);
 }
 
-/// A put is timed by another thread when its turn comes. The mail that follows tells nothing before
+/// A put is timed by another thread when its turn comes. The mail that follows proves nothing before
 /// it is complete, and everything after.
 #[test]
 fn a_put_races_until_it_is_complete() {

@@ -5,7 +5,7 @@ use spu_emulator::simulated::{MemoryFigures, Tenths};
 
 use super::support::Machine;
 
-/// What main memory can move in a cycle if a line takes this time.
+/// The bytes that main memory can move in a cycle if a line takes this time.
 fn bytes_a_cycle(line: Tenths) -> f64 {
     (LINE as u64 * Tenths::PER_CYCLE) as f64 / line.0 as f64
 }

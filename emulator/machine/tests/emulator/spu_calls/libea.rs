@@ -29,7 +29,7 @@ fn memory_comes_and_goes() {
     let wraps = call(&mut guest, CALLOC, &[1 << 40, 1 << 40]);
     assert_eq!((wraps.doubleword(), wraps.errno), (0, libc::ENOMEM));
     let grown = call(&mut guest, REALLOC, &[half, HEAP as u64]);
-    assert_eq!(grown.doubleword(), 0, "there is no room beside the old one");
+    assert_eq!(grown.doubleword(), 0, "there is no space beside the old one");
     let shrunk = call(&mut guest, REALLOC, &[half, 16]).doubleword();
     assert_ne!(shrunk, 0);
     assert_eq!(call(&mut guest, REALLOC, &[shrunk, 0]).doubleword(), 0);

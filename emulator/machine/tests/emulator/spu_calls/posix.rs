@@ -284,9 +284,9 @@ fn time_and_process() {
     let mut files = Files::new();
     let now = std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap();
     let now = now.as_secs() as u32;
-    let told = files.call("time", &[BUFFER]).value as u32;
-    assert!(told.wrapping_sub(now) < 60);
-    assert_eq!(files.guest.words(BUFFER), [told]);
+    let returned = files.call("time", &[BUFFER]).value as u32;
+    assert!(returned.wrapping_sub(now) < 60);
+    assert_eq!(files.guest.words(BUFFER), [returned]);
     assert_eq!(files.call("gettimeofday", &[BUFFER, BUFFER + 16]), Reply::ok(0));
     let [seconds, microseconds] = files.guest.words(BUFFER);
     assert!(seconds.wrapping_sub(now) < 60 && microseconds < 1_000_000);

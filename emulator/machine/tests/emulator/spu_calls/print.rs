@@ -24,7 +24,7 @@ macro_rules! c_print {
     ($format:expr, $($argument:expr),*) => {{
         let format = CString::new($format.as_str()).unwrap();
         let mut buffer = vec![0_u8; 4096];
-        // SAFETY: the buffer has as many bytes as the length says, and the arguments match the
+        // SAFETY: the length is the buffer's, and the arguments match the
         // format.
         let length = unsafe {
             libc::snprintf(buffer.as_mut_ptr().cast(), buffer.len(), format.as_ptr(), $($argument),*)

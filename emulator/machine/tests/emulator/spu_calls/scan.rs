@@ -39,7 +39,7 @@ proptest! {
         let format = format!("%{width}{length}{conversion}%n");
         let (c_text, c_format) = (CString::new(text.as_str()).unwrap(), CString::new(format.as_str()).unwrap());
         let (mut value, mut consumed) = (0_u64, 0_i32);
-        // SAFETY: both strings end in 0, and both results have room for the longest type.
+        // SAFETY: both strings end in 0, and both results are large enough for the longest type.
         let expected = unsafe {
             libc::sscanf(c_text.as_ptr(), c_format.as_ptr(), &raw mut value, &raw mut consumed)
         };

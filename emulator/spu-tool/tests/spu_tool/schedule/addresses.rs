@@ -128,7 +128,7 @@ fn saxpy_with_one_address_takes_four_cycles_a_pass() {
 fn a_loop_that_is_marked_has_one_pass_in_its_kernel() {
     let body = ["lqd $8,0($3)", "fa $8,$8,$5", "stqd $8,0($3)", "ai $3,$3,16", "ai $6,$6,-1"];
     let source = looped(&body, &[]);
-    let marked = source.replace("brnz $6,next", "brnz $6,next # one pass: room is short");
+    let marked = source.replace("brnz $6,next", "brnz $6,next # one pass: memory is short");
     let (several, _) = same(&source, "not marked");
     let (one, _) = same(&marked, "marked");
     let short = |message: &str| message.contains("interval 4,");

@@ -37,8 +37,8 @@ fn singles(random: &mut Random, input: &mut Input, address: u32, count: u32) {
 
 /// The number after a word in the messages.
 fn figure(messages: &str, name: &str) -> u64 {
-    let behind = messages.split(name).nth(1).unwrap_or_else(|| panic!("{messages}"));
-    let digits: String = behind.trim().chars().take_while(char::is_ascii_digit).collect();
+    let after = messages.split(name).nth(1).unwrap_or_else(|| panic!("{messages}"));
+    let digits: String = after.trim().chars().take_while(char::is_ascii_digit).collect();
     digits.parse().unwrap()
 }
 
