@@ -29,3 +29,16 @@ fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
     // No pictures were traced, so the document has no section about them.
     assert!(!text.contains("Whole pictures"));
 }
+
+#[test]
+fn a_part_is_replaced_or_added_and_the_rest_stays() {
+    let first = with_part("# Title\n\n", "a", "one\n");
+    assert_eq!(
+        first,
+        "# Title\n\n<!-- a: written by cellray-bench -->\n\none\n\n<!-- end of what is written -->\n"
+    );
+    let both = with_part(&format!("{first}\nmore\n"), "b", "three\n");
+    let again = with_part(&both, "a", "two\n");
+    assert_eq!(again, both.replace("one", "two"));
+    assert!(again.contains("more") && again.contains("three"));
+}
