@@ -13,7 +13,7 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-use crate::families::{FAMILIES, Form, triangles};
+use crate::families::{FAMILIES, Family, Form, triangles};
 use crate::figures::{Figures, WELL_CONDITIONED};
 use crate::file::OutputError;
 use crate::metrics::Summary;
@@ -201,16 +201,18 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
     for plot in ["distance", "verdicts", "ratio"] {
         text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
     }
-    text.push_str("\nLargest error of the distance, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
+    text.push_str("\nLargest error of other families, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
     text.push_str(&by_family(form, &kernels).to_string());
     text
 }
 
-/// A table with families as rows and formulations as columns.
+/// A table with families as rows and formulations as columns. The plot shows the families of a
+/// ratio.
 fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
     let names = kernels.iter().map(|(kernel, _)| kernel.formulation.as_str());
     let mut table = Table::new(std::iter::once("family").chain(names));
-    for family in FAMILIES.iter().filter(|family| family.forms.contains(&form)) {
+    let listed = |family: &&Family| family.ratio.is_none() && family.forms.contains(&form);
+    for family in FAMILIES.iter().filter(listed) {
         let cell = |(_, rows): &Kernel<'_>| {
             let Some(row) = rows.iter().find(|row| row.family == family.name) else {
                 return String::new();
