@@ -90,18 +90,14 @@ fn head(document: &Document) -> String {
 const READING: &str = "
 ## Measured formulations
 
-- *Truth* is exact for the very singles that a kernel gets. It is computed in double precision with a bound of
-  its own rounding. Where that bound leaves a verdict or 1/64 ulp open, it is computed with numbers of any
-  length. A distance counts along the direction at length 1.
+- *Truth* is exact for the very singles that a kernel gets. A distance counts along the direction at length 1.
 - *ulps*: spacings of singles. For a distance, at the true distance; for a point, at its largest coordinate from
-  the ray's origin; for a normal, at 1. The SPU truncates. Half an ulp is the best that rounding to nearest
-  could give.
+  the ray's origin. Half an ulp is the best that rounding to nearest could give.
 - *cycles*: of the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
   nanoseconds of this machine's interpreter for the same.
 - *wrong hits, wrong misses*: the kernel decides otherwise than exact arithmetic.
 - *condition*: the number of ulps by which the true distance moves if each given number moves by half an ulp, in
-  the worst combination. A family is well-conditioned if the mean of that is small. An error there is the
-  formulation's own.
+  the worst combination. In a well-conditioned family, whose mean is small, an error is the formulation's own.
 - *not beaten*: no other kernel is at least as good in both run time and error, and better in one of them.
 ";
 
