@@ -238,10 +238,7 @@ fn families(results: &Results) -> String {
         rows.filter(|(_, condition)| condition.iter().any(Option::is_some)),
         &[
             ("family", |(family, _)| family.name.to_owned()),
-            ("content", |(family, _)| match family.ratio {
-                Some(_) => format!("distance/radius as named, {}", family.doc),
-                None => family.doc.to_owned(),
-            }),
+            ("content", |(family, _)| family.doc.to_owned()),
             ("eye: mean", |(_, [eye, _])| mean(*eye)),
             ("largest", |(_, [eye, _])| most(*eye)),
             ("anywhere: mean", |(_, [_, general])| mean(*general)),
@@ -249,7 +246,7 @@ fn families(results: &Results) -> String {
         ],
     );
     format!(
-        "\n### Families of spheres\n\nTheir condition. Well-conditioned: the mean is at most \
+        "\n### Families of spheres\n\nTheir condition. A ratio is distance/radius. Well-conditioned: the mean is at most \
          {WELL_CONDITIONED}.\n\n{table}"
     )
 }
