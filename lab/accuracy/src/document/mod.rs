@@ -101,11 +101,6 @@ const READING: &str = "
 - *not beaten*: no other kernel is at least as good in both run time and error, and better in one of them.
 ";
 
-/// A cell for each of the kernels, in one.
-fn each(row: &[&KernelRow], cell: fn(&KernelRow) -> String) -> String {
-    row.iter().map(|kernel| cell(kernel)).collect::<Vec<_>>().join(", ")
-}
-
 fn formulations(results: &Results) -> String {
     // A formulation has one row for all of its forms.
     let mut rows: Vec<Vec<&KernelRow>> = Vec::new();
@@ -119,9 +114,11 @@ fn formulations(results: &Results) -> String {
         &rows,
         &[
             ("formulation", |row| row[0].formulation.clone()),
-            ("for", |row| each(row, |kernel| kernel.form.clone())),
+            ("for", |row| {
+                let forms: Vec<&str> = row.iter().map(|kernel| kernel.form.as_str()).collect();
+                forms.join(", ")
+            }),
             ("what it computes", |row| row[0].doc.clone()),
-            ("host, ns", |row| each(row, |kernel| option(kernel.host_ns_a_ray))),
         ],
     );
     let mut text = format!("\n### Formulations\n\n{table}");
