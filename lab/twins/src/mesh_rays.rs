@@ -1,6 +1,9 @@
 //! Twin of `spu/isect/mesh_rays_r16.s`, `mesh_alive_r16.s`, `mesh_filter_rays.s`,
 //! `mesh_candidates.s` and `mesh_few_rays.s`: rays that go through the blocks of a mesh one by
 //! one.
+//!
+//! Rays that stay together go through them as packets: one by one, the rays of a flat mirror make
+//! the bunny slower by 4 %, and first shadow rays by 14 %.
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fnms, fs};
 

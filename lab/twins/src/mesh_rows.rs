@@ -1,5 +1,10 @@
 //! Twin of `spu/isect/mesh_eye_bounds_r16.s`, `filter_triangles_r16.s` and `isect_mesh_rows_r4.s`:
 //! rays from the eye and the triangles of a mesh.
+//!
+//! Edges are not tested as planes through the eye: the cross product of two vertices has no digits
+//! left for a small and distant triangle, whose edges move by a sixteenth of a pixel. Testing the
+//! lowest boxes with the rays themselves leaves out 17 % of the triangles, and costs more than
+//! that.
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fs};
 

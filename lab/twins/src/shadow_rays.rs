@@ -1,4 +1,7 @@
 //! Twin of `spu/shade/shadow_rays_r16.s`: the ray from a hit to a light.
+//!
+//! The bound of a light's effect takes a highlight as Ks. Computing the highlight itself leaves out
+//! 37 % instead of 29 % of the rays of `glass-ball`, but is slower in most scenes.
 
 use spu_emulator::float::single::{fcmgt, fm, fma, fnms};
 

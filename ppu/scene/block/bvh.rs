@@ -9,6 +9,11 @@
 //! rounding of the SPU's test. A newly built node bounds the objects below it, not its children's
 //! spheres, so its sphere is smaller; a ray that misses it still misses the objects. A refitted
 //! node bounds its children's spheres.
+//!
+//! One tree over all shapes was tried: a packet of scattered rays then tests 16.0 nodes instead of
+//! 16.6 in `still-life`, but 21.7 instead of 20.0 in `shapes`. One node at the top of a tree
+//! instead of up to four makes `whitted16` faster by 1.2 % and all other scenes slower by 0.5 to
+//! 4 %.
 
 use glam::DVec3;
 use zerocopy::big_endian::{F32, U32};

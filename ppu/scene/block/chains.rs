@@ -5,7 +5,7 @@
 //! surfaces on its way reflect or let through. The ray adds to its pixel at most its weight times
 //! the maximum brightness that any ray can see. If that is less than [`MIN_CHANGE`] of a byte's
 //! step, the ray is not sent. The materials' largest share also bounds the depth at which a ray
-//! can still have enough weight. `docs/numerics.md` derives the bound.
+//! can still have enough weight. `docs/whitted.md` derives the bound.
 //!
 //! Nothing is bounded if an object has a game's own shader, because the light that
 //! the shader adds is unknown. Nothing is bounded either if rays are counted as in the Standard

@@ -13,6 +13,9 @@
 //!
 //! The constants are such that the estimates agree with frames of the scenes in `scenes/`, traced
 //! with spheres and with boxes (docs/whitted.md).
+//!
+//! Trees of cones are left to the packets' cones: testing the single rays with the children, too,
+//! makes eye rays slower by 0.2 to 0.9 %, and with the shadow rays of later rays `mirrors` by 6 %.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,7 @@
 //! How much local store each part of a scene takes, and how much of the scene would fit.
+//!
+//! Smaller batches that leave memory for 16 blocks of a mesh instead of 8 find 25 % of them in the
+//! cache instead of 9 % in `sphereflake:4`, but make it slower: 4.8 frames a second, not 5.5.
 
 use scenes::{Scene, Shape};
 

@@ -1,7 +1,7 @@
 //! Scenes whose numbers are too unlike for singles.
 //!
 //! A ray starts off the surface that it leaves, by an offset that grows with the object's numbers
-//! relative to the eye, because a hit is off by their rounding; docs/numerics.md has the formula.
+//! relative to the eye, because a hit is off by their rounding; docs/whitted.md has the formula.
 //! It can't see what is nearer to the surface than that. So a ground of a million times the size of
 //! what stands on it shows no shadows. All numbers are in range there, and every ray is
 //! right for where it starts.

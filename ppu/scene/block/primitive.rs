@@ -1,4 +1,7 @@
 //! Primitives: the forms that the SPUs intersect, in the scene's coordinates.
+//!
+//! Long cones are not cut into pieces: pieces no longer than they are wide make `mirrors` faster by
+//! 3.5 % but `shapes` slower by 2 %.
 
 use glam::DVec3;
 

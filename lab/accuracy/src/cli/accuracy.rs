@@ -26,7 +26,7 @@ pub struct Arguments {
     /// every host
     #[arg(long)]
     no_host_time: bool,
-    /// Also write the document, with its plots next to it
+    /// Also put the tables into a document, with their plots next to it
     #[arg(long, value_name = "F.md")]
     write: Option<PathBuf>,
     /// Seed of the random rays
@@ -55,7 +55,7 @@ Examples:
   cellray-bench accuracy
   cellray-bench accuracy --only paper,perpendicular --no-pictures
   cellray-bench accuracy --full --write docs/accuracy.md
-  cellray-bench accuracy --antialiasing --write docs/antialiasing.md
+  cellray-bench accuracy --antialiasing --write docs/accuracy.md
   cellray-bench accuracy --quick --no-host-time --json -";
 
 pub fn run(arguments: &Arguments) -> Outcome {
@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Measures antialiasing, and writes its plots and, if asked to, its document.
+/// Measures antialiasing, and writes its plots and, if asked to, its part of the document.
 fn antialiasing(arguments: &Arguments) -> Outcome {
     output::folder(&arguments.out)?;
     let rows = antialiasing::measure(|next| messages::print!("cellray-bench: {next}"))

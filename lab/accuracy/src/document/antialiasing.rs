@@ -1,11 +1,10 @@
-//! The document with the pictures of several samples a pixel.
+//! The part of the document about pictures of several samples a pixel.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::path::Path;
 
 use super::table::{Table, figure};
-use super::titled;
+use super::{put, titled};
 use crate::antialiasing::{Row, SIZE};
 use crate::file::OutputError;
 use crate::output::Origin;
@@ -14,26 +13,24 @@ use crate::plots::Plot;
 /// The prefix of the plots' file names, which are next to the document.
 pub const PREFIX: &str = "antialiasing-";
 
-/// Writes the document, which refers to plots next to it.
+/// Puts the results into the document, which refers to plots next to it.
 ///
 /// # Errors
 ///
-/// Fails if the file can't be written.
+/// Fails if the file can't be read or written.
 pub fn write(
     rows: &[Row],
     plots: &[Plot],
     origin: &Origin,
     path: &Path,
 ) -> Result<(), OutputError> {
-    fs::write(path, text(rows, plots, origin)).map_err(OutputError::of(path.display()))
+    put("antialiasing", &text(rows, plots, origin), path)
 }
 
 fn text(rows: &[Row], plots: &[Plot], origin: &Origin) -> String {
-    let mut text = HEAD.to_owned();
     let (width, height) = SIZE;
-    _ = write!(
-        text,
-        "\nWritten by `{}` at commit {}. Pictures of {width}x{height}, six SPUs.\n",
+    let mut text = format!(
+        "Written by `{}` at commit {}. Pictures of {width}x{height}, six SPUs.\n",
         origin.command, origin.commit
     );
     for plot in plots {
@@ -48,30 +45,7 @@ fn text(rows: &[Row], plots: &[Plot], origin: &Origin) -> String {
                 ("pixels off by over 8/255, %", |row| format!("{:.3}", row.visible_percent)),
             ],
         );
-        _ = write!(text, "\n## {}\n\n{table}{}", plot.name, titled(plot, PREFIX));
+        _ = write!(text, "\n### Samples of {}\n\n{table}{}", plot.name, titled(plot, PREFIX));
     }
     text
 }
-
-const HEAD: &str = "# Run time against error of several samples a pixel
-
-What antialiasing costs and what it gains, for readers who choose `--antialias` and `--contrast`.
-[whitted.md](whitted.md#several-samples-a-pixel) says how the SPUs do it.
-
-- *1, 2x2, 4x4*: a regular grid of samples in every pixel, the mean of a larger picture.
-- *4 everywhere, 16 everywhere*: `--antialias N --contrast 0`. Samples are spread so that no two
-  have the same column or row.
-- *4 at 32*: `--antialias 4 --contrast 32`: four samples, only in pixels that differ by 32/255 or more
-  from a neighbour.
-- The error is against the reference in double precision with 8x8 samples a pixel, in the same parts
-  of the scene: NFF's camera sees a little more in a larger picture's pixels. Light is limited
-  to white after the mean is taken, except for 2x2 and 4x4, which are means of pictures.
-
-## The default
-
-`render`, `fb`, `view` and `play` take *4 at 32*, which nothing below beats. It halves the error of one sample on
-`whitted16`, for less than twice the time. Contrasts below that gain little error for much time, and those above leave
-steps that are easily seen: pixels off by over 8/255 are counted in the last column. *16 at 32* costs twice as much
-again, for edges that are looked at from near: a picture at rest. The contrast is that of the pixels' values, so in sRGB
-dark edges count for more, bright ones for less. These tables have linear light.
-";

@@ -1,7 +1,7 @@
-//! The document with the results: tables, plots and the formulations that no other beats, as
-//! Markdown.
+//! The results as a part of a document: tables, plots and the formulations that no other beats, as
+//! Markdown. People write the rest of the document, which stays as it is.
 //!
-//! Invariant: every number in it comes from the results.
+//! Invariant: every number in the part comes from the results.
 
 pub mod antialiasing;
 mod table;
@@ -10,9 +10,10 @@ mod tests;
 
 use std::fmt::Write as _;
 use std::fs;
+use std::io::ErrorKind;
 use std::path::Path;
 
-use crate::families::{FAMILIES, Form, triangles};
+use crate::families::{FAMILIES, Family, Form, triangles};
 use crate::figures::{Figures, WELL_CONDITIONED};
 use crate::file::OutputError;
 use crate::metrics::Summary;
@@ -26,16 +27,38 @@ use table::{Table, figure, option};
 /// The prefix of the plots' file names, which are next to the document.
 pub const PREFIX: &str = "accuracy-";
 
-/// Writes the document, which refers to plots next to it.
+/// The line after a part that a command writes, as in `ci/common.sh`.
+const END: &str = "<!-- end of what is written -->";
+
+/// Puts the results into the document, which refers to plots next to it.
 ///
 /// # Errors
 ///
-/// Fails if the file can't be written.
+/// Fails if the file can't be read or written.
 pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
-    fs::write(path, text(document)).map_err(OutputError::of(path.display()))
+    put("accuracy", &text(document), path)
 }
 
-/// The document's text.
+/// Replaces the part of this name in a document, or adds it to one that has none.
+fn put(name: &str, part: &str, path: &Path) -> Result<(), OutputError> {
+    let document = match fs::read_to_string(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => String::new(),
+        read => read.map_err(OutputError::of(path.display()))?,
+    };
+    fs::write(path, with_part(&document, name, part)).map_err(OutputError::of(path.display()))
+}
+
+/// The document with a part between the two lines of its name.
+fn with_part(document: &str, name: &str, part: &str) -> String {
+    let begin = format!("<!-- {name}: written by cellray-bench -->");
+    let lines = document
+        .split_once(&begin)
+        .and_then(|(before, rest)| Some((before, rest.split_once(END)?.1)));
+    let (before, after) = lines.unwrap_or((document, "\n"));
+    format!("{before}{begin}\n\n{}\n\n{END}{after}", part.trim())
+}
+
+/// The text of the results.
 pub fn text(document: &Document) -> String {
     let results = &document.results;
     let plots = plots::plots(results);
@@ -53,58 +76,57 @@ pub fn text(document: &Document) -> String {
 }
 
 fn head(document: &Document) -> String {
-    let mut text = "# Run time against error\n\n".to_owned();
-    text.push_str(
-        "The cost and the error of every way to intersect rays with spheres and triangles, for readers who choose\n\
-         between them or doubt them. Each way is a kernel of its own. The tracer is linked with one for each\n\
-         purpose (`protocol/src/formulation.rs`).\n\n",
-    );
     let results = &document.results;
-    if let Some(origin) = &document.origin {
-        let command = &origin.command;
-        _ = writeln!(text, "Written by `{command}`.\n");
-        _ = writeln!(
-            text,
-            "Machine: {}. Commit: {}. Seed: {}. Rays of each family: {}.",
-            origin.machine,
-            origin.commit,
-            results.seed,
-            results.spheres.first().map_or(0, |row| row.figures.rays)
-        );
-    }
-    text
+    let Some(origin) = &document.origin else {
+        return String::new();
+    };
+    let rays = results.spheres.first().map_or(0, |row| row.figures.rays);
+    format!(
+        "Written by `{}`. Machine: {}. Commit: {}. Seed: {}. Rays of each family: {rays}.\n",
+        origin.command, origin.machine, origin.commit, results.seed
+    )
 }
 
 const READING: &str = "
-## How to read it
+## Measured formulations
 
-- *Truth* is exact for the very singles that a kernel gets. It is computed in double precision with a bound of
-  its own rounding. Where that bound leaves a verdict or 1/64 ulp open, it is computed with numbers of any
-  length. A distance counts along the direction at length 1.
+- *Truth* is exact for the very singles that a kernel gets. A distance counts along the direction at length 1.
 - *ulps*: spacings of singles. For a distance, at the true distance; for a point, at its largest coordinate from
-  the ray's origin; for a normal, at 1. The SPU truncates. Half an ulp is the best that rounding to nearest
-  could give.
-- *cycles*: by the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
+  the ray's origin. Half an ulp is the best that rounding to nearest could give.
+- *cycles*: of the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
   nanoseconds of this machine's interpreter for the same.
 - *wrong hits, wrong misses*: the kernel decides otherwise than exact arithmetic.
 - *condition*: the number of ulps by which the true distance moves if each given number moves by half an ulp, in
-  the worst combination. A family is well-conditioned if the mean of that is small. An error there is the
-  formulation's own.
+  the worst combination. In a well-conditioned family, whose mean is small, an error is the formulation's own.
 - *not beaten*: no other kernel is at least as good in both run time and error, and better in one of them.
 ";
 
 fn formulations(results: &Results) -> String {
+    // A formulation has one row for all of its forms.
+    let mut rows: Vec<Vec<&KernelRow>> = Vec::new();
+    for kernel in &results.kernels {
+        match rows.iter_mut().find(|row| row[0].formulation == kernel.formulation) {
+            Some(row) => row.push(kernel),
+            None => rows.push(vec![kernel]),
+        }
+    }
     let table = Table::of(
-        &results.kernels,
+        &rows,
         &[
-            ("formulation", |row| row.formulation.clone()),
-            ("for", |row| row.form.clone()),
-            ("what it computes", |row| row.doc.clone()),
-            ("cycles", |row| figure(row.cycles_a_ray)),
-            ("host, ns", |row| option(row.host_ns_a_ray)),
+            ("formulation", |row| row[0].formulation.clone()),
+            ("for", |row| {
+                let forms: Vec<&str> = row.iter().map(|kernel| kernel.form.as_str()).collect();
+                forms.join(", ")
+            }),
+            ("what it computes", |row| row[0].doc.clone()),
         ],
     );
-    format!("\n## Formulations\n\n{table}")
+    let mut text = format!("\n### Formulations\n\n{table}");
+    for kernel in results.kernels_of("triangle") {
+        let cycles = figure(kernel.cycles_a_ray);
+        _ = writeln!(text, "\nA triangle by {}: {cycles} cycles.", kernel.formulation);
+    }
+    text
 }
 
 fn most(summary: Option<Summary>) -> String {
@@ -159,7 +181,6 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
         &[
             ("formulation", |(kernel, _)| kernel.formulation.clone()),
             ("cycles", |(kernel, _)| figure(kernel.cycles_a_ray)),
-            ("host, ns", |(kernel, _)| option(kernel.host_ns_a_ray)),
             ("distance: largest, ulps", |(_, rows)| option(worst_distance(rows))),
             ("99.9 %", |of| largest(of, |of| Some(of.distance_ulps?.p999))),
             ("mean", |of| largest(of, |of| Some(of.distance_ulps?.mean))),
@@ -168,21 +189,23 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
         ],
     );
     let mut text = format!(
-        "\n## {title}\n\nEach number is the largest of all well-conditioned families.\n\n{table}"
+        "\n### {title}\n\nEach number is the largest of all well-conditioned families.\n\n{table}"
     );
     for plot in ["distance", "verdicts", "ratio"] {
         text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
     }
-    text.push_str("\nLargest error of the distance, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
+    text.push_str("\nLargest error of other families, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
     text.push_str(&by_family(form, &kernels).to_string());
     text
 }
 
-/// A table with families as rows and formulations as columns.
+/// A table with families as rows and formulations as columns. The plot shows the families of a
+/// ratio.
 fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
     let names = kernels.iter().map(|(kernel, _)| kernel.formulation.as_str());
     let mut table = Table::new(std::iter::once("family").chain(names));
-    for family in FAMILIES.iter().filter(|family| family.forms.contains(&form)) {
+    let listed = |family: &&Family| family.ratio.is_none() && family.forms.contains(&form);
+    for family in FAMILIES.iter().filter(listed) {
         let cell = |(_, rows): &Kernel<'_>| {
             let Some(row) = rows.iter().find(|row| row.family == family.name) else {
                 return String::new();
@@ -201,30 +224,27 @@ fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
 }
 
 fn families(results: &Results) -> String {
-    let all =
-        Form::ALL.into_iter().flat_map(|form| FAMILIES.iter().map(move |family| (form, family)));
-    let rows = all.filter_map(|(form, family)| {
-        let of = |row: &&SphereRow| row.form == form && row.family == family.name;
-        Some((family, results.spheres.iter().find(of)?))
+    let rows = FAMILIES.iter().map(|family| {
+        let condition = Form::ALL.map(|form| {
+            let of = |row: &&SphereRow| row.form == form && row.family == family.name;
+            results.spheres.iter().find(of).and_then(|row| row.figures.condition)
+        });
+        (family, condition)
     });
     let table = Table::of(
-        rows,
+        rows.filter(|(_, condition)| condition.iter().any(Option::is_some)),
         &[
             ("family", |(family, _)| family.name.to_owned()),
-            ("for", |(_, row)| row.form.name().to_owned()),
-            ("what is in it", |(family, _)| match family.ratio {
-                Some(_) => format!("distance/radius as named, {}", family.doc),
-                None => family.doc.to_owned(),
-            }),
-            ("condition: mean", |(_, row)| mean(row.figures.condition)),
-            ("largest", |(_, row)| most(row.figures.condition)),
-            ("well-conditioned", |(_, row)| {
-                if row.figures.well_conditioned { "yes" } else { "no" }.to_owned()
-            }),
+            ("content", |(family, _)| family.doc.to_owned()),
+            ("eye: mean", |(_, [eye, _])| mean(*eye)),
+            ("largest", |(_, [eye, _])| most(*eye)),
+            ("anywhere: mean", |(_, [_, general])| mean(*general)),
+            ("largest", |(_, [_, general])| most(*general)),
         ],
     );
     format!(
-        "\n## Families of spheres\n\nWell-conditioned: the mean is at most {WELL_CONDITIONED}.\n\n{table}"
+        "\n### Families of spheres\n\nTheir condition. A ratio is distance/radius. Well-conditioned: the mean is at most \
+         {WELL_CONDITIONED}.\n\n{table}"
     )
 }
 
@@ -247,7 +267,7 @@ fn flat(results: &Results) -> String {
             ("condition: mean", |row| mean(row.figures.condition)),
         ],
     );
-    let mut text = format!("\n## Triangles\n\n{table}\n");
+    let mut text = format!("\n### Triangles\n\n{table}\n");
     for family in triangles::FAMILIES {
         _ = writeln!(text, "- {}: {}.", family.name, family.doc);
     }
@@ -275,7 +295,7 @@ fn roots(results: &Results, plots: &[Plot]) -> String {
         ],
     );
     format!(
-        "\n## Reciprocals and roots\n\nMeasured over every fraction that an operand can have: one octave, or two for roots.\n\n{table}{}",
+        "\n### Reciprocals and roots\n\nMeasured over every fraction that an operand can have: one octave, or two for roots.\n\n{table}{}",
         shown(plots, "roots")
     )
 }
@@ -284,7 +304,7 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
     if results.pictures.is_empty() {
         return String::new();
     }
-    let mut text = "\n## Whole pictures\n\nTraced by six SPUs in simulated time, and compared with the reference in \
+    let mut text = "\n### Whole pictures\n\nTraced by six SPUs in simulated time, and compared with the reference in \
                     double precision (`lab/oracle/`).\nA pixel is wrong if a channel is off by more than 1/255.\n"
         .to_owned();
     for scene in SCENES {
@@ -307,7 +327,7 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
         );
         _ = write!(
             text,
-            "\n### {}\n\n{}, {width}x{height}.\n\n{table}{}",
+            "\n#### {}\n\n{}, {width}x{height}.\n\n{table}{}",
             scene.name,
             capital(scene.doc),
             shown(plots, &format!("picture-{}", scene.name))

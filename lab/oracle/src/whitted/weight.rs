@@ -1,6 +1,6 @@
 //! From which weight on a ray is worth starting.
 //!
-//! As in `docs/numerics.md`, a ray's contribution to its pixel is at most its weight times the
+//! As in `docs/whitted.md`, a ray's contribution to its pixel is at most its weight times the
 //! largest brightness that a ray can see, and one that can't add a sixteenth of a byte's step is
 //! not started.
 
