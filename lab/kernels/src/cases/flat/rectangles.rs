@@ -34,7 +34,7 @@ impl<const TEST: usize> Description for WithRectangle<TEST> {
         ["any_rectangle_r16", "isect_rectangle_r16", "isect_plane_r16"][TEST];
     const ROUNDS: [usize; 2] = [2000, 3000];
     const LENGTHS: &'static [usize] = &[1];
-    const SHARES: [Range<f64>; 2] = [0.1..1.0, if TEST == PLANE { 0.02..0.9 } else { 0.0001..0.9 }];
+    const SHARES: [Range<f64>; 2] = [0.1..1.1, if TEST == PLANE { 0.02..0.9 } else { 0.0001..0.9 }];
     type Placed = Place;
     type Found = Tested;
 
