@@ -264,10 +264,10 @@ impl Bench {
     ///
     /// Panics if the address is not a possible end of such a list.
     #[must_use]
-    pub fn read_list<T: FromBytes + IntoBytes>(&self, room: Place, end: u32) -> Vec<T> {
-        let mut list = self.read_all(room);
-        let bytes = end.wrapping_sub(room.address) as usize;
-        let ends = bytes <= room.size && bytes.is_multiple_of(size_of::<T>());
+    pub fn read_list<T: FromBytes + IntoBytes>(&self, buffer: Place, end: u32) -> Vec<T> {
+        let mut list = self.read_all(buffer);
+        let bytes = end.wrapping_sub(buffer.address) as usize;
+        let ends = bytes <= buffer.size && bytes.is_multiple_of(size_of::<T>());
         assert!(ends, "no list ends at {end:#x}");
         list.truncate(bytes / size_of::<T>());
         list

@@ -160,8 +160,8 @@ pub fn put_rectangle(bench: &mut Bench, rectangle: &Rectangle, anything: u32) ->
     bench.place(record.as_bytes())
 }
 
-/// What a test of sixteen rays finds: for which of them something is in the way, if it asks that,
-/// and their hits.
+/// The results of a test of sixteen rays: a bit for each one with something in its way, if that is
+/// the question, and their hits.
 pub type Tested = (u32, [FlatHit; 16]);
 
 fn tested<const ANY: bool>(bench: &Bench, rays: Place, returned: u32) -> Tested {

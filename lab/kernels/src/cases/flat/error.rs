@@ -62,7 +62,7 @@ pub fn isect_triangles(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 /// The largest error of t in ulps of t for rays that hit the rectangle or its plane. Infinite for a
 /// missed hit.
 pub fn with_rectangle<const TEST: usize>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    /// The least distance of a point from an edge, in u and v, on either side.
+    /// The smallest distance of a point from an edge, in u and v, on either side.
     const EDGE: f64 = 5e-4;
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

@@ -77,7 +77,7 @@ impl<const ANY: bool> Description for Triangles<ANY> {
     type Placed = Place;
     type Found = Tested;
 
-    /// Triangles across the rays at any depth, some behind them or too far.
+    /// Triangles across the rays at any depth, some before their origins or too far.
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let mut triangle = || {
             let depth = random.random_range(-9.0..9.0);

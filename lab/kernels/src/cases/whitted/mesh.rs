@@ -280,7 +280,7 @@ fn node(y: f64) -> Node {
     Node { boxes: [corners; 4], words: [4; 4] }
 }
 
-/// All rays of so many packets, and one node.
+/// All rays of this number of packets, and one node.
 fn filter(count: u32, y: f64) -> FilterRays {
     let bits = u128::MAX << (128 - 16 * count);
     FilterRays(Batch { packets: packets(count), nodes: vec![node(y)], bits })
@@ -343,7 +343,7 @@ fn rows(x: f64, count: u32) -> IsectRows {
 /// A triangle, and rays to it and around it.
 type Aimed = (TriangleObject, [sphere_ray::Ray; 16]);
 
-/// What becomes of them before the test.
+/// Their change before the test.
 type From = fn(Aimed) -> Aimed;
 
 /// With the rays' origin, which is that of all, as the eye.

@@ -102,7 +102,7 @@ pub fn place<S: Shape>(
     Placed { packets: placed, shears, objects, candidates }
 }
 
-/// Makes the shears of so many packets.
+/// Makes the shears of this number of packets.
 pub fn shear(bench: &mut Bench, packets: bench::Place, count: usize) -> bench::Place {
     let (shears, arguments) = put_shears(bench, packets, count);
     bench.call(Sheared::KERNEL, &arguments);

@@ -22,8 +22,8 @@ const BLOCKS: u32 = 1000;
 /// How many materials.
 const MATERIALS: u32 = 9;
 
-/// A block of this kind, with so many lowest nodes, 1 to 11, of which each has a child at least.
-/// All boxes are within a cube of half this size around a point, which is the root's.
+/// A block of this kind, with this number of lowest nodes, 1 to 11, of which each has a child at
+/// least. All boxes are within a cube of half this size around a point, which is the root's.
 #[must_use]
 pub fn block(
     kind: u32,
@@ -40,15 +40,15 @@ pub fn block(
     let upper = usize::from(lowest > 1) + middle;
     let nodes = upper + lowest;
     let first = HEADER + NODE * nodes;
-    let room = WORDS - first;
+    let space = WORDS - first;
     let lanes: Vec<usize> = (0..lowest).map(|_| random.random_range(1..=4)).collect();
     let children: usize = lanes.iter().sum();
     let [records, vertices] = match (kind, object(kind)) {
         (INNER, _) => [0, 0],
-        (_, Some(size)) => [children.min(room / size), 0],
+        (_, Some(size)) => [children.min(space / size), 0],
         _ => {
-            let vertices = random.random_range(1..=room / 8);
-            [(room - 4 * vertices).min(random.random_range(1..=100)), vertices]
+            let vertices = random.random_range(1..=space / 8);
+            [(space - 4 * vertices).min(random.random_range(1..=100)), vertices]
         }
     };
     let mut words = [0; WORDS];
@@ -135,14 +135,14 @@ pub fn block(
 pub struct Prepare {
     /// Its words.
     pub block: [u32; WORDS],
-    /// What is known of it.
+    /// Its expected properties.
     pub known: Known,
 }
 
 impl Description for Prepare {
     const KERNEL: &'static str = "mesh_prepare";
     const ROUNDS: [usize; 2] = [55, 3000];
-    /// Lowest nodes, as many as leave room for something in a block.
+    /// Lowest nodes, as many as leave space for something in a block.
     const LENGTHS: &'static [usize] = &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11];
     /// Sensible blocks are whole.
     const SHARES: [Range<f64>; 2] = [1.0..f64::INFINITY, 0.03..0.6];
@@ -158,7 +158,7 @@ impl Description for Prepare {
     }
 
     /// One word of the header or of the nodes is another one, often a bit, often a small number; or
-    /// nothing but random bits are behind the header.
+    /// nothing but random bits follow the header.
     fn any(lowest: usize, random: &mut ChaCha8Rng) -> Self {
         let Self { block: mut words, known } = Self::sensible(lowest, random);
         if random.random_ratio(1, 3) {

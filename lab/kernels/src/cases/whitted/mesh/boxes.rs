@@ -36,7 +36,7 @@ pub struct Boxed<const EVERY: bool> {
     pub packets: Vec<([Ray; 16], MeshBound)>,
     /// A node and a packet. The near distance of the candidate is its own number.
     pub pairs: Vec<[usize; 2]>,
-    /// What is added to the children's words.
+    /// The offset that is added to the children's words.
     pub base: u32,
 }
 
@@ -79,7 +79,7 @@ impl<const EVERY: bool> Description for Boxed<EVERY> {
     const KERNEL: &'static str = if EVERY { "filter_boxes_r16" } else { "cull_boxes" };
     const ROUNDS: [usize; 2] = [50, 500];
     const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
-    const SHARES: [Range<f64>; 2] = [if EVERY { 0.02 } else { 0.1 }..0.8, 0.005..0.8];
+    const SHARES: [Range<f64>; 2] = [if EVERY { 0.01 } else { 0.1 }..0.8, 0.005..0.8];
     /// The candidates' words, and the buffer for the list.
     type Placed = (Vec<[u32; 4]>, Place);
     /// Words: object, packet, bound, near.
@@ -114,13 +114,13 @@ impl<const EVERY: bool> Description for Boxed<EVERY> {
         };
         let given: Vec<MeshCandidate> = (0..).zip(&self.pairs).map(candidate).collect();
         let list = put(bench, &given).address;
-        let room = put(bench, &vec![MeshCandidate::new_zeroed(); 4 * given.len() + 3]);
-        let arguments = vec![list, given.len() as u32, room.address, self.base];
-        ((given.iter().map(words).collect(), room), arguments)
+        let buffer = put(bench, &vec![MeshCandidate::new_zeroed(); 4 * given.len() + 3]);
+        let arguments = vec![list, given.len() as u32, buffer.address, self.base];
+        ((given.iter().map(words).collect(), buffer), arguments)
     }
 
-    fn found(&self, bench: &Bench, (_, room): &Self::Placed, end: u32) -> Self::Found {
-        bench.read_list(*room, end).iter().map(words).collect()
+    fn found(&self, bench: &Bench, (_, buffer): &Self::Placed, end: u32) -> Self::Found {
+        bench.read_list(*buffer, end).iter().map(words).collect()
     }
 
     fn twin(&self, (given, _): &Self::Placed) -> Self::Found {

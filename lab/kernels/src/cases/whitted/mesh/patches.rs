@@ -39,7 +39,7 @@ impl Description for ListHits {
     /// What the packets have as their objects, and the objects of the patches, in all four words.
     type Found = (Vec<[u32; 16]>, Vec<[u32; 4]>);
 
-    /// Few triangles, so that rays share them; and objects that are none of the mesh.
+    /// Few triangles, so that rays share them; and objects of no mesh.
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let mut packet = || {
             let few = random.random_range(1..9);
@@ -191,7 +191,7 @@ impl Description for FlatPatches {
             patch.triangle[..4].fill((*object).into());
         }
         let patches = put(bench, &patches);
-        // What is read of a leaf that isn't there must be the same for both versions of the kernel.
+        // Both versions of the kernel must read the same bytes of a leaf that isn't there.
         let nothing = bench.place(&[0; 5000]).address;
         let none = MeshLeaf {
             number: u32::MAX.into(),

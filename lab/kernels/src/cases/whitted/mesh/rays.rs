@@ -22,7 +22,7 @@ use std::ops::Range;
 
 /// Packets of a batch.
 const BATCHES: &[usize] = &[1, 2, 3, 7, 8];
-/// Rays that are few: the list of all that they may meet has to have room.
+/// Rays that are few: the list of all that they may meet has to fit.
 const FEW: usize = 16;
 /// The most lowest nodes of a block here.
 const LOWEST: usize = 13;
@@ -194,7 +194,7 @@ fn nodes(mut boxes: impl FnMut(&mut ChaCha8Rng) -> Corners, random: &mut ChaCha8
     (0..count).map(node).collect()
 }
 
-/// Bits of rays of so many packets, of all of them or of a few.
+/// Bits of rays of this number of packets, of all of them or of a few.
 fn some(count: usize, random: &mut ChaCha8Rng) -> u128 {
     let there = u128::MAX << (128 - 16 * count);
     there
@@ -231,18 +231,18 @@ impl Batch {
         Self { bits, ..self }
     }
 
-    /// Puts nodes, bits with room for those of other nodes, records, packets, and room for a list
+    /// Puts nodes, bits with space for those of other nodes, records, packets, and space for a list
     /// of rays into local store. The records have other distances than the packets, as before they
     /// are brought up to date. Returns the addresses.
     fn place(&self, bench: &mut Bench) -> [u32; 5] {
         let nodes: Vec<Boxes> = self.nodes.iter().map(boxes).collect();
         let mut records = ray_records(&self.packets);
         records.iter_mut().for_each(|record| record.t = 0.5.into());
-        let mut room = self.bits.to_be_bytes().to_vec();
-        room.resize(16 * (nodes.len() + 3), 0x55);
+        let mut buffer = self.bits.to_be_bytes().to_vec();
+        buffer.resize(16 * (nodes.len() + 3), 0x55);
         let places = [
             put(bench, &nodes),
-            bench.place(&room),
+            bench.place(&buffer),
             put(bench, &records),
             put_packets(bench, &self.packets),
             bench.place(&[0x55; 16 * 131]),
@@ -250,10 +250,14 @@ impl Batch {
         places.map(|place| place.address)
     }
 
-    /// The rays and the nodes as the twins take them.
-    fn of_twin(&self) -> (Vec<mesh_rays::MeshRay>, Vec<([Corners; 4], [u32; 4])>) {
-        let rays = self.packets.iter().flatten().map(mesh_rays::mesh_ray).collect();
-        (rays, self.nodes.iter().map(|node| (node.boxes, node.words)).collect())
+    /// The rays as the twins take them.
+    fn rays(&self) -> Vec<mesh_rays::MeshRay> {
+        self.packets.iter().flatten().map(mesh_rays::mesh_ray).collect()
+    }
+
+    /// The nodes as the twins take them.
+    fn parts(&self) -> Vec<([Corners; 4], [u32; 4])> {
+        self.nodes.iter().map(|node| (node.boxes, node.words)).collect()
     }
 }
 
@@ -265,7 +269,7 @@ impl Description for FilterRays {
     const KERNEL: &'static str = "mesh_filter_rays";
     const ROUNDS: [usize; 2] = [60, 300];
     const LENGTHS: &'static [usize] = BATCHES;
-    const SHARES: [Range<f64>; 2] = [0.03..0.9, 0.03..1.0];
+    const SHARES: [Range<f64>; 2] = [0.01..0.9, 0.01..1.0];
     type Placed = Place;
     /// The visits, and how many tests they took.
     type Found = (Vec<Visit>, u32);
@@ -281,11 +285,11 @@ impl Description for FilterRays {
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
         let [nodes, bits, records, packets, list] = self.0.place(bench);
         let count = self.0.nodes.len();
-        let room = put(bench, &vec![MeshVisit::new_zeroed(); 4 * count + 3]);
-        (room, vec![nodes, count as u32, bits, room.address, records, packets, list])
+        let buffer = put(bench, &vec![MeshVisit::new_zeroed(); 4 * count + 3]);
+        (buffer, vec![nodes, count as u32, bits, buffer.address, records, packets, list])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
         let visit = |visit: &MeshVisit| {
             assert_eq!([visit.reserved.get(), visit.reserved_2.get()], [0; 2]);
             Visit {
@@ -294,12 +298,11 @@ impl Description for FilterRays {
                 rays: visit.rays.iter().fold(0, |rays, word| rays << 32 | u128::from(word.get())),
             }
         };
-        (bench.read_list(*room, end).iter().map(visit).collect(), bench.returned_second())
+        (bench.read_list(*buffer, end).iter().map(visit).collect(), bench.returned_second())
     }
 
     fn twin(&self, _: &Place) -> Self::Found {
-        let (rays, nodes) = self.0.of_twin();
-        mesh_rays::filter_rays(&rays, self.0.bits, &nodes)
+        mesh_rays::filter_rays(&self.0.rays(), self.0.bits, &self.0.parts())
     }
 
     fn part(&self, (visits, _): &Self::Found) -> [usize; 2] {
@@ -323,14 +326,14 @@ fn steps(bench: &mut Bench, packets: u32) -> u32 {
 }
 
 /// The words of candidates, and the numbers of their packets.
-fn candidates(bench: &Bench, packets: u32, room: Place, end: u32) -> Vec<(u32, u32)> {
+fn candidates(bench: &Bench, packets: u32, buffer: Place, end: u32) -> Vec<(u32, u32)> {
     let candidate = |candidate: &MeshCandidate| {
         let packet = (candidate.packet.get() - packets) / size_of::<RayPacket>() as u32;
         let bound = BOUNDS + packet * size_of::<MeshBound>() as u32;
         assert_eq!(candidate.bound.get(), bound, "the bound of packet {packet}");
         (candidate.object.get(), packet)
     };
-    bench.read_list(room, end).iter().map(candidate).collect()
+    bench.read_list(buffer, end).iter().map(candidate).collect()
 }
 
 /// The children that each of a few rays meets.
@@ -338,7 +341,7 @@ fn candidates(bench: &Bench, packets: u32, room: Place, end: u32) -> Vec<(u32, u
 pub struct FewRays {
     /// The rays and the nodes.
     pub batch: Batch,
-    /// What is added to the children's words.
+    /// The offset that is added to the children's words.
     pub base: u32,
 }
 
@@ -362,20 +365,20 @@ impl Description for FewRays {
     fn place(&self, bench: &mut Bench) -> (Self::Placed, Vec<u32>) {
         let [nodes, bits, records, packets, list] = self.batch.place(bench);
         let [_, most] = self.part(&Vec::new());
-        let room = put(bench, &vec![MeshCandidate::new_zeroed(); most + 3]);
+        let buffer = put(bench, &vec![MeshCandidate::new_zeroed(); most + 3]);
         let (count, steps) = (self.batch.nodes.len() as u32, steps(bench, packets));
-        let arguments = vec![nodes, count, bits, room.address, records, steps, self.base, list];
-        ((packets, room), arguments)
+        let arguments = vec![nodes, count, bits, buffer.address, records, steps, self.base, list];
+        ((packets, buffer), arguments)
     }
 
-    fn found(&self, bench: &Bench, &(packets, room): &Self::Placed, end: u32) -> Self::Found {
-        candidates(bench, packets, room, end)
+    fn found(&self, bench: &Bench, &(packets, buffer): &Self::Placed, end: u32) -> Self::Found {
+        candidates(bench, packets, buffer, end)
     }
 
     fn twin(&self, _: &Self::Placed) -> Self::Found {
-        let (rays, nodes) = self.batch.of_twin();
-        let found = mesh_rays::few_rays(&rays, self.batch.bits, &nodes).into_iter();
-        found.map(|(word, ray)| (word.wrapping_add(self.base), ray / 16)).collect()
+        let Self { batch, base } = self;
+        let found = mesh_rays::few_rays(&batch.rays(), batch.bits, &batch.parts()).into_iter();
+        found.map(|(word, ray)| (word.wrapping_add(*base), ray / 16)).collect()
     }
 
     fn part(&self, found: &Self::Found) -> [usize; 2] {
@@ -388,7 +391,7 @@ impl Description for FewRays {
 pub struct Visits {
     /// The visits.
     pub visits: Vec<Visit>,
-    /// What is added to the children's words.
+    /// The offset that is added to the children's words.
     pub base: u32,
 }
 
@@ -428,13 +431,13 @@ impl Description for Visits {
         };
         let records: Vec<MeshVisit> = self.visits.iter().map(record).collect();
         let visits = put(bench, &records).address;
-        let room = put(bench, &vec![MeshCandidate::new_zeroed(); 8 * records.len() + 7]);
+        let buffer = put(bench, &vec![MeshCandidate::new_zeroed(); 8 * records.len() + 7]);
         let steps = steps(bench, PACKETS);
-        (room, vec![visits, records.len() as u32, room.address, self.base, steps])
+        (buffer, vec![visits, records.len() as u32, buffer.address, self.base, steps])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
-        candidates(bench, PACKETS, *room, end)
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
+        candidates(bench, PACKETS, *buffer, end)
     }
 
     fn twin(&self, _: &Place) -> Self::Found {

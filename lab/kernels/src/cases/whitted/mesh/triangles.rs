@@ -33,7 +33,7 @@ pub type Packet = [Ray; 16];
 /// Runs of a block's triangles, each with the number of the packet to test.
 pub type Runs = Vec<(Range<usize>, usize)>;
 
-/// Random triangles around a point that is as far as one of the scales says, and packets of rays
+/// Random triangles around a point that is as far as one of the scales, and packets of rays
 /// from the eye that go to points on them and on their edges, to their vertices, and beside them.
 /// The rays of a packet are as far apart as the triangles are wide.
 pub fn aimed(random: &mut ChaCha8Rng) -> (MeshBlock, Vec<Packet>) {
@@ -290,13 +290,13 @@ impl Description for FilterTriangles {
         let candidates: Vec<MeshCandidate> = self.runs.iter().map(candidate).collect();
         let candidates = put(bench, &candidates).address;
         let block = bench.place(&leaf(&self.block, 3, self.anything)).address;
-        let room = put(bench, &vec![MeshRows::new_zeroed(); self.tested() + 1]);
-        (room, vec![candidates, self.runs.len() as u32, block, room.address, windows])
+        let buffer = put(bench, &vec![MeshRows::new_zeroed(); self.tested() + 1]);
+        (buffer, vec![candidates, self.runs.len() as u32, block, buffer.address, windows])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
         let [_, rows, triangles, _] = bench.returned_vector();
-        let list = bench.read_list(*room, end).into_iter().map(Bits);
+        let list = bench.read_list(*buffer, end).into_iter().map(Bits);
         (list.collect(), rows as usize, triangles as usize)
     }
 
