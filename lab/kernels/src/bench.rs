@@ -258,6 +258,21 @@ impl Bench {
         records.collect()
     }
 
+    /// Reads the records of the list that begins in a buffer and ends at an address.
+    ///
+    /// # Panics
+    ///
+    /// Panics if the address is not a possible end of such a list.
+    #[must_use]
+    pub fn read_list<T: FromBytes + IntoBytes>(&self, buffer: Place, end: u32) -> Vec<T> {
+        let mut list = self.read_all(buffer);
+        let bytes = end.wrapping_sub(buffer.address) as usize;
+        let ends = bytes <= buffer.size && bytes.is_multiple_of(size_of::<T>());
+        assert!(ends, "no list ends at {end:#x}");
+        list.truncate(bytes / size_of::<T>());
+        list
+    }
+
     /// All words of `$3` after the last call.
     #[must_use]
     pub fn returned_vector(&self) -> [u32; 4] {

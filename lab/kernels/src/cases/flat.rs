@@ -1,20 +1,25 @@
 //! The kernels for triangles, rectangles and planes: cases, and inputs from the stated domains.
 
 pub mod error;
+pub mod rectangles;
+pub mod triangles;
 
-use rand::{Rng, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand::Rng;
 use spu_emulator::float::single::to_f64;
+use twins::flat::FlatHit;
 use twins::rectangle::Rectangle;
 use twins::triangle::Triangle;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use crate::bench::{Bench, Place, SEED};
+use crate::bench::{Bench, Place};
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::flat_records::{OneRay, Ray, Rays, Shears, point, quad};
+use crate::description::Description;
+use crate::flat_records::{Ray, Rays, point, quad};
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use rectangles::{ANY, NEAREST, PLANE, WithRectangle};
+use triangles::{One, Sheared, Triangles};
 
 /// A short array of triangles, and a long one.
 const TRIANGLES: Objects = Objects::List(16, 48);
@@ -24,121 +29,86 @@ const OBJECT: u32 = 7;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "shear_r16",
-        rays: 16,
         cases: &[Case {
             name: "a packet",
             objects: Objects::Fixed(1),
-            place: |bench, _| {
-                let rays = put_rays(bench);
-                vec![rays.address, bench.junk::<Shears>().address]
-            },
+            place: |bench, _| Sheared { rays: rays() }.place(bench).1,
         }],
         error: Some(error::shear),
-        equal: None,
+        ..Kernel::of::<Sheared>()
     },
+    Kernel { error: Some(error::isect_triangles), ..row_of_triangles::<false>() },
     Kernel {
-        name: "isect_triangles_r16",
-        rays: 16,
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: TRIANGLES,
-                place: |bench, count| triangles(bench, beside, count, &[OBJECT]),
-            },
-            Case {
-                name: "all hit, each nearer",
-                objects: TRIANGLES,
-                place: |bench, count| triangles(bench, ahead, count, &[OBJECT]),
-            },
-        ],
-        error: Some(error::isect_triangles),
-        equal: None,
-    },
-    Kernel {
-        name: "isect_triangle_r1",
         rays: 1,
         cases: &[
             Case {
                 name: "miss",
                 objects: Objects::Fixed(1),
-                place: |bench, _| one_ray(bench, &beside(1)),
+                place: |bench, _| one(beside(1)).place(bench).1,
             },
             Case {
                 name: "hit",
                 objects: Objects::Fixed(1),
-                place: |bench, _| one_ray(bench, &ahead(1)),
+                place: |bench, _| one(ahead(1)).place(bench).1,
             },
         ],
-        error: None,
-        equal: None,
+        ..Kernel::of::<One>()
     },
+    row_of_triangles::<true>(),
+    Kernel { error: Some(error::with_rectangle::<NEAREST>), ..row_of_rectangle::<NEAREST>() },
+    row_of_rectangle::<ANY>(),
     Kernel {
-        name: "any_triangles_r16",
-        rays: 16,
-        cases: &[
-            Case {
-                name: "nothing blocks",
-                objects: TRIANGLES,
-                place: |bench, count| triangles(bench, beside, count, &[]),
-            },
-            Case {
-                name: "all blocked by the first",
-                objects: TRIANGLES,
-                place: |bench, count| triangles(bench, ahead, count, &[]),
-            },
-        ],
-        error: None,
-        equal: None,
-    },
-    Kernel {
-        name: "isect_rectangle_r16",
-        rays: 16,
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: Objects::Fixed(1),
-                place: |bench, _| with_rectangle(bench, 9.0, &[OBJECT]),
-            },
-            Case {
-                name: "all hit",
-                objects: Objects::Fixed(1),
-                place: |bench, _| with_rectangle(bench, -1.0, &[OBJECT]),
-            },
-        ],
-        error: Some(error::isect_rectangle),
-        equal: None,
-    },
-    Kernel {
-        name: "any_rectangle_r16",
-        rays: 16,
-        cases: &[
-            Case {
-                name: "nothing blocks",
-                objects: Objects::Fixed(1),
-                place: |bench, _| with_rectangle(bench, 9.0, &[]),
-            },
-            Case {
-                name: "all blocked",
-                objects: Objects::Fixed(1),
-                place: |bench, _| with_rectangle(bench, -1.0, &[]),
-            },
-        ],
-        error: None,
-        equal: None,
-    },
-    Kernel {
-        name: "isect_plane_r16",
-        rays: 16,
         cases: &[Case {
             name: "all hit",
             objects: Objects::Fixed(1),
-            place: |bench, _| with_rectangle(bench, 9.0, &[OBJECT]),
+            place: |bench, _| with_rectangle::<PLANE>(9.0).place(bench).1,
         }],
-        error: Some(error::isect_plane),
-        equal: None,
+        error: Some(error::with_rectangle::<PLANE>),
+        ..Kernel::of::<WithRectangle<PLANE>>()
     },
 ];
+
+/// The row of a kernel for triangles, with those that are missed and those that are hit.
+const fn row_of_triangles<const ANY: bool>() -> Kernel {
+    Kernel {
+        cases: const {
+            &[
+                Case {
+                    name: if ANY { "nothing blocks" } else { "all miss" },
+                    objects: TRIANGLES,
+                    place: |bench, count| with_triangles::<ANY>(beside, count).place(bench).1,
+                },
+                Case {
+                    name: if ANY { "all blocked by the first" } else { "all hit, each nearer" },
+                    objects: TRIANGLES,
+                    place: |bench, count| with_triangles::<ANY>(ahead, count).place(bench).1,
+                },
+            ]
+        },
+        ..Kernel::of::<Triangles<ANY>>()
+    }
+}
+
+/// The same for a rectangle.
+const fn row_of_rectangle<const TEST: usize>() -> Kernel {
+    Kernel {
+        cases: const {
+            &[
+                Case {
+                    name: if TEST == ANY { "nothing blocks" } else { "all miss" },
+                    objects: Objects::Fixed(1),
+                    place: |bench, _| with_rectangle::<TEST>(9.0).place(bench).1,
+                },
+                Case {
+                    name: if TEST == ANY { "all blocked" } else { "all hit" },
+                    objects: Objects::Fixed(1),
+                    place: |bench, _| with_rectangle::<TEST>(-1.0).place(bench).1,
+                },
+            ]
+        },
+        ..Kernel::of::<WithRectangle<TEST>>()
+    }
+}
 
 /// A triangle across the rays of the cases. The smaller its place, the nearer it is.
 fn ahead(place: u32) -> Triangle {
@@ -151,64 +121,62 @@ fn beside(place: u32) -> Triangle {
     [[90.0, -9.0, z], [99.0, -9.0, z], [95.0, 9.0, z]].map(point)
 }
 
-fn put_rays(bench: &mut Bench) -> Place {
-    let rays = case_rays().map(|ray| Ray::new(ray.origin, ray.direction));
-    bench.place(Rays::pack(&rays).as_bytes())
+fn rays() -> [Ray; 16] {
+    case_rays().map(|ray| Ray::new(ray.origin, ray.direction))
 }
 
-/// Rays, their shears, and this many triangles, the farthest first.
-fn triangles(
-    bench: &mut Bench,
-    triangle: fn(u32) -> Triangle,
-    count: u32,
-    further: &[u32],
-) -> Vec<u32> {
-    let rays = put_rays(bench);
-    let shears = bench.junk::<Shears>();
-    bench.call("shear_r16", &[rays.address, shears.address]);
-    let triangles = (0..count).rev().map(|place| triangle(place + 1));
-    let triangles = put_triangles(bench, triangles, || 0);
-    let arguments = [rays.address, shears.address, triangles.address, count];
-    [&arguments, further].concat()
+/// Rays and this many triangles, the farthest first.
+fn with_triangles<const ANY: bool>(triangle: fn(u32) -> Triangle, count: u32) -> Triangles<ANY> {
+    let triangles = (0..count).rev().map(|place| triangle(place + 1)).collect();
+    Triangles { rays: rays(), triangles, first: OBJECT }
 }
 
-fn one_ray(bench: &mut Bench, triangle: &Triangle) -> Vec<u32> {
-    let ray = case_rays()[0];
-    let ray = Ray::new(ray.origin, ray.direction);
-    let record = OneRay::new(&ray, &mut ChaCha8Rng::seed_from_u64(SEED));
-    let ray = bench.place(record.as_bytes());
-    let triangle = put_triangles(bench, [*triangle], || 0);
-    vec![ray.address, triangle.address, OBJECT]
+fn one(triangle: Triangle) -> One {
+    One { ray: rays()[0], triangle, object: OBJECT }
 }
 
 /// Rays, and a rectangle in front of them whose corner is at this x.
-fn with_rectangle(bench: &mut Bench, x: f64, further: &[u32]) -> Vec<u32> {
-    let rays = put_rays(bench);
-    let shape = rectangle([x, -1.0, -5.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
-    let shape = put_rectangle(bench, &shape, || 0);
-    [&[rays.address, shape.address], further].concat()
+fn with_rectangle<const TEST: usize>(x: f64) -> WithRectangle<TEST> {
+    let rectangle = rectangle([x, -1.0, -5.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
+    WithRectangle { rays: rays(), rectangle, object: OBJECT }
+}
+
+/// Puts the record of rays into local store.
+pub fn put_rays(bench: &mut Bench, rays: &[Ray; 16]) -> Place {
+    bench.place(Rays::pack(rays).as_bytes())
 }
 
 /// Puts the record of triangles into local store. Their fourth words are `anything`.
-pub fn put_triangles(
-    bench: &mut Bench,
-    triangles: impl IntoIterator<Item = Triangle>,
-    mut anything: impl FnMut() -> u32,
-) -> Place {
-    let mut record = |triangle: Triangle| triangle.map(|vertex| quad(vertex, anything()));
-    let records: Vec<[[F32; 4]; 3]> = triangles.into_iter().map(&mut record).collect();
+pub fn put_triangles(bench: &mut Bench, triangles: &[Triangle], anything: u32) -> Place {
+    let record = |triangle: &Triangle| triangle.map(|vertex| quad(vertex, anything));
+    let records: Vec<[[F32; 4]; 3]> = triangles.iter().map(record).collect();
     bench.place(records.as_bytes())
 }
 
 /// Puts the record of a rectangle into local store. Its fourth words are `anything`.
-pub fn put_rectangle(
-    bench: &mut Bench,
-    rectangle: &Rectangle,
-    mut anything: impl FnMut() -> u32,
-) -> Place {
+pub fn put_rectangle(bench: &mut Bench, rectangle: &Rectangle, anything: u32) -> Place {
     let Rectangle { point, normal, dual_u, dual_v } = *rectangle;
-    let record = [point, normal, dual_u, dual_v].map(|vector| quad(vector, anything()));
+    let record = [point, normal, dual_u, dual_v].map(|vector| quad(vector, anything));
     bench.place(record.as_bytes())
+}
+
+/// The results of a test of sixteen rays: a bit for each one with something in its way, if that is
+/// the question, and their hits.
+pub type Tested = (u32, [FlatHit; 16]);
+
+fn tested<const ANY: bool>(bench: &Bench, rays: Place, returned: u32) -> Tested {
+    (if ANY { returned } else { 0 }, bench.read::<Rays>(rays).hits())
+}
+
+/// The bits for a condition on sixteen rays.
+fn code(holds: [bool; 16]) -> u32 {
+    holds.into_iter().fold(0, |code, holds| code << 1 | u32::from(holds))
+}
+
+/// How many rays have something in their way or have hit something.
+fn changed(rays: &[Ray; 16], (code, hits): &Tested) -> usize {
+    let hits = rays.iter().zip(hits).filter(|(ray, hit)| ray.hit != **hit);
+    code.count_ones() as usize + hits.count()
 }
 
 /// A parallelogram with these edges, made like those of scenes: in f64, and then rounded.

@@ -41,16 +41,3 @@ pub fn put_places(
 pub fn list_room(bench: &mut Bench, pairs: usize) -> bench::Place {
     put(bench, &vec![Pair::new_zeroed(); pairs + 1])
 }
-
-/// The pairs of a list that begins in `room` and ends at the address that a kernel returned.
-///
-/// # Panics
-///
-/// Panics if the address is not a possible end of such a list.
-#[must_use]
-pub fn list(bench: &Bench, room: bench::Place, end: u32) -> Vec<Pair> {
-    let mut pairs: Vec<Pair> = bench.read_all(room);
-    let count = (0..=pairs.len()).find(|number| address::<Pair>(room, *number) == end);
-    pairs.truncate(count.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
-    pairs
-}

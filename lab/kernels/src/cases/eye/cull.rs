@@ -11,7 +11,7 @@ use twins::isect_pairs::Hit;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
-use super::call::{address, list, list_room, put, put_packets, put_places};
+use super::call::{address, list_room, put, put_packets, put_places};
 use super::error::NO_HITS;
 use crate::bench::{Bench, Place};
 use crate::description::{Description, LENGTHS_FROM_0};
@@ -63,7 +63,11 @@ fn packet(rays: &Vectors) -> Packet {
 
 /// The list that a kernel has written: an object and a packet each.
 fn objects_and_packets(bench: &Bench, room: Place, end: u32) -> Vec<[u32; 2]> {
-    list(bench, room, end).iter().map(|pair| [pair.object, pair.packet].map(U32::get)).collect()
+    bench
+        .read_list(room, end)
+        .iter()
+        .map(|pair: &Pair| [pair.object, pair.packet].map(U32::get))
+        .collect()
 }
 
 /// Packets, each of which is tested with all spheres. There are four spheres or a multiple.
@@ -241,7 +245,7 @@ impl Description for FrustumSpheres {
     }
 
     fn found(&self, bench: &Bench, [_, room]: &[Place; 2], end: u32) -> Vec<u32> {
-        list(bench, *room, end).iter().map(|entry| entry.object.get()).collect()
+        bench.read_list(*room, end).iter().map(|entry: &Pair| entry.object.get()).collect()
     }
 
     fn twin(&self, [spheres, _]: &[Place; 2]) -> Vec<u32> {

@@ -32,11 +32,7 @@ fn any_masks(random: &mut ChaCha8Rng) -> [u32; 4] {
 
 /// The records of a list of places, or of pairs, which begins in `room` and ends at `end`.
 fn records<const WORDS: usize>(bench: &Bench, room: Place, end: u32) -> Vec<[u32; WORDS]> {
-    let words: Vec<[U32; 4]> = bench.read_all(room);
-    let bytes = end.wrapping_sub(room.address) as usize;
-    let ends = bytes <= 16 * words.len() && bytes.is_multiple_of(16);
-    assert!(ends, "no list ends at {end:#x}");
-    let records = words.iter().take(bytes / 16);
+    let records = bench.read_list::<[U32; 4]>(room, end).into_iter();
     records.map(|record| std::array::from_fn(|word| record[word].get())).collect()
 }
 

@@ -17,10 +17,10 @@ use twins::sphere::{
 use twins::sphere_ray::Ray;
 
 use crate::bench::Bench;
-use crate::cases::eye::call::put;
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::flat_records::Shears;
+use crate::description::Description as _;
+use call::Sheared;
 use cone::ConeObject;
 use rectangle::RectangleObject;
 use shape::Shape;
@@ -72,19 +72,16 @@ pub const KERNELS: &[Kernel] = &[
     row::<By<InDouble>>(),
     row::<RectangleObject>(),
     Kernel {
-        name: "shear_packets_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let packets = put(bench, &vec![call::packet(&case_rays(), 0); count as usize]);
-                let shears = bench.place(&vec![0x55; size_of::<Shears>() * count as usize]);
-                vec![packets.address, count, shears.address]
+                let packets = vec![case_rays(); count as usize];
+                Sheared { packets, anything: 0 }.place(bench).1
             },
         }],
         error: Some(error::shear_packets),
-        equal: None,
+        ..Kernel::of::<Sheared>()
     },
     row::<TriangleObject>(),
     row::<MoellerTrumbore>(),

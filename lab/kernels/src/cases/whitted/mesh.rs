@@ -1,30 +1,40 @@
 //! The kernels that trace packets through blocks of meshes.
 
 pub mod block;
+pub mod bounds;
+pub mod boxes;
 pub mod call;
+pub mod patches;
+pub mod rays;
+pub mod triangles;
 
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, fs, to_f64};
-use twins::mesh::{Corners, MeshBound, mesh_bound};
+use twins::mesh::{Corners, mesh_bound};
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_prepare::{CONES, INNER, LEAF, SPHERES};
 use twins::mesh_rays::Visit;
 use twins::mesh_rows::mesh_window;
 use twins::primary_rays::Ray;
 use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
-use zerocopy::FromZeros as _;
 
-use super::isect;
 use super::isect::error::SCALES;
 use super::isect::shape::Shape as _;
 use super::isect::triangle::TriangleObject;
 use crate::bench::Bench;
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::Description as _;
 use crate::vector::{cross, dot, less, unit};
-use call::{Node, Rows};
-use protocol::layout::{self, MESH_HIT};
+use block::Prepare;
+use bounds::{Bounds, EyeBounds, Farthest};
+use boxes::Boxed;
+use call::Node;
+use patches::{FlatPatches, ListHits};
+use protocol::layout::MESH_HIT;
+use rays::{Alive, Batch, FewRays, FilterRays, Records, Visits};
+use triangles::{FilterTriangles, IsectRows, IsectRuns, Rows};
 
 /// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -38,238 +48,212 @@ const TESTED: u32 = 600;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "mesh_bounds_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
-            place: |bench, count| bounds(bench, count),
+            place: |bench, count| Bounds { packets: packets(count), shears: 0 }.place(bench).1,
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<Bounds>()
     },
     Kernel {
-        name: "mesh_farthest_r16",
-        rays: 16,
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| bounds(bench, count)[..3].to_vec(),
-        }],
-        error: None,
-        equal: None,
-    },
-    Kernel {
-        name: "mesh_rays_r16",
-        rays: 16,
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| call::put_for_rays(bench, &vec![rays(); count as usize]).1,
-        }],
-        error: None,
-        equal: None,
-    },
-    Kernel {
-        name: "mesh_alive_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                call::put_for_alive(bench, &vec![rays(); count as usize], ZERO, u128::MAX).1
+                let bounds = vec![mesh_bound(&rays()); count as usize];
+                Farthest { packets: packets(count), bounds }.place(bench).1
             },
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<Farthest>()
     },
     Kernel {
-        name: "mesh_filter_rays",
-        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| Records { packets: packets(count) }.place(bench).1,
+        }],
+        ..Kernel::of::<Records>()
+    },
+    Kernel {
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                Alive { packets: packets(count), near: ZERO, bits: u128::MAX }.place(bench).1
+            },
+        }],
+        ..Kernel::of::<Alive>()
+    },
+    Kernel {
         cases: &[
             Case {
                 name: "all miss",
                 objects: PACKETS,
-                place: |bench, count| filter(bench, 50.0, count),
+                place: |bench, count| filter(count, 50.0).place(bench).1,
             },
             Case {
                 name: "all meet",
                 objects: PACKETS,
-                place: |bench, count| filter(bench, 0.0, count),
+                place: |bench, count| filter(count, 0.0).place(bench).1,
             },
         ],
-        error: None,
-        equal: None,
+        ..Kernel::of::<FilterRays>()
     },
     Kernel {
-        name: "mesh_few_rays",
         rays: 1,
         cases: &[Case {
             name: "all meet",
             objects: Objects::List(4, 16),
-            place: |bench, count| few(bench, count),
+            place: |bench, count| {
+                let nodes = vec![node(0.0); count as usize];
+                let batch = Batch { packets: packets(1), nodes, bits: 1 << 120 };
+                FewRays { batch, base: 0 }.place(bench).1
+            },
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<FewRays>()
     },
     Kernel {
-        name: "mesh_candidates",
-        rays: 16,
         cases: &[Case {
             name: "visits of two packets",
             objects: Objects::List(4, 16),
-            place: |bench, count| visits(bench, count),
+            place: |bench, count| {
+                let visit = Visit { child: 4, near: ONE, rays: 1 << 120 | 1 << 30 };
+                Visits { visits: vec![visit; count as usize], base: 0 }.place(bench).1
+            },
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<Visits>()
     },
     Kernel {
-        name: "mesh_prepare",
         rays: 1,
         cases: &[
             Case {
                 name: "inner block",
                 objects: Objects::Fixed(1),
-                place: |bench, _| arrived(bench, INNER),
+                place: |bench, _| arrived(INNER).place(bench).1,
             },
             Case {
                 name: "triangles",
                 objects: Objects::Fixed(1),
-                place: |bench, _| arrived(bench, LEAF),
+                place: |bench, _| arrived(LEAF).place(bench).1,
             },
             Case {
                 name: "spheres",
                 objects: Objects::Fixed(1),
-                place: |bench, _| arrived(bench, SPHERES),
+                place: |bench, _| arrived(SPHERES).place(bench).1,
             },
             Case {
                 name: "cones",
                 objects: Objects::Fixed(1),
-                place: |bench, _| arrived(bench, CONES),
+                place: |bench, _| arrived(CONES).place(bench).1,
             },
         ],
-        error: None,
-        equal: None,
+        ..Kernel::of::<Prepare>()
     },
-    nodes("cull_boxes"),
-    nodes("filter_boxes_r16"),
+    nodes::<false>(),
+    nodes::<true>(),
     Kernel {
-        name: "isect_mesh_pairs_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "all miss",
                 objects: TRIANGLES,
-                place: |bench, count| triangles(bench, 9.0, count),
+                place: |bench, count| runs(9.0, count).place(bench).1,
             },
             Case {
                 name: "all hit, each nearer",
                 objects: TRIANGLES,
-                place: |bench, count| triangles(bench, 0.0, count),
+                place: |bench, count| runs(0.0, count).place(bench).1,
             },
         ],
         error: Some(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
-        equal: None,
+        ..Kernel::of::<IsectRuns>()
     },
     Kernel {
-        name: "mesh_eye_bounds_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
-                let packets = vec![case_rays(); count as usize];
-                call::put_for_eye_bounds(bench, &packets, 0).2
+                EyeBounds { packets: vec![case_rays(); count as usize] }.place(bench).1
             },
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<EyeBounds>()
     },
     Kernel {
-        name: "filter_triangles_r16",
-        rays: 16,
         cases: &[
             Case {
                 name: "all left out",
                 objects: TRIANGLES,
-                place: |bench, count| filtered(bench, 9.0, count),
+                place: |bench, count| filtered(9.0, count).place(bench).1,
             },
             Case {
                 name: "all kept",
                 objects: TRIANGLES,
-                place: |bench, count| filtered(bench, 0.0, count),
+                place: |bench, count| filtered(0.0, count).place(bench).1,
             },
         ],
-        error: None,
-        equal: None,
+        ..Kernel::of::<FilterTriangles>()
     },
     Kernel {
-        name: "isect_mesh_rows_r4",
         rays: 4,
         cases: &[
             Case {
                 name: "all miss",
                 objects: TRIANGLES,
-                place: |bench, count| rows_of_triangles(bench, 9.0, count),
+                place: |bench, count| rows(9.0, count).place(bench).1,
             },
             Case {
                 name: "all hit, each nearer",
                 objects: TRIANGLES,
-                place: |bench, count| rows_of_triangles(bench, 0.0, count),
+                place: |bench, count| rows(0.0, count).place(bench).1,
             },
         ],
         error: Some(|bench, random| error(bench, random, from_the_eye, relative_to_the_eye)),
-        equal: None,
+        ..Kernel::of::<IsectRows>()
     },
     Kernel {
-        name: "mesh_list_hits_r16",
-        rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
                 let hits: [u32; 16] = std::array::from_fn(|ray| MESH_HIT + ray as u32);
-                call::put_for_hits(bench, &vec![hits; count as usize]).2
+                ListHits { objects: vec![hits; count as usize] }.place(bench).1
             },
         }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<ListHits>()
     },
     Kernel {
-        name: "mesh_flat_patches",
         rays: 1,
         cases: &[Case {
             name: "all there",
             objects: TRIANGLES,
             place: |bench, count| {
-                let hits: Vec<u32> = (0..count).map(|at| MESH_HIT + (1 << 7) + at % 4).collect();
-                call::put_for_patches(bench, &hits, &[one_behind_another(0.0)], 0).2
+                let objects = (0..count).map(|at| MESH_HIT + (1 << 7) + at % 4).collect();
+                let leaves = vec![one_behind_another(0.0)];
+                FlatPatches { objects, leaves, anything: 0 }.place(bench).1
             },
         }],
         error: Some(patch_error),
-        equal: None,
+        ..Kernel::of::<FlatPatches>()
     },
 ];
 
 /// The row of a kernel that tests nodes with packets.
-const fn nodes(name: &'static str) -> Kernel {
+const fn nodes<const EVERY: bool>() -> Kernel {
     Kernel {
-        name,
-        rays: 16,
-        cases: &[
-            Case {
-                name: "all left out",
-                objects: NODES,
-                place: |bench, count| candidates(bench, 50.0, count),
-            },
-            Case {
-                name: "all kept",
-                objects: NODES,
-                place: |bench, count| candidates(bench, 0.0, count),
-            },
-        ],
-        error: None,
-        equal: None,
+        cases: const {
+            &[
+                Case {
+                    name: "all left out",
+                    objects: NODES,
+                    place: |bench, count| boxed::<EVERY>(50.0, count).place(bench).1,
+                },
+                Case {
+                    name: "all kept",
+                    objects: NODES,
+                    place: |bench, count| boxed::<EVERY>(0.0, count).place(bench).1,
+                },
+            ]
+        },
+        ..Kernel::of::<Boxed<EVERY>>()
     }
 }
 
@@ -285,9 +269,8 @@ fn rays() -> [Ray; 16] {
     })
 }
 
-fn bounds(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let before = vec![layout::MeshBound::new_zeroed(); count as usize];
-    call::put_for_bounds(bench, &vec![rays(); count as usize], &before, 0).1
+fn packets(count: u32) -> Vec<[Ray; 16]> {
+    vec![rays(); count as usize]
 }
 
 /// A node with four equal boxes, in front of the rays or above them.
@@ -297,39 +280,24 @@ fn node(y: f64) -> Node {
     Node { boxes: [corners; 4], words: [4; 4] }
 }
 
-/// All rays of so many packets, and one node.
-fn filter(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
+/// All rays of this number of packets, and one node.
+fn filter(count: u32, y: f64) -> FilterRays {
     let bits = u128::MAX << (128 - 16 * count);
-    call::put_for_filter(bench, &vec![rays(); count as usize], &[node(y)], bits).1
-}
-
-/// One ray, and so many nodes.
-fn few(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let nodes = vec![node(0.0); count as usize];
-    call::put_for_few(bench, &[rays()], &nodes, 1 << 120, 0).2
-}
-
-/// Visits by rays of two packets.
-fn visits(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let visit = Visit { child: 4, near: ONE, rays: 1 << 120 | 1 << 30 };
-    call::put_for_candidates(bench, &vec![visit; count as usize], 0).1
+    FilterRays(Batch { packets: packets(count), nodes: vec![node(y)], bits })
 }
 
 /// A block with eight lowest nodes.
-fn arrived(bench: &mut Bench, kind: u32) -> Vec<u32> {
+fn arrived(kind: u32) -> Prepare {
     let mut random = ChaCha8Rng::seed_from_u64(0);
     let (block, known) = block::block(kind, 8, [0.0; 3], 10.0, &mut random);
-    call::put_block(bench, &block, &known).1
+    Prepare { block, known }
 }
 
 /// Candidates of one packet and a node with four equal boxes, in front of the rays or above them.
-fn candidates(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
-    let corners: Corners =
-        [[-5.0, y - 5.0, -60.0], [5.0, y + 5.0, -50.0]].map(|corner| corner.map(from_f64));
-    let node = Node { boxes: [corners; 4], words: [ZERO; 4] };
-    let packet: ([Ray; 16], MeshBound) = (rays(), mesh_bound(&rays()));
-    let pairs = vec![[0, 0]; count as usize];
-    call::put_candidates(bench, &[node], &[packet], &pairs, 0).arguments
+fn boxed<const EVERY: bool>(y: f64, count: u32) -> Boxed<EVERY> {
+    let node = Node { words: [ZERO; 4], ..node(y) };
+    let packets = vec![(rays(), mesh_bound(&rays()))];
+    Boxed { nodes: vec![node], packets, pairs: vec![[0, 0]; count as usize], base: 0 }
 }
 
 /// A block of four triangles, each one nearer than the one before.
@@ -343,40 +311,39 @@ fn one_behind_another(x: f64) -> MeshBlock {
     }
 }
 
+fn straight() -> [sphere_ray::Ray; 16] {
+    case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray })
+}
+
 /// Runs of these four triangles, for this many triangles in all.
-fn triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
-    let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
-    let packets = vec![isect::call::packet(&rays, 0); count as usize / 4];
-    let runs: Vec<_> = (0..packets.len()).map(|packet| (0..4, packet)).collect();
-    call::put_runs(bench, &packets, &one_behind_another(x), &runs, 0).1
+fn runs(x: f64, count: u32) -> IsectRuns {
+    let packets = vec![straight(); count as usize / 4];
+    let runs = (0..packets.len()).map(|packet| (0..4, packet)).collect();
+    IsectRuns { packets, block: one_behind_another(x), runs, anything: 0 }
 }
 
 /// The same runs with a packet from the eye.
-fn filtered(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
-    let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
+fn filtered(x: f64, count: u32) -> FilterTriangles {
+    let windows = vec![mesh_window(&straight())];
     let runs = vec![(0..4, 0); count as usize / 4];
-    let windows = [mesh_window(&rays)];
-    call::put_filter(bench, &windows, &one_behind_another(x), &runs, 0).1
+    FilterTriangles { windows, block: one_behind_another(x), runs, anything: 0 }
 }
 
 /// Rows that may hit these triangles, a quarter of a packet's rows with each.
-fn rows_of_triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
-    let rays = case_rays().map(|ray| sphere_ray::Ray { t: FARTHEST, ..ray });
-    let packets = vec![isect::call::packet(&rays, 0); count as usize / 4];
-    let rows: Vec<_> = (0..count as usize)
-        .map(|at| Rows {
-            triangle: at % 4,
-            rows: std::array::from_fn(|row| row == at % 4),
-            packet: at / 4,
-        })
-        .collect();
-    call::put_rows(bench, &packets, &one_behind_another(x), &rows, 0).1
+fn rows(x: f64, count: u32) -> IsectRows {
+    let packets = vec![straight(); count as usize / 4];
+    let rows = (0..count as usize).map(|at| Rows {
+        triangle: at % 4,
+        rows: std::array::from_fn(|row| row == at % 4),
+        packet: at / 4,
+    });
+    IsectRows { packets, block: one_behind_another(x), rows: rows.collect(), anything: 0 }
 }
 
 /// A triangle, and rays to it and around it.
 type Aimed = (TriangleObject, [sphere_ray::Ray; 16]);
 
-/// What becomes of them before the test.
+/// Their change before the test.
 type From = fn(Aimed) -> Aimed;
 
 /// With the rays' origin, which is that of all, as the eye.
@@ -390,23 +357,16 @@ pub fn relative_to_the_eye((object, rays): Aimed) -> Aimed {
 }
 
 /// Tests a packet with a triangle, the only one of a block. Returns the packet.
-type Test = fn(&mut Bench, &[sphere_ray::Ray; 16], &MeshBlock) -> layout::RayPacket;
+type Test = fn(&mut Bench, &[sphere_ray::Ray; 16], &MeshBlock) -> [Ray; 16];
 
-fn from_anywhere(
-    bench: &mut Bench,
-    rays: &[sphere_ray::Ray; 16],
-    block: &MeshBlock,
-) -> layout::RayPacket {
-    call::isect_runs(bench, &[*rays], block, &[(0..1, 0)], 0)[0]
+fn from_anywhere(bench: &mut Bench, rays: &[sphere_ray::Ray; 16], block: &MeshBlock) -> [Ray; 16] {
+    let (packets, runs) = (vec![*rays], vec![(0..1, 0)]);
+    IsectRuns { packets, block: block.clone(), runs, anything: 0 }.call(bench)[0]
 }
 
-fn from_the_eye(
-    bench: &mut Bench,
-    rays: &[sphere_ray::Ray; 16],
-    block: &MeshBlock,
-) -> layout::RayPacket {
-    let all = Rows { triangle: 0, rows: [true; 4], packet: 0 };
-    call::isect_rows(bench, &[*rays], block, &[all], 0)[0]
+fn from_the_eye(bench: &mut Bench, rays: &[sphere_ray::Ray; 16], block: &MeshBlock) -> [Ray; 16] {
+    let (packets, all) = (vec![*rays], Rows { triangle: 0, rows: [true; 4], packet: 0 });
+    IsectRows { packets, block: block.clone(), rows: vec![all], anything: 0 }.call(bench)[0]
 }
 
 /// The largest error of t in ulps. Infinite for a missed or a false hit.
@@ -422,7 +382,7 @@ fn error(bench: &mut Bench, random: &mut ChaCha8Rng, test: Test, from: From) -> 
                 faces: vec![[0, 1, 2]],
             };
             let after = test(bench, &rays, &block);
-            for (ray, after) in rays.iter().zip(isect::call::rays(&after)) {
+            for (ray, after) in rays.iter().zip(after) {
                 let truth = object.truth(ray);
                 let found = (after.object == block.hit(0)).then(|| to_f64(after.t));
                 match (found, truth.t) {
@@ -459,9 +419,10 @@ fn patch_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
                 vertices: object.vertices.to_vec(),
                 faces: vec![[0, 1, 2]],
             };
-            let (_, made) = call::flat_patches(bench, &[MESH_HIT + (5 << 7)], &[block], 0);
-            for (found, axis) in made[0][0].normal.iter().zip(normal) {
-                worst = worst.max((to_f64(*found) - axis).abs() * 2_f64.powi(23));
+            let objects = vec![MESH_HIT + (5 << 7)];
+            let (_, made) = FlatPatches { objects, leaves: vec![block], anything: 0 }.call(bench);
+            for (found, axis) in made[0].0.axis.iter().zip(normal) {
+                worst = worst.max((f64::from(found.get()) - axis).abs() * 2_f64.powi(23));
             }
         }
     }

@@ -1,16 +1,15 @@
 //! Triangles do not leak: every ray from inside a closed mesh hits it, including rays aimed at its
 //! edges and vertices, however thin its triangles are and wherever it is.
 
-use super::rays::sheared;
-use kernels::cases::flat::put_triangles;
+use kernels::cases::flat::triangles::Triangles;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
-use kernels::flat_records::{Ray, Rays, point};
+use kernels::description::Description as _;
+use kernels::flat_records::{Ray, point};
 use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
 use kernels::{Bench, random};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
-use zerocopy::IntoBytes as _;
 
 /// The ways in which meshes are made: of any size and not far from the origin; thin in one or two
 /// directions; so far from the origin that the vertices are on a coarse lattice, and many edges
@@ -98,23 +97,9 @@ fn trace(
         let triangles = mesh.triangles(random);
         let rays: Vec<[Ray; 16]> =
             (0..packets).map(|_| std::array::from_fn(|_| aimed(&mesh, random))).collect();
-        let packed: Vec<Rays> = rays.iter().map(Rays::pack).collect();
-        let sheared = sheared(bench, &packed);
-        let triangles_place = put_triangles(bench, triangles.iter().copied(), || random.random());
-        for ((rays, packed), sheared) in rays.iter().zip(packed).zip(sheared) {
-            let rays_place = bench.place(packed.as_bytes());
-            let shear_place = bench.place(sheared.as_bytes());
-            bench.call(
-                "isect_triangles_r16",
-                &[
-                    rays_place.address,
-                    shear_place.address,
-                    triangles_place.address,
-                    triangles.len() as u32,
-                    1,
-                ],
-            );
-            let found = bench.read::<Rays>(rays_place).hits();
+        for rays in rays {
+            let inputs = Triangles::<false> { rays, triangles: triangles.clone(), first: 1 };
+            let (_, found) = inputs.call(bench);
             for (ray, found) in rays.iter().zip(found) {
                 assert_ne!(found.object, 0, "{ray:x?} leaks out of {triangles:x?}");
                 on_edges += usize::from(found.u == 0 || found.v == 0);

@@ -3,13 +3,16 @@
 //! the ray hits by the SPU's own arithmetic.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::mesh::call::{self, Node};
+use kernels::cases::whitted::mesh::bounds::Bounds;
+use kernels::cases::whitted::mesh::boxes::Boxed;
+use kernels::cases::whitted::mesh::call::Node;
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan};
+use kernels::description::Description as _;
 use kernels::vector::{Vector, in_cube, magnitude};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::mesh::Corners;
+use twins::mesh::{Corners, MeshBound};
 use twins::primary_rays::{ABSENT, Ray};
 use twins::triangle_pairs::{TriangleObject, isect_triangle};
 use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
@@ -20,7 +23,6 @@ pub(super) const SLACK: f64 = 1.0 / (1 << 19) as f64;
 const SCALES: std::ops::Range<f64> = 1e-6..1e9;
 const NODES: usize = 16;
 const PACKETS: usize = 200;
-const KERNELS: [&str; 2] = ["cull_boxes", "filter_boxes_r16"];
 
 /// What the kernels did with the boxes of packets.
 #[derive(Clone, Copy, Debug, Default)]
@@ -142,6 +144,16 @@ pub(super) fn widened(corners: &Corners, slack: f64) -> Corners {
     [moved(0, -1.0), moved(1, 1.0)]
 }
 
+/// The list that a kernel makes of all these nodes.
+fn listed<const EVERY: bool>(
+    bench: &mut Bench,
+    nodes: &[Node],
+    packet: ([Ray; 16], MeshBound),
+) -> Vec<[u32; 4]> {
+    let pairs = (0..nodes.len()).map(|node| [node, 0]).collect();
+    Boxed::<EVERY> { nodes: nodes.to_vec(), packets: vec![packet], pairs, base: 0 }.call(bench)
+}
+
 /// Runs the kernels on boxes, of which some are met by a ray.
 fn outcome(
     bench: &mut Bench,
@@ -157,17 +169,19 @@ fn outcome(
             words: std::array::from_fn(|lane| 4 * number + lane as u32),
         })
         .collect();
-    let bound = call::bounds(bench, &[*rays], 0)[0].0;
-    let pairs: Vec<[usize; 2]> = (0..nodes.len()).map(|node| [node, 0]).collect();
+    let bound = Bounds { packets: vec![*rays], shears: 0 }.call(bench)[0].0;
     let mut outcome = Outcome {
         tested: boxes.len(),
         met: met.iter().filter(|met| **met).count(),
         ..Outcome::default()
     };
-    for (number, kernel) in KERNELS.iter().enumerate() {
-        let [_, found] = call::listed(bench, kernel, &nodes, &[(*rays, bound)], &pairs, 0);
+    let found = [
+        listed::<false>(bench, &nodes, (*rays, bound)),
+        listed::<true>(bench, &nodes, (*rays, bound)),
+    ];
+    for (number, found) in found.iter().enumerate() {
         let mut kept = vec![false; boxes.len()];
-        for [child, ..] in &found {
+        for [child, ..] in found {
             kept[*child as usize] = true;
         }
         outcome.kept[number] = found.len();
@@ -180,7 +194,7 @@ fn outcome(
 fn add(sum: &mut Outcome, one: Outcome) {
     sum.tested += one.tested;
     sum.met += one.met;
-    for kernel in 0..KERNELS.len() {
+    for kernel in 0..2 {
         sum.kept[kernel] += one.kept[kernel];
         sum.lost[kernel] += one.lost[kernel];
     }

@@ -4,19 +4,17 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::flat::rectangle;
 use kernels::cases::sphere_ray::ray;
-use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
-use kernels::flat_records::{self, Shears, point};
+use kernels::flat_records::point;
 use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng as _;
 use twins::FARTHEST;
 use twins::sphere_ray::Ray;
-use twins::triangle::shear;
 
-use super::{COUNTS, check, straight};
+use super::check;
 
 /// Whether sixteen equal rays hit an object.
 fn is_hit<S: Shape>(bench: &mut Bench, ray: Ray, object: S) -> bool {
@@ -114,37 +112,6 @@ fn an_edge_belongs_to_both_triangles_and_to_the_rectangle() {
     let rectangle =
         RectangleObject { rectangle: rectangle(a, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]), both: false };
     assert!(is_hit(&mut bench, straight, rectangle));
-}
-
-#[test]
-fn shears_of_packets_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for round in 0..100 {
-        for count in COUNTS.into_iter().map(|count| count.min(24)) {
-            let packets: Vec<[Ray; 16]> = (0..count)
-                .map(|_| match round % 2 {
-                    0 => straight().map(|ray| Ray {
-                        origin: random.random(),
-                        direction: random.random(),
-                        ..ray
-                    }),
-                    _ => TriangleObject::around(&mut random, 1.0).1,
-                })
-                .collect();
-            let records: Vec<_> =
-                packets.iter().map(|rays| call::packet(rays, random.random())).collect();
-            bench.reset();
-            let placed = call::place::<TriangleObject>(&mut bench, &records, &[], &[], 0);
-            let shears: Vec<Shears> = bench.read_all(placed.shears.expect("triangles take shears"));
-            for (shears, rays) in shears.iter().zip(packets) {
-                for (lane, ray) in rays.iter().enumerate() {
-                    let expected = shear(ray.origin, ray.direction);
-                    assert_eq!(flat_records::shear(shears, lane), expected, "{ray:x?}");
-                }
-            }
-        }
-    }
 }
 
 /// The faces of a tetrahedron by its vertices, each counter-clockwise as seen from inside.

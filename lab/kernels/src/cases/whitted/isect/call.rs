@@ -7,13 +7,16 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
 use twins::primary_rays::Ray as WholeRay;
 use twins::sphere_ray::Ray;
+use twins::triangle;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
 use super::error::SCALES;
 use super::shape::Shape;
+use super::triangle::TriangleObject;
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
+use crate::cases::flat::triangles;
 use crate::cases::whitted::rays::call::rays as whole_rays;
 use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
 use crate::single::{bits, single};
@@ -34,6 +37,18 @@ pub fn packet(rays: &[Ray; 16], anything: u32) -> RayPacket {
         packet.pixel[lane] = anything.into();
     }
     packet
+}
+
+/// The packets of these rays.
+#[must_use]
+pub fn packets(packets: &[[Ray; 16]], anything: u32) -> Vec<RayPacket> {
+    packets.iter().map(|rays| packet(rays, anything)).collect()
+}
+
+/// All fields of these packets.
+#[must_use]
+pub fn whole(packets: &[RayPacket]) -> Vec<[WholeRay; 16]> {
+    packets.iter().map(whole_rays).collect()
 }
 
 /// The rays of a packet.
@@ -71,12 +86,7 @@ pub fn place<S: Shape>(
     anything: u32,
 ) -> Placed {
     let placed = put(bench, packets);
-    let shears = S::SHEARED.then(|| {
-        let shears = bench.place(&vec![0x55; size_of::<Shear>() * packets.len()]);
-        let count = packets.len() as u32;
-        bench.call("shear_packets_r16", &[placed.address, count, shears.address]);
-        shears
-    });
+    let shears = S::SHEARED.then(|| shear(bench, placed, packets.len()));
     let records: Vec<S::Record> = objects.iter().map(|object| object.record(anything)).collect();
     let records = put(bench, &records);
     let objects: Vec<u32> =
@@ -90,6 +100,60 @@ pub fn place<S: Shape>(
     let candidates: Vec<Candidate> = list.iter().map(candidate).collect();
     let candidates = put(bench, &candidates).address;
     Placed { packets: placed, shears, objects, candidates }
+}
+
+/// Makes the shears of this number of packets.
+pub fn shear(bench: &mut Bench, packets: bench::Place, count: usize) -> bench::Place {
+    let (shears, arguments) = put_shears(bench, packets, count);
+    bench.call(Sheared::KERNEL, &arguments);
+    shears
+}
+
+fn put_shears(bench: &mut Bench, packets: bench::Place, count: usize) -> (bench::Place, Vec<u32>) {
+    let shears = bench.place(&vec![0x55; size_of::<Shear>() * count]);
+    (shears, vec![packets.address, count as u32, shears.address])
+}
+
+/// Packets whose shears are made.
+#[derive(Clone, Debug)]
+pub struct Sheared {
+    /// The packets.
+    pub packets: Vec<[Ray; 16]>,
+    /// Fills the fields that have no meaning here.
+    pub anything: u32,
+}
+
+impl Description for Sheared {
+    const KERNEL: &'static str = "shear_packets_r16";
+    const ROUNDS: [usize; 2] = [50, 350];
+    const LENGTHS: &'static [usize] = &[0, 1, 2, 3, 7, 16, 24];
+    type Placed = bench::Place;
+    type Found = Vec<[triangle::Shear; 16]>;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let packets = (0..count).map(|_| TriangleObject::around(random, 1.0).1).collect();
+        Self { packets, anything: random.random() }
+    }
+
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let packets = (0..count).map(|_| any_bits(random)).collect();
+        Self { packets, anything: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (bench::Place, Vec<u32>) {
+        let packets = packets(&self.packets, self.anything);
+        let placed = put(bench, &packets);
+        put_shears(bench, placed, packets.len())
+    }
+
+    fn found(&self, bench: &Bench, shears: &bench::Place, _: u32) -> Self::Found {
+        bench.read_all(*shears).iter().map(triangles::shears).collect()
+    }
+
+    fn twin(&self, _: &bench::Place) -> Self::Found {
+        let of = |ray: Ray| triangle::shear(ray.origin, ray.direction);
+        self.packets.iter().map(|rays| rays.map(of)).collect()
+    }
 }
 
 /// Calls the shape's kernel on candidates. Returns the packets after the call, and the objects'
@@ -118,12 +182,6 @@ pub struct Pairs<S> {
     pub list: Vec<[usize; 2]>,
     /// Fills the fields that have no meaning here.
     pub anything: u32,
-}
-
-impl<S: Shape> Pairs<S> {
-    fn whole(&self, packets: &[[Ray; 16]]) -> Vec<[WholeRay; 16]> {
-        packets.iter().map(|rays| whole_rays(&packet(rays, self.anything))).collect()
-    }
 }
 
 impl<S: Shape> Description for Pairs<S> {
@@ -169,14 +227,13 @@ impl<S: Shape> Description for Pairs<S> {
 
     fn place(&self, bench: &mut Bench) -> (Placed, Vec<u32>) {
         let Self { packets, objects, list, anything } = self;
-        let packets: Vec<_> = packets.iter().map(|rays| packet(rays, *anything)).collect();
-        let placed = place(bench, &packets, objects, list, *anything);
+        let placed = place(bench, &self::packets(packets, *anything), objects, list, *anything);
         let arguments = vec![placed.candidates, list.len() as u32];
         (placed, arguments)
     }
 
     fn found(&self, bench: &Bench, placed: &Placed, _: u32) -> Self::Found {
-        bench.read_all(placed.packets).iter().map(whole_rays).collect()
+        whole(&bench.read_all(placed.packets))
     }
 
     fn twin(&self, placed: &Placed) -> Self::Found {
@@ -186,12 +243,12 @@ impl<S: Shape> Description for Pairs<S> {
                 *ray = self.objects[object].twin(*ray, placed.objects[object]);
             }
         }
-        self.whole(&packets)
+        whole(&self::packets(&packets, self.anything))
     }
 
     /// How many rays of the listed packets hit something.
     fn part(&self, found: &Self::Found) -> [usize; 2] {
-        let before = self.whole(&self.packets);
+        let before = whole(&packets(&self.packets, self.anything));
         let listed = |packet: &usize| self.list.iter().any(|pair| pair[1] == *packet);
         let listed: Vec<usize> = (0..found.len()).filter(listed).collect();
         let rays = listed.iter().flat_map(|&packet| before[packet].iter().zip(&found[packet]));

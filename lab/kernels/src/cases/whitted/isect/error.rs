@@ -9,7 +9,8 @@ use super::shape::Shape;
 use super::triangle::TriangleObject;
 use crate::bench::Bench;
 use crate::cases::flat::error::error_of_shear;
-use crate::flat_records::{self, Shears};
+use crate::description::Description as _;
+use crate::flat_records;
 
 /// The number of packets of each size over which an error is measured.
 const PACKETS: u32 = 600;
@@ -46,15 +47,12 @@ pub fn nearest<S: Shape>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 pub fn shear_packets(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let (triangle, rays) = TriangleObject::around(random, 1.0);
-        bench.reset();
-        let packets = [call::packet(&rays, random.random()); 2];
-        let placed = call::place(bench, &packets, &[triangle], &[], 0);
-        let shears = placed.shears.expect("triangles take shears");
-        for shears in bench.read_all::<Shears>(shears) {
-            for (lane, ray) in rays.iter().enumerate() {
+        let (_, rays) = TriangleObject::around(random, 1.0);
+        let packets = vec![rays; 2];
+        for shears in (call::Sheared { packets, anything: random.random() }).call(bench) {
+            for (ray, shear) in rays.iter().zip(shears) {
                 let ray = flat_records::Ray::new(ray.origin, ray.direction);
-                worst = worst.max(error_of_shear(&ray, &shears, lane));
+                worst = worst.max(error_of_shear(&ray, &shear));
             }
         }
     }

@@ -1,11 +1,19 @@
 //! Blocks of meshes as `mesh_prepare` gets them.
 
+use std::ops::Range;
+
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
-use twins::mesh_prepare::{HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, WORDS, object};
+use twins::mesh_prepare::{
+    CONES, HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, SPHERES, WORDS, object, prepare,
+};
+use zerocopy::big_endian::U32;
 
-use crate::vector::in_cube;
+use crate::bench::{Bench, Place};
+use crate::cases::eye::call::put;
+use crate::description::Description;
+use crate::vector::{in_cube, magnitude};
 
 /// The number of the blocks.
 const NUMBER: u32 = 5;
@@ -14,8 +22,8 @@ const BLOCKS: u32 = 1000;
 /// How many materials.
 const MATERIALS: u32 = 9;
 
-/// A block of this kind, with so many lowest nodes, 1 to 11, of which each has a child at least.
-/// All boxes are within a cube of half this size around a point, which is the root's.
+/// A block of this kind, with this number of lowest nodes, 1 to 11, of which each has a child at
+/// least. All boxes are within a cube of half this size around a point, which is the root's.
 #[must_use]
 pub fn block(
     kind: u32,
@@ -32,15 +40,15 @@ pub fn block(
     let upper = usize::from(lowest > 1) + middle;
     let nodes = upper + lowest;
     let first = HEADER + NODE * nodes;
-    let room = WORDS - first;
+    let space = WORDS - first;
     let lanes: Vec<usize> = (0..lowest).map(|_| random.random_range(1..=4)).collect();
     let children: usize = lanes.iter().sum();
     let [records, vertices] = match (kind, object(kind)) {
         (INNER, _) => [0, 0],
-        (_, Some(size)) => [children.min(room / size), 0],
+        (_, Some(size)) => [children.min(space / size), 0],
         _ => {
-            let vertices = random.random_range(1..=room / 8);
-            [(room - 4 * vertices).min(random.random_range(1..=100)), vertices]
+            let vertices = random.random_range(1..=space / 8);
+            [(space - 4 * vertices).min(random.random_range(1..=100)), vertices]
         }
     };
     let mut words = [0; WORDS];
@@ -120,4 +128,76 @@ pub fn block(
         sides: 0x6000_0000,
     };
     (words, known)
+}
+
+/// A block that has arrived.
+#[derive(Clone, Debug)]
+pub struct Prepare {
+    /// Its words.
+    pub block: [u32; WORDS],
+    /// Its expected properties.
+    pub known: Known,
+}
+
+impl Description for Prepare {
+    const KERNEL: &'static str = "mesh_prepare";
+    const ROUNDS: [usize; 2] = [55, 3000];
+    /// Lowest nodes, as many as leave space for something in a block.
+    const LENGTHS: &'static [usize] = &[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11];
+    /// Sensible blocks are whole.
+    const SHARES: [Range<f64>; 2] = [1.0..f64::INFINITY, 0.03..0.6];
+    type Placed = Place;
+    /// The block as it is afterwards, if it is not damaged.
+    type Found = Option<[u32; WORDS]>;
+
+    fn sensible(lowest: usize, random: &mut ChaCha8Rng) -> Self {
+        let kind = [INNER, LEAF, SPHERES, CONES][random.random_range(0..4)];
+        let half = magnitude(1e-3..1e3, random);
+        let (block, known) = block(kind, lowest, in_cube(100.0, random), half, random);
+        Self { block, known }
+    }
+
+    /// One word of the header or of the nodes is another one, often a bit, often a small number; or
+    /// nothing but random bits follow the header.
+    fn any(lowest: usize, random: &mut ChaCha8Rng) -> Self {
+        let Self { block: mut words, known } = Self::sensible(lowest, random);
+        if random.random_ratio(1, 3) {
+            words[HEADER..].fill_with(|| random.random());
+            return Self { block: words, known };
+        }
+        let nodes = words[4] as usize;
+        let at = match random.random_range(0..4) {
+            0 => random.random_range(0..HEADER),
+            1 => random.random_range(0..WORDS),
+            _ => HEADER + NODE * random.random_range(0..nodes) + 24 + random.random_range(0..4),
+        };
+        words[at] = match random.random_range(0..4) {
+            0 => words[at] ^ 1 << random.random_range(0..32),
+            1 => words[at].wrapping_add(random.random_range(0..20)).wrapping_sub(10),
+            2 => random.random_range(0..20),
+            _ => random.random(),
+        };
+        Self { block: words, known }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let Known { number, eye: [x, y, z], blocks, materials, sides } = self.known;
+        let place = put(bench, &self.block.map(U32::new));
+        let eye = put(bench, &[x, y, z, u32::MAX].map(U32::new)).address;
+        (place, vec![place.address, number, eye, blocks, materials, sides])
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, damaged: u32) -> Self::Found {
+        let words: [U32; WORDS] = bench.read(*placed);
+        (damaged == 0).then(|| words.map(U32::get))
+    }
+
+    fn twin(&self, _: &Place) -> Self::Found {
+        let mut block = self.block;
+        prepare(&mut block, &self.known).then_some(block)
+    }
+
+    fn part(&self, found: &Self::Found) -> [usize; 2] {
+        [usize::from(found.is_some()), 1]
+    }
 }

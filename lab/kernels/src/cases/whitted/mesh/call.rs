@@ -1,26 +1,19 @@
-//! Calls these kernels with the inputs of their twins.
-
-mod eye;
-mod streams;
+//! The records of these kernels, made of the inputs of their twins.
 
 use protocol::layout::{
-    Boxes, MESH_BLOCK, MESH_LEAF, MESH_MAGIC, MeshBound, MeshCandidate, MeshFace, MeshHeader,
-    MeshVertex, RayPacket, SIDES_BOTH, Shear,
+    Boxes, MESH_BLOCK, MESH_LEAF, MESH_MAGIC, MeshBound, MeshFace, MeshHeader, MeshVertex,
+    MeshWindow, SIDES_BOTH, Shear,
 };
 use twins::mesh::{self, Corners, Slab};
 use twins::mesh_pairs::MeshBlock;
-use twins::primary_rays::Ray;
-use twins::{Single, sphere_ray};
+use twins::{Single, mesh_rows, sphere_ray};
 use zerocopy::big_endian::{F32, U16};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
-use crate::cases::whitted::{isect, rays};
+use crate::cases::whitted::isect;
 use crate::single::{bits, single};
-
-pub use eye::*;
-pub use streams::*;
 
 /// A node, or what takes its place in a test: four boxes and their words.
 #[derive(Clone, Copy, Debug)]
@@ -32,13 +25,13 @@ pub struct Node {
 }
 
 /// Offsets in `BOXES` of the lower corners' planes.
-const LOWER: [usize; 3] = [
+pub const LOWER: [usize; 3] = [
     std::mem::offset_of!(Boxes, lo_x),
     std::mem::offset_of!(Boxes, lo_y),
     std::mem::offset_of!(Boxes, lo_z),
 ];
 /// From these to the upper ones'.
-const TO_UPPER: usize = std::mem::offset_of!(Boxes, hi_x);
+pub const TO_UPPER: usize = std::mem::offset_of!(Boxes, hi_x);
 
 /// The record of a node.
 #[must_use]
@@ -127,117 +120,36 @@ pub fn bound(record: &MeshBound) -> (mesh::MeshBound, u32) {
     (bound, record.shears.get())
 }
 
-/// Puts the inputs of `mesh_bounds_r16` into local store, with shears at `shears`, where nothing
-/// needs to be. Returns the bounds' buffer and the arguments; the first three are those of
-/// `mesh_farthest_r16`.
-pub fn put_for_bounds(
-    bench: &mut Bench,
-    packets: &[[Ray; 16]],
-    before: &[MeshBound],
-    shears: u32,
-) -> (Place, Vec<u32>) {
-    let records: Vec<RayPacket> = packets.iter().map(rays::call::packet).collect();
-    let records = put(bench, &records);
-    let bounds = put(bench, before);
-    let count = packets.len() as u32;
-    (bounds, vec![records.address, count, bounds.address, shears])
-}
-
-/// Calls `mesh_bounds_r16`. Returns the bounds, each with the address of its shears.
-pub fn bounds(
-    bench: &mut Bench,
-    packets: &[[Ray; 16]],
-    shears: u32,
-) -> Vec<(mesh::MeshBound, u32)> {
-    bench.reset();
-    let before = vec![MeshBound::new_zeroed(); packets.len()];
-    let (bounds, arguments) = put_for_bounds(bench, packets, &before, shears);
-    bench.call("mesh_bounds_r16", &arguments);
-    bench.read_all(bounds).iter().map(bound).collect()
-}
-
-/// Calls `mesh_farthest_r16` with these bounds. Returns them as it leaves them.
-pub fn farthest(
-    bench: &mut Bench,
-    packets: &[[Ray; 16]],
-    bounds: &[mesh::MeshBound],
-    shears: u32,
-) -> Vec<(mesh::MeshBound, u32)> {
-    bench.reset();
-    let before: Vec<MeshBound> = bounds.iter().map(|bound| bound_record(bound, shears)).collect();
-    let (bounds, arguments) = put_for_bounds(bench, packets, &before, shears);
-    bench.call("mesh_farthest_r16", &arguments[..3]);
-    bench.read_all(bounds).iter().map(bound).collect()
-}
-
-/// The inputs of `cull_boxes` and `filter_boxes_r16`.
-pub struct Candidates {
-    /// The arguments.
-    pub arguments: Vec<u32>,
-    /// The candidates' words: object, packet, bound, near.
-    pub given: Vec<[u32; 4]>,
-    /// The buffer for the list.
-    pub room: Place,
-}
-
-/// Puts nodes, packets, their bounds and candidates into local store. Each candidate is a node and
-/// a packet, given by number. Its near distance is its own number.
-pub fn put_candidates(
-    bench: &mut Bench,
-    nodes: &[Node],
-    packets: &[([Ray; 16], mesh::MeshBound)],
-    pairs: &[[usize; 2]],
-    base: u32,
-) -> Candidates {
-    let nodes: Vec<Boxes> = nodes.iter().map(boxes).collect();
-    let nodes = put(bench, &nodes);
-    let bounds: Vec<MeshBound> =
-        packets.iter().map(|(_, bound)| bound_record(bound, u32::MAX)).collect();
-    let bounds = put(bench, &bounds);
-    let packets: Vec<RayPacket> =
-        packets.iter().map(|(rays, _)| rays::call::packet(rays)).collect();
-    let packets = put(bench, &packets);
-    let candidate = |(number, &[node, packet]): (usize, &[usize; 2])| MeshCandidate {
-        object: address::<Boxes>(nodes, node).into(),
-        packet: address::<RayPacket>(packets, packet).into(),
-        bound: address::<MeshBound>(bounds, packet).into(),
-        near: single(number as u32),
+/// The record of a packet's window.
+#[must_use]
+pub fn window_record(window: &mesh_rows::MeshWindow) -> MeshWindow {
+    let limits = |limit: fn(&mesh_rows::RowWindow) -> Single| {
+        std::array::from_fn(|lane| single(limit(&window.rows[lane / 4])))
     };
-    let given: Vec<MeshCandidate> = pairs.iter().enumerate().map(candidate).collect();
-    let list = put(bench, &given);
-    let room = vec![MeshCandidate::new_zeroed(); 4 * pairs.len() + 3];
-    let room = put(bench, &room);
-    Candidates {
-        arguments: vec![list.address, given.len() as u32, room.address, base],
-        given: given.iter().map(words).collect(),
-        room,
+    // A word of the first vertex, and then the same of the second.
+    let words = window.axes.map(|axis| {
+        let bytes = std::array::from_fn::<u8, 4, _>(|byte| (4 * axis + byte) as u8);
+        [bytes, bytes.map(|byte| byte + 16)]
+    });
+    let nothing = [[0x80; 4]; 2];
+    let shuffle = |first: [[u8; 4]; 2], last: [[u8; 4]; 2]| {
+        let bytes = [first.concat(), last.concat()].concat();
+        std::array::from_fn(|byte| bytes[byte])
+    };
+    MeshWindow {
+        low_x: limits(|row| row.low[0]),
+        high_x: limits(|row| row.high[0]),
+        low_y: limits(|row| row.low[1]),
+        high_y: limits(|row| row.high[1]),
+        order: shuffle(words[0], words[1]),
+        depth: shuffle(words[2], nothing),
     }
 }
 
-fn words(candidate: &MeshCandidate) -> [u32; 4] {
-    [candidate.object.get(), candidate.packet.get(), candidate.bound.get(), bits(candidate.near)]
-}
-
-/// Calls `cull_boxes` or `filter_boxes_r16`. Returns the candidates that it gets, and its list.
-///
-/// # Panics
-///
-/// Panics if the list ends outside its buffer or within an entry.
-pub fn listed(
-    bench: &mut Bench,
-    kernel: &str,
-    nodes: &[Node],
-    packets: &[([Ray; 16], mesh::MeshBound)],
-    pairs: &[[usize; 2]],
-    base: u32,
-) -> [Vec<[u32; 4]>; 2] {
-    bench.reset();
-    let placed = put_candidates(bench, nodes, packets, pairs, base);
-    let end = bench.call(kernel, &placed.arguments).value;
-    let mut list: Vec<MeshCandidate> = bench.read_all(placed.room);
-    let ends = (0..=4 * pairs.len()).find(|at| address::<MeshCandidate>(placed.room, *at) == end);
-    list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
-    [placed.given, list.iter().map(words).collect()]
+/// The word for the sides of a block's triangles.
+#[must_use]
+pub fn sides(block: &MeshBlock, anything: u32) -> u32 {
+    if block.both { anything | SIDES_BOTH } else { anything & !SIDES_BOTH }
 }
 
 /// The bytes of a leaf block, as they are in local store. The fields that no kernel reads are
@@ -248,7 +160,6 @@ pub fn listed(
 /// Panics if the triangles do not fit.
 #[must_use]
 pub fn leaf(block: &MeshBlock, nodes: u32, anything: u32) -> Vec<u8> {
-    let both = if block.both { SIDES_BOTH } else { 0 };
     let header = MeshHeader {
         magic: MESH_MAGIC.into(),
         number: block.number.into(),
@@ -257,7 +168,7 @@ pub fn leaf(block: &MeshBlock, nodes: u32, anything: u32) -> Vec<u8> {
         nodes: nodes.into(),
         triangles: (block.faces.len() as u32).into(),
         vertices: (block.vertices.len() as u32).into(),
-        sides: (both | anything & !SIDES_BOTH).into(),
+        sides: sides(block, anything).into(),
     };
     let vertex = |position: &[Single; 3]| MeshVertex {
         position: position.map(single),
@@ -275,17 +186,15 @@ pub fn leaf(block: &MeshBlock, nodes: u32, anything: u32) -> Vec<u8> {
     bytes
 }
 
-/// Runs of a block's triangles, each with the number of the packet to test.
-pub type Runs = [(std::ops::Range<usize>, usize)];
-
 /// Puts packets and their shears into local store, and bounds with nothing but the shears'
 /// addresses. Returns the packets' buffer and the bounds'.
-fn put_sheared(bench: &mut Bench, packets: &[RayPacket], anything: u32) -> [Place; 2] {
-    let count = packets.len() as u32;
-    let placed = put(bench, packets);
-    let shears = bench.place(&vec![0x55; size_of::<Shear>() * packets.len()]);
-    let sheared = [placed.address, count, shears.address];
-    bench.call("shear_packets_r16", &sheared);
+pub fn put_sheared(
+    bench: &mut Bench,
+    packets: &[[sphere_ray::Ray; 16]],
+    anything: u32,
+) -> [Place; 2] {
+    let placed = put(bench, &isect::call::packets(packets, anything));
+    let shears = isect::call::shear(bench, placed, packets.len());
     let bounds: Vec<MeshBound> = (0..packets.len())
         .map(|packet| MeshBound {
             shears: address::<Shear>(shears, packet).into(),
@@ -294,43 +203,4 @@ fn put_sheared(bench: &mut Bench, packets: &[RayPacket], anything: u32) -> [Plac
         })
         .collect();
     [placed, put(bench, &bounds)]
-}
-
-/// Puts packets, their shears and bounds, a block and candidates into local store. Returns the
-/// packets' buffer and the arguments of `isect_mesh_pairs_r16`.
-pub fn put_runs(
-    bench: &mut Bench,
-    packets: &[RayPacket],
-    block: &MeshBlock,
-    runs: &Runs,
-    anything: u32,
-) -> (Place, Vec<u32>) {
-    let [placed, bounds] = put_sheared(bench, packets, anything);
-    let candidate = |(run, packet): &(std::ops::Range<usize>, usize)| MeshCandidate {
-        object: (4 * run.start as u32 + ((run.len() as u32) << 16)).into(),
-        packet: address::<RayPacket>(placed, *packet).into(),
-        bound: address::<MeshBound>(bounds, *packet).into(),
-        near: single(anything),
-    };
-    let candidates: Vec<MeshCandidate> = runs.iter().map(candidate).collect();
-    let candidates = put(bench, &candidates);
-    let block = bench.place(&leaf(block, 3, anything));
-    let arguments = vec![candidates.address, runs.len() as u32, block.address];
-    (placed, arguments)
-}
-
-/// Calls `isect_mesh_pairs_r16`. Returns the packets after the call.
-pub fn isect_runs(
-    bench: &mut Bench,
-    packets: &[[sphere_ray::Ray; 16]],
-    block: &MeshBlock,
-    runs: &Runs,
-    anything: u32,
-) -> Vec<RayPacket> {
-    bench.reset();
-    let records: Vec<RayPacket> =
-        packets.iter().map(|rays| isect::call::packet(rays, anything)).collect();
-    let (placed, arguments) = put_runs(bench, &records, block, runs, anything);
-    bench.call("isect_mesh_pairs_r16", &arguments);
-    bench.read_all(placed)
 }

@@ -7,7 +7,7 @@ use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
 use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
+use crate::cases::eye::call::put;
 use crate::single::{bits, single};
 use protocol::layout::{self, Candidate, RayPacket};
 
@@ -142,8 +142,5 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
 /// Panics if the address is not a possible end of such a list.
 #[must_use]
 pub fn listed(bench: &Bench, room: Place, end: u32) -> Vec<[u32; 4]> {
-    let mut list: Vec<Candidate> = bench.read_all(room);
-    let ends = (0..=list.len()).find(|number| address::<Candidate>(room, *number) == end);
-    list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
-    list.iter().map(words).collect()
+    bench.read_list(room, end).iter().map(words).collect()
 }

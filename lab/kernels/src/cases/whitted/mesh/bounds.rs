@@ -1,0 +1,162 @@
+//! The kernels that bound the rays of packets for boxes.
+
+use std::ops::Range;
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use twins::mesh::{MeshBound, mesh_bound, mesh_farthest};
+use twins::mesh_rows::{mesh_eye_bound, mesh_window};
+use twins::primary_rays::Ray;
+use twins::sphere_ray;
+use zerocopy::FromZeros as _;
+
+use super::call::{bound, bound_record, window_record};
+use super::triangles::aimed;
+use crate::bench::{Bench, Place};
+use crate::cases::eye::call::put;
+use crate::cases::whitted::isect;
+use crate::cases::whitted::rays::bounds::any_fan;
+use crate::cases::whitted::rays::call::put_packets;
+use crate::description::{ANY_SHARE, Bits, Description, LENGTHS_FROM_0, any_bits};
+use protocol::layout::{self, MeshWindow, Shear};
+
+/// Packets of rays from anywhere, which are bounded.
+#[derive(Clone, Debug)]
+pub struct Bounds {
+    /// The packets.
+    pub packets: Vec<[Ray; 16]>,
+    /// Where their shears are said to be.
+    pub shears: u32,
+}
+
+impl Description for Bounds {
+    const KERNEL: &'static str = "mesh_bounds_r16";
+    const ROUNDS: [usize; 2] = [40, 1000];
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
+    type Placed = Place;
+    /// The bounds, each with the address of its shears.
+    type Found = Vec<(MeshBound, u32)>;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self { packets: (0..count).map(|_| any_fan(random)).collect(), shears: 0x1_2340 }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        Self { packets: vec![any_bits(random)], shears: random.random_range(0..1 << 30) }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let packets = put_packets(bench, &self.packets);
+        let count = self.packets.len();
+        let bounds = put(bench, &vec![layout::MeshBound::new_zeroed(); count]);
+        (bounds, vec![packets.address, count as u32, bounds.address, self.shears])
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Self::Found {
+        bench.read_all(*placed).iter().map(bound).collect()
+    }
+
+    fn twin(&self, _: &Place) -> Self::Found {
+        let shears = (self.shears..).step_by(size_of::<Shear>());
+        self.packets.iter().map(mesh_bound).zip(shears).collect()
+    }
+}
+
+/// Packets that have gone on since they were bounded.
+#[derive(Clone, Debug)]
+pub struct Farthest {
+    /// The packets.
+    pub packets: Vec<[Ray; 16]>,
+    /// Their bounds, of other distances.
+    pub bounds: Vec<MeshBound>,
+}
+
+/// Where the shears of these packets are said to be.
+const SHEARS: u32 = 0x1_2340;
+
+impl Description for Farthest {
+    const KERNEL: &'static str = "mesh_farthest_r16";
+    const ROUNDS: [usize; 2] = Bounds::ROUNDS;
+    const LENGTHS: &'static [usize] = Bounds::LENGTHS;
+    type Placed = Place;
+    type Found = Vec<(MeshBound, u32)>;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let Bounds { packets, .. } = Bounds::sensible(count, random);
+        Self { packets, bounds: (0..count).map(|_| mesh_bound(&any_fan(random))).collect() }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        Self { packets: vec![any_bits(random)], bounds: vec![mesh_bound(&any_bits(random))] }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let packets = put_packets(bench, &self.packets).address;
+        let before: Vec<_> = self.bounds.iter().map(|it| bound_record(it, SHEARS)).collect();
+        let bounds = put(bench, &before);
+        (bounds, vec![packets, before.len() as u32, bounds.address])
+    }
+
+    fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Self::Found {
+        bench.read_all(*placed).iter().map(bound).collect()
+    }
+
+    fn twin(&self, _: &Place) -> Self::Found {
+        let each = self.packets.iter().zip(&self.bounds);
+        each.map(|(rays, bound)| (MeshBound { farthest: mesh_farthest(rays), ..*bound }, SHEARS))
+            .collect()
+    }
+}
+
+/// Packets from the eye, which are bounded.
+#[derive(Clone, Debug)]
+pub struct EyeBounds {
+    /// The packets.
+    pub packets: Vec<[sphere_ray::Ray; 16]>,
+}
+
+impl Description for EyeBounds {
+    const KERNEL: &'static str = "mesh_eye_bounds_r16";
+    const ROUNDS: [usize; 2] = [33, 100];
+    const LENGTHS: &'static [usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8];
+    const SHARES: [Range<f64>; 2] = [0.01..0.9, ANY_SHARE];
+    type Placed = [Place; 2];
+    type Found = Vec<(Bits<layout::MeshBound>, Bits<MeshWindow>)>;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self { packets: aimed(random).1[..count].to_vec() }
+    }
+
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self { packets: (0..count).map(|_| any_bits(random)).collect() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> ([Place; 2], Vec<u32>) {
+        let packets = put(bench, &isect::call::packets(&self.packets, 0)).address;
+        let count = self.packets.len();
+        let bounds = put(bench, &vec![layout::MeshBound::new_zeroed(); count]);
+        let windows = put(bench, &vec![MeshWindow::new_zeroed(); count]);
+        let arguments = vec![packets, count as u32, bounds.address, SHEARS, windows.address];
+        ([bounds, windows], arguments)
+    }
+
+    fn found(&self, bench: &Bench, &[bounds, windows]: &[Place; 2], _: u32) -> Self::Found {
+        let bounds = bench.read_all(bounds).into_iter().map(Bits);
+        bounds.zip(bench.read_all(windows).into_iter().map(Bits)).collect()
+    }
+
+    fn twin(&self, _: &[Place; 2]) -> Self::Found {
+        let each = self.packets.iter().zip((SHEARS..).step_by(size_of::<Shear>()));
+        each.map(|(rays, shears)| {
+            let window = window_record(&mesh_window(rays));
+            (Bits(bound_record(&mesh_eye_bound(rays), shears)), Bits(window))
+        })
+        .collect()
+    }
+
+    /// How many windows have no limits.
+    fn part(&self, _: &Self::Found) -> [usize; 2] {
+        let wide = |rays: &&[_; 16]| mesh_window(rays).rows[0].low[0] == u32::MAX;
+        [self.packets.iter().filter(wide).count(), self.packets.len()]
+    }
+}
