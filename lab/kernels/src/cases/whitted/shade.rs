@@ -32,7 +32,7 @@ const QUADS: Objects = Objects::List(4, 64);
 /// Lengths of lists.
 const LENGTHS: &[usize] = &[1, 2, 3, 5, 8];
 
-/// The greatest exponent of a highlight.
+/// The largest exponent of a highlight.
 const EXPONENT: f64 = 4096.0;
 
 /// The least share of a light of brightness 1 that is worth a shadow ray: 2^-12.

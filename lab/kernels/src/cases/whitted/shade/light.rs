@@ -112,7 +112,7 @@ pub struct Shadows {
     pub sites: Vec<Site>,
     /// Where the light is.
     pub light: Place,
-    /// The least share of it that is worth a ray.
+    /// The smallest share of it that is worth a ray.
     pub least: Single,
 }
 
