@@ -14,7 +14,7 @@ pub const LEAVE: Single = 0x3580_0000;
 const SIGN: u32 = 0x8000_0000;
 
 /// A ray that has hit.
-#[derive(Clone, Copy, Debug, FromBytes)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Ray {
     /// Origin.
     pub origin: [Single; 3],

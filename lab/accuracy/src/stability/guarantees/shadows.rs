@@ -9,7 +9,8 @@ use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::sphere::{By, FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::triangle::TriangleObject;
-use kernels::cases::whitted::shade::call::{Site, shadow_rays};
+use kernels::cases::whitted::shade::light::{Shadows, Site};
+use kernels::description::Description as _;
 use kernels::flat_records::Point;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -178,8 +179,8 @@ fn blocked<B: Blocker>(
     let packets: Vec<_> = lights
         .iter()
         .map(|light| {
-            let place = Place { position: *light, directional: false };
-            let rays = shadow_rays(bench, std::slice::from_ref(&site), &place, 0);
+            let light = Place { position: *light, directional: false };
+            let rays = Shadows { sites: vec![site.clone()], light, least: 0 }.call(bench);
             let rays = rays.packets.first().map(|packet| {
                 packet.map(|ray| Ray {
                     origin: ray.origin,

@@ -1,14 +1,19 @@
 //! `refract_r16` and `reflect_r16`: cases, hits from their domain, and their results compared with
 //! f64.
 
+use std::ops::Range;
+
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
+use twins::reflect::reflect;
+use twins::refract::refract;
 use zerocopy::{FromZeros as _, IntoBytes};
 
 use crate::bench::{Bench, Place, SEED};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{Bits, Description, any_bits};
 use crate::flat_records::point;
 use crate::single::{bits, single};
 use crate::vector::{Vector, dot, in_cube, unit};
@@ -26,8 +31,6 @@ pub const ALONG: f64 = 1e-5;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "refract_r16",
-        rays: 16,
         cases: &[
             Case { name: "glass", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
             Case {
@@ -36,12 +39,10 @@ pub const KERNELS: &[Kernel] = &[
                 place: |bench, count| case(bench, count, 0.0),
             },
         ],
-        error: Some(|bench, random| worst(bench, random, "refract_r16", refracted)),
-        equal: None,
+        error: Some(|bench, random| worst::<true>(bench, random, refracted)),
+        ..Kernel::of::<Hits<true>>()
     },
     Kernel {
-        name: "reflect_r16",
-        rays: 16,
         cases: &[
             Case { name: "mirrors", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
             Case {
@@ -50,8 +51,8 @@ pub const KERNELS: &[Kernel] = &[
                 place: |bench, count| case(bench, count, 0.0),
             },
         ],
-        error: Some(|bench, random| worst(bench, random, "reflect_r16", reflected)),
-        equal: None,
+        error: Some(|bench, random| worst::<false>(bench, random, reflected)),
+        ..Kernel::of::<Hits<false>>()
     },
 ];
 
@@ -135,6 +136,80 @@ impl Sites {
     pub fn surfaces(&self, bench: &Bench) -> Vec<Surfaces> {
         let read = |place: &Place| bench.read(*place);
         self.surfaces.iter().map(read).collect()
+    }
+}
+
+/// Hits that send on rays which are let through, with `REFRACT`, or else thrown back.
+#[derive(Clone, Debug)]
+pub struct Hits<const REFRACT: bool> {
+    /// The hits.
+    pub packets: Vec<[Bounce; 16]>,
+    /// What ends chains of rays.
+    pub limits: Limits,
+    /// The seed for all fields that the kernels do not read.
+    pub junk: u64,
+}
+
+/// The new rays, and the surfaces.
+type Sent = (Vec<Queued>, Vec<Bits<Surfaces>>);
+
+impl<const REFRACT: bool> Description for Hits<REFRACT> {
+    const KERNEL: &'static str = if REFRACT { "refract_r16" } else { "reflect_r16" };
+    const ROUNDS: [usize; 2] = [60, 3000];
+    const LENGTHS: &'static [usize] = &[0, 1, 2, 3, 8];
+    const SHARES: [Range<f64>; 2] = [0.1..0.9, if REFRACT { 0.005..0.9 } else { 0.06..0.9 }];
+    /// The sites, and their surfaces before the call.
+    type Placed = (Sites, Vec<Surfaces>);
+    type Found = Sent;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let packets = (0..count).map(|_| [(); 16].map(|()| hit(random))).collect();
+        let limits = Limits {
+            least: from_f64(random.random_range(0.0..0.1)),
+            deepest: random.random_range(8..16) * CHAIN_STEP,
+        };
+        let limits = if random.random() { Limits::NONE } else { limits };
+        Self { packets, limits, junk: random.random() }
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        let limits = Limits { least: random.random(), deepest: random.random() };
+        Self { packets: vec![any_bits(random)], limits, junk: random.random() }
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Self::Placed, Vec<u32>) {
+        let junk = &mut ChaCha8Rng::seed_from_u64(self.junk);
+        let sites = Sites::put(bench, &self.packets, junk);
+        let (before, arguments) = (sites.surfaces(bench), sites.arguments(self.limits));
+        ((sites, before), arguments)
+    }
+
+    fn found(&self, bench: &Bench, (sites, _): &Self::Placed, end: u32) -> Sent {
+        (sites.queued(bench, end), sites.surfaces(bench).into_iter().map(Bits).collect())
+    }
+
+    /// Only the share that a surface reflects may change.
+    fn twin(&self, (_, before): &Self::Placed) -> Sent {
+        let mut rays = Vec::new();
+        let surfaces = self.packets.iter().zip(before).map(|(packet, before)| {
+            let mirror = packet.each_ref().map(|hit| {
+                let (ray, mirror) = if REFRACT {
+                    refract(hit, self.limits)
+                } else {
+                    (reflect(hit, self.limits), hit.mirror)
+                };
+                rays.extend(ray);
+                single(mirror)
+            });
+            Bits(Surfaces { mirror, ..*before })
+        });
+        let surfaces = surfaces.collect();
+        (rays, surfaces)
+    }
+
+    /// How many send a ray.
+    fn part(&self, (rays, _): &Sent) -> [usize; 2] {
+        [rays.len(), 16 * self.packets.len()]
     }
 }
 
@@ -248,16 +323,14 @@ pub fn refracted(hit: &Bounce) -> Option<(Vector, f64)> {
 }
 
 /// The largest error of a direction's component in ulps of 1. Infinite if a ray is missing.
-fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth) -> f64 {
+fn worst<const REFRACT: bool>(bench: &mut Bench, random: &mut ChaCha8Rng, truth: Truth) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         // One hit at a time, because only the pixel identifies a ray in the queue.
         let packet: [Bounce; 16] =
             std::array::from_fn(|lane| Bounce { pixel: lane as u32, ..hit(random) });
-        bench.reset();
-        let sites = Sites::put(bench, &[packet], random);
-        let end = bench.call(kernel, &sites.arguments(Limits::NONE)).value;
-        let queued = sites.queued(bench, end);
+        let (packets, junk) = (vec![packet], random.random());
+        let (queued, _) = Hits::<REFRACT> { packets, limits: Limits::NONE, junk }.call(bench);
         for (pixel, hit) in (0..).zip(&packet) {
             let Some((exact, _)) = truth(hit) else {
                 continue;

@@ -1,31 +1,39 @@
 //! The kernels from hits to pixels, in the order in which a batch of packets passes through them.
 
-pub mod call;
 pub mod display;
 pub mod error;
+pub mod gather;
+pub mod light;
 pub mod records;
 pub mod shapes;
+pub mod sums;
 
 use spu_emulator::float::single::from_f64;
+use twins::accumulate::Share;
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
 use twins::{ONE, Single};
 
-use crate::bench::{self, Bench};
-use crate::cases::eye::call::{address, put};
+use crate::bench::Bench;
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::eye_records::pixel_shuffle;
-use crate::single::single;
-use call::Site;
+use crate::description::Description as _;
 use display::Values;
+use gather::{Hit, Hits, SameObjects};
+use light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use protocol::layout;
-use records::PacketRay;
 use shapes::Shape;
+use sums::{Rows, Shares};
 
 /// The packets in a call. The cost of one more is what counts.
 const PACKETS: Objects = Objects::List(4, 8);
 /// The quadwords of a packet's row, and of a tile's.
 const QUADS: Objects = Objects::List(4, 64);
+
+/// Lengths of lists.
+const LENGTHS: &[usize] = &[1, 2, 3, 5, 8];
+
+/// The largest exponent of a highlight.
+const EXPONENT: f64 = 4096.0;
 
 /// The least share of a light of brightness 1 that is worth a shadow ray: 2^-12.
 pub const LEAST: Single = 0x3980_0000;
@@ -33,145 +41,93 @@ pub const LEAST: Single = 0x3980_0000;
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "surfaces_r16",
-        rays: 16,
-        cases: &[Case { name: "all hit", objects: PACKETS, place: surfaces }],
+        cases: &[Case { name: "all hit", objects: PACKETS, place: hits::<false> }],
         error: Some(error::surfaces),
-        equal: None,
+        ..Kernel::of::<Hits<false>>()
     },
     Kernel {
-        name: "same_objects_r16",
-        rays: 16,
         cases: &[Case { name: "all the same", objects: PACKETS, place: same_objects }],
-        error: None,
-        equal: None,
+        ..Kernel::of::<SameObjects>()
     },
     Kernel {
-        name: "surfaces_same_r16",
-        rays: 16,
-        cases: &[Case { name: "all hit", objects: PACKETS, place: surfaces }],
+        cases: &[Case { name: "all hit", objects: PACKETS, place: hits::<true> }],
         error: Some(error::surfaces_same),
-        equal: None,
+        ..Kernel::of::<Hits<true>>()
     },
     Kernel {
-        name: "ambient_r16",
-        rays: 16,
-        cases: &[Case { name: "all lit", objects: PACKETS, place: ambient }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<AMBIENT> }],
         error: Some(error::ambient),
-        equal: None,
+        ..Kernel::of::<Lit<AMBIENT>>()
     },
     Kernel {
-        name: "shadow_rays_r16",
-        rays: 16,
         cases: &[Case { name: "all face the light", objects: PACKETS, place: shadow_rays }],
         error: Some(error::shadow_rays),
-        equal: None,
+        ..Kernel::of::<Shadows>()
     },
     Kernel {
-        name: "lambert_r16",
-        rays: 16,
-        cases: &[Case { name: "all lit", objects: PACKETS, place: light }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<LAMBERT> }],
         error: Some(error::lambert),
-        equal: None,
+        ..Kernel::of::<Lit<LAMBERT>>()
     },
     Kernel {
-        name: "light_r16",
-        rays: 16,
-        cases: &[Case { name: "all lit", objects: PACKETS, place: light }],
+        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<HIGHLIGHT> }],
         error: Some(error::light),
-        equal: None,
+        ..Kernel::of::<Lit<HIGHLIGHT>>()
     },
     Kernel {
-        name: "accumulate_r16",
-        rays: 16,
         cases: &[Case { name: "a pixel each", objects: PACKETS, place: accumulate }],
         error: Some(error::accumulate),
-        equal: None,
+        ..Kernel::of::<Shares>()
     },
     Kernel {
-        name: "pack_sums",
         rays: 64,
         cases: &[Case { name: "rows of a tile", objects: PACKETS, place: pack_sums }],
         error: Some(error::pack_sums),
-        equal: None,
+        ..Kernel::of::<Rows>()
     },
     Kernel {
         rays: 1,
-        cases: &[Case {
-            name: "a row of sums",
-            objects: QUADS,
-            place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
-        }],
+        cases: &[Case { name: "a row of sums", objects: QUADS, place: values }],
         error: Some(error::encode_srgb),
         ..Kernel::of::<Values<false>>()
     },
     Kernel {
         rays: 1,
-        cases: &[Case {
-            name: "a row of sums",
-            objects: QUADS,
-            place: |bench, count| call::put_values(bench, &vec![[ONE; 4]; count as usize]).1,
-        }],
+        cases: &[Case { name: "a row of sums", objects: QUADS, place: values }],
         error: Some(error::roll_off),
         ..Kernel::of::<Values<true>>()
     },
 ];
 
-/// A ray from the eye towards -z.
-fn away() -> PacketRay {
-    PacketRay {
-        ray: Ray { origin: [0; 3], direction: [0.0, 0.0, -1.0].map(from_f64), t: from_f64(4.0) },
-        object: 0,
-        weight: from_f64(1.0),
-        pixel: 0,
-    }
-}
-
 /// A background and a sphere in front of the eye with their material, and packets of rays that hit
 /// the sphere.
-fn hits(bench: &mut Bench, count: u32) -> (bench::Place, bench::Place) {
+fn hits<const SAME: bool>(bench: &mut Bench, count: u32) -> Vec<u32> {
     let half = from_f64(0.5);
-    let material = put(
-        bench,
-        &[records::material(&Material {
-            colour: [half; 3],
-            diffuse: half,
-            highlight: half,
-            exponent: from_f64(40.0),
-            mirror: half,
-            transmittance: half,
-            inverse_index: from_f64(0.75),
-            index: from_f64(4.0 / 3.0),
-            schlick: 0,
-            grazing: 0,
-            emission: [0; 3],
-            flags: 0,
-        })],
-    );
-    let sphere = Shape::sphere([0.0, 0.0, -5.0], 1.0).object();
-    let objects = put(bench, &[records::object(&sphere, material.address); 2]);
-    let ray = PacketRay { object: address::<layout::Object>(objects, 1), ..away() };
-    let packets = vec![records::rays(&[ray; 16]); count as usize];
-    (objects, put(bench, &packets))
-}
-
-fn surfaces(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let (objects, rays) = hits(bench, count);
-    let size = size_of::<layout::Surfaces>() * count as usize;
-    let found = bench.place(&vec![0; size]);
-    vec![rays.address, count, found.address, objects.address]
+    let material = Material {
+        colour: [half; 3],
+        diffuse: half,
+        highlight: half,
+        exponent: from_f64(40.0),
+        mirror: half,
+        transmittance: half,
+        inverse_index: from_f64(0.75),
+        index: from_f64(4.0 / 3.0),
+        schlick: 0,
+        grazing: 0,
+        emission: [0; 3],
+        flags: 0,
+    };
+    let ray = Ray { origin: [0; 3], direction: [0.0, 0.0, -1.0].map(from_f64), t: from_f64(4.0) };
+    let hits = Hits::<SAME> {
+        packets: vec![[Hit { ray, object: 1 }; 16]; count as usize],
+        objects: vec![(Shape::sphere([0.0, 0.0, -5.0], 1.0).object(), 0); 2],
+        materials: vec![material],
+    };
+    hits.place(bench).1
 }
 
 fn same_objects(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let (_, rays) = hits(bench, count);
-    vec![rays.address, count]
-}
-
-fn ambient(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let lit = records::lit_surfaces(&[[0; 3]; 16]);
-    let surfaces = put(bench, &vec![lit; count as usize]);
-    let brightness = put(bench, &[[single(from_f64(0.5)); 4]]);
-    vec![surfaces.address, count, brightness.address]
+    SameObjects { packets: vec![[0; 16]; count as usize] }.place(bench).1
 }
 
 /// A light next to the eye.
@@ -211,29 +167,24 @@ fn sites(count: u32) -> Vec<Site> {
 }
 
 fn shadow_rays(bench: &mut Bench, count: u32) -> Vec<u32> {
-    call::shadow_arguments(bench, &sites(count), &near_light(), LEAST).0
+    Shadows { sites: sites(count), light: near_light(), least: LEAST }.place(bench).1
 }
 
-fn light(bench: &mut Bench, count: u32) -> Vec<u32> {
-    call::light_arguments(bench, &sites(count), [from_f64(0.5); 3]).0
+fn lit<const WAY: usize>(bench: &mut Bench, count: u32) -> Vec<u32> {
+    Lit::<WAY> { sites: sites(count), brightness: [from_f64(0.5); 3] }.place(bench).1
 }
 
 fn accumulate(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let sums = bench.place(&[0; 16 * 16]);
-    let mut packet = records::rays(&[away(); 16]);
-    for (lane, pixel) in packet.pixel.iter_mut().enumerate() {
-        *pixel = (sums.address + 16 * lane as u32).into();
-    }
-    let rays = put(bench, &vec![packet; count as usize]);
-    let lit = records::lit_surfaces(&[[from_f64(0.5); 3]; 16]);
-    let surfaces = put(bench, &vec![lit; count as usize]);
-    vec![rays.address, surfaces.address, count]
+    let lit = [from_f64(0.5); 3];
+    let packet = std::array::from_fn(|pixel| Share { pixel, weight: ONE, lit });
+    Shares { packets: vec![packet; count as usize], sums: vec![[0; 3]; 16] }.place(bench).1
 }
 
 fn pack_sums(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let row_bytes = 4 * layout::TILE_WIDTH;
-    let sums = bench.place(&vec![0; (4 * row_bytes * count) as usize]);
-    let pixels = bench.place(&vec![0; (row_bytes * count) as usize]);
-    let shuffle = put(bench, &[pixel_shuffle([16, 8, 0])]);
-    vec![sums.address, pixels.address, count, row_bytes, shuffle.address]
+    let row = vec![[0; 3]; layout::TILE_WIDTH as usize];
+    Rows { rows: vec![row; count as usize], shifts: [16, 8, 0] }.place(bench).1
+}
+
+fn values(bench: &mut Bench, count: u32) -> Vec<u32> {
+    Values::<false> { values: vec![[ONE; 4]; count as usize] }.place(bench).1
 }

@@ -3,12 +3,13 @@
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
+use twins::{Single, shader};
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::bench::{Bench, Place, SEED};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::description::{Bits, Description};
 use crate::single::{bits, single};
 use protocol::layout::{Material, RayPacket, ShaderContext, Surfaces};
 
@@ -17,50 +18,31 @@ const PACKETS: u32 = 500;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        name: "shader_checker",
-        rays: 16,
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| case(bench),
-        }],
-        error: None,
-        equal: None,
-    },
-    Kernel {
-        name: "shader_depth",
-        rays: 16,
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| case(bench),
-        }],
-        error: Some(depth_error),
-        equal: None,
-    },
-    Kernel {
-        name: "shader_sky",
-        rays: 16,
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| case(bench),
-        }],
-        error: Some(sky_error),
-        equal: None,
-    },
+    Kernel { cases: CASES, ..Kernel::of::<Call<CHECKER>>() },
+    Kernel { cases: CASES, error: Some(depth_error), ..Kernel::of::<Call<DEPTH>>() },
+    Kernel { cases: CASES, error: Some(sky_error), ..Kernel::of::<Call<SKY>>() },
 ];
 
-fn case(bench: &mut Bench) -> Vec<u32> {
-    let mut random = ChaCha8Rng::seed_from_u64(SEED);
-    let call = Call::random(&mut random, |random| from_f64(random.random()));
-    let (_, arguments) = call.put(bench);
-    arguments
-}
+/// `shader_checker`.
+pub const CHECKER: usize = 0;
+/// `shader_depth`.
+pub const DEPTH: usize = 1;
+/// `shader_sky`.
+pub const SKY: usize = 2;
+
+/// The inputs are the same for all of them.
+const CASES: &[Case] = &[Case {
+    name: "a packet",
+    objects: Objects::Fixed(1),
+    place: |bench, _| {
+        let random = &mut ChaCha8Rng::seed_from_u64(SEED);
+        Call::<DEPTH>::random(random, |random| from_f64(random.random())).place(bench).1
+    },
+}];
 
 /// The inputs of a shader.
-pub struct Call {
+#[derive(Clone, Debug)]
+pub struct Call<const SHADER: usize> {
     /// The surfaces.
     pub surfaces: Surfaces,
     /// The rays that hit them.
@@ -73,7 +55,7 @@ pub struct Call {
     pub eye: [Single; 3],
 }
 
-impl Call {
+impl<const SHADER: usize> Call<SHADER> {
     /// Records of junk, except for the fields that shaders read, which come from `value`.
     pub fn random<R: Rng>(random: &mut R, mut value: impl FnMut(&mut R) -> Single) -> Self {
         let mut surfaces = Surfaces::new_zeroed();
@@ -107,8 +89,57 @@ impl Call {
         }
     }
 
-    /// Puts the records into local store. Returns the surfaces' buffer and the arguments.
-    pub fn put(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+    /// A lane's colour.
+    #[must_use]
+    pub fn colour(&self, lane: usize) -> [Single; 3] {
+        let Surfaces { red, green, blue, .. } = &self.surfaces;
+        [red, green, blue].map(|channel: &[F32; 16]| bits(channel[lane]))
+    }
+
+    /// A lane's light so far.
+    #[must_use]
+    pub fn lit(&self, lane: usize) -> [Single; 3] {
+        let Surfaces { lit_red, lit_green, lit_blue, .. } = &self.surfaces;
+        [lit_red, lit_green, lit_blue].map(|channel: &[F32; 16]| bits(channel[lane]))
+    }
+
+    /// The point of a lane's surface.
+    fn point(&self, lane: usize) -> [Single; 3] {
+        let Surfaces { point_x, point_y, point_z, .. } = &self.surfaces;
+        [point_x, point_y, point_z].map(|axis| bits(axis[lane]))
+    }
+
+    /// The direction of a lane's ray.
+    #[must_use]
+    pub fn direction(&self, lane: usize) -> [Single; 3] {
+        let RayPacket { direction_x, direction_y, direction_z, .. } = &self.rays;
+        [direction_x, direction_y, direction_z].map(|axis: &[F32; 16]| bits(axis[lane]))
+    }
+}
+
+/// Sets a lane of a vector's rows.
+fn set(rows: [&mut [F32; 16]; 3], lane: usize, vector: [Single; 3]) {
+    for (row, component) in rows.into_iter().zip(vector) {
+        row[lane] = single(component);
+    }
+}
+
+impl<const SHADER: usize> Description for Call<SHADER> {
+    const KERNEL: &'static str = ["shader_checker", "shader_depth", "shader_sky"][SHADER];
+    const ROUNDS: [usize; 2] = [500, 500];
+    const LENGTHS: &'static [usize] = &[1];
+    type Placed = Place;
+    type Found = Bits<Surfaces>;
+
+    fn sensible(_: usize, random: &mut ChaCha8Rng) -> Self {
+        Self::random(random, |random| from_f64(random.random_range(-20.0..20.0)))
+    }
+
+    fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
+        Self::random(random, |random| random.random())
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
         let mask = self.mask.map(|lane| U32::new(if lane { u32::MAX } else { 0 }));
         let mut material = Material::new_zeroed();
         material.parameters = self.parameters.map(single);
@@ -125,25 +156,33 @@ impl Call {
         (surfaces, arguments.map(|place| place.address).collect())
     }
 
-    /// A lane's colour.
-    #[must_use]
-    pub fn colour(&self, lane: usize) -> [Single; 3] {
-        let Surfaces { red, green, blue, .. } = &self.surfaces;
-        [red, green, blue].map(|channel: &[F32; 16]| bits(channel[lane]))
+    fn found(&self, bench: &Bench, surfaces: &Place, _: u32) -> Bits<Surfaces> {
+        Bits(bench.read(*surfaces))
     }
 
-    /// A lane's light so far.
-    #[must_use]
-    pub fn lit(&self, lane: usize) -> [Single; 3] {
-        let Surfaces { lit_red, lit_green, lit_blue, .. } = &self.surfaces;
-        [lit_red, lit_green, lit_blue].map(|channel: &[F32; 16]| bits(channel[lane]))
-    }
-
-    /// The direction of a lane's ray.
-    #[must_use]
-    pub fn direction(&self, lane: usize) -> [Single; 3] {
-        let RayPacket { direction_x, direction_y, direction_z, .. } = &self.rays;
-        [direction_x, direction_y, direction_z].map(|axis: &[F32; 16]| bits(axis[lane]))
+    fn twin(&self, _: &Place) -> Bits<Surfaces> {
+        let mut wanted = self.surfaces;
+        let it = &mut wanted;
+        for lane in (0..16).filter(|&lane| self.mask[lane]) {
+            let (colour, lit) = (self.colour(lane), self.lit(lane));
+            if SHADER == CHECKER {
+                let colour = shader::checker(self.point(lane), colour, self.parameters, self.eye);
+                set([&mut it.red, &mut it.green, &mut it.blue], lane, colour);
+                continue;
+            }
+            let lit = if SHADER == SKY {
+                shader::sky(self.direction(lane), colour, lit, self.parameters)
+            } else {
+                for share in
+                    [&mut it.diffuse, &mut it.highlight, &mut it.mirror, &mut it.transmittance]
+                {
+                    share[lane] = single(0);
+                }
+                shader::depth(bits(self.rays.t[lane]), colour, self.parameters)
+            };
+            set([&mut it.lit_red, &mut it.lit_green, &mut it.lit_blue], lane, lit);
+        }
+        Bits(wanted)
     }
 }
 
@@ -151,8 +190,10 @@ impl Call {
 fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let mut call =
-            Call { mask: [true; 16], ..Call::random(random, |random| from_f64(random.random())) };
+        let mut call = Call::<SKY> {
+            mask: [true; 16],
+            ..Call::random(random, |random| from_f64(random.random()))
+        };
         let mut unit = || {
             let axes: [f64; 3] = std::array::from_fn(|_| random.random_range(-1.0..1.0));
             let length = axes.iter().map(|axis| axis * axis).sum::<f64>().sqrt();
@@ -166,10 +207,7 @@ fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
             call.rays.direction_y[lane] = y;
             call.rays.direction_z[lane] = z;
         }
-        bench.reset();
-        let (place, arguments) = call.put(bench);
-        bench.call("shader_sky", &arguments);
-        let found: Surfaces = bench.read(place);
+        let Bits(found) = call.call(bench);
         for lane in 0..16 {
             let along = call.direction(lane).map(to_f64);
             let height: f64 = along.iter().zip(up).map(|(a, b)| a * to_f64(b)).sum();
@@ -190,12 +228,11 @@ fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 fn depth_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let call =
-            Call { mask: [true; 16], ..Call::random(random, |random| from_f64(random.random())) };
-        bench.reset();
-        let (place, arguments) = call.put(bench);
-        bench.call("shader_depth", &arguments);
-        let found: Surfaces = bench.read(place);
+        let call = Call::<DEPTH> {
+            mask: [true; 16],
+            ..Call::random(random, |random| from_f64(random.random()))
+        };
+        let Bits(found) = call.call(bench);
         let [far, scale, ..] = call.parameters.map(to_f64);
         for lane in 0..16 {
             let bright = ((far - to_f64(bits(call.rays.t[lane]))) * scale).clamp(0.0, 1.0);

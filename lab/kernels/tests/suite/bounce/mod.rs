@@ -1,19 +1,17 @@
-//! `refract_r16` and `reflect_r16`: compared with their twins bit for bit, and with `f64`.
+//! `refract_r16` and `reflect_r16`: their limits, and their results compared with `f64`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::bounce::{Sites, hit, off, reflected, refracted};
-use kernels::single::bits;
+use kernels::cases::whitted::bounce::{Hits, Sites, hit, off, reflected, refracted};
+use kernels::description::Description as _;
 use kernels::source::Source;
 use rand::Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
-use twins::reflect::reflect;
-use twins::refract::refract;
 
-/// Runs both kernels on these hits, each separately, and compares with the twins. Returns the
+/// Runs both kernels on a packet of hits, each separately, and compares with the twins. Returns the
 /// refracted and the reflected rays.
-fn check(bench: &mut Bench, random: &mut impl Rng, packets: &[[Bounce; 16]]) -> [Vec<Queued>; 2] {
-    check_within(Limits::NONE, bench, random, packets)
+fn check(bench: &mut Bench, random: &mut impl Rng, packet: [Bounce; 16]) -> [Vec<Queued>; 2] {
+    check_within(Limits::NONE, bench, random, packet)
 }
 
 /// The same with limits.
@@ -21,61 +19,12 @@ fn check_within(
     limits: Limits,
     bench: &mut Bench,
     random: &mut impl Rng,
-    packets: &[[Bounce; 16]],
+    packet: [Bounce; 16],
 ) -> [Vec<Queued>; 2] {
-    bench.reset();
-    let sites = Sites::put(bench, packets, random);
-    let before = sites.surfaces(bench);
-    let end = bench.call("reflect_r16", &sites.arguments(limits)).value;
-    let thrown_back = sites.queued(bench, end);
-    let expected: Vec<Queued> =
-        packets.iter().flatten().filter_map(|hit| reflect(hit, limits)).collect();
-    assert_eq!(thrown_back, expected, "{packets:x?}");
-    assert_surfaces(&sites, bench, &before, |packet, lane| packets[packet][lane].mirror);
-
-    let end = bench.call("refract_r16", &sites.arguments(limits)).value;
-    let through = sites.queued(bench, end);
-    let expected: Vec<_> = packets.iter().flatten().map(|hit| refract(hit, limits)).collect();
-    let rays: Vec<Queued> = expected.iter().filter_map(|(ray, _)| *ray).collect();
-    assert_eq!(through, rays, "{packets:x?}");
-    assert_surfaces(&sites, bench, &before, |packet, lane| expected[16 * packet + lane].1);
+    let (packets, junk) = (vec![packet], random.random());
+    let (through, _) = Hits::<true> { packets: packets.clone(), limits, junk }.check(bench);
+    let (thrown_back, _) = Hits::<false> { packets, limits, junk }.check(bench);
     [through, thrown_back]
-}
-
-/// Checks that only the share `mirror` has changed, to this value.
-fn assert_surfaces(
-    sites: &Sites,
-    bench: &Bench,
-    before: &[protocol::layout::Surfaces],
-    mirror: impl Fn(usize, usize) -> u32,
-) {
-    for (packet, (mut after, before)) in sites.surfaces(bench).into_iter().zip(before).enumerate() {
-        let found = after.mirror.map(bits);
-        let expected: [u32; 16] = std::array::from_fn(|lane| mirror(packet, lane));
-        assert_eq!(found, expected, "packet {packet}");
-        after.mirror = before.mirror;
-        assert!(
-            zerocopy::IntoBytes::as_bytes(&after) == zerocopy::IntoBytes::as_bytes(before),
-            "more than `mirror` changed in packet {packet}"
-        );
-    }
-}
-
-#[test]
-fn equal_their_twins_in_lists_of_every_length() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let mut rays = [0; 2];
-    for round in 0..300 {
-        let count = [0, 1, 2, 3, 8][round % 5];
-        let packet = |_| std::array::from_fn(|_| hit(&mut random));
-        let packets: Vec<[Bounce; 16]> = (0..count).map(packet).collect();
-        let found = check(&mut bench, &mut random, &packets);
-        for (rays, found) in rays.iter_mut().zip(found) {
-            *rays += found.len();
-        }
-    }
-    assert!(rays.iter().all(|rays| *rays > 2000), "only {rays:?} rays");
 }
 
 #[test]
@@ -87,10 +36,10 @@ fn rays_below_the_least_weight_are_not_sent_on() {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
         let least = random.random_range(0.0..1.0);
         let limits = Limits { least: from_f64(least), ..Limits::NONE };
-        let found = check_within(limits, &mut bench, &mut random, &[packet]);
+        let found = check_within(limits, &mut bench, &mut random, packet);
         let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(least));
         assert!(!found.iter().flatten().any(light), "{least}: {found:x?}");
-        let open = check(&mut bench, &mut random, &[packet]);
+        let open = check(&mut bench, &mut random, packet);
         for kernel in 0..2 {
             let heavy = open[kernel].iter().filter(|ray| !light(ray));
             assert!(heavy.eq(&found[kernel]), "{least}: {packet:x?}");
@@ -110,8 +59,8 @@ fn the_last_ray_of_a_chain_sends_none() {
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
         let limits = Limits { deepest: random.random_range(0..16) * CHAIN_STEP, ..Limits::NONE };
-        let found = check_within(limits, &mut bench, &mut random, &[packet]);
-        let open = check(&mut bench, &mut random, &[packet]);
+        let found = check_within(limits, &mut bench, &mut random, packet);
+        let open = check(&mut bench, &mut random, packet);
         for kernel in 0..2 {
             let short = |ray: &&Queued| ray.pixel < limits.deepest + CHAIN_STEP;
             let expected = open[kernel].iter().filter(short);
@@ -120,35 +69,6 @@ fn the_last_ray_of_a_chain_sends_none() {
         }
     }
     assert!(sent.iter().all(|sent| *sent > 100), "{sent:?} rays");
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twins() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let mut rays = [0; 2];
-    for _ in 0..3000 {
-        let packet = std::array::from_fn(|_| Bounce {
-            direction: random.random(),
-            weight: random.random(),
-            pixel: random.random(),
-            point: random.random(),
-            normal: random.random(),
-            plane: random.random(),
-            leave: random.random(),
-            mirror: random.random(),
-            transmittance: random.random(),
-            ratio: random.random(),
-            schlick: random.random(),
-            grazing: random.random(),
-        });
-        let limits = Limits { least: random.random(), deepest: random.random() };
-        let found = check_within(limits, &mut bench, &mut random, &[packet]);
-        for (rays, found) in rays.iter_mut().zip(found) {
-            *rays += found.len();
-        }
-    }
-    assert!(rays[0] > 250 && rays[1] > 3000, "only {rays:?} rays");
 }
 
 /// The header's first number holds for every component, and lengths are within 2 ulp of 1.
@@ -161,7 +81,7 @@ fn keep_their_error_bounds() {
     for _ in 0..2000 {
         let packet: [Bounce; 16] =
             std::array::from_fn(|lane| Bounce { pixel: lane as u32, ..hit(&mut random) });
-        let found = check(&mut bench, &mut random, &[packet]);
+        let found = check(&mut bench, &mut random, packet);
         for (kernel, queued) in found.iter().enumerate() {
             for ray in queued {
                 let hit = &packet[(ray.pixel - CHAIN_STEP) as usize];
@@ -206,7 +126,7 @@ fn keeps_its_error_near_the_critical_angle() {
             let sine = (1.0 + beyond * beyond * if random.random() { 1.0 } else { -1.0 }).sqrt();
             Bounce { pixel: lane as u32, ..on_plane((1.0 - (sine / ratio).powi(2)).sqrt(), ratio) }
         });
-        let [through, _] = check(&mut bench, &mut random, &[packet]);
+        let [through, _] = check(&mut bench, &mut random, packet);
         for (pixel, hit) in (0..).zip(&packet) {
             let [x, y, z] = hit.direction.map(to_f64);
             let ratio = to_f64(hit.ratio);

@@ -1,90 +1,11 @@
-//! The built-in shaders: compared with their twins bit for bit, and checked for
-//! changes outside their outputs.
+//! The built-in shaders: the checker follows its rule.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::shaders::Call;
+use kernels::cases::whitted::shaders::{CHECKER, Call};
+use kernels::description::{Bits, Description as _};
 use kernels::single::{bits, single};
-use protocol::layout::Surfaces;
-use rand::Rng;
+use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::shader;
-use zerocopy::IntoBytes as _;
-
-/// Calls a shader, and compares all surfaces with the lanes that `expected` computes.
-fn check(
-    bench: &mut Bench,
-    kernel: &str,
-    call: &Call,
-    expected: impl Fn(&Call, &mut Surfaces, usize),
-) {
-    bench.reset();
-    let (place, arguments) = call.put(bench);
-    let mut wanted = call.surfaces;
-    for lane in (0..16).filter(|&lane| call.mask[lane]) {
-        expected(call, &mut wanted, lane);
-    }
-    bench.call(kernel, &arguments);
-    let found: Surfaces = bench.read(place);
-    let (found, wanted) = (found.as_bytes(), wanted.as_bytes());
-    let differs = found.iter().zip(wanted).position(|(found, wanted)| found != wanted);
-    assert_eq!(differs, None, "{kernel}: the byte of SURFACES that differs");
-}
-
-fn depth(call: &Call, wanted: &mut Surfaces, lane: usize) {
-    let lit = shader::depth(bits(call.rays.t[lane]), call.colour(lane), call.parameters);
-    let channels = [&mut wanted.lit_red, &mut wanted.lit_green, &mut wanted.lit_blue];
-    for (channel, lit) in channels.into_iter().zip(lit) {
-        channel[lane] = single(lit);
-    }
-    let shares =
-        [&mut wanted.diffuse, &mut wanted.highlight, &mut wanted.mirror, &mut wanted.transmittance];
-    for share in shares {
-        share[lane] = single(0);
-    }
-}
-
-fn checker(call: &Call, wanted: &mut Surfaces, lane: usize) {
-    let Surfaces { point_x, point_y, point_z, .. } = &call.surfaces;
-    let point = [point_x, point_y, point_z].map(|axis| bits(axis[lane]));
-    let colour = shader::checker(point, call.colour(lane), call.parameters, call.eye);
-    let channels = [&mut wanted.red, &mut wanted.green, &mut wanted.blue];
-    for (channel, colour) in channels.into_iter().zip(colour) {
-        channel[lane] = single(colour);
-    }
-}
-
-fn sky(call: &Call, wanted: &mut Surfaces, lane: usize) {
-    let [colour, lit] = [call.colour(lane), call.lit(lane)];
-    let lit = shader::sky(call.direction(lane), colour, lit, call.parameters);
-    let channels = [&mut wanted.lit_red, &mut wanted.lit_green, &mut wanted.lit_blue];
-    for (channel, lit) in channels.into_iter().zip(lit) {
-        channel[lane] = single(lit);
-    }
-}
-
-#[test]
-fn equal_their_twins() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..500 {
-        let call = Call::random(&mut random, |random| from_f64(random.random_range(-20.0..20.0)));
-        check(&mut bench, "shader_depth", &call, depth);
-        check(&mut bench, "shader_checker", &call, checker);
-        check(&mut bench, "shader_sky", &call, sky);
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_their_twins() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..500 {
-        let call = Call::random(&mut random, |random| random.random());
-        check(&mut bench, "shader_depth", &call, depth);
-        check(&mut bench, "shader_checker", &call, checker);
-        check(&mut bench, "shader_sky", &call, sky);
-    }
-}
 
 /// The rule of the cubes in f64. A side at an integer must belong to one of its two cubes.
 #[test]
@@ -94,8 +15,7 @@ fn the_checker_follows_its_rule() {
     let mut odd = 0;
     for round in 0..200 {
         let scale = [1.0, 0.5, 4.0][round % 3];
-        let mut call =
-            Call::random(&mut random, |random| from_f64(random.random_range(-20.0..20.0)));
+        let mut call = Call::<CHECKER>::sensible(1, &mut random);
         call.mask = [true; 16];
         call.eye = [1.0, 2.0, 3.0].map(from_f64);
         call.parameters = [9.0, 9.0, 9.0, scale].map(from_f64);
@@ -104,10 +24,7 @@ fn the_checker_follows_its_rule() {
             let off = random.random_range(-1e-5..1e-5);
             call.surfaces.point_x[lane] = single(from_f64(2.0 / scale - 1.0 + off));
         }
-        bench.reset();
-        let (place, arguments) = call.put(&mut bench);
-        bench.call("shader_checker", &arguments);
-        let found: Surfaces = bench.read(place);
+        let Bits(found) = call.call(&mut bench);
         for lane in 0..16 {
             let [y, z] = [
                 to_f64(bits(call.surfaces.point_y[lane])) + 2.0,

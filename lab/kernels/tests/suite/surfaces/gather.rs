@@ -1,129 +1,17 @@
-//! `surfaces_r16`, `surfaces_same_r16` and `same_objects_r16`.
+//! The surfaces that `surfaces_r16` gathers.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::shade::call::{self, Hit};
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
-use kernels::cases::whitted::shade::records;
+use kernels::cases::whitted::shade::gather::{Hit, Hits};
 use kernels::cases::whitted::shade::shapes::Shape;
-use kernels::description::any_bits;
+use kernels::description::{Bits, Description as _};
+use kernels::single::bits;
 use kernels::vector::{dot, less};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
+use protocol::layout::Surfaces;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
-use twins::surfaces::{Material, Object, Ray, Surface, same_objects, surface};
+use twins::surfaces::{Ray, surface};
 
-use super::{COUNTS, assert_same, vector};
-
-/// Compares with the twin, and returns the twin's surfaces.
-fn check(
-    bench: &mut Bench,
-    kernel: &str,
-    hits: &[[Hit; 16]],
-    objects: &[(Object, usize)],
-    materials: &[Material],
-) -> Vec<[Surface; 16]> {
-    let (found, addresses, counts) = call::surfaces(bench, kernel, hits, objects, materials);
-    let mut expected_counts = [0; 4];
-    let mut all = Vec::new();
-    for (hits, found) in hits.iter().zip(&found) {
-        let expected = hits.map(|hit| {
-            let (object, material) = &objects[hit.object];
-            surface(&hit.ray, object, &materials[*material])
-        });
-        let at = hits.map(|hit| addresses[objects[hit.object].1]);
-        let record = records::surfaces(&expected, &expected.map(|lane| lane.plane), at);
-        assert_same(found, &record, &format!("{kernel}: {hits:x?}"));
-        for (lane, hit) in hits.iter().enumerate() {
-            expected_counts[lane % 4] += u32::from(hit.object != 0 && hit.ray.t >> 31 == 0);
-        }
-        all.push(expected);
-    }
-    assert_eq!(counts, expected_counts, "rays that hit something");
-    all
-}
-
-/// The ray of a hit, or an absent ray.
-fn perhaps(hit: Hit, random: &mut ChaCha8Rng) -> Hit {
-    let mut hit = hit;
-    match random.random_range(0..8) {
-        0 => hit.ray.t = from_f64(-1.0),
-        1 => (hit.ray.t, hit.object) = (FARTHEST, 0),
-        _ => {}
-    }
-    hit
-}
-
-#[test]
-fn scenes_equal_the_twin_in_lists_of_any_length() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..20 {
-        for count in COUNTS {
-            let (_, mut objects, first) = any_hits(&mut random);
-            let materials: Vec<Material> = (0..5).map(|_| any_material(&mut random)).collect();
-            for (object, material) in &mut objects {
-                object.sides = random.random::<u32>() << 29;
-                *material = random.random_range(0..materials.len());
-            }
-            let hits: Vec<[Hit; 16]> =
-                (0..count).map(|_| first.map(|hit| perhaps(hit, &mut random))).collect();
-            check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
-            // Both kernels give the same results for packets that are valid for both.
-            let object = random.random_range(0..objects.len());
-            let mut hits = hits;
-            for hit in hits.iter_mut().flatten() {
-                hit.object = object;
-            }
-            for kernel in ["surfaces_r16", "surfaces_same_r16"] {
-                check(&mut bench, kernel, &hits, &objects, &materials);
-            }
-        }
-    }
-}
-
-#[test]
-fn packets_of_one_object_are_told_from_others() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for count in [1, 2, 3, 8, 32] {
-        for _ in 0..100 {
-            let packets: Vec<[u32; 16]> = (0..count)
-                .map(|_| {
-                    let mut objects = [random.random(); 16];
-                    // Another object in one lane is enough.
-                    if random.random() {
-                        let lane: usize = random.random_range(0..16);
-                        objects[lane] ^= 1 << random.random_range(0..32);
-                    }
-                    objects
-                })
-                .collect();
-            let found = call::same_objects(&mut bench, &packets);
-            assert_eq!(found, same_objects(&packets), "{packets:x?}");
-        }
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twin() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..1000 {
-        let materials: [Material; 3] = [(); 3].map(|()| any_bits(&mut random));
-        let objects: Vec<(Object, usize)> =
-            (0..6).map(|number| (any_bits(&mut random), number % 3)).collect();
-        let hits = [[(); 16]; 2].map(|packet| {
-            packet.map(|()| Hit { ray: any_bits(&mut random), object: random.random_range(0..6) })
-        });
-        check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
-        let same = hits.map(|packet| {
-            let object = packet[0].object;
-            packet.map(|hit| Hit { object, ..hit })
-        });
-        check(&mut bench, "surfaces_same_r16", &same, &objects, &materials);
-    }
-}
+use super::vector;
 
 #[test]
 fn normals_are_the_shapes_on_the_rays_side() {
@@ -175,10 +63,13 @@ fn a_point_in_the_centre_has_a_finite_normal() {
         direction: [0.0, 0.0, 1.0].map(from_f64),
         t: from_f64(1.0),
     };
-    let hits: [Hit; 16] = std::array::from_fn(|lane| Hit { ray, object: lane % 2 });
-    let objects = [(sphere, 0), (cone, 0)];
-    let found = check(&mut bench, "surfaces_r16", &[hits], &objects, &[material]);
-    assert_eq!(vector(found[0][0].plane), [0.0; 3]);
+    let packets = vec![std::array::from_fn(|lane| Hit { ray, object: lane % 2 })];
+    let objects = vec![(sphere, 0), (cone, 0)];
+    let (found, _) =
+        Hits::<false> { packets, objects, materials: vec![material] }.check(&mut bench);
+    let Bits(Surfaces { plane_x, plane_y, plane_z, .. }) = found[0];
+    let plane = |lane: usize| vector([plane_x, plane_y, plane_z].map(|row| bits(row[lane])));
+    assert_eq!(plane(0), [0.0; 3]);
     let cosine = to_f64(from_f64(0.5_f64.sqrt()));
-    assert_eq!(vector(found[0][1].plane), [0.0, 0.0, -cosine]);
+    assert_eq!(plane(1), [0.0, 0.0, -cosine]);
 }

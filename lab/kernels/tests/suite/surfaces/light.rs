@@ -1,155 +1,15 @@
-//! `shadow_rays_r16`, `lambert_r16`, `light_r16`, `ambient_r16`.
+//! `shadow_rays_r16`, `lambert_r16` and `light_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::shade::call::{self, Site};
-use kernels::cases::whitted::shade::error::{any_light, any_shining_site, any_site, light_up_to};
-use kernels::cases::whitted::shade::records;
-use kernels::description::any_bits;
-use protocol::layout::Surfaces;
+use kernels::cases::whitted::shade::error::{any_shining_site, light_up_to};
+use kernels::cases::whitted::shade::light::{HIGHLIGHT, LAMBERT, Lit};
+use kernels::description::Description as _;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::light::{ambient, highlight, light};
+use twins::light::highlight;
 use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
-use twins::surfaces::{Ray, Surface};
-use twins::{FARTHEST, ONE, Single};
-
-use super::{COUNTS, assert_same};
-
-/// The material addresses that the calls pass.
-const MATERIALS: [u32; 16] = [0x5555_5555; 16];
-
-/// Compares the packets of sites in which some lane has a ray; the others have none. Returns the
-/// number of rays, and of packets.
-fn check_shadow_rays(
-    bench: &mut Bench,
-    sites: &[Site],
-    place: &Place,
-    least: Single,
-) -> [usize; 2] {
-    let found = call::shadow_rays(bench, sites, place, least);
-    let expected: Vec<[Ray; 16]> = sites
-        .iter()
-        .map(|site| {
-            std::array::from_fn(|lane| {
-                let (surface, normal) = (&site.surfaces[lane], site.normals[lane]);
-                shadow_ray(surface, normal, site.weights[lane], place, least)
-            })
-        })
-        .collect();
-    let with_rays: Vec<usize> = (0..sites.len())
-        .filter(|site| expected[*site].iter().any(|ray| ray.t != NOT_THERE))
-        .collect();
-    assert_eq!(found.sites, with_rays, "sites with rays");
-    for (number, packet) in with_rays.iter().zip(&found.packets) {
-        for (lane, found) in packet.iter().enumerate() {
-            let expected = &expected[*number][lane];
-            assert_eq!(
-                (found.origin, found.direction, found.t),
-                (expected.origin, expected.direction, expected.t),
-                "{:x?}, {place:x?}",
-                sites[*number].surfaces[lane]
-            );
-        }
-    }
-    let lanes = expected.iter().flatten();
-    let count = lanes.filter(|ray| ray.t != NOT_THERE).count();
-    assert_eq!(found.count as usize, count, "shadow rays");
-    let shining = with_rays.iter().filter(|site| sites[**site].shines).count();
-    assert_eq!(found.shining as usize, shining, "sites that shine");
-    [count, with_rays.len()]
-}
-
-/// Compares whole records: only the light that is sent back may change.
-fn check_lit(found: &[Surfaces], sites: &[Site], expected: impl Fn(&Site, usize) -> [Single; 3]) {
-    for (site, found) in sites.iter().zip(found) {
-        let lanes = std::array::from_fn(|lane| Surface {
-            lit: expected(site, lane),
-            ..site.surfaces[lane]
-        });
-        let record = records::surfaces(&lanes, &site.normals, MATERIALS);
-        assert_same(found, &record, &format!("{site:x?}"));
-    }
-}
-
-fn check_light(bench: &mut Bench, sites: &[Site], brightness: [Single; 3]) {
-    for kernel in ["light_r16", "lambert_r16"] {
-        let found = call::light(bench, kernel, sites, brightness);
-        check_lit(&found, sites, |site, lane| {
-            let (ray, blocked) = &site.shadow[lane];
-            let shines = kernel == "light_r16";
-            light(
-                &site.surfaces[lane],
-                site.normals[lane],
-                shines.then_some(site.directions[lane]),
-                ray.direction,
-                *blocked || ray.t >> 31 != 0,
-                brightness,
-            )
-        });
-    }
-    let found = call::ambient(bench, sites, brightness);
-    check_lit(&found, sites, |site, lane| ambient(&site.surfaces[lane], brightness));
-}
-
-#[test]
-fn sites_equal_the_twins_in_lists_of_any_length() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    let (mut rays, mut packets, mut all) = (0, 0, 0);
-    for _ in 0..20 {
-        for count in COUNTS {
-            let place = any_light(&mut random);
-            let mut site = || {
-                let mut site = any_site(&mut random, &place, 4096.0);
-                // In some sites no lane is lit.
-                let dark = random.random_ratio(1, 3);
-                for surface in &mut site.surfaces {
-                    if dark || random.random_ratio(1, 4) {
-                        (surface.diffuse, surface.highlight) = (0, 0);
-                    }
-                }
-                site
-            };
-            let sites: Vec<Site> = (0..count).map(|_| site()).collect();
-            let least = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
-            let made = check_shadow_rays(&mut bench, &sites, &place, least);
-            rays += made[0];
-            packets += made[1];
-            all += count;
-            let shining: Vec<Site> =
-                (0..count).map(|_| any_shining_site(&mut random, 4096.0)).collect();
-            let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
-            check_light(&mut bench, &shining, brightness);
-        }
-    }
-    assert!(packets > all / 4 && packets < all, "{packets} of {all}");
-    assert!(rays > all && rays < 8 * all, "{rays} of {}", 16 * all);
-}
-
-fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
-    Site {
-        surfaces: any_bits(random),
-        normals: random.random(),
-        directions: random.random(),
-        weights: random.random(),
-        shines: random.random(),
-        shadow: [(); 16].map(|()| (any_bits(random), random.random())),
-    }
-}
-
-#[test]
-fn any_bits_at_all_equal_the_twins() {
-    let mut random = random();
-    let mut bench = Bench::new();
-    for _ in 0..500 {
-        let sites = [(); 2].map(|()| any_bits_of_a_site(&mut random));
-        let place = Place { position: random.random(), directional: random.random() };
-        let least = if random.random() { random.random() } else { 0 };
-        check_shadow_rays(&mut bench, &sites, &place, least);
-        check_light(&mut bench, &sites, random.random());
-    }
-}
+use twins::surfaces::Surface;
+use twins::{FARTHEST, ONE};
 
 /// A surface in front of the eye that faces it.
 fn facing() -> Surface {
@@ -252,9 +112,10 @@ fn without_a_highlight_both_kernels_give_the_same_bits() {
             surface.highlight = 0;
         }
         let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
-        let [a, b] = ["light_r16", "lambert_r16"]
-            .map(|kernel| call::light(&mut bench, kernel, std::slice::from_ref(&site), brightness));
-        assert_same(&a[0], &b[0], &format!("{site:x?}"));
+        let sites = vec![site];
+        let with = Lit::<HIGHLIGHT> { sites: sites.clone(), brightness }.call(&mut bench);
+        let without = Lit::<LAMBERT> { sites, brightness }.call(&mut bench);
+        assert_eq!(with, without);
     }
 }
 
@@ -289,7 +150,7 @@ fn highlights_are_powers_of_the_cosine() {
 #[test]
 fn the_highest_exponents_keep_their_bound() {
     let mut bench = Bench::new();
-    let worst = light_up_to(&mut bench, &mut random(), "light_r16", 4096.0);
+    let worst = light_up_to::<HIGHLIGHT>(4096.0, &mut bench, &mut random());
     println!("exponents to 4096: {worst:.5}");
     assert!(worst <= 0.0015, "{worst}");
 }

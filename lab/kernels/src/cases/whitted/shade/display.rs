@@ -7,10 +7,10 @@ use twins::Single;
 use twins::display::{encode_srgb, roll_off};
 use zerocopy::big_endian::F32;
 
-use super::call::put_values;
 use crate::bench::{Bench, Place};
+use crate::cases::eye::call::put;
 use crate::description::Description;
-use crate::single::bits;
+use crate::single::{bits, single};
 
 /// Values that are overwritten by those of `encode_srgb`, or by those of `roll_off`.
 #[derive(Clone, Debug)]
@@ -40,7 +40,9 @@ impl<const ROLL_OFF: bool> Description for Values<ROLL_OFF> {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        put_values(bench, &self.values)
+        let quads: Vec<_> = self.values.iter().map(|quad| quad.map(single)).collect();
+        let place = put(bench, &quads);
+        (place, vec![place.address, quads.len() as u32])
     }
 
     fn found(&self, bench: &Bench, placed: &Place, _: u32) -> Self::Found {

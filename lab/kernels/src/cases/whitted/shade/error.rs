@@ -3,16 +3,19 @@
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
-use twins::accumulate::Share;
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Object, Surface, surface};
+use twins::{ONE, Single};
 
-use super::call::{self, Hit, Site};
+use super::display::Values;
+use super::gather::{Hit, Hits};
+use super::light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use super::shapes::Shape;
+use super::sums::{Rows, Shares};
 use super::{LEAST, records};
 use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
+use crate::description::{Bits, Description as _};
 use crate::single::bits;
 use crate::vector::{dot, less, magnitude, ulps, unit};
 use protocol::layout::Surfaces;
@@ -60,10 +63,10 @@ pub fn surfaces(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         let (shapes, objects, hits) = any_hits(random);
-        let materials = [any_material(random)];
-        let (found, ..) = call::surfaces(bench, "surfaces_r16", &[hits], &objects, &materials);
+        let materials = vec![any_material(random)];
+        let (found, _) = Hits::<false> { packets: vec![hits], objects, materials }.call(bench);
         for (lane, shape) in shapes.iter().enumerate() {
-            worst = worst.max(off_surface(&found[0], lane, shape));
+            worst = worst.max(off_surface(&found[0].0, lane, shape));
         }
     }
     worst
@@ -138,9 +141,11 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         let light = any_light(random);
-        let site = any_site(random, &light, 100.0);
-        let found = call::shadow_rays(bench, std::slice::from_ref(&site), &light, 0);
-        for (ray, surface) in found.packets.iter().flatten().zip(&site.surfaces) {
+        let sites = vec![any_site(random, &light, 100.0)];
+        let shadows = Shadows { sites, light, least: 0 };
+        let found = shadows.call(bench);
+        let Shadows { sites, light, .. } = shadows;
+        for (ray, surface) in found.packets.iter().flatten().zip(&sites[0].surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
             let to = if light.directional { position } else { less(position, point) };
@@ -181,14 +186,18 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
 
 /// The largest error of a channel after adding a light of brightness 1, with exponents up to the
 /// given one.
-pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exponent: f64) -> f64 {
+pub fn light_up_to<const WAY: usize>(
+    exponent: f64,
+    bench: &mut Bench,
+    random: &mut ChaCha8Rng,
+) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let site = any_shining_site(random, exponent);
-        let sites = std::slice::from_ref(&site);
-        let found = call::light(bench, kernel, sites, [from_f64(1.0); 3]);
-        for (lane, found) in records::lit(&found[0]).into_iter().enumerate() {
-            let exact = exact_light(&site, lane, [1.0; 3], kernel == "light_r16");
+        let sites = vec![any_shining_site(random, exponent)];
+        let lit = Lit::<WAY> { sites, brightness: [ONE; 3] };
+        let Bits(found) = lit.call(bench)[0];
+        for (lane, found) in records::lit(&found).into_iter().enumerate() {
+            let exact = exact_light(&lit.sites[0], lane, [1.0; 3], WAY == HIGHLIGHT);
             for (found, exact) in found.into_iter().zip(exact) {
                 worst = worst.max((to_f64(found) - exact).abs());
             }
@@ -199,12 +208,12 @@ pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exp
 
 /// The largest error of a channel, in thousandths of a brightness of 1, with exponents up to 1000.
 pub fn light(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    1e3 * light_up_to(bench, random, "light_r16", 1000.0)
+    1e3 * light_up_to::<HIGHLIGHT>(1000.0, bench, random)
 }
 
 /// The largest error of a channel, in ulps of a brightness of 1.
 pub fn lambert(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    light_up_to(bench, random, "lambert_r16", 1.0) * 2_f64.powi(23)
+    light_up_to::<LAMBERT>(1.0, bench, random) * 2_f64.powi(23)
 }
 
 /// The same for ambient light.
@@ -212,9 +221,10 @@ pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         let light = any_light(random);
-        let site = any_site(random, &light, 100.0);
-        let found = call::ambient(bench, std::slice::from_ref(&site), [from_f64(1.0); 3]);
-        for (found, surface) in records::lit(&found[0]).iter().zip(&site.surfaces) {
+        let sites = vec![any_site(random, &light, 100.0)];
+        let lit = Lit::<AMBIENT> { sites, brightness: [ONE; 3] };
+        let Bits(found) = lit.call(bench)[0];
+        for (found, surface) in records::lit(&found).iter().zip(&lit.sites[0].surfaces) {
             for (k, found) in found.iter().enumerate() {
                 let added = to_f64(surface.diffuse) * to_f64(surface.colour[k]);
                 let exact = to_f64(surface.lit[k]) + added;
@@ -225,26 +235,17 @@ pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Packets of shares for this many pixels. Any two shares may belong to the same pixel.
-pub fn any_shares(random: &mut ChaCha8Rng, packets: usize, pixels: usize) -> Vec<[Share; 16]> {
-    let mut share = || Share {
-        pixel: random.random_range(0..pixels),
-        weight: from_f64(random.random_range(0.0..1.0)),
-        lit: [(); 3].map(|()| from_f64(random.random_range(0.0..1.0))),
-    };
-    (0..packets).map(|_| std::array::from_fn(|_| share())).collect()
-}
-
 /// The largest error of a sum for each addition, in ulps of the sum.
 pub fn accumulate(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
         let pixels = random.random_range(4..40);
-        let packets = any_shares(random, 4, pixels);
-        let found = call::accumulate(bench, &packets, &vec![[0; 3]; pixels]);
+        let mut shares = Shares::of(pixels, 4, random);
+        shares.sums.fill([0; 3]);
+        let found = shares.call(bench);
         let mut exact = vec![[0.0; 3]; pixels];
         let mut additions = vec![0_u32; pixels];
-        for share in packets.iter().flatten() {
+        for share in shares.packets.iter().flatten() {
             additions[share.pixel] += 1;
             for (sum, channel) in exact[share.pixel].iter_mut().zip(share.lit) {
                 *sum += to_f64(channel) * to_f64(share.weight);
@@ -266,8 +267,8 @@ pub fn pack_sums(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for _ in 0..100 {
             let mut channel = || from_f64(random.random_range(-0.25..1.25));
             let row: Vec<[Single; 3]> = (0..64).map(|_| [(); 3].map(|()| channel())).collect();
-            let words = call::pack_sums(bench, std::slice::from_ref(&row), shifts);
-            for (colour, word) in row.iter().zip(words) {
+            let rows = Rows { rows: vec![row], shifts };
+            for (colour, word) in rows.rows[0].iter().zip(rows.call(bench)) {
                 for (channel, shift) in colour.iter().zip(shifts) {
                     let exact = to_f64(*channel).clamp(0.0, 1.0) * 255.0;
                     worst = worst.max((f64::from(word >> shift & 255) - exact).abs());
@@ -284,11 +285,11 @@ pub fn surfaces_same(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..PACKETS {
         let shape = Shape::any(random);
         let hits = std::array::from_fn(|_| Hit { ray: shape.any_ray(random), object: 0 });
-        let objects = [(shape.object(), 0)];
-        let materials = [any_material(random)];
-        let (found, ..) = call::surfaces(bench, "surfaces_same_r16", &[hits], &objects, &materials);
+        let objects = vec![(shape.object(), 0)];
+        let materials = vec![any_material(random)];
+        let (found, _) = Hits::<true> { packets: vec![hits], objects, materials }.call(bench);
         for lane in 0..16 {
-            worst = worst.max(off_surface(&found[0], lane, &shape));
+            worst = worst.max(off_surface(&found[0].0, lane, &shape));
         }
     }
     worst
@@ -301,32 +302,32 @@ fn off_surface(found: &Surfaces, lane: usize, shape: &Shape) -> f64 {
     height.abs() / to_f64(bits(found.leave[lane]))
 }
 
-/// The largest error of `kernel` from 0 to `most`, of 1/255.
-fn error_of_values(
+/// The largest error from 0 to `most`, of 1/255.
+fn error_of_values<const ROLL_OFF: bool>(
     bench: &mut Bench,
     random: &mut ChaCha8Rng,
-    kernel: &str,
     most: f64,
     exact: fn(f64) -> f64,
 ) -> f64 {
     let values: Vec<[Single; 4]> =
         (0..1000).map(|_| [(); 4].map(|()| from_f64(random.random_range(0.0..most)))).collect();
-    let found = call::convert(bench, kernel, &values);
-    let pairs = values.as_flattened().iter().zip(found.as_flattened());
+    let values = Values::<ROLL_OFF> { values };
+    let found = values.call(bench);
+    let pairs = values.values.as_flattened().iter().zip(found.as_flattened());
     let errors = pairs.map(|(value, found)| 255.0 * (to_f64(*found) - exact(to_f64(*value))).abs());
     errors.fold(0.0, f64::max)
 }
 
 /// The largest error of sRGB's values, of 1/255.
 pub fn encode_srgb(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    error_of_values(bench, random, "encode_srgb", 1.0, |x| {
+    error_of_values::<false>(bench, random, 1.0, |x| {
         if x <= 0.003_130_8 { 12.92 * x } else { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 }
     })
 }
 
 /// The largest error of limited light, of 1/255.
 pub fn roll_off(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    error_of_values(bench, random, "roll_off", 8.0, |x| {
+    error_of_values::<true>(bench, random, 8.0, |x| {
         if x <= 0.75 { x } else { 1.0 - 0.0625 / (x - 0.5) }
     })
 }
