@@ -9,7 +9,7 @@ use crate::families::{FAMILIES, Family, Form, Shot};
 use crate::figures::{Figures, Hit, Normal, Truth, compare, sensitivity};
 use crate::metrics::Summary;
 use crate::parallel;
-use crate::space::{along, length, less};
+use crate::space::{add_scaled, length, sub};
 use crate::subject::{ANY_LENGTH, Given, Subject};
 use crate::truth::{Line, spacing};
 
@@ -94,12 +94,12 @@ fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
         let seen = passing.crossing.and_then(|crossing| form.seen(&crossing));
         let hit = seen.map(|(distance, exact)| Hit {
             distance,
-            point: along(centre, radius, exact),
+            point: add_scaled(centre, radius, exact),
             condition: (passing.beyond <= edge)
                 .then(|| condition(form, shot, &line, (distance, exact))),
             normal: Some(Normal { exact, centre, radius }),
         });
-        let scene = length(less(centre, line.origin)) + radius;
+        let scene = length(sub(centre, line.origin)) + radius;
         Truth { line, hit, scene }
     };
     shot.lines().map(truth).collect()

@@ -96,7 +96,7 @@ pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
 }
 
 /// c - k a.
-pub(super) fn less(c: [Single; 3], k: Single, a: [Single; 3]) -> [Single; 3] {
+pub(super) fn sub_scaled(c: [Single; 3], k: Single, a: [Single; 3]) -> [Single; 3] {
     std::array::from_fn(|axis| fnms(k, a[axis], c[axis]))
 }
 

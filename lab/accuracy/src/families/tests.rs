@@ -1,7 +1,7 @@
 //! The families match their descriptions.
 
 use super::*;
-use crate::space::{dot, less};
+use crate::space::{dot, sub};
 use crate::truth::sphere::Sphere;
 
 const SPHERES: usize = 6;
@@ -23,7 +23,7 @@ fn rays(family: &Family, form: Form) -> Vec<(Line, Shot, f64)> {
 }
 
 fn distance(line: &Line, shot: &Shot) -> f64 {
-    let to = less(shot.centre(), line.origin);
+    let to = sub(shot.centre(), line.origin);
     dot(to, to).sqrt()
 }
 

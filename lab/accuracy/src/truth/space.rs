@@ -28,6 +28,6 @@ pub(super) fn cross<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 }
 
 /// a - b.
-pub(super) fn less<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+pub(super) fn sub<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     std::array::from_fn(|axis| a[axis].clone() - b[axis].clone())
 }

@@ -7,7 +7,7 @@ use twins::Single;
 
 use super::bounded::Bounded;
 use super::exact::Exact;
-use super::space::{Vector, cross, dot, less};
+use super::space::{Vector, cross, dot, sub};
 use super::{DOUBT, Line, spacing};
 
 /// A sphere as exact numbers.
@@ -110,7 +110,7 @@ impl Sphere {
     /// The distance from the line is computed by a vector product, which keeps its precision far
     /// away.
     fn in_double(&self, line: &Line) -> Option<Passing> {
-        let to = less(&self.centre.map(Bounded::from), &line.origin.map(Bounded::from));
+        let to = sub(&self.centre.map(Bounded::from), &line.origin.map(Bounded::from));
         let d = line.direction.map(Bounded::from);
         let square = Bounded::from(self.radius_squared);
         let dd = dot(&d, &d);
@@ -147,7 +147,7 @@ impl Sphere {
 
     /// The result with exact numbers, computed by other steps than the one in double precision.
     fn in_exact(&self, line: &Line) -> Passing {
-        let from = less(&line.origin.map(Exact::from), &self.centre.map(Exact::from));
+        let from = sub(&line.origin.map(Exact::from), &self.centre.map(Exact::from));
         let d = line.direction.map(Exact::from);
         let square = Exact::from(self.radius_squared);
         let dd = dot(&d, &d);

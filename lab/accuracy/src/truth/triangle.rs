@@ -7,7 +7,7 @@ use twins::Single;
 
 use super::bounded::Bounded;
 use super::exact::Exact;
-use super::space::{Number, Vector, cross, dot, less};
+use super::space::{Number, Vector, cross, dot, sub};
 use super::{DOUBT, Line, spacing};
 
 /// A triangle's vertices as exact numbers.
@@ -47,9 +47,9 @@ struct Volumes<T> {
 
 impl<T: Number> Volumes<T> {
     fn new(vertices: [[T; 3]; 3], origin: &[T; 3], direction: &[T; 3]) -> Self {
-        let [ab, ac] = [1, 2].map(|other| less(&vertices[other], &vertices[0]));
+        let [ab, ac] = [1, 2].map(|other| sub(&vertices[other], &vertices[0]));
         let normal = cross(&ab, &ac);
-        let seen = vertices.map(|vertex| less(&vertex, origin));
+        let seen = vertices.map(|vertex| sub(&vertex, origin));
         let edge = |from: usize, to: usize| dot(direction, &cross(&seen[from], &seen[to]));
         Self {
             edges: [edge(1, 2), edge(2, 0), edge(0, 1)],

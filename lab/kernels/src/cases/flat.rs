@@ -14,7 +14,7 @@ use crate::bench::{Bench, Place, SEED};
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::{OneRay, Ray, Rays, Shears, point, quad};
-use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 
 /// A short array of triangles, and a long one.
 const TRIANGLES: Objects = Objects::List(16, 48);
@@ -244,9 +244,9 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
         let target: Vector = std::array::from_fn(|axis| {
             weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]
         });
-        let direction = unit(less(target, origin.map(to_f64)));
+        let direction = unit(sub(target, origin.map(to_f64)));
         // Its apparent size: twice its area across the ray, relative to its size.
-        let seen = dot(cross(less(a, c), less(b, c)), direction).abs();
+        let seen = dot(cross(sub(a, c), sub(b, c)), direction).abs();
         if seen > 0.1 * size * size {
             return (Ray::new(origin, point(direction)), triangle);
         }
@@ -259,8 +259,8 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
 pub fn on_triangle(ray: &Ray, triangle: &Triangle) -> Vector {
     let [a, b, c] = triangle.map(|vertex| vertex.map(to_f64));
     let direction = ray.direction.map(to_f64);
-    let (first, second) = (less(a, c), less(b, c));
-    let beside = less(ray.origin.map(to_f64), c);
+    let (first, second) = (sub(a, c), sub(b, c));
+    let beside = sub(ray.origin.map(to_f64), c);
     let across = cross(direction, second);
     let turned = cross(beside, first);
     let determinant = dot(first, across);
@@ -291,7 +291,7 @@ pub fn around_rectangle(random: &mut impl Rng) -> (Rectangle, [Ray; 16], f64) {
         let [u, v] = [(); 2].map(|()| random.random_range(-0.5..1.5));
         let target: Vector =
             std::array::from_fn(|axis| corner[axis] + u * first[axis] + v * second[axis]);
-        Ray::new(point(origin), point(unit(less(target, origin))))
+        Ray::new(point(origin), point(unit(sub(target, origin))))
     });
     (rectangle(corner, first, second), rays, distance)
 }
@@ -303,7 +303,7 @@ pub fn on_plane(ray: &Ray, rectangle: &Rectangle) -> (Vector, f64) {
     let origin = ray.origin.map(to_f64);
     let direction = ray.direction.map(to_f64);
     let normal = rectangle.normal.map(to_f64);
-    let beside = less(origin, rectangle.point.map(to_f64));
+    let beside = sub(origin, rectangle.point.map(to_f64));
     let along = dot(normal, direction);
     let t = -dot(normal, beside) / along;
     let hit: Vector = std::array::from_fn(|axis| beside[axis] + t * direction[axis]);

@@ -143,7 +143,7 @@ fn from_origin(centre: Vector, origin: Vector) -> Vector {
 }
 
 /// Scalar product.
-fn along([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
+fn dot([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
     fma(fz, dz, fma(fy, dy, fm(fx, dx)))
 }
 

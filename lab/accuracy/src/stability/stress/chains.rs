@@ -19,7 +19,7 @@ use rand::Rng as _;
 use scenes::Shape;
 use spu_emulator::float::single::{from_f64, to_f64};
 
-use crate::space::{along, direction, dot, fresh, length, less, unit};
+use crate::space::{add_scaled, direction, dot, fresh, length, sub, unit};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly};
 use crate::stability::random::{across, magnitude, rounded};
@@ -167,7 +167,7 @@ impl Room {
             let stuff = Stuff { mirror: 1.0, transmittance: 0.0, index: 1.0 };
             Product::of(Kind::Sphere, shape, stuff)
         };
-        let at = |by: f64| rounded(along(place, by * radius, axis));
+        let at = |by: f64| rounded(add_scaled(place, by * radius, axis));
         let mirrors = match self {
             Self::Between => [mirror(at(1.5), radius)?, mirror(at(-1.5), radius)?],
             Self::Within => {
@@ -183,11 +183,11 @@ impl Room {
                     let highest = -4 - 2 * bounces as i32;
                     let tilt = magnitude(highest - 8, highest, random);
                     let [aside, _] = across(axis, random);
-                    (place, along(axis, tilt, aside))
+                    (place, add_scaled(axis, tilt, aside))
                 }
                 Self::Within => {
                     let off = direction(random).map(|x| radius * random.random_range(0.0..0.9) * x);
-                    (along(place, 1.0, off), direction(random))
+                    (add_scaled(place, 1.0, off), direction(random))
                 }
             };
             [rounded(from), unit(way)].map(|v| v.map(from_f64))
@@ -213,17 +213,17 @@ impl Exact {
     fn bounce(&mut self, mirror: &Product) -> Option<()> {
         let head = mirror.head();
         let radius = head.offset;
-        let to = less(head.centre, self.origin);
+        let to = sub(head.centre, self.origin);
         let b = dot(to, self.way);
-        let aside = along(to, -b, self.way);
+        let aside = add_scaled(to, -b, self.way);
         let disc = radius * radius - dot(aside, aside);
         let root = (disc > 0.0).then(|| disc.sqrt())?;
         let t = if radius < 0.0 { b + root } else { b - root };
-        let point = along(self.origin, t, self.way);
-        let normal = unit(less(point, head.centre));
+        let point = add_scaled(self.origin, t, self.way);
+        let normal = unit(sub(point, head.centre));
         let incidence = dot(self.way, normal);
         self.cosine = self.cosine.min(incidence.abs());
-        self.way = unit(along(self.way, -2.0 * incidence, normal));
+        self.way = unit(add_scaled(self.way, -2.0 * incidence, normal));
         self.origin = point;
         (t > 0.0).then_some(())
     }
@@ -273,7 +273,7 @@ impl Chain {
                     None => tally.uncounted(),
                     Some(_) if rays[number][lane].is_none() => tally.wrong(input),
                     Some(exact) => {
-                        let off = length(less(points[number][lane], exact.origin));
+                        let off = length(sub(points[number][lane], exact.origin));
                         tally.error(off / radius / ULP, input);
                     }
                 }

@@ -5,7 +5,7 @@ use super::rays::sheared;
 use kernels::cases::flat::put_triangles;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
 use kernels::flat_records::{Ray, Rays, point};
-use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
+use kernels::vector::{cross, dot, in_cube, magnitude, sub, unit};
 use kernels::{Bench, random};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -70,7 +70,7 @@ fn on_lattice(random: &mut ChaCha8Rng) -> Mesh {
 /// the sphere's (Van Oosterom and Strackee). An integer, or 0 if `inside` is on the surface.
 fn turns(mesh: &Mesh) -> f64 {
     let inside = mesh.inside.map(to_f64);
-    let seen = |vertex: usize| less(mesh.vertices[vertex].map(to_f64), inside);
+    let seen = |vertex: usize| sub(mesh.vertices[vertex].map(to_f64), inside);
     let mut turns = 0.0;
     for [a, b, c] in mesh.faces.iter().map(|face| face.map(seen)) {
         let [la, lb, lc] = [a, b, c].map(|side| dot(side, side).sqrt());

@@ -10,7 +10,7 @@ use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
 use kernels::flat_records::{self, Shears, point};
-use kernels::vector::{cross, dot, in_cube, less, unit};
+use kernels::vector::{cross, dot, in_cube, sub, unit};
 use rand::Rng as _;
 use twins::FARTHEST;
 use twins::sphere_ray::Ray;
@@ -162,7 +162,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
                 in_cube(10.0, &mut random).map(|component| component + far)
             });
             let [a, b, c, d] = corners;
-            let volume = dot(cross(less(b, a), less(c, a)), less(d, a));
+            let volume = dot(cross(sub(b, a), sub(c, a)), sub(d, a));
             if volume > 100.0 {
                 break corners;
             }
@@ -184,7 +184,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
             };
             let target: [f64; 3] =
                 std::array::from_fn(|axis| from[axis] + along * (to[axis] - from[axis]));
-            ray(middle, unit(less(target, middle)), FARTHEST)
+            ray(middle, unit(sub(target, middle)), FARTHEST)
         });
         let (rays, objects) = check(&mut bench, &[rays], &faces, &list, 0);
         for ray in rays[0] {

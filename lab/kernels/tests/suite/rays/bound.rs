@@ -3,7 +3,7 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point, any_fan};
 use kernels::description::{Description as _, any_bits};
-use kernels::vector::{Vector, cross, dot, less, unit};
+use kernels::vector::{Vector, cross, dot, sub, unit};
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::NOTHING;
 use twins::primary_rays::{ABSENT, Ray};
@@ -68,7 +68,7 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
             rays.iter().map(|ray| of(ray)).fold(f64::NEG_INFINITY, f64::max)
         };
         let apart = largest(&|ray| {
-            let apart = less(ray.origin.map(to_f64), apex);
+            let apart = sub(ray.origin.map(to_f64), apex);
             dot(apart, apart).sqrt()
         });
         let away = dot(apex, apex).sqrt();

@@ -9,7 +9,7 @@ use kernels::cases::whitted::rays::nodes::{
     BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
 };
 use kernels::description::Description as _;
-use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use kernels::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -88,7 +88,7 @@ impl Near for BareSphere {
         let centre = centre.map(from_f64);
         let stored = centre.map(to_f64);
         let is_met = rays.iter().any(|ray| {
-            let to_centre = less(stored, ray.origin.map(to_f64));
+            let to_centre = sub(stored, ray.origin.map(to_f64));
             let direction = unit(ray.direction.map(to_f64));
             let nearest = dot(to_centre, direction).clamp(0.0, to_f64(ray.t));
             let apart = at(to_centre, direction, -nearest);

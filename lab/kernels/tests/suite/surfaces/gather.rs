@@ -6,7 +6,7 @@ use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::records;
 use kernels::cases::whitted::shade::shapes::Shape;
 use kernels::description::any_bits;
-use kernels::vector::{dot, less};
+use kernels::vector::{dot, sub};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -147,7 +147,7 @@ fn normals_are_the_shapes_on_the_rays_side() {
                     f64::INFINITY
                 } else {
                     ((shape.offset
-                        - shape.slope * dot(less(vector(found.point), shape.centre), shape.axis))
+                        - shape.slope * dot(sub(vector(found.point), shape.centre), shape.axis))
                         / shape.gain)
                         .abs()
                 };

@@ -2,7 +2,7 @@
 //! errors.
 
 use crate::families::Form;
-use crate::space::{length, less};
+use crate::space::{length, sub};
 use crate::stability::statement::{StatementError, says, stated};
 use crate::subject::{ANY_LENGTH, Subject};
 use crate::truth::sphere::{Passing, Sphere};
@@ -100,7 +100,7 @@ impl Look {
             subject,
             stated,
             passing,
-            distance: length(less(line.origin, sphere.centre())),
+            distance: length(sub(line.origin, sphere.centre())),
             radius: sphere.radius(),
             off_length: (unit - 1.0).abs(),
             exact: seen.map(|(t, _)| t),

@@ -14,7 +14,7 @@ use super::{LEAST, records};
 use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
 use crate::single::bits;
-use crate::vector::{dot, less, magnitude, ulps, unit};
+use crate::vector::{dot, magnitude, sub, ulps, unit};
 use protocol::layout::Surfaces;
 
 /// The number of packets over which an error is measured.
@@ -143,7 +143,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for (ray, surface) in found.packets.iter().flatten().zip(&site.surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
-            let to = if light.directional { position } else { less(position, point) };
+            let to = if light.directional { position } else { sub(position, point) };
             let distance = dot(to, to).sqrt();
             let exact = to.map(|component| component / distance);
             for (found, exact) in ray.direction.iter().zip(exact) {
@@ -168,7 +168,7 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
     }
     let normal = site.normals[lane].map(to_f64);
     let to = ray.direction.map(to_f64);
-    let half = unit(less(to, site.directions[lane].map(to_f64)));
+    let half = unit(sub(to, site.directions[lane].map(to_f64)));
     let cosine = dot(normal, half).clamp(0.0, 1.0);
     let shine = if shines {
         to_f64(surface.highlight) * libm::pow(cosine, to_f64(surface.exponent))
