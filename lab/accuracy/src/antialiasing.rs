@@ -26,10 +26,10 @@ const CONTRASTS: [u8; 6] = [4, 8, 16, 32, 48, 96];
 /// How the samples are spread over the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// A regular grid of so many samples across and down every pixel: a picture of that many times
-    /// the size, of which the mean is taken.
+    /// A regular grid with this number of samples across and down every pixel. It is the mean of a
+    /// picture that is larger by this factor.
     Grid(u32),
-    /// So many samples by the SPU program, in pixels of at least this contrast.
+    /// This number of samples, by the SPU program, in pixels of at least this contrast.
     Spread(Samples, u8),
 }
 

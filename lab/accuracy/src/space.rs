@@ -68,9 +68,9 @@ pub fn direction(random: &mut impl Rng) -> Vector {
 
 /// Two directions that are perpendicular to a third and to each other.
 pub fn across(axis: Vector) -> [Vector; 2] {
-    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
+    let smallest = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let mut other = [0.0; 3];
-    other[least] = 1.0;
+    other[smallest] = 1.0;
     let first = unit(add_scaled(other, -dot(other, axis), axis));
     [first, cross(axis, first)]
 }

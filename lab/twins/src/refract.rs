@@ -16,8 +16,8 @@ struct Beyond {
     cosine: Single,
 }
 
-/// What the hit lets through, if anything within the limits, and the share `mirror`
-/// with what it reflects.
+/// The refracted ray of the hit, if there is one within the limits, and the share `mirror` with the
+/// share that it reflects.
 #[must_use]
 pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);

@@ -55,8 +55,8 @@ fn text(rows: &[Row], plots: &[Plot], origin: &Origin) -> String {
 
 const HEAD: &str = "# Run time against error of several samples a pixel
 
-What antialiasing costs and what it gains, for readers who choose `--antialias` and `--contrast`.
-[whitted.md](whitted.md#several-samples-a-pixel) says how the SPUs do it.
+The run time and the error of antialiasing, for readers who choose `--antialias` and `--contrast`.
+[whitted.md](whitted.md#several-samples-a-pixel) describes how the SPUs do it.
 
 - *1, 2x2, 4x4*: a regular grid of samples in every pixel, the mean of a larger picture.
 - *4 everywhere, 16 everywhere*: `--antialias N --contrast 0`. Samples are spread so that no two

@@ -84,7 +84,7 @@ const READING: &str = "
 - *ulps*: spacings of singles. For a distance, at the true distance; for a point, at its largest coordinate from
   the ray's origin; for a normal, at 1. The SPU truncates. Half an ulp is the best that rounding to nearest
   could give.
-- *cycles*: by the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
+- *cycles*: from the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
   nanoseconds of this machine's interpreter for the same.
 - *wrong hits, wrong misses*: the kernel decides otherwise than exact arithmetic.
 - *condition*: the number of ulps by which the true distance moves if each given number moves by half an ulp, in

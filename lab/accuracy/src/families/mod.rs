@@ -70,7 +70,7 @@ pub struct Family {
     pub forms: &'static [Form],
     /// The distance over the radius, if the family is about that.
     pub ratio: Option<f64>,
-    /// The greatest distance from the centre, in radii, at which a ray may pass for the error of
+    /// The largest distance from the centre, in radii, at which a ray may pass for the error of
     /// its distance to count.
     pub counted: f64,
     /// Whether directions may have any length.

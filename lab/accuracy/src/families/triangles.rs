@@ -10,7 +10,7 @@ use super::PACKETS;
 use crate::space::{across, add_scaled, direction, dot, fresh, in_cube, point, sub, unit};
 use crate::truth::{Line, Vector};
 
-/// The least cosine of the angle between a ray and the normal.
+/// The smallest cosine of the angle between a ray and the normal.
 const SLANT: f64 = 0.3;
 
 /// A family of triangles.
@@ -22,7 +22,7 @@ pub struct Family {
     pub doc: &'static str,
     /// The height of a triangle as a share of its longest edge.
     height: f64,
-    /// The least and the greatest distance of the rays' origins, in longest edges.
+    /// The smallest and the largest distance of the rays' origins, in longest edges.
     reach: [f64; 2],
     /// Whether there are two triangles with a common edge, and only rays to that edge.
     pub shared_edge: bool,

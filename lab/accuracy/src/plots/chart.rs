@@ -13,7 +13,7 @@ use crate::pareto;
 pub(super) const SIZE: (u32, u32) = (960, 600);
 /// The margins around the frame.
 const MARGIN: Area = Area { left: 70.0, top: 84.0, right: 24.0, bottom: 62.0 };
-/// The room for names at the ends of lines.
+/// The width for names at the ends of lines, in pixels.
 const ENDS: f64 = 130.0;
 const FONT: &str = "sans-serif";
 const TEXT: u32 = 14;

@@ -107,15 +107,15 @@ pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
     let mut moved = heights.to_vec();
-    let mut least = top;
+    let mut lowest = top;
     for &at in &order {
-        moved[at] = moved[at].max(least);
-        least = moved[at] + gap;
+        moved[at] = moved[at].max(lowest);
+        lowest = moved[at] + gap;
     }
-    let mut most = bottom;
+    let mut highest = bottom;
     for &at in order.iter().rev() {
-        moved[at] = moved[at].min(most);
-        most = moved[at] - gap;
+        moved[at] = moved[at].min(highest);
+        highest = moved[at] - gap;
     }
     moved
 }

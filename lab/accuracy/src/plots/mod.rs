@@ -81,7 +81,7 @@ pub fn antialiasing(rows: &[Row]) -> Vec<Plot> {
         };
         let chart = Chart {
             title: format!("Frames a second against the error of antialiased pictures: {scene}"),
-            note: "Samples a pixel and least contrast; ringed and joined: not beaten in both"
+            note: "Samples a pixel and minimum contrast; ringed and joined: not beaten in both"
                 .to_owned(),
             x: Axis { rising: true, ..axis("frames a second (simulated)", Kind::Log) },
             y: axis("root of the mean square error, 1/255", Kind::Log),

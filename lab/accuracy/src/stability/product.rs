@@ -15,7 +15,7 @@ use zerocopy::big_endian::F32;
 use crate::space::{add_scaled, cross, dot, sub};
 use crate::truth::Vector;
 
-/// The kinds of shape that SPUs know.
+/// The kinds of shape that SPUs trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A sphere.

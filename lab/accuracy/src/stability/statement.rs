@@ -62,7 +62,7 @@ pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
 }
 
 /// Whether a kernel's statement of error contains these words.
-pub fn says(kernel: &str, phrase: &str) -> bool {
+pub fn states(kernel: &str, phrase: &str) -> bool {
     let header = Source::find(kernel).and_then(Source::header);
     header.is_some_and(|header| header.error.contains(phrase))
 }

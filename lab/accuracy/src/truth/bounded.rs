@@ -41,9 +41,9 @@ impl Bounded {
     /// The square root of a number that is not below 0.
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
-        let least = (self.value - self.error).max(0.0).sqrt();
+        let smallest = (self.value - self.error).max(0.0).sqrt();
         let error =
-            if root + least > 0.0 { self.error / (root + least) } else { self.error.sqrt() };
+            if root + smallest > 0.0 { self.error / (root + smallest) } else { self.error.sqrt() };
         Self::new(root, error + root * UNIT)
     }
 
@@ -90,9 +90,9 @@ impl Div for Bounded {
 
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        let least = other.value.abs() - other.error;
-        let error = if least > 0.0 {
-            (self.error + quotient.abs() * other.error) / least + quotient.abs() * UNIT
+        let smallest = other.value.abs() - other.error;
+        let error = if smallest > 0.0 {
+            (self.error + quotient.abs() * other.error) / smallest + quotient.abs() * UNIT
         } else {
             f64::INFINITY
         };

@@ -221,8 +221,8 @@ mod tests {
         let inside = sphere([0.0; 3], 2.0);
         let crossing = inside.crossing(&line([0.5, 0.0, 0.0], [1.0, 0.0, 0.0]));
         assert_eq!(crossing.unwrap().first(), Some((1.5, [1.0, 0.0, 0.0])));
-        let behind = inside.crossing(&line([3.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
-        assert_eq!(behind.unwrap().first(), None);
+        let beyond = inside.crossing(&line([3.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
+        assert_eq!(beyond.unwrap().first(), None);
     }
 
     #[test]

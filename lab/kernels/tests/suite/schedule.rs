@@ -50,7 +50,7 @@ fn headers_name_the_registers_that_are_written() {
 fn used(source: &str) -> BTreeSet<u8> {
     let lines = source.lines().take_while(|line| line.starts_with('#'));
     let mut lines = lines.skip_while(|line| !line.starts_with("#   Uses "));
-    let first = lines.next().expect("a header says what is used");
+    let first = lines.next().expect("a header lists the registers used");
     let further = lines.take_while(|line| line.starts_with("#           "));
     let text: Vec<&str> = std::iter::once(first).chain(further).collect();
     let text = text.join(" ");

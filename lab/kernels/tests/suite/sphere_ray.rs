@@ -58,14 +58,14 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
     let at = |centre, radius| bare_sphere(centre, radius);
     let cases: [(&str, BareSphere, Option<f64>); 12] = [
         ("ahead", at([0.0, 0.0, -5.0], 1.0), Some(4.0)),
-        ("behind", at([0.0, 0.0, 5.0], 1.0), None),
+        ("behind the origin", at([0.0, 0.0, 5.0], 1.0), None),
         ("around, its centre ahead", at([0.0, 0.0, -0.5], 1.0), Some(1.5)),
-        ("around, its centre behind", at([0.0, 0.0, 0.5], 1.0), Some(0.5)),
+        ("around, its centre behind the origin", at([0.0, 0.0, 0.5], 1.0), Some(0.5)),
         ("around, its centre here", at([0.0; 3], 1.0), Some(1.0)),
         ("around, its centre beside", at([0.6, 0.0, 0.0], 1.0), Some(0.8)),
         ("tangent", at([1.0, 0.0, -5.0], 1.0), Some(5.0)),
         ("beside", at([3.0, 0.0, -5.0], 1.0), None),
-        ("beside and behind", at([3.0, 0.0, 5.0], 1.0), None),
+        ("beside and behind the origin", at([3.0, 0.0, 5.0], 1.0), None),
         ("tiny and far", at([0.0, 0.0, -4096.0], 1.0 / 16.0), Some(4096.0 - 1.0 / 16.0)),
         ("huge", at([0.0, 0.0, -1e9], 0.999e9), Some(1e6)),
         (

@@ -56,7 +56,7 @@ pub trait General {
 pub trait Eye {
     /// The kernel.
     const EYE: &'static str;
-    /// What it takes of a sphere.
+    /// The part of a sphere's record that it reads.
     type Sphere: Copy + Debug;
 
     /// Where the ray enters the sphere.

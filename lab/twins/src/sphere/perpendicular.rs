@@ -1,5 +1,6 @@
 //! Twins of `spu/include/sphere_perpendicular.inc`, `sphere_estimate.inc` and
-//! `sphere_interpolated.inc`: the discriminant by the perpendicular, and roots of so many bits.
+//! `sphere_interpolated.inc`: the discriminant by the perpendicular, and roots with the precision
+//! of the estimate or the interpolated estimate.
 
 use spu_emulator::float::estimate::frsqest;
 use spu_emulator::float::single::fms;

@@ -13,9 +13,9 @@ use super::{
 pub struct Refined;
 
 const QUARTER: Single = 0x3e80_0000;
-/// What a root's step is taken from.
+/// The number from which a root's step is subtracted.
 const REFINED_ONE: Single = 0x3f80_0001;
-/// What b is multiplied by.
+/// The factor of b.
 const REFINED_TWO: Single = 0x4000_0001;
 /// Twice the root by its estimate.
 const REFINED_ROOT: Single = 0x4000_0002;

@@ -58,7 +58,7 @@ impl Eye for Stable {
         let [_, t] = meeting.crossings();
         Crossing {
             t,
-            // A sphere whose centre is behind is behind, or around the eye: no entry.
+            // A sphere whose centre is behind the eye is not entered.
             outside: meeting.disc | meeting.b,
         }
     }

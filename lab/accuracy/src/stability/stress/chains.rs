@@ -23,7 +23,7 @@ use crate::space::{add_scaled, direction, dot, fresh, length, sub, unit};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly};
 use crate::stability::random::{across, magnitude, rounded};
-use crate::stability::statement::{Bound, StatementError, says, stated};
+use crate::stability::statement::{Bound, StatementError, stated, states};
 use crate::stability::steps::{HIT, Lanes, Line, leave, meet};
 use crate::truth::Vector;
 
@@ -36,12 +36,12 @@ const LEAVE: f64 = 8.0 * ULP;
 const PACKETS: usize = 4;
 /// The number of words of a ray.
 const LINE: usize = 6;
-/// The greatest distance, in radii, of the mirrors' centre from the eye on each axis.
+/// The largest distance, in radii, of the mirrors' centre from the eye on each axis.
 const PLACE: f64 = 2.0;
 
-/// Where a ray bounces.
+/// How the mirrors are arranged between which a ray bounces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Room {
+enum Arrangement {
     /// Between two spheres that are a radius apart, almost along their axis.
     Between,
     /// Inside a hollow sphere.
@@ -49,28 +49,28 @@ enum Room {
 }
 
 struct Chain {
-    room: Room,
+    arrangement: Arrangement,
     bounces: u32,
 }
 
 /// The numbers of bounces after which errors are measured.
 const BOUNCES: [u32; 4] = [1, 2, 4, 8];
 
-/// A family for each room and number of bounces.
+/// A family for each arrangement of mirrors and number of bounces.
 pub fn families() -> Families {
     let mut families = Vec::new();
-    for room in [Room::Between, Room::Within] {
-        let noise = room.noise()?;
+    for arrangement in [Arrangement::Between, Arrangement::Within] {
+        let noise = arrangement.noise()?;
         families.extend(BOUNCES.map(|bounces| Family {
             name: "mirror-chain",
-            subject: format!("{}, bounce {bounces}", room.name()),
+            subject: format!("{}, bounce {bounces}", arrangement.name()),
             unit: "ulp of r",
             bound: Bound {
-                value: room.carried(&noise, bounces),
+                value: arrangement.carried(&noise, bounces),
                 source: "headers of spheres, surfaces and reflections, carried along".to_owned(),
             },
             rounds: 200,
-            cases: Box::new(Chain { room, bounces }),
+            cases: Box::new(Chain { arrangement, bounces }),
         }));
     }
     Ok(families)
@@ -84,7 +84,7 @@ struct Noise {
     leave: f64,
 }
 
-impl Room {
+impl Arrangement {
     fn name(self) -> &'static str {
         match self {
             Self::Between => "two spheres",
@@ -104,7 +104,7 @@ impl Room {
         (1.0 - self.cosine() * self.cosine()).sqrt()
     }
 
-    /// The greatest distance between mirrors.
+    /// The largest distance between mirrors.
     fn farthest(self) -> f64 {
         match self {
             Self::Between => 1.25,
@@ -114,7 +114,7 @@ impl Room {
 
     fn noise(self) -> Result<Noise, StatementError> {
         const NORMALS: &str = "normals 2^-23 + leave/(4 r), each component";
-        if !says("surfaces_r16", NORMALS) {
+        if !states("surfaces_r16", NORMALS) {
             return Err(StatementError::NoNumber {
                 kernel: "surfaces_r16".to_owned(),
                 phrase: NORMALS.to_owned(),
@@ -269,7 +269,7 @@ impl Chain {
                     words.chain(lines[number][lane].into_iter().flatten()).collect()
                 };
                 let exact = exact[number][lane].as_ref();
-                match exact.filter(|exact| exact.cosine > self.room.cosine()) {
+                match exact.filter(|exact| exact.cosine > self.arrangement.cosine()) {
                     None => tally.uncounted(),
                     Some(_) if rays[number][lane].is_none() => tally.wrong(input),
                     Some(exact) => {
@@ -286,7 +286,7 @@ impl Cases for Chain {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let (mut mirrors, mut lines) = (Vec::new(), Vec::new());
         while mirrors.len() < PACKETS {
-            if let Some((pair, rays)) = self.room.mirrors(self.bounces, random) {
+            if let Some((pair, rays)) = self.arrangement.mirrors(self.bounces, random) {
                 mirrors.push(pair);
                 lines.push(rays);
             }

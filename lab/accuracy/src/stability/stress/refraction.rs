@@ -19,7 +19,7 @@ use crate::stability::statement::{Bound, stated};
 const KERNEL: &str = "refract_r16";
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// The greatest derivative of Schlick's share by the cosine, from (1 - c)^5.
+/// The largest derivative of Schlick's share by the cosine, from (1 - c)^5.
 const STEEPEST: f64 = 5.0;
 /// The refracted cosine up to which the header states the error over the cosine.
 const STEEP: f64 = 0.1;

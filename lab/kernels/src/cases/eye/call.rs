@@ -37,20 +37,20 @@ pub fn put_places(
     put(bench, &places)
 }
 
-/// Room for a list of pairs, and for one more pair that may be written after it.
-pub fn list_room(bench: &mut Bench, pairs: usize) -> bench::Place {
+/// A buffer for a list of pairs, and for one more pair that may be written after it.
+pub fn list_buffer(bench: &mut Bench, pairs: usize) -> bench::Place {
     put(bench, &vec![Pair::new_zeroed(); pairs + 1])
 }
 
-/// The pairs of a list that begins in `room` and ends at the address that a kernel returned.
+/// The pairs of a list that begins in `buffer` and ends at the address that a kernel returned.
 ///
 /// # Panics
 ///
 /// Panics if the address is not a possible end of such a list.
 #[must_use]
-pub fn list(bench: &Bench, room: bench::Place, end: u32) -> Vec<Pair> {
-    let mut pairs: Vec<Pair> = bench.read_all(room);
-    let count = (0..=pairs.len()).find(|number| address::<Pair>(room, *number) == end);
+pub fn list(bench: &Bench, buffer: bench::Place, end: u32) -> Vec<Pair> {
+    let mut pairs: Vec<Pair> = bench.read_all(buffer);
+    let count = (0..=pairs.len()).find(|number| address::<Pair>(buffer, *number) == end);
     pairs.truncate(count.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
     pairs
 }

@@ -30,10 +30,10 @@ fn any_masks(random: &mut ChaCha8Rng) -> [u32; 4] {
     [(); 4].map(|()| random.random_range(0..0x1_0000))
 }
 
-/// The records of a list of places, or of pairs, which begins in `room` and ends at `end`.
-fn records<const WORDS: usize>(bench: &Bench, room: Place, end: u32) -> Vec<[u32; WORDS]> {
-    let words: Vec<[U32; 4]> = bench.read_all(room);
-    let bytes = end.wrapping_sub(room.address) as usize;
+/// The records of a list of places, or of pairs, which begins in `buffer` and ends at `end`.
+fn records<const WORDS: usize>(bench: &Bench, buffer: Place, end: u32) -> Vec<[u32; WORDS]> {
+    let words: Vec<[U32; 4]> = bench.read_all(buffer);
+    let bytes = end.wrapping_sub(buffer.address) as usize;
     let ends = bytes <= 16 * words.len() && bytes.is_multiple_of(16);
     assert!(ends, "no list ends at {end:#x}");
     let records = words.iter().take(bytes / 16);
@@ -56,8 +56,8 @@ fn put_tile(bench: &mut Bench, named: [u32; 4], places: &[[u32; 4]]) -> [Place; 
     let group: Vec<_> = places.iter().map(|place| place.map(U32::new)).collect();
     let group = put(bench, &group);
     let masks = put(bench, &[named.map(U32::new)]);
-    let room = bench.place(&[0; size_of::<layout::Place>() * (TILE + 1)]);
-    [masks, group, room]
+    let buffer = bench.place(&[0; size_of::<layout::Place>() * (TILE + 1)]);
+    [masks, group, buffer]
 }
 
 impl Description for ListPlaces {
@@ -80,13 +80,13 @@ impl Description for ListPlaces {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let [masks, group, room] = put_tile(bench, self.named, &self.places);
+        let [masks, group, buffer] = put_tile(bench, self.named, &self.places);
         let origin = put(bench, &self.origin.map(U32::new));
-        (room, vec![masks.address, group.address, origin.address, room.address])
+        (buffer, vec![masks.address, group.address, origin.address, buffer.address])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
-        records(bench, *room, end)
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
+        records(bench, *buffer, end)
     }
 
     fn twin(&self, _: &Place) -> Self::Found {
@@ -125,12 +125,12 @@ impl Description for ListPairs {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let [masks, group, room] = put_tile(bench, self.named, &self.places);
-        (room, vec![masks.address, group.address, self.object, room.address])
+        let [masks, group, buffer] = put_tile(bench, self.named, &self.places);
+        (buffer, vec![masks.address, group.address, self.object, buffer.address])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
-        records(bench, *room, end)
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
+        records(bench, *buffer, end)
     }
 
     fn twin(&self, _: &Place) -> Self::Found {

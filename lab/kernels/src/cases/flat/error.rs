@@ -81,7 +81,7 @@ pub fn isect_plane(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 }
 
 fn nearest_error(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str) -> f64 {
-    /// The least distance of a point from an edge, in u and v, on either side.
+    /// The smallest distance of a point from an edge, in u and v, on either side.
     const EDGE: f64 = 5e-4;
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

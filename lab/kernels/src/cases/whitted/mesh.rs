@@ -297,13 +297,13 @@ fn node(y: f64) -> Node {
     Node { boxes: [corners; 4], words: [4; 4] }
 }
 
-/// All rays of so many packets, and one node.
+/// All rays of this number of packets, and one node.
 fn filter(bench: &mut Bench, y: f64, count: u32) -> Vec<u32> {
     let bits = u128::MAX << (128 - 16 * count);
     call::put_for_filter(bench, &vec![rays(); count as usize], &[node(y)], bits).1
 }
 
-/// One ray, and so many nodes.
+/// One ray, and this number of nodes.
 fn few(bench: &mut Bench, count: u32) -> Vec<u32> {
     let nodes = vec![node(0.0); count as usize];
     call::put_for_few(bench, &[rays()], &nodes, 1 << 120, 0).2
@@ -376,7 +376,7 @@ fn rows_of_triangles(bench: &mut Bench, x: f64, count: u32) -> Vec<u32> {
 /// A triangle, and rays to it and around it.
 type Aimed = (TriangleObject, [sphere_ray::Ray; 16]);
 
-/// What becomes of them before the test.
+/// A change to the triangle and its rays before the test.
 type From = fn(Aimed) -> Aimed;
 
 /// With the rays' origin, which is that of all, as the eye.

@@ -27,7 +27,7 @@ const PACKETS: Objects = Objects::List(4, 8);
 /// The quadwords of a packet's row, and of a tile's.
 const QUADS: Objects = Objects::List(4, 64);
 
-/// The least share of a light of brightness 1 that is worth a shadow ray: 2^-12.
+/// The smallest share of a light of brightness 1 that is worth a shadow ray: 2^-12.
 pub const LEAST: Single = 0x3980_0000;
 
 /// The kernels in this file.

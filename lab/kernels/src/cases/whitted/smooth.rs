@@ -227,7 +227,7 @@ pub fn truth(hit: &Hit) -> (Vector, f64) {
 
 /// The largest error of a component, of 1.
 fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    /// The least cosine to the ray for which a normal counts.
+    /// The smallest cosine to the ray for which a normal counts.
     const EDGE_ON: f64 = 1e-4;
     let mut worst = 0.0_f64;
     for _ in 0..500 {

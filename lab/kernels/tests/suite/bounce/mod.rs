@@ -85,21 +85,21 @@ fn rays_below_the_least_weight_are_not_sent_on() {
     let (mut all, mut sent) = ([0; 2], [0; 2]);
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
-        let least = random.random_range(0.0..1.0);
-        let limits = Limits { least: from_f64(least), ..Limits::NONE };
+        let minimum = random.random_range(0.0..1.0);
+        let limits = Limits { min_weight: from_f64(minimum), ..Limits::NONE };
         let found = check_within(limits, &mut bench, &mut random, &[packet]);
-        let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(least));
-        assert!(!found.iter().flatten().any(light), "{least}: {found:x?}");
+        let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(minimum));
+        assert!(!found.iter().flatten().any(light), "{minimum}: {found:x?}");
         let open = check(&mut bench, &mut random, &[packet]);
         for kernel in 0..2 {
             let heavy = open[kernel].iter().filter(|ray| !light(ray));
-            assert!(heavy.eq(&found[kernel]), "{least}: {packet:x?}");
+            assert!(heavy.eq(&found[kernel]), "{minimum}: {packet:x?}");
             all[kernel] += open[kernel].len();
             sent[kernel] += found[kernel].len();
         }
     }
-    let told_apart = (0..2).all(|kernel| sent[kernel] > 100 && all[kernel] > sent[kernel] + 100);
-    assert!(told_apart, "{sent:?} of {all:?} rays");
+    let distinguished = (0..2).all(|kernel| sent[kernel] > 100 && all[kernel] > sent[kernel] + 100);
+    assert!(distinguished, "{sent:?} of {all:?} rays");
 }
 
 #[test]
@@ -142,7 +142,7 @@ fn any_bits_at_all_equal_the_twins() {
             schlick: random.random(),
             grazing: random.random(),
         });
-        let limits = Limits { least: random.random(), deepest: random.random() };
+        let limits = Limits { min_weight: random.random(), deepest: random.random() };
         let found = check_within(limits, &mut bench, &mut random, &[packet]);
         for (rays, found) in rays.iter_mut().zip(found) {
             *rays += found.len();

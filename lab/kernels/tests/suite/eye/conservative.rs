@@ -6,7 +6,7 @@ use cellray::scene;
 use cellray::work::{EyeSpheres, Projection, Skip};
 use glam::DVec3;
 use kernels::bench::{Bench, random};
-use kernels::cases::eye::call::{address, list, list_room, put, put_packets, put_places};
+use kernels::cases::eye::call::{address, list, list_buffer, put, put_packets, put_places};
 use kernels::cases::eye::error::NO_HITS;
 use kernels::cases::eye::packets::RaySetup;
 use kernels::description::Description as _;
@@ -214,11 +214,11 @@ fn no_ray_that_enters_a_sphere_is_filtered_out() {
             let packets = put_packets(&mut bench, packets);
             let places = put_places(&mut bench, &packets, |_| [0; 3]);
             let spheres = put(&mut bench, &group.records);
-            let room = list_room(&mut bench, 4 * SPHERES);
+            let buffer = list_buffer(&mut bench, 4 * SPHERES);
             let fours = SPHERES as u32 / 4;
-            let arguments = [places.address, 4, spheres.address, fours, room.address];
+            let arguments = [places.address, 4, spheres.address, fours, buffer.address];
             let end = bench.call("filter_spheres_r16", &arguments).value;
-            for pair in list(&bench, room, end) {
+            for pair in list(&bench, buffer, end) {
                 let sphere = (pair.object.get() - spheres.address) as usize / size_of::<Sphere>();
                 let packet = packets.iter().position(|packet| packet.address == pair.packet.get());
                 masks[sphere] |= 0x8000 >> (4 * row + packet.expect("one of these"));
@@ -286,12 +286,12 @@ fn no_sphere_that_a_ray_of_a_tile_enters_is_outside_of_its_frustum() {
         let planes = frustum(&group.camera, group.left, group.top);
         let planes = put(&mut bench, &[planes]);
         let spheres = put(&mut bench, &group.records);
-        let room = list_room(&mut bench, SPHERES);
+        let buffer = list_buffer(&mut bench, SPHERES);
         let count = SPHERES as u32;
-        let arguments = [planes.address, spheres.address, count, room.address];
+        let arguments = [planes.address, spheres.address, count, buffer.address];
         let end = bench.call("frustum_spheres", &arguments).value;
         let listed: Vec<u32> =
-            list(&bench, room, end).iter().map(|entry| entry.object.get()).collect();
+            list(&bench, buffer, end).iter().map(|entry| entry.object.get()).collect();
         group.check("frustum_spheres", |sphere| {
             let is_listed = listed.contains(&address::<Sphere>(spheres, sphere));
             if is_listed { 0xffff } else { 0 }

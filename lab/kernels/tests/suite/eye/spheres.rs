@@ -57,13 +57,13 @@ fn all_that_an_eye_and_a_sphere_can_be_to_each_other<F: ForTheEye<Sphere: Seen>>
     let mut bench = Bench::new();
     let cases: [(&str, F::Sphere, bool); 11] = [
         ("ahead", F::Sphere::at([0.0, 0.0, -5.0], 1.0), true),
-        ("behind", F::Sphere::at([0.0, 0.0, 5.0], 1.0), false),
+        ("behind the eye", F::Sphere::at([0.0, 0.0, 5.0], 1.0), false),
         ("around the eye", F::Sphere::at([0.0, 0.0, -0.5], 1.0), false),
         ("at the eye", F::Sphere::at([0.0; 3], 1.0), false),
         ("tangent", F::Sphere::at([1.0, 0.0, -5.0], 1.0), true),
         ("tangent at the eye", F::Sphere::at([1.0, 0.0, 0.0], 1.0), true),
         ("beside", F::Sphere::at([3.0, 0.0, -5.0], 1.0), false),
-        ("beside and behind", F::Sphere::at([3.0, 0.0, 5.0], 1.0), false),
+        ("beside and behind the eye", F::Sphere::at([3.0, 0.0, 5.0], 1.0), false),
         ("tiny and far", F::Sphere::at([0.0, 0.0, -4096.0], 1.0 / 16.0), true),
         ("huge", F::Sphere::at([0.0, 0.0, -1e9], 0.999e9), true),
         (

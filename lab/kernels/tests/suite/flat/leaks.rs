@@ -31,7 +31,7 @@ struct Leaks {
     moeller_trumbore: u32,
 }
 
-/// Returns how many of the packets' rays hit none of the triangles, which are visible from both
+/// Returns how many of the packets' rays hit no triangle; all triangles are visible from both
 /// sides.
 fn leaks(bench: &mut Bench, kernel: &str, packets: &[RayPacket], faces: &[TriangleObject]) -> u32 {
     let mut packets = packets.to_vec();

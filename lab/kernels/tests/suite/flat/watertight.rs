@@ -14,7 +14,7 @@ use zerocopy::IntoBytes as _;
 
 /// The ways in which meshes are made: of any size and not far from the origin; thin in one or two
 /// directions; so far from the origin that the vertices are on a coarse lattice, and many edges
-/// are exactly behind others; and folded on a lattice.
+/// are exactly covered by others; and folded on a lattice.
 pub const KINDS: [fn(&mut ChaCha8Rng) -> Mesh; 4] = [
     |random| {
         let size = magnitude(1e-3..1e3, random);

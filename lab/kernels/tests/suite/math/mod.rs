@@ -73,9 +73,9 @@ fn errors_hold_to_the_ends_of_the_domains() {
     for function in &FUNCTIONS {
         let all = function.quantity.all_fractions();
         let span = all.end() - all.start();
-        let [least, most] = function.domain;
+        let [min, max] = function.domain;
         let (stated, _) = stated(function);
-        for operand in (least..least + span).chain(most - span..=most).step_by(3) {
+        for operand in (min..min + span).chain(max - span..=max).step_by(3) {
             let error = ulps(function, operand, (function.twin)(operand));
             assert!(error <= stated, "{} of {operand:x}: {error}", function.kernel);
         }

@@ -18,7 +18,7 @@ fn hits_are_listed_as_by_the_twin() {
     for at in 0..400 {
         let packets: Vec<[u32; 16]> = (0..at % 9)
             .map(|_| {
-                // Few triangles, so that rays share them; and objects that are none of the mesh.
+                // Few triangles, so that rays share them; and objects that aren't part of the mesh.
                 let few = random.random_range(1..9);
                 std::array::from_fn(|_| match random.random_range(0..8) {
                     0 => random.random_range(0..2) << 7,

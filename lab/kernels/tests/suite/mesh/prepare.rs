@@ -11,7 +11,7 @@ use spu_emulator::float::single::to_f64;
 use twins::mesh_prepare::{CONES, HEADER, INNER, Known, LEAF, NODE, SPHERES, WORDS, prepare};
 
 const KINDS: [u32; 4] = [INNER, LEAF, SPHERES, CONES];
-/// The most lowest nodes that leave room for something in a block.
+/// The largest number of lowest nodes that leaves space for records in a block.
 const LOWEST: usize = 11;
 
 fn any_block(random: &mut ChaCha8Rng) -> ([u32; WORDS], Known) {
@@ -67,7 +67,7 @@ fn damaged_blocks_are_those_that_the_twin_refuses() {
     assert!((500..1900).contains(&refused));
 }
 
-/// A block of nothing but random bits behind a header that may be right.
+/// A block of nothing but random bits after a header that may be right.
 #[test]
 fn any_bits_at_all_equal_the_twin() {
     let mut random = random();

@@ -15,7 +15,7 @@ use twins::primary_rays::Ray;
 
 use super::conservative::{self, AXES, SLACK};
 
-/// Rays that are few: the list of all that they may meet has to have room.
+/// A number of rays so small that the list of all nodes that they may meet has capacity.
 const FEW: u32 = 16;
 /// Packets of a batch.
 const MOST: usize = 8;

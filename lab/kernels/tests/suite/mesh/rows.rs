@@ -37,7 +37,7 @@ fn junk_block(random: &mut ChaCha8Rng) -> MeshBlock {
     }
 }
 
-/// Random triangles around a point that is as far as one of the scales says, and packets of rays
+/// Random triangles around a point at the distance of one of the scales, and packets of rays
 /// from the eye that go to points on them and on their edges, to their vertices, and beside them.
 /// The rays of a packet are as far apart as the triangles are wide.
 fn aimed(random: &mut ChaCha8Rng) -> (MeshBlock, Vec<Packet>) {

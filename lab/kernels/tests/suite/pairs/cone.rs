@@ -59,8 +59,8 @@ fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
     let forward = [0.0, 0.0, -1.0];
     let cases: [Case; 12] = [
         ("ahead", [0.0; 3], forward, Some(4.0), Some(6.0)),
-        ("from behind", [0.0, 0.0, -9.0], [0.0, 0.0, 1.0], Some(3.0), Some(5.0)),
-        ("behind", [0.0, 0.0, -9.0], forward, None, None),
+        ("from the opposite side", [0.0, 0.0, -9.0], [0.0, 0.0, 1.0], Some(3.0), Some(5.0)),
+        ("behind the origin", [0.0, 0.0, -9.0], forward, None, None),
         ("beside", [1.5, 0.0, 0.0], forward, None, None),
         ("above", [0.0, 1.5, 0.0], forward, None, None),
         ("below", [0.0, -1.5, 0.0], forward, None, None),

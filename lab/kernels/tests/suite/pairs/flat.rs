@@ -51,7 +51,7 @@ fn from_before_and_from_behind() {
                 // Seen along -z, counter-clockwise is from x to y.
                 let (first, second) = if front { (first, second) } else { (second, first) };
                 let corner = [-0.9, -0.9, -5.0];
-                let behind = [-0.9, -0.9, 5.0];
+                let opposite = [-0.9, -0.9, 5.0];
                 let straight = ray(place([0.0; 3]), place([0.0, 0.0, -1.0]), FARTHEST);
                 let vertex = |edge: [f64; 3]| {
                     point(place(std::array::from_fn(|axis| corner[axis] + edge[axis])))
@@ -66,7 +66,7 @@ fn from_before_and_from_behind() {
                     both,
                 };
                 assert_eq!(is_hit(&mut bench, straight, shape(corner)), seen);
-                assert!(!is_hit(&mut bench, straight, shape(behind)));
+                assert!(!is_hit(&mut bench, straight, shape(opposite)));
                 let triangle = TriangleObject { vertices, both };
                 let other = MoellerTrumbore(triangle);
                 assert_eq!(is_hit(&mut bench, straight, triangle), seen);

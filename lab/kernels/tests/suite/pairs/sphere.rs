@@ -23,9 +23,9 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
     let cases: [Case; 12] = [
         ("ahead", [0.0, 0.0, -5.0], 1.0, Some(4.0), Some(6.0)),
         ("of a negative radius", [0.0, 0.0, -5.0], -1.0, Some(4.0), Some(6.0)),
-        ("behind", [0.0, 0.0, 5.0], 1.0, None, None),
+        ("behind the origin", [0.0, 0.0, 5.0], 1.0, None, None),
         ("around, its centre ahead", [0.0, 0.0, -0.5], 1.0, None, Some(1.5)),
-        ("around, its centre behind", [0.0, 0.0, 0.5], 1.0, None, Some(0.5)),
+        ("around, its centre behind the origin", [0.0, 0.0, 0.5], 1.0, None, Some(0.5)),
         ("around, its centre here", [0.0; 3], 1.0, None, Some(1.0)),
         ("around, its centre beside", [0.6, 0.0, 0.0], 1.0, None, Some(0.8)),
         ("tangent", [1.0, 0.0, -5.0], 1.0, Some(5.0), Some(5.0)),

@@ -89,13 +89,13 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
         }
         cones += 1;
         let middle = unit(axis);
-        let least = -largest(&|ray| -dot(direction(ray), middle));
+        let smallest = -largest(&|ray| -dot(direction(ray), middle));
         let beside = largest(&|ray| {
             let normal = cross(direction(ray), middle);
             dot(normal, normal).sqrt()
         });
         assert!((dot(axis, axis) - 1.0).abs() < LOOSE, "{at}");
-        assert!(cosine <= least && least - LOOSE_COSINE <= cosine, "{least} {at}");
+        assert!(cosine <= smallest && smallest - LOOSE_COSINE <= cosine, "{smallest} {at}");
         assert!(sine >= beside && beside + LOOSE >= sine, "{beside} {at}");
         assert!(cosine * cosine + sine * sine <= 1.0, "{at}");
     }

@@ -191,8 +191,8 @@ fn a_check_names_what_a_shader_breaks() {
         machine.material(1, 0, 0, 0);
         // Lane 10 is one that no shader may shade.
         machine.surfaces.material[10] = address(1).into();
-        let answer = machine.run(FEATURE_CHECK_SHADERS);
-        assert_eq!(answer, refused(rule, register, shader), "{answer:#x}");
+        let result = machine.run(FEATURE_CHECK_SHADERS);
+        assert_eq!(result, refused(rule, register, shader), "{result:#x}");
         if shader != POINTER {
             assert_eq!(machine.run(0), Status::Done as u32, "unchecked");
         }

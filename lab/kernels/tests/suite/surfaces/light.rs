@@ -25,15 +25,15 @@ fn check_shadow_rays(
     bench: &mut Bench,
     sites: &[Site],
     place: &Place,
-    least: Single,
+    min_share: Single,
 ) -> [usize; 2] {
-    let found = call::shadow_rays(bench, sites, place, least);
+    let found = call::shadow_rays(bench, sites, place, min_share);
     let expected: Vec<[Ray; 16]> = sites
         .iter()
         .map(|site| {
             std::array::from_fn(|lane| {
                 let (surface, normal) = (&site.surfaces[lane], site.normals[lane]);
-                shadow_ray(surface, normal, site.weights[lane], place, least)
+                shadow_ray(surface, normal, site.weights[lane], place, min_share)
             })
         })
         .collect();
@@ -112,8 +112,8 @@ fn sites_equal_the_twins_in_lists_of_any_length() {
                 site
             };
             let sites: Vec<Site> = (0..count).map(|_| site()).collect();
-            let least = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
-            let made = check_shadow_rays(&mut bench, &sites, &place, least);
+            let min_share = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
+            let made = check_shadow_rays(&mut bench, &sites, &place, min_share);
             rays += made[0];
             packets += made[1];
             all += count;
@@ -145,8 +145,8 @@ fn any_bits_at_all_equal_the_twins() {
     for _ in 0..500 {
         let sites = [(); 2].map(|()| any_bits_of_a_site(&mut random));
         let place = Place { position: random.random(), directional: random.random() };
-        let least = if random.random() { random.random() } else { 0 };
-        check_shadow_rays(&mut bench, &sites, &place, least);
+        let min_share = if random.random() { random.random() } else { 0 };
+        check_shadow_rays(&mut bench, &sites, &place, min_share);
         check_light(&mut bench, &sites, random.random());
     }
 }
@@ -181,13 +181,13 @@ fn there_is_a_shadow_ray_only_to_a_light_ahead() {
     };
     assert!(there(&surface, normal, &at([0.0; 3])));
     assert!(!there(&surface, normal, &at([1.0, 2.0, -4.0])), "beside");
-    assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind");
+    assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind the surface");
     assert!(!there(&surface, normal, &at([0.0, 0.0, -4.0])), "at the point");
     let turned = [-1.0, 0.0, 0.0].map(from_f64);
     let light = at([1.0, 0.0, 0.0]);
-    assert!(!there(&surface, turned, &light), "behind the normal");
-    let behind = Surface { plane: turned, ..surface };
-    assert!(!there(&behind, normal, &light), "behind the plane");
+    assert!(!there(&surface, turned, &light), "on the other side of the normal");
+    let averted = Surface { plane: turned, ..surface };
+    assert!(!there(&averted, normal, &light), "behind the plane");
     let dark = Surface { diffuse: 0, highlight: 0, ..surface };
     assert!(!there(&dark, normal, &at([0.0; 3])), "not lit");
     for share in [Surface { diffuse: 0, ..surface }, Surface { highlight: 0, ..surface }] {
@@ -217,19 +217,19 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
     // The OR of the channels' bits.
     let most = to_f64(surface.colour.into_iter().fold(0, |all, channel| all | channel));
     assert!((0.5..2.0).contains(&most), "{most}");
-    let least = 1.0 / 4096.0;
-    let there = |surface: &Surface, weight: f64, cosine: f64, least: f64| {
-        let (weight, least) = (from_f64(weight), from_f64(least));
-        let ray = shadow_ray(surface, surface.plane, weight, &light_at(cosine), least);
+    let min_share = 1.0 / 4096.0;
+    let there = |surface: &Surface, weight: f64, cosine: f64, min_share: f64| {
+        let (weight, min_share) = (from_f64(weight), from_f64(min_share));
+        let ray = shadow_ray(surface, surface.plane, weight, &light_at(cosine), min_share);
         ray.t != NOT_THERE
     };
     for cosine in [0.01, 0.1, 0.5, 0.9] {
         let lambert = 0.5 * cosine * most;
         for (surface, share) in [(&matt, lambert), (&surface, lambert + 0.25)] {
-            let weight = least / share;
-            assert!(there(surface, 1.01 * weight, cosine, least), "{cosine}");
-            assert!(!there(surface, 0.99 * weight, cosine, least), "{cosine}");
-            assert!(there(surface, 0.99 * weight, cosine, 0.9 * least));
+            let weight = min_share / share;
+            assert!(there(surface, 1.01 * weight, cosine, min_share), "{cosine}");
+            assert!(!there(surface, 0.99 * weight, cosine, min_share), "{cosine}");
+            assert!(there(surface, 0.99 * weight, cosine, 0.9 * min_share));
         }
     }
     // Without a bound only what is not lit at all is left out, whatever the weight and the colour.
@@ -237,7 +237,7 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
     for surface in [&surface, &matt, &black] {
         assert!(there(surface, 0.0, 0.5, 0.0));
     }
-    assert!(!there(&black, 1.0, 0.5, least));
+    assert!(!there(&black, 1.0, 0.5, min_share));
     let dark = Surface { diffuse: 0, ..matt };
     assert!(!there(&dark, 1.0, 0.5, 0.0));
 }

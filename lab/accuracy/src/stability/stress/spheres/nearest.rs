@@ -1,5 +1,5 @@
-//! Two spheres of which it is difficult to tell the nearer one: they have one centre, touch, or
-//! are nested, or one is ten million times as large as the other.
+//! Two spheres of which the nearer one is difficult to determine: they have one centre, touch,
+//! or are nested, or one is ten million times as large as the other.
 
 use crate::generator::Generator;
 use kernels::Bench;

@@ -16,9 +16,9 @@ use crate::flat_records::{self, quad};
 use crate::vector::{dot, sub};
 use protocol::layout;
 
-/// The least distance of a point from an edge, in u and v, on either side.
+/// The smallest distance of a point from an edge, in u and v, on either side.
 const EDGE: f64 = 5e-4;
-/// The least cosine of a ray's incidence, which limits how parallel to the plane it may be.
+/// The smallest cosine of a ray's incidence, which limits how parallel to the plane it may be.
 const INCIDENCE: f64 = 0.1;
 
 impl Shape for RectangleObject {

@@ -16,7 +16,7 @@ use crate::flat_records::{self, point, quad};
 use crate::vector::{Vector, cross, dot, sub, unit};
 use protocol::layout::{self, RayPacket};
 
-/// The least distance of a point from an edge, in barycentric coordinates, on either side.
+/// The smallest distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 8e-5;
 /// The smallest area that counts: twice the area across the ray, relative to the square of the
 /// longest edge.
@@ -49,7 +49,7 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
 ///
 /// # Panics
 ///
-/// Panics if there is no such kernel, or if the packets do not fit; there is room for 40.
+/// Panics if there is no such kernel, or if the packets do not fit; there is capacity for 40.
 pub fn pairs_by(
     bench: &mut Bench,
     kernel: &str,

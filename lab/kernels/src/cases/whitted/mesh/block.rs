@@ -14,7 +14,7 @@ const BLOCKS: u32 = 1000;
 /// How many materials.
 const MATERIALS: u32 = 9;
 
-/// A block of this kind, with so many lowest nodes, 1 to 11, of which each has a child at least.
+/// A block of this kind, with this number of lowest nodes, 1 to 11, each with at least one child.
 /// All boxes are within a cube of half this size around a point, which is the root's.
 #[must_use]
 pub fn block(
@@ -32,15 +32,15 @@ pub fn block(
     let upper = usize::from(lowest > 1) + middle;
     let nodes = upper + lowest;
     let first = HEADER + NODE * nodes;
-    let room = WORDS - first;
+    let capacity = WORDS - first;
     let lanes: Vec<usize> = (0..lowest).map(|_| random.random_range(1..=4)).collect();
     let children: usize = lanes.iter().sum();
     let [records, vertices] = match (kind, object(kind)) {
         (INNER, _) => [0, 0],
-        (_, Some(size)) => [children.min(room / size), 0],
+        (_, Some(size)) => [children.min(capacity / size), 0],
         _ => {
-            let vertices = random.random_range(1..=room / 8);
-            [(room - 4 * vertices).min(random.random_range(1..=100)), vertices]
+            let vertices = random.random_range(1..=capacity / 8);
+            [(capacity - 4 * vertices).min(random.random_range(1..=100)), vertices]
         }
     };
     let mut words = [0; WORDS];

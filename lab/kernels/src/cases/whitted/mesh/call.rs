@@ -177,7 +177,7 @@ pub struct Candidates {
     /// The candidates' words: object, packet, bound, near.
     pub given: Vec<[u32; 4]>,
     /// The buffer for the list.
-    pub room: Place,
+    pub buffer: Place,
 }
 
 /// Puts nodes, packets, their bounds and candidates into local store. Each candidate is a node and
@@ -205,12 +205,12 @@ pub fn put_candidates(
     };
     let given: Vec<MeshCandidate> = pairs.iter().enumerate().map(candidate).collect();
     let list = put(bench, &given);
-    let room = vec![MeshCandidate::new_zeroed(); 4 * pairs.len() + 3];
-    let room = put(bench, &room);
+    let buffer = vec![MeshCandidate::new_zeroed(); 4 * pairs.len() + 3];
+    let buffer = put(bench, &buffer);
     Candidates {
-        arguments: vec![list.address, given.len() as u32, room.address, base],
+        arguments: vec![list.address, given.len() as u32, buffer.address, base],
         given: given.iter().map(words).collect(),
-        room,
+        buffer,
     }
 }
 
@@ -234,8 +234,8 @@ pub fn listed(
     bench.reset();
     let placed = put_candidates(bench, nodes, packets, pairs, base);
     let end = bench.call(kernel, &placed.arguments).value;
-    let mut list: Vec<MeshCandidate> = bench.read_all(placed.room);
-    let ends = (0..=4 * pairs.len()).find(|at| address::<MeshCandidate>(placed.room, *at) == end);
+    let mut list: Vec<MeshCandidate> = bench.read_all(placed.buffer);
+    let ends = (0..=4 * pairs.len()).find(|at| address::<MeshCandidate>(placed.buffer, *at) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
     [placed.given, list.iter().map(words).collect()]
 }

@@ -135,15 +135,15 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
     [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
 }
 
-/// The words of the list that begins in `room` and ends at the address that a kernel returned.
+/// The words of the list that begins in `buffer` and ends at the address that a kernel returned.
 ///
 /// # Panics
 ///
 /// Panics if the address is not a possible end of such a list.
 #[must_use]
-pub fn listed(bench: &Bench, room: Place, end: u32) -> Vec<[u32; 4]> {
-    let mut list: Vec<Candidate> = bench.read_all(room);
-    let ends = (0..=list.len()).find(|number| address::<Candidate>(room, *number) == end);
+pub fn listed(bench: &Bench, buffer: Place, end: u32) -> Vec<[u32; 4]> {
+    let mut list: Vec<Candidate> = bench.read_all(buffer);
+    let ends = (0..=list.len()).find(|number| address::<Candidate>(buffer, *number) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
     list.iter().map(words).collect()
 }

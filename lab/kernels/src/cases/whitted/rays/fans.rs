@@ -93,7 +93,7 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     })
 }
 
-/// A packet of shadow rays to a light, and the light. The rays start at the greatest allowed
+/// A packet of shadow rays to a light, and the light. The rays start at the largest allowed
 /// distance from surfaces, and some are absent.
 pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let far = if random.random() { 1.0 } else { 100.0 };

@@ -139,7 +139,7 @@ pub fn shadow_arguments(
     bench: &mut Bench,
     sites: &[Site],
     place: &shadow_rays::Place,
-    least: Single,
+    min_share: Single,
 ) -> (Vec<u32>, [bench::Place; 3]) {
     let placed = put_sites(bench, sites);
     let light = put(bench, &[light_record(place, [ANYTHING; 3])]);
@@ -150,7 +150,7 @@ pub fn shadow_arguments(
         sites.len() as u32,
         light.address,
         placed.background.address,
-        least,
+        min_share,
         packets.address,
         listed.address,
     ];
@@ -175,15 +175,15 @@ pub struct ShadowRays {
 /// # Panics
 ///
 /// Panics if a ray's object is not the background, if its weight or pixel has changed, or if a
-/// listed site is none of the given ones.
+/// listed site is not one of those given.
 pub fn shadow_rays(
     bench: &mut Bench,
     sites: &[Site],
     place: &shadow_rays::Place,
-    least: Single,
+    min_share: Single,
 ) -> ShadowRays {
     bench.reset();
-    let (arguments, [given, packets, listed]) = shadow_arguments(bench, sites, place, least);
+    let (arguments, [given, packets, listed]) = shadow_arguments(bench, sites, place, min_share);
     bench.call("shadow_rays_r16", &arguments);
     let [end, count, shining, _] = bench.returned_vector();
     let listed_sites = (end - listed.address) as usize / size_of::<layout::Site>();

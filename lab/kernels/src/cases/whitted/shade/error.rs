@@ -158,7 +158,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// The light that a surface sends back, in f64 by the model's own formula.
+/// The light that a surface sends back, in f64, from the formula of the shading model.
 fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> [f64; 3] {
     let surface = &site.surfaces[lane];
     let (ray, blocked) = &site.shadow[lane];

@@ -117,10 +117,10 @@ pub fn put_filter(
     let candidates = put(bench, &candidates);
     let block = bench.place(&leaf(block, 3, anything));
     let most: usize = runs.iter().map(|(run, _)| run.len()).sum();
-    let room = put(bench, &vec![MeshRows::new_zeroed(); most + 1]);
+    let buffer = put(bench, &vec![MeshRows::new_zeroed(); most + 1]);
     let arguments =
-        vec![candidates.address, runs.len() as u32, block.address, room.address, windows.address];
-    (room, arguments)
+        vec![candidates.address, runs.len() as u32, block.address, buffer.address, windows.address];
+    (buffer, arguments)
 }
 
 /// Calls `filter_triangles_r16`. Returns its list, how many rows it has by the kernel's count, and
@@ -128,8 +128,8 @@ pub fn put_filter(
 ///
 /// # Panics
 ///
-/// Panics if the list ends outside its buffer or within a record, or if a record is none of a
-/// packet of `put_filter`.
+/// Panics if the list ends outside its buffer or within a record, or if a record belongs to
+/// no packet of `put_filter`.
 pub fn filtered(
     bench: &mut Bench,
     windows: &[mesh_rows::MeshWindow],
@@ -138,11 +138,11 @@ pub fn filtered(
     anything: u32,
 ) -> (Vec<Rows>, u32, u32) {
     bench.reset();
-    let (room, arguments) = put_filter(bench, windows, block, runs, anything);
+    let (buffer, arguments) = put_filter(bench, windows, block, runs, anything);
     bench.call("filter_triangles_r16", &arguments);
     let [end, rows, triangles, _] = bench.returned_vector();
-    let mut list: Vec<MeshRows> = bench.read_all(room);
-    let ends = (0..list.len()).find(|at| address::<MeshRows>(room, *at) == end);
+    let mut list: Vec<MeshRows> = bench.read_all(buffer);
+    let ends = (0..list.len()).find(|at| address::<MeshRows>(buffer, *at) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
     let found = list.iter().map(|record| {
         let word = record.rows.get();
@@ -257,7 +257,7 @@ pub fn put_for_patches(
         patch.triangle[..4].fill((*object).into());
     }
     let patches = put(bench, &patches);
-    // What is read of a leaf that isn't there must be the same for both versions of the kernel.
+    // Both versions of the kernel must read the same bytes for a leaf that isn't there.
     let nothing = bench.place(&[0; 5000]).address;
     let none = MeshLeaf {
         number: u32::MAX.into(),
@@ -302,10 +302,10 @@ pub fn flat_patches(
     anything: u32,
 ) -> ([Vec<u32>; 2], Vec<[FlatPatch; 2]>) {
     bench.reset();
-    let (placed, room, arguments) = put_for_patches(bench, objects, leaves, anything);
+    let (placed, buffer, arguments) = put_for_patches(bench, objects, leaves, anything);
     let end = bench.call("mesh_flat_patches", &arguments).value;
-    let mut list: Vec<MeshHit> = bench.read_all(room);
-    let ends = (0..=list.len()).find(|at| address::<MeshHit>(room, *at) == end);
+    let mut list: Vec<MeshHit> = bench.read_all(buffer);
+    let ends = (0..=list.len()).find(|at| address::<MeshHit>(buffer, *at) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
     let patches: Vec<Patch> = bench.read_all(placed);
     let mut missing = Vec::new();

@@ -97,13 +97,13 @@ pub fn put_for_alive(
 pub struct Batch {
     /// The nodes.
     pub nodes: u32,
-    /// The bits, and room for those of other nodes.
+    /// The bits, and space for those of other nodes.
     pub bits: u32,
     /// The rays' records.
     pub records: Place,
     /// The packets.
     pub packets: Place,
-    /// Room for a list of rays.
+    /// A buffer for a list of rays.
     pub list: u32,
 }
 
@@ -121,11 +121,11 @@ pub fn put_batch(bench: &mut Bench, packets: &[[Ray; 16]], nodes: &[Node], bits:
         })
         .collect();
     let placed: Vec<RayPacket> = packets.iter().map(rays::call::packet).collect();
-    let mut room = bits.to_be_bytes().to_vec();
-    room.resize(16 * (nodes.len() + 3), 0x55);
+    let mut buffer = bits.to_be_bytes().to_vec();
+    buffer.resize(16 * (nodes.len() + 3), 0x55);
     Batch {
         nodes: put(bench, &nodes).address,
-        bits: bench.place(&room).address,
+        bits: bench.place(&buffer).address,
         records: put(bench, &records),
         packets: put(bench, &placed),
         list: bench.place(&[0x55; 16 * 131]).address,
@@ -144,12 +144,12 @@ pub fn filter_rays(
     bits: u128,
 ) -> (Vec<Visit>, u32) {
     bench.reset();
-    let (room, arguments) = put_for_filter(bench, packets, nodes, bits);
+    let (buffer, arguments) = put_for_filter(bench, packets, nodes, bits);
     let end = bench.call("mesh_filter_rays", &arguments).value;
     let tests = bench.returned_second();
-    let visits: Vec<MeshVisit> = bench.read_all(room);
-    let count = (end - room.address) as usize / size_of::<MeshVisit>();
-    assert_eq!(end, address::<MeshVisit>(room, count), "the end of the list");
+    let visits: Vec<MeshVisit> = bench.read_all(buffer);
+    let count = (end - buffer.address) as usize / size_of::<MeshVisit>();
+    assert_eq!(end, address::<MeshVisit>(buffer, count), "the end of the list");
     let visit = |visit: &MeshVisit| {
         assert_eq!([visit.reserved.get(), visit.reserved_2.get()], [0; 2]);
         Visit {
@@ -174,17 +174,17 @@ pub fn put_for_filter(
     bits: u128,
 ) -> (Place, Vec<u32>) {
     let batch = put_batch(bench, packets, nodes, bits);
-    let room = put(bench, &vec![MeshVisit::new_zeroed(); 4 * nodes.len() + 3]);
+    let buffer = put(bench, &vec![MeshVisit::new_zeroed(); 4 * nodes.len() + 3]);
     let arguments = vec![
         batch.nodes,
         nodes.len() as u32,
         batch.bits,
-        room.address,
+        buffer.address,
         batch.records.address,
         batch.packets.address,
         batch.list,
     ];
-    (room, arguments)
+    (buffer, arguments)
 }
 
 /// The first packet's candidate, and what is added for each further one.
@@ -215,9 +215,9 @@ pub fn few_rays(
     base: u32,
 ) -> Vec<(u32, u32)> {
     bench.reset();
-    let (first, room, arguments) = put_for_few(bench, packets, nodes, bits, base);
+    let (first, buffer, arguments) = put_for_few(bench, packets, nodes, bits, base);
     let end = bench.call("mesh_few_rays", &arguments).value;
-    candidates_in(bench, first, room, end)
+    candidates_in(bench, first, buffer, end)
 }
 
 /// Puts the inputs of `mesh_few_rays` into local store. Returns the address of the packets, the
@@ -231,25 +231,25 @@ pub fn put_for_few(
 ) -> (u32, Place, Vec<u32>) {
     let batch = put_batch(bench, packets, nodes, bits);
     let most = 4 * nodes.len() * bits.count_ones() as usize + 3;
-    let room = put(bench, &vec![MeshCandidate::new_zeroed(); most]);
+    let buffer = put(bench, &vec![MeshCandidate::new_zeroed(); most]);
     let steps = steps(bench, batch.packets.address, BOUNDS);
     let arguments = vec![
         batch.nodes,
         nodes.len() as u32,
         batch.bits,
-        room.address,
+        buffer.address,
         batch.records.address,
         steps,
         base,
         batch.list,
     ];
-    (batch.packets.address, room, arguments)
+    (batch.packets.address, buffer, arguments)
 }
 
-fn candidates_in(bench: &Bench, packets: u32, room: Place, end: u32) -> Vec<(u32, u32)> {
-    let list: Vec<MeshCandidate> = bench.read_all(room);
-    let count = (end - room.address) as usize / size_of::<MeshCandidate>();
-    assert_eq!(end, address::<MeshCandidate>(room, count), "the end");
+fn candidates_in(bench: &Bench, packets: u32, buffer: Place, end: u32) -> Vec<(u32, u32)> {
+    let list: Vec<MeshCandidate> = bench.read_all(buffer);
+    let count = (end - buffer.address) as usize / size_of::<MeshCandidate>();
+    assert_eq!(end, address::<MeshCandidate>(buffer, count), "the end");
     let candidate = |candidate: &MeshCandidate| {
         let packet = (candidate.packet.get() - packets) / size_of::<RayPacket>() as u32;
         let bound = BOUNDS + packet * size_of::<MeshBound>() as u32;
@@ -262,9 +262,9 @@ fn candidates_in(bench: &Bench, packets: u32, room: Place, end: u32) -> Vec<(u32
 /// Calls `mesh_candidates`. Returns each candidate's word and the number of its packet.
 pub fn candidates(bench: &mut Bench, visits: &[Visit], base: u32) -> Vec<(u32, u32)> {
     bench.reset();
-    let (room, arguments) = put_for_candidates(bench, visits, base);
+    let (buffer, arguments) = put_for_candidates(bench, visits, base);
     let end = bench.call("mesh_candidates", &arguments).value;
-    candidates_in(bench, PACKETS, room, end)
+    candidates_in(bench, PACKETS, buffer, end)
 }
 
 /// Where the packets of these candidates would be.
@@ -284,11 +284,11 @@ pub fn put_for_candidates(bench: &mut Bench, visits: &[Visit], base: u32) -> (Pl
         })
         .collect();
     let records = put(bench, &records);
-    let room = vec![MeshCandidate::new_zeroed(); 8 * visits.len() + 7];
-    let room = put(bench, &room);
+    let buffer = vec![MeshCandidate::new_zeroed(); 8 * visits.len() + 7];
+    let buffer = put(bench, &buffer);
     let steps = steps(bench, PACKETS, BOUNDS);
-    let arguments = vec![records.address, visits.len() as u32, room.address, base, steps];
-    (room, arguments)
+    let arguments = vec![records.address, visits.len() as u32, buffer.address, base, steps];
+    (buffer, arguments)
 }
 
 /// Calls `mesh_prepare` with a block. Returns it as it is afterwards, or `None` if it is damaged.
