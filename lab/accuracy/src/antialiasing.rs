@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mean_is_of_a_square() {
+    fn grid_mean_is_of_a_pixels_square() {
         let (width, height) = SIZE;
         let value = |x: u32, y: u32| DVec3::new(f64::from(x), f64::from(y), 1.0);
         let samples: Vec<_> =

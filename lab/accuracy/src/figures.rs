@@ -186,7 +186,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_those_of_what_was_found() {
+    fn errors_are_measured_on_found_hit() {
         // From 0 along x to the sphere around 8 with radius 2: the hit is at 6, and the kernel
         // finds it an ulp too far.
         let hit = Hit {

@@ -140,7 +140,7 @@ mod tests {
     /// Only primary rays are compared, because the other form has the same bits in Whitted's model
     /// (lab/oracle/tests/forms.rs).
     #[test]
-    fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {
+    fn default_formulation_keeps_two_ulps_where_paper_fails() {
         let standard = Formulations::standard();
         for (formulation, from) in [(standard.eye, 4.0), (standard.seen, 16.0)] {
             let rows = measure(&subjects(formulation.name), 1, 8);
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn what_hangs_on_roundings_of_what_is_given_is_ill_conditioned() {
+    fn grazing_rays_are_ill_conditioned() {
         let rows = measure(&subjects("perpendicular"), 1, 2);
         let of = |family| row(&rows, Form::General, family).figures.well_conditioned;
         assert!(of("ratio 16") && of("coherent"));

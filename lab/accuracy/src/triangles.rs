@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_watertight_formulation_does_not_leak_and_is_right_to_some_ulps() {
+    fn watertight_formulation_keeps_bound_without_leaks() {
         let watertight: Vec<_> =
             TRIANGLES.iter().filter(|formulation| formulation.name == "watertight").collect();
         let rows = measure(&watertight, 1, 4);

@@ -136,7 +136,7 @@ mod tests {
     use crate::truth::triangle;
 
     #[test]
-    fn families_are_what_they_say() {
+    fn families_match_their_descriptions() {
         for family in FAMILIES {
             let (mut within, mut rays) = (0, 0);
             for shot in family.shots(1, 6) {

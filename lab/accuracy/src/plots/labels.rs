@@ -127,7 +127,7 @@ mod tests {
     const FRAME: Area = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
     #[test]
-    fn names_of_points_in_a_heap_lie_on_nothing() {
+    fn labels_of_close_points_do_not_overlap() {
         let points: Vec<(f64, f64)> = (0..12)
             .map(|number| (200.0 + f64::from(number % 3), 150.0 + f64::from(number)))
             .collect();

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_exact_number_is_within_the_bound() {
+    fn exact_number_is_within_bound() {
         let mut random = Generator::seed_from_u64(5);
         for _ in 0..20_000 {
             let mut number = || {
@@ -136,13 +136,13 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_of_singles_that_loses_nothing_is_exact() {
+    fn exact_sum_of_singles_has_no_error() {
         let sum = Bounded::from(1_048_576.25) - Bounded::from(3.5);
         assert_eq!(sum, Bounded::from(1_048_572.75));
     }
 
     #[test]
-    fn a_sign_is_open_within_the_bound() {
+    fn sign_is_undecided_within_bound() {
         let about = |value, error| Bounded { value, error };
         assert_eq!(about(1.0, 0.5).sign(), Some(Ordering::Greater));
         assert_eq!(about(-1.0, 0.5).sign(), Some(Ordering::Less));

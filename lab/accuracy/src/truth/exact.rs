@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_lost_between_the_ends_of_the_range() {
+    fn exact_arithmetic_keeps_all_digits() {
         let (large, small) = (2_f64.powi(128), 2_f64.powi(-126));
         let sum = Exact::from(large) + Exact::from(small);
         assert_eq!((sum - Exact::from(large)).to_f64(), small);

@@ -153,7 +153,7 @@ mod tests {
     const CORNER: [Vector; 3] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
     #[test]
-    fn whole_numbers_come_out_exactly() {
+    fn whole_numbers_give_exact_results() {
         let corner = triangle(CORNER);
         for (way, front) in [(-2.0, true), (2.0, false)] {
             let line = line([1.0, 2.0, -4.0 * way], [0.0, 0.0, way]);
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_and_vertices_are_told_from_both_sides_of_them() {
+    fn edges_and_vertices_are_separated_from_both_sides() {
         let corner = triangle(CORNER);
         let down = |x, y| corner.meeting(&line([x, y, 3.0], [0.0, 0.0, -1.0]));
         let side = |x, y| down(x, y).unwrap().side();
@@ -183,7 +183,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_plane_or_lies_along_the_ray_is_not_met() {
+    fn degenerate_or_parallel_triangle_is_missed() {
         let along = line([1.0, 1.0, 3.0], [1.0, 3.0, 0.0]);
         assert_eq!(triangle(CORNER).meeting(&along), None);
         let flat = triangle([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.1, 0.2, 0.3]]);
@@ -191,7 +191,7 @@ mod tests {
     }
 
     #[test]
-    fn double_precision_is_as_good_as_it_says() {
+    fn double_precision_keeps_its_bound() {
         let mut random = Generator::seed_from_u64(8);
         let mut sure = 0;
         for number in 0..4000 {

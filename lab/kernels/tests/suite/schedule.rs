@@ -89,7 +89,7 @@ fn a_plain_source_with_a_fault_is_named() {
 }
 
 #[test]
-fn a_changed_include_costs_those_that_include_it() {
+fn changed_include_reschedules_its_includers() {
     let folder = with_includes();
     let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let includes = folder.path().join("spu/include");

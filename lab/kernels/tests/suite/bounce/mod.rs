@@ -79,7 +79,7 @@ fn equal_their_twins_in_lists_of_every_length() {
 }
 
 #[test]
-fn rays_below_the_least_weight_are_not_sent_on() {
+fn rays_below_min_weight_are_not_sent_on() {
     let mut random = random();
     let mut bench = Bench::new();
     let (mut all, mut sent) = ([0; 2], [0; 2]);

@@ -75,7 +75,7 @@ fn count(random: &mut ChaCha8Rng, mesh: fn(&mut ChaCha8Rng) -> Mesh) -> Leaks {
 
 /// As the kernel's header states, for any seed.
 #[test]
-fn moeller_and_trumbore_leak_where_the_watertight_kernel_does_not() {
+fn moeller_trumbore_leaks_and_watertight_does_not() {
     let mut random = random();
     for (kind, stated) in KINDS.into_iter().zip(STATED) {
         let found = count(&mut random, kind);

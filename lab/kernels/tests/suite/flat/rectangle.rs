@@ -88,7 +88,7 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
 type Case = (&'static str, Rectangle, [f64; 3], [f64; 3], f64, bool, bool);
 
 #[test]
-fn sides_edges_behind_and_along() {
+fn rectangle_ray_relations_give_expected_hits() {
     let mut random = random();
     let mut bench = Bench::new();
     let ahead = rectangle([-1.0, -1.0, 5.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);

@@ -137,7 +137,7 @@ fn the_nearest_of_many() {
 }
 
 #[test]
-fn behind_beyond_along_and_without_size() {
+fn triangle_ray_relations_give_expected_hits() {
     let mut random = random();
     let mut bench = Bench::new();
     let flat =

@@ -137,7 +137,7 @@ fn any_bits_at_all_equal_the_twin() {
 /// A lane without a child and a packet without rays meet nothing, wherever the eye moves the former
 /// and however it is widened.
 #[test]
-fn nothing_meets_nothing() {
+fn empty_nodes_and_bounds_meet_nothing() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {

@@ -43,7 +43,7 @@ fn whole_blocks_equal_the_twin() {
 
 /// One word of the header or of the nodes is another one: often a bit, often a small number.
 #[test]
-fn damaged_blocks_are_those_that_the_twin_refuses() {
+fn damaged_blocks_are_rejected_as_by_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut refused = 0;
@@ -82,7 +82,7 @@ fn any_bits_at_all_equal_the_twin() {
 /// Each box holds the old one relative to the eye, with a slack of 2^-20 of its largest coordinate
 /// at least; half of the slack is left for the rounding of the tests.
 #[test]
-fn boxes_hold_what_they_held() {
+fn prepared_boxes_contain_original_boxes() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..300 {

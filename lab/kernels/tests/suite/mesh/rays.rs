@@ -63,7 +63,7 @@ fn records_equal_the_twin() {
 }
 
 #[test]
-fn the_living_equal_the_twin() {
+fn living_rays_equal_twin() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut left = 0;
@@ -193,7 +193,7 @@ fn any_bits_at_all_equal_the_twin() {
 /// Boxes that touch a ray or almost do, with the slack that they have in blocks, are met by it:
 /// by f64 from the singles of the records.
 #[test]
-fn no_box_that_a_ray_enters_is_left_out() {
+fn boxes_that_rays_enter_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let [mut met, mut found] = [0; 2];

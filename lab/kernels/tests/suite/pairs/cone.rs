@@ -46,7 +46,7 @@ fn check_cases(exact: &Exact, cases: &[Case]) {
 }
 
 #[test]
-fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
+fn ray_cylinder_relations_give_expected_hits() {
     let cylinder = Exact {
         base: [0.0, -1.0, -5.0],
         axis: [0.0, 1.0, 0.0],
@@ -75,7 +75,7 @@ fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
 }
 
 #[test]
-fn all_that_a_ray_and_a_cone_can_be_to_each_other() {
+fn ray_cone_relations_give_expected_hits() {
     let cone = Exact {
         base: [0.0; 3],
         axis: [0.0, 1.0, 0.0],

@@ -40,7 +40,7 @@ fn turned(from: [f64; 3], turn: usize, way: f64) -> [f64; 3] {
 }
 
 #[test]
-fn from_before_and_from_behind() {
+fn flat_shapes_are_hit_from_visible_sides() {
     let mut bench = Bench::new();
     for turn in 0..3 {
         // A point reflection reverses the orientation of the vertices.
@@ -80,7 +80,7 @@ fn from_before_and_from_behind() {
 }
 
 #[test]
-fn along_the_plane_and_from_within_it_is_no_hit() {
+fn ray_in_plane_misses() {
     let mut bench = Bench::new();
     let corner = [-1.0, -1.0, -5.0];
     let flat = rectangle(corner, [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);

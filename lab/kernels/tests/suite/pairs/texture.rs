@@ -83,7 +83,7 @@ fn edges_are_continued() {
 }
 
 #[test]
-fn white_texels_leave_a_colour_as_it_is() {
+fn white_texels_keep_colour() {
     let mut random = random();
     let mut bench = Bench::new();
     let lanes = std::array::from_fn(|_| {

@@ -17,7 +17,7 @@ const WIDE: f64 = 0.19;
 
 /// The cone of rays that end at a point equals that of the reversed rays.
 #[test]
-fn rays_turned_round_have_the_same_cone() {
+fn reversed_rays_have_same_cone() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
@@ -34,7 +34,7 @@ fn rays_turned_round_have_the_same_cone() {
 }
 
 #[test]
-fn without_a_ray_the_radius_is_far_below_0() {
+fn bound_without_rays_has_negative_radius() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..200 {
@@ -48,7 +48,7 @@ fn without_a_ray_the_radius_is_far_below_0() {
 }
 
 #[test]
-fn all_rays_are_within_and_the_bound_is_close_about_them() {
+fn bound_contains_all_rays_tightly() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut cones = 0;

@@ -17,7 +17,7 @@ use twins::primary_rays::{ABSENT, Ray};
 
 /// A bound without rays meets no face that is visible from one side.
 #[test]
-fn nobody_meets_a_front() {
+fn one_sided_faces_are_culled_for_absent_rays() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
@@ -96,7 +96,7 @@ fn through(packet: [Ray; 16], point: Point) -> Fans {
 }
 
 #[test]
-fn no_face_that_a_ray_meets_is_left_out() {
+fn faces_that_rays_meet_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sums = [0; 3];

@@ -83,7 +83,7 @@ fn scenes_equal_the_twin_in_lists_of_any_length() {
 }
 
 #[test]
-fn packets_of_one_object_are_told_from_others() {
+fn packets_of_one_object_are_detected() {
     let mut random = random();
     let mut bench = Bench::new();
     for count in [1, 2, 3, 8, 32] {

@@ -172,7 +172,7 @@ fn facing() -> Surface {
 }
 
 #[test]
-fn there_is_a_shadow_ray_only_to_a_light_ahead() {
+fn shadow_rays_go_only_to_lights_ahead() {
     let surface = facing();
     let normal = surface.plane;
     let at = |position: [f64; 3]| Place { position: position.map(from_f64), directional: false };
@@ -211,7 +211,7 @@ fn light_at(cosine: f64) -> Place {
 }
 
 #[test]
-fn a_ray_is_left_out_if_its_light_is_too_little() {
+fn shadow_ray_below_min_share_is_omitted() {
     let surface = Surface { colour: [0.25, 0.5, 0.125].map(from_f64), ..facing() };
     let matt = Surface { highlight: 0, ..surface };
     // The OR of the channels' bits.
@@ -243,7 +243,7 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
 }
 
 #[test]
-fn without_a_highlight_both_kernels_give_the_same_bits() {
+fn light_kernels_agree_without_highlight() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..100 {

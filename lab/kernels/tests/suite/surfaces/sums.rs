@@ -54,7 +54,7 @@ fn any_bits_of_shares_and_sums_equal_the_twin() {
 }
 
 #[test]
-fn a_ray_that_is_not_there_changes_no_sum() {
+fn absent_ray_changes_no_sum() {
     let mut bench = Bench::new();
     let share = Share { pixel: 0, weight: 0, lit: [0x7fff_ffff, 0xffff_ffff, 0x1234_5678] };
     let sum = [0.25, 0.5, 0.75].map(from_f64);
