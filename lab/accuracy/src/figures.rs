@@ -48,7 +48,6 @@ pub struct Truth {
     pub scene: f64,
 }
 
-/// A hit.
 pub struct Hit {
     /// The hit's distance.
     pub distance: f64,

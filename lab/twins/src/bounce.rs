@@ -90,7 +90,6 @@ impl Bounce {
     }
 }
 
-/// The scalar product.
 pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
     fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }

@@ -10,7 +10,6 @@ use super::{ONE, Single, select};
 
 /// A single's fraction.
 const FRACTION: u32 = 0x007f_ffff;
-/// Bits of the fraction.
 const FRACTION_BITS: u32 = 23;
 /// The single sqrt(2).
 const ROOT2: Single = 0x3fb5_04f3;

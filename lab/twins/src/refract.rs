@@ -12,7 +12,6 @@ struct Beyond {
     sine: [Single; 3],
     /// The square of the cosine; below 0, all is reflected.
     squared: Single,
-    /// The cosine.
     cosine: Single,
 }
 

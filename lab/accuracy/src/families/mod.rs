@@ -84,9 +84,7 @@ pub struct Family {
 /// A sphere and the rays sent to it.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// Centre.
     pub centre: [Single; 3],
-    /// Radius.
     pub radius: Single,
     /// The rays.
     pub packets: Vec<[Ray; 16]>,

@@ -38,7 +38,6 @@ const COLOURS: [RGBColor; 12] = [
     RGBColor(40, 90, 90),
 ];
 
-/// An axis.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub label: String,
@@ -65,7 +64,6 @@ pub(super) enum Group {
     Course(Vec<Point>),
 }
 
-/// A chart.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     pub title: String,

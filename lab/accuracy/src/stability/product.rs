@@ -18,11 +18,9 @@ use crate::truth::Vector;
 /// The kinds of shape that SPUs trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A sphere.
     Sphere,
     /// A parallelogram.
     Rectangle,
-    /// A triangle.
     Triangle,
     /// An open cone or cylinder.
     Cone,

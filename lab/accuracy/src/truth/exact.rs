@@ -42,7 +42,6 @@ impl Exact {
     }
 }
 
-/// The exact operations.
 macro_rules! exactly {
     ($($trait:ident $method:ident $operator:tt)*) => {$(
         impl $trait for Exact {

@@ -19,7 +19,6 @@ pub struct Triangle {
 /// The point where a ray's line meets the plane of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// Distance.
     pub distance: f64,
     /// The weights of the vertices at the point. Their sum is 1.
     pub weights: [f64; 3],
@@ -65,7 +64,6 @@ impl Triangle {
         Self { vertices: vertices.map(|vertex| vertex.map(to_f64)) }
     }
 
-    /// Its vertices.
     pub fn vertices(&self) -> [Vector; 3] {
         self.vertices
     }

@@ -142,7 +142,6 @@ fn from_origin(centre: Vector, origin: Vector) -> Vector {
     std::array::from_fn(|axis| fs(centre[axis], origin[axis]))
 }
 
-/// Scalar product.
 fn dot([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
     fma(fz, dz, fma(fy, dy, fm(fx, dx)))
 }

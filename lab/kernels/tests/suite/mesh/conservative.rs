@@ -221,7 +221,7 @@ fn boxes_of(
 }
 
 #[test]
-fn boxes_that_rays_enter_are_kept() {
+fn entered_boxes_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in FANS {

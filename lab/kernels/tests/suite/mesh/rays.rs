@@ -193,7 +193,7 @@ fn any_bits_at_all_equal_the_twin() {
 /// Boxes that touch a ray or almost do, with the slack that they have in blocks, are met by it:
 /// by f64 from the singles of the records.
 #[test]
-fn boxes_that_rays_enter_are_kept() {
+fn entered_boxes_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let [mut met, mut found] = [0; 2];

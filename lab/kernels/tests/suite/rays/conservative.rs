@@ -247,7 +247,7 @@ fn sum<V: Near>(name: &str, test: Test, source: Source<'_>, slack: f64) -> Outco
 }
 
 #[test]
-fn children_that_rays_meet_are_kept() {
+fn met_children_are_kept() {
     none_is_left_out::<BareSphere>();
     none_is_left_out::<BareBox>();
 }

@@ -96,7 +96,7 @@ fn through(packet: [Ray; 16], point: Point) -> Fans {
 }
 
 #[test]
-fn faces_that_rays_meet_are_kept() {
+fn met_faces_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sums = [0; 3];
