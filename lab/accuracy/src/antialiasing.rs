@@ -26,10 +26,10 @@ const CONTRASTS: [u8; 6] = [4, 8, 16, 32, 48, 96];
 /// How the samples are spread over the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Way {
-    /// A regular grid of so many samples across and down every pixel: a picture of that many times
-    /// the size, of which the mean is taken.
+    /// A regular grid with this number of samples across and down every pixel. It is the mean of a
+    /// picture that is larger by this factor.
     Grid(u32),
-    /// So many samples by the SPU program, in pixels of at least this contrast.
+    /// This number of samples, by the SPU program, in pixels of at least this contrast.
     Spread(Samples, u8),
 }
 
@@ -205,7 +205,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mean_is_of_a_square() {
+    fn grid_mean_is_of_a_pixels_square() {
         let (width, height) = SIZE;
         let value = |x: u32, y: u32| DVec3::new(f64::from(x), f64::from(y), 1.0);
         let samples: Vec<_> =

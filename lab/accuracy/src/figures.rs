@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::metrics::Summary;
-use crate::space::{along, dot, largest, length, less};
+use crate::space::{add_scaled, dot, largest, length, sub};
 use crate::truth::{Line, Vector, spacing};
 
 /// A family is well-conditioned if half an ulp in the inputs moves the distance by at most this
@@ -48,7 +48,6 @@ pub struct Truth {
     pub scene: f64,
 }
 
-/// A hit.
 pub struct Hit {
     /// The hit's distance.
     pub distance: f64,
@@ -103,15 +102,15 @@ impl Errors {
         self.distance_ulps.push(off / spacing(hit.distance));
         self.distance_relative.push(off / scene);
 
-        let point = along(line.origin, t, line.direction);
-        let off = largest(less(point, hit.point));
-        let reach = largest(less(hit.point, line.origin));
+        let point = add_scaled(line.origin, t, line.direction);
+        let off = largest(sub(point, hit.point));
+        let reach = largest(sub(hit.point, line.origin));
         self.point_ulps.push(off / spacing(reach));
         self.point_relative.push(off / scene);
 
         if let Some(normal) = &hit.normal {
-            let outward = less(point, normal.centre).map(|component| component / normal.radius);
-            let off = largest(less(outward, normal.exact));
+            let outward = sub(point, normal.centre).map(|component| component / normal.radius);
+            let off = largest(sub(outward, normal.exact));
             self.normal_ulps.push(off / spacing(1.0));
         }
     }
@@ -171,7 +170,7 @@ pub fn sensitivity(
     let ahead = crate::space::unit(line.direction);
     let slant = dot(normal, ahead);
     // A direction's length does not matter. Only its change across the direction moves the hit.
-    let turned = along(normal, -slant, ahead);
+    let turned = add_scaled(normal, -slant, ahead);
     let moved: f64 = (0..3)
         .map(|axis| {
             let turn = spacing(line.direction[axis]) / unit;
@@ -186,7 +185,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_are_those_of_what_was_found() {
+    fn errors_are_measured_on_found_hit() {
         // From 0 along x to the sphere around 8 with radius 2: the hit is at 6, and the kernel
         // finds it an ulp too far.
         let hit = Hit {

@@ -25,7 +25,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_purpose_and_a_round_have_numbers_of_their_own() {
+    fn generator_differs_by_purpose_and_round() {
         let first = |purpose: &[&str], round| generator(7, purpose, round).next_u64();
         let numbers =
             [first(&["a"], 0), first(&["a"], 1), first(&["a", "b"], 0), first(&["ab"], 0)];
@@ -36,7 +36,7 @@ mod tests {
 
     /// Checked here, and by the runs on hosts with another byte order that compare figures.
     #[test]
-    fn the_numbers_are_these_on_every_host() {
+    fn generator_is_equal_on_every_host() {
         let mut random = Generator::seed_from_u64(1);
         assert_eq!(random.next_u64(), 0xcfc5_d07f_6f03_c29b);
     }

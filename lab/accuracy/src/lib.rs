@@ -1,7 +1,7 @@
 //! Run time against error, and numerical stability, of the ways to intersect rays.
 //!
 //! This crate computes the exact result for a ray and an object from the same singles that a
-//! kernel gets (`truth`), and the kernels' errors. It does not know how a kernel computes.
+//! kernel gets (`truth`), and the kernels' errors. It does not depend on how a kernel computes.
 //! Invariant: every printed figure is measured by the run that prints it, and except for the
 //! host's clock it is the same on every host.
 

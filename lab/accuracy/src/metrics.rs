@@ -40,7 +40,7 @@ mod tests {
     }
 
     #[test]
-    fn one_error_is_all_of_them_and_none_has_no_summary() {
+    fn summary_of_one_error_and_of_none() {
         let summary = Summary::of(vec![3.0]).unwrap();
         assert_eq!((summary.max, summary.mean, summary.p999), (3.0, 3.0, 3.0));
         assert_eq!(Summary::of(Vec::new()), None);

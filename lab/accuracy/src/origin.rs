@@ -51,7 +51,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_of_an_origin_is_empty() {
+    fn origin_fields_have_values() {
         let Origin { machine, commit, command } = Origin::here();
         assert!(machine.contains(std::env::consts::ARCH), "{machine}");
         let hex = |c: char| c.is_ascii_hexdigit();

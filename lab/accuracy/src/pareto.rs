@@ -16,7 +16,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_front_has_what_is_not_beaten() {
+    fn front_has_all_points_not_beaten() {
         let points = [(3.0, 1.0), (1.0, 5.0), (2.0, 5.0), (2.0, 2.0), (4.0, 1.0)];
         assert_eq!(front(&points), [1, 3, 0]);
     }

@@ -304,7 +304,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_root_of_the_mean_square_is_of_all_channels() {
+    fn rms_error_includes_all_channels() {
         let black = Picture::black(2, 2).unwrap();
         let mut picture = black.clone();
         picture.pixels_mut()[3] = [3, 0, 0];
@@ -315,7 +315,7 @@ mod tests {
     }
 
     #[test]
-    fn the_default_formulation_draws_all_scenes_as_the_reference_has_them() {
+    fn default_formulation_matches_reference_in_all_scenes() {
         let sizes = Sizes { depth: (160, 90), whitted: (64, 36) };
         let standard = Formulations::standard();
         let default = |name: &str| name == standard.eye.name || name == STANDARD;

@@ -137,7 +137,7 @@ impl Extent {
 }
 
 impl Order {
-    /// The least that tests need: one formulation of spheres and one of triangles.
+    /// The smallest order that tests need: one formulation of spheres and one of triangles.
     #[cfg(test)]
     pub fn short(seed: u64) -> Self {
         Self {

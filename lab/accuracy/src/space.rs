@@ -1,7 +1,7 @@
 //! Vectors, rays and random vectors, computed only with basic arithmetic and roots, which give the
 //! same results on every host.
 
-pub use kernels::vector::{cross, dot, in_cube, less, unit};
+pub use kernels::vector::{cross, dot, in_cube, sub, unit};
 use rand::Rng;
 use twins::sphere_ray::Ray;
 use twins::triangle::Triangle;
@@ -31,7 +31,7 @@ pub fn largest(vector: Vector) -> f64 {
 }
 
 /// a + scale b.
-pub fn along(a: Vector, scale: f64, b: Vector) -> Vector {
+pub fn add_scaled(a: Vector, scale: f64, b: Vector) -> Vector {
     std::array::from_fn(|axis| a[axis] + scale * b[axis])
 }
 
@@ -68,10 +68,10 @@ pub fn direction(random: &mut impl Rng) -> Vector {
 
 /// Two directions that are perpendicular to a third and to each other.
 pub fn across(axis: Vector) -> [Vector; 2] {
-    let least = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
+    let smallest = (0..3).min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs())).unwrap_or(0);
     let mut other = [0.0; 3];
-    other[least] = 1.0;
-    let first = unit(along(other, -dot(other, axis), axis));
+    other[smallest] = 1.0;
+    let first = unit(add_scaled(other, -dot(other, axis), axis));
     [first, cross(axis, first)]
 }
 
@@ -81,7 +81,7 @@ pub fn on_disc(centre: Vector, axis: Vector, radius: f64, random: &mut impl Rng)
     loop {
         let [x, y] = [(); 2].map(|()| random.random_range(-1.0..1.0));
         if x * x + y * y < 1.0 {
-            return along(along(centre, radius * x, first), radius * y, second);
+            return add_scaled(add_scaled(centre, radius * x, first), radius * y, second);
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::families::{FAMILIES, Family, Form, Shot};
 use crate::figures::{Figures, Hit, Normal, Truth, compare, sensitivity};
 use crate::metrics::Summary;
 use crate::parallel;
-use crate::space::{along, length, less};
+use crate::space::{add_scaled, length, sub};
 use crate::subject::{ANY_LENGTH, Given, Subject};
 use crate::truth::{Line, spacing};
 
@@ -94,12 +94,12 @@ fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
         let seen = passing.crossing.and_then(|crossing| form.seen(&crossing));
         let hit = seen.map(|(distance, exact)| Hit {
             distance,
-            point: along(centre, radius, exact),
+            point: add_scaled(centre, radius, exact),
             condition: (passing.beyond <= edge)
                 .then(|| condition(form, shot, &line, (distance, exact))),
             normal: Some(Normal { exact, centre, radius }),
         });
-        let scene = length(less(centre, line.origin)) + radius;
+        let scene = length(sub(centre, line.origin)) + radius;
         Truth { line, hit, scene }
     };
     shot.lines().map(truth).collect()
@@ -140,7 +140,7 @@ mod tests {
     /// Only primary rays are compared, because the other form has the same bits in Whitted's model
     /// (lab/oracle/tests/forms.rs).
     #[test]
-    fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {
+    fn default_formulation_keeps_two_ulps_where_paper_fails() {
         let standard = Formulations::standard();
         for (formulation, from) in [(standard.eye, 4.0), (standard.seen, 16.0)] {
             let rows = measure(&subjects(formulation.name), 1, 8);
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn what_hangs_on_roundings_of_what_is_given_is_ill_conditioned() {
+    fn grazing_rays_are_ill_conditioned() {
         let rows = measure(&subjects("perpendicular"), 1, 2);
         let of = |family| row(&rows, Form::General, family).figures.well_conditioned;
         assert!(of("ratio 16") && of("coherent"));

@@ -111,12 +111,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_formulation_of_any_length_is_in_the_table() {
+    fn formulation_for_any_length_is_in_table() {
         assert!(all().any(|subject| subject.formulation.name == ANY_LENGTH));
     }
 
     #[test]
-    fn every_formulation_is_there_in_each_form_that_it_has() {
+    fn every_formulation_has_its_forms() {
         for formulation in SPHERES {
             let forms = all().filter(|subject| subject.formulation == formulation);
             let kernels = [formulation.eye, formulation.general].into_iter().flatten();

@@ -13,7 +13,7 @@ use twins::triangle_pairs::TriangleObject;
 use crate::families::triangles::{FAMILIES, Shot};
 use crate::figures::{Figures, Hit, Truth, compare, sensitivity};
 use crate::parallel;
-use crate::space::{cross, length, less, two_sided, unit};
+use crate::space::{cross, length, sub, two_sided, unit};
 use crate::truth::triangle::{Meeting, Triangle};
 use crate::truth::{Line, spacing};
 
@@ -63,7 +63,7 @@ fn truths(shot: &Shot) -> Vec<Truth> {
         });
         let nearest = hits.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance));
         let vertices = triangles.iter().flat_map(|triangle| triangle.vertices());
-        let distances = vertices.map(|vertex| length(less(vertex, line.origin)));
+        let distances = vertices.map(|vertex| length(sub(vertex, line.origin)));
         Truth {
             line,
             hit: nearest.map(|(triangle, meeting)| Hit {
@@ -82,7 +82,7 @@ fn truths(shot: &Shot) -> Vec<Truth> {
 /// weighted as at the hit, and the origin.
 fn condition(triangle: &Triangle, line: &Line, meeting: &Meeting) -> f64 {
     let [a, b, c] = triangle.vertices();
-    let normal = unit(cross(less(b, a), less(c, a)));
+    let normal = unit(cross(sub(b, a), sub(c, a)));
     let places = |axis: usize| {
         let vertices = [a, b, c].into_iter().zip(meeting.weights);
         let moved = vertices.map(|(vertex, weight)| weight.abs() * spacing(vertex[axis]));
@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_watertight_formulation_does_not_leak_and_is_right_to_some_ulps() {
+    fn watertight_formulation_keeps_bound_without_leaks() {
         let watertight: Vec<_> =
             TRIANGLES.iter().filter(|formulation| formulation.name == "watertight").collect();
         let rows = measure(&watertight, 1, 4);

@@ -34,7 +34,7 @@ const STACK: u32 = 0x3f000;
 const ARENA_END: u32 = 0x32e00;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
-/// The beginning of the arena, behind the other kernels.
+/// The beginning of the arena, after the other kernels.
 const ARENA: u32 = 0x29400;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;

@@ -31,7 +31,7 @@ pub enum DocumentError {
     },
     /// The table differs from the present measurement.
     #[error(
-        "{}: stale at line {line}: it says\n  {found}\nbut the present measurement is\n  {expected}\nWrite it again with --write",
+        "{}: stale at line {line}: it has\n  {found}\nbut the present measurement is\n  {expected}\nWrite it again with --write",
         path.display()
     )]
     Stale {

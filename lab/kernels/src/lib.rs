@@ -2,8 +2,8 @@
 //!
 //! This crate calls kernels from outside ([`Bench`]), has the data about each of them ([`source`]:
 //! its header; [`catalogue`]: its cases and how its error is measured), makes schedules and images
-//! ([`workshop`], [`set`]), and writes the table of the results ([`table`]). It does not know
-//! about frames. Invariant: every number in the table is measured. The numbers that headers state
+//! ([`workshop`], [`set`]), and writes the table of the results ([`table`]). It does not depend
+//! on frames. Invariant: every number in the table is measured. The numbers that headers state
 //! are next to it.
 
 pub mod bench;

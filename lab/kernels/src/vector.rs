@@ -19,7 +19,7 @@ pub fn cross(a: Vector, b: Vector) -> Vector {
 
 /// a - b.
 #[must_use]
-pub fn less(a: Vector, b: Vector) -> Vector {
+pub fn sub(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|axis| a[axis] - b[axis])
 }
 

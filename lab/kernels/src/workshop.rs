@@ -60,8 +60,8 @@ pub struct Workshop {
 
 impl Workshop {
     /// A workshop for the sources of the repository in folder `root`. The file that the build
-    /// generates for them to include goes to the folder `made`. `keep` says where schedules are
-    /// kept, of the tools and the folders of includes.
+    /// generates for them to include goes to the folder `made`. `keep` determines where schedules
+    /// are kept, of the tools and the folders of includes.
     pub fn new(
         root: &Path,
         made: &Path,

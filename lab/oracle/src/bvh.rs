@@ -178,7 +178,7 @@ mod tests {
     use crate::shapes::tests::random_shape;
 
     #[test]
-    fn the_tree_finds_what_a_test_of_all_finds() {
+    fn bvh_finds_hits_of_exhaustive_test() {
         let mut random = Random(7);
         let (mut met, mut hidden) = (0, 0);
         for count in [0, 1, 4, 5, 60, 700] {

@@ -53,7 +53,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_is_shown_as_itself() {
+    fn display_keeps_colour() {
         for step in 0..=255 {
             let colour = DVec3::splat(f64::from(step) / 255.0);
             let shown = Colour::Srgb.shown(Colour::Srgb.light(colour));

@@ -75,7 +75,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_that_are_singles_relative_to_the_eye_stay() {
+    fn singles_relative_to_eye_are_unchanged() {
         // An eye whose coordinates are no singles, and spheres a whole number of units from it.
         let exact = scene("0 -16777217.0 0", "s 2 -16777214.0 1 0.5\np 3\n1 0 0\n0 1 0\n0 0 1\n");
         let rounded = rounded_to_singles(&exact);

@@ -323,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn a_pixel_beside_others_with_samples_is_on_the_silhouette_that_its_own_would_see() {
+    fn pixel_beside_refined_ones_is_on_silhouette() {
         let four = Pixels { samples: Samples::Four, contrast: 32, ..Pixels::PLAIN };
         let (reference, counts) = paint((80, 1), &four, &Thin).expect("a picture");
         assert_eq!((reference.refined, counts.eye), (2, 80 + 2 * 4));
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mean_is_taken_of_light_and_shown_afterwards() {
+    fn mean_is_taken_before_display_encoding() {
         let line = Line { at: 10.2, grey: 2.0 };
         let four = Pixels { samples: Samples::Four, contrast: 32, ..Pixels::PLAIN };
         let shown = |pixels: Pixels| row(&line, &pixels).0;

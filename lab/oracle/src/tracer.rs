@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn the_share_covered_is_that_of_the_disc() {
+    fn covered_share_equals_disc_area() {
         // From a distance d, a sphere of radius r fills a circle with the tangent r / sqrt(d² -
         // r²). The picture's height is 2 tan 20° between the outer centres, and one gap more.
         let reference = trace(&scene("s 0 0 0 2\n"), 601, 601).expect("a picture");
@@ -246,7 +246,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_at_an_edge_is_on_the_silhouette_whatever_its_neighbours_show() {
+    fn edge_ray_is_on_silhouette_for_any_neighbours() {
         // A sphere smaller than a pixel: the middle ray just misses its edge, or hits its centre.
         let edge = |x: f64| trace(&scene(&format!("s {x} 0 0 0.001\n")), 3, 3).expect("a picture");
         assert!(edge(0.001_000_001).silhouette[4]);
@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn of_equally_near_spheres_the_first_is_seen() {
+    fn first_of_equally_near_spheres_is_visible() {
         let spheres = "s 0 0 0 1\nf 0 1 0 1 0 0 0 1\ns 0 0 0 1\n";
         let picture = render(&scene(spheres), 81, 81).expect("a picture");
         assert_eq!(picture.pixels()[40 * 81 + 40], [255, 128, 64]);

@@ -4,7 +4,7 @@
 #   Out     $3 a bit a ray, 0x8000 of the first: hit with 0 < t < rays.t
 #   Uses    $3, $10-$51   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_rectangle_r16
-#   Error   none of its own: blocks exactly what isect_rectangle_r16 hits
+#   Error   no rounding of its own: blocks exactly what isect_rectangle_r16 hits
 #   Twin    lab/twins/src/rectangle.rs
 
         .include "macros.inc"

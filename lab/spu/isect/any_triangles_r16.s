@@ -6,7 +6,7 @@
 #   Out     $3 a bit a ray, 0x8000 of the first: a triangle is hit with 0 < t < rays.t
 #   Uses    $3-$6, $10-$55   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_triangles_r16
-#   Error   none of its own: hits exactly what isect_triangles_r16 hits
+#   Error   no rounding of its own: hits exactly what isect_triangles_r16 hits
 #   Twin    lab/twins/src/triangle.rs
 #
 # Between chunks of CHUNK triangles, the kernel returns if every ray is blocked. Within a chunk the

@@ -12,8 +12,8 @@
 # Moeller and Trumbore 1997. Let e1 and e2 be the edges from vertex a, and s the vector from a to
 # the origin. With the determinant e1.(d x e2), u is s.(d x e2), v is d.(s x e1) and t is e2.(s x
 # e1), each divided by the determinant. Both cross products are reversed, so that the determinant's
-# sign is set if the vertices are in counter-clockwise order. From behind, a triangle is hit only
-# with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
+# sign is set if the vertices are in counter-clockwise order. The back of a triangle is hit
+# only with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
 # misses.
 #
 # It is not watertight: each triangle computes a shared edge from its own vertex and its own edges,

@@ -4,7 +4,7 @@
 #   Out     ray: t, object, u, v, if a hit has 0 < t < what was there
 #   Uses    $5, $10-$68   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_triangles_r16; direction as shear_r16
-#   Error   none of its own: the bits of shear_r16 and isect_triangles_r16
+#   Error   no rounding of its own: the bits of shear_r16 and isect_triangles_r16
 #   Twin    lab/twins/src/triangle.rs
 #
 # The vertices, and then the edges, are in lanes 0 to 2, while isect_triangles_r16 has a ray in

@@ -1,4 +1,4 @@
-# shear_r16   what isect_triangles_r16 and any_triangles_r16 need to know of sixteen rays
+# shear_r16   the shears of sixteen rays for isect_triangles_r16 and any_triangles_r16
 #   C       void shear_r16(const struct rays *, struct shear *);
 #   In      $3 rays, $4 shear; pointers 16-aligned
 #   Out     shear

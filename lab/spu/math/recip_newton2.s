@@ -1,8 +1,8 @@
 # recip_newton2   reciprocals: estimate, interpolation and two Newton steps
 #   C       void recip_newton2(const vec_float4 *in, vec_float4 *out, int count);
 #   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
-#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
-#           up to fours, and so many are done
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have space for the count rounded
+#           up to a multiple of four, and all of these quadwords are processed
 #   Out     the results
 #   Uses    $3-$5, $11-$27, $32-$35   Saves  -   Stack  0   Calls  -
 #   Domain  2^-126 <= |x| < 2^126; from there on the result is 0, of 0 it is the largest single,

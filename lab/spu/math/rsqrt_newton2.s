@@ -1,8 +1,8 @@
 # rsqrt_newton2   reciprocals of square roots: interpolation and two Newton steps
 #   C       void rsqrt_newton2(const vec_float4 *in, vec_float4 *out, int count);
 #   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
-#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
-#           up to fours, and so many are done
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have space for the count rounded
+#           up to a multiple of four, and all of these quadwords are processed
 #   Out     the results
 #   Uses    $3-$5, $10-$27, $32-$35   Saves  -   Stack  0   Calls  -
 #   Domain  2^-126 <= x; of 0 the result is one of 2^128 or more, of x below 0 it means nothing

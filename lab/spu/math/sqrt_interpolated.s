@@ -1,8 +1,8 @@
 # sqrt_interpolated   square roots: the operand times the interpolated estimate
 #   C       void sqrt_interpolated(const vec_float4 *in, vec_float4 *out, int count);
 #   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
-#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
-#           up to fours, and so many are done
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have space for the count rounded
+#           up to a multiple of four, and all of these quadwords are processed
 #   Out     the results
 #   Uses    $3-$5, $12-$19, $32-$35   Saves  -   Stack  0   Calls  -
 #   Domain  0 <= x; exactly 0 for 0, of x below 0 less the root of |x|

@@ -4,7 +4,7 @@ use spu_emulator::float::single::{fa, fm};
 
 use super::Single;
 
-/// What a ray brings.
+/// The contribution of a ray to its pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Share {
     /// Its pixel.

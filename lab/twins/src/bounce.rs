@@ -37,21 +37,21 @@ pub struct Bounce {
     pub grazing: Single,
 }
 
-/// What each ray adds to the `pixel` of those that it sends on.
+/// The number that each ray adds to the `pixel` of those that it sends on.
 pub const CHAIN_STEP: u32 = 0x0100_0000;
 
-/// What ends chains of rays.
+/// The limits that end chains of rays.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// The least weight of a ray that is sent on.
-    pub least: Single,
+    /// The minimum weight of a ray that is sent on.
+    pub min_weight: Single,
     /// `CHAIN_STEP` times the rays that may come before the last of a chain.
     pub deepest: u32,
 }
 
 impl Limits {
     /// Every ray is sent on.
-    pub const NONE: Self = Self { least: 0, deepest: i32::MAX as u32 };
+    pub const NONE: Self = Self { min_weight: 0, deepest: i32::MAX as u32 };
 }
 
 /// A ray that waits to be traced.
@@ -79,7 +79,7 @@ impl Bounce {
     ) -> Option<Queued> {
         let weight = fm(self.weight, share);
         let is_sent = share as i32 > 0
-            && fcgt(limits.least, weight) == 0
+            && fcgt(limits.min_weight, weight) == 0
             && limits.deepest as i32 > self.pixel as i32;
         is_sent.then(|| Queued {
             origin,
@@ -90,13 +90,12 @@ impl Bounce {
     }
 }
 
-/// The scalar product.
 pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
     fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
 /// c - k a.
-pub(super) fn less(c: [Single; 3], k: Single, a: [Single; 3]) -> [Single; 3] {
+pub(super) fn sub_scaled(c: [Single; 3], k: Single, a: [Single; 3]) -> [Single; 3] {
     std::array::from_fn(|axis| fnms(k, a[axis], c[axis]))
 }
 

@@ -137,7 +137,7 @@ fn dot([ax, ay, az]: [Single; 3], [bx, by, bz]: [Single; 3]) -> Single {
     fma(az, bz, fma(ay, by, fm(ax, bx)))
 }
 
-/// What a lane has in each of the rows.
+/// The values of a lane in each of the rows.
 fn rows(values: &[Single; 16], lane: usize) -> [Single; 4] {
     std::array::from_fn(|row| values[4 * row + lane])
 }

@@ -35,9 +35,9 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], half: [Single; 3]) -> bool {
     let beside = reach(half, magnitudes(side), bound.radius);
     let beside = fs(fma(along, bound.sine, beside), perp);
     let reach = reach(half, magnitudes(axis), bound.radius);
-    let behind = fa(reach, along);
+    let before = fa(reach, along);
     let too_far = fs(fa(reach, bound.farthest), along);
-    !below_zero(beside | behind | too_far | half[0])
+    !below_zero(beside | before | too_far | half[0])
 }
 
 /// Whether one of a packet's rays may meet the box, by the rays themselves.

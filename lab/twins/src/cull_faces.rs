@@ -6,16 +6,16 @@ use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 use super::bound::Bound;
 use super::{ONE, Single, ZERO, below_zero};
 
-/// What there is to know of a flat object.
+/// The properties of a flat object that decide whether rays may meet it.
 #[derive(Clone, Copy, Debug)]
 pub struct Face {
     /// A point of the plane.
     pub point: [Single; 3],
     /// Its unit normal.
     pub normal: [Single; 3],
-    /// What the object's own numbers add to `leave`.
+    /// The share of the object's own numbers in `leave`.
     pub leave: Single,
-    /// Whether it is seen from behind, too.
+    /// Whether its back is visible, too.
     pub both: bool,
 }
 
@@ -32,9 +32,9 @@ pub fn may_meet(bound: &Bound, face: &Face, along: Single) -> bool {
     let sine = fa(ZERO, bound.sine);
     let near = fma(face.leave, ONE, bound.radius);
     let (with, before) = (fnms(g, along, sine), fnms(h, along, near));
-    let (against, behind) = (fma(g, along, sine), fma(h, along, near));
+    let (against, beyond) = (fma(g, along, sine), fma(h, along, near));
     let within = |of_front: Single, of_both: Single| {
         below_zero(of_front) && (!face.both || below_zero(of_both))
     };
-    !(within(with, before) || within(behind, against))
+    !(within(with, before) || within(beyond, against))
 }

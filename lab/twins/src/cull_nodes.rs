@@ -24,9 +24,9 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
 
     let reach = fa(radius, bound.radius);
     let outside = fnms(beside, bound.cosine, fma(along, bound.sine, reach));
-    let behind = fa(reach, along);
+    let before = fa(reach, along);
     let too_far = fs(fa(reach, bound.farthest), along);
-    !below_zero(outside | behind | too_far)
+    !below_zero(outside | before | too_far)
 }
 
 /// A volume's size, larger by the slack for the rays' origins.

@@ -7,7 +7,7 @@ use zerocopy::FromBytes;
 /// The sign of a word.
 pub(super) const SIGN: u32 = 0x8000_0000;
 
-/// What a ray has hit so far, and where on the object.
+/// The nearest hit of a ray so far, and where on the object it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct FlatHit {
     /// Distance.

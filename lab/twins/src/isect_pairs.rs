@@ -5,7 +5,7 @@ use super::sphere::Eye;
 use super::{Single, below_zero};
 use zerocopy::FromBytes;
 
-/// What a ray has hit so far.
+/// The nearest hit of a ray so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Hit {
     /// Distance.

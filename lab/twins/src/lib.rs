@@ -61,7 +61,7 @@ pub const ONE: Single = 0x3f80_0000;
 /// The single 2^62: the distance of no hit.
 pub const FARTHEST: Single = 0x5e80_0000;
 
-/// What the select after a compare does: `chosen` where the compare was true.
+/// The result of the select after a compare: `chosen` where the compare was true.
 fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {
     if condition { chosen } else { otherwise }
 }

@@ -10,11 +10,10 @@ use super::{ONE, Single, select};
 
 /// A single's fraction.
 const FRACTION: u32 = 0x007f_ffff;
-/// Bits of the fraction.
 const FRACTION_BITS: u32 = 23;
 /// The single sqrt(2).
 const ROOT2: Single = 0x3fb5_04f3;
-/// From here on 2^-n is 0: 126 with 23 bits behind the point.
+/// From here on 2^-n is 0: 126 with 23 bits after the point.
 const NONE: u32 = 126 << FRACTION_BITS;
 /// log2(1 + u) / (2 u), from u^4 on.
 const LOG: [Single; 5] = [0x3e02_6ed6, 0xbe48_230e, 0x3e78_7a18, 0xbeb8_764a, 0x3f38_a8a2];
@@ -56,7 +55,7 @@ pub fn highlight(
     exp2_of_minus(cfltu(n, FRACTION_BITS as i32))
 }
 
-/// What a surface of this normal sends back after a light of this brightness has shone on it;
+/// The light that a surface of this normal sends back from a light of this brightness;
 /// `blocked` if it does not reach it. `direction` is of the ray that sees the surface; without it
 /// there is no highlight.
 #[must_use]
@@ -83,7 +82,7 @@ pub fn light(
     })
 }
 
-/// What a surface sends back after light from everywhere.
+/// The ambient light that a surface sends back.
 #[must_use]
 pub fn ambient(surface: &Surface, brightness: [Single; 3]) -> [Single; 3] {
     std::array::from_fn(|k| {

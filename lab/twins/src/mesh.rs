@@ -97,13 +97,13 @@ fn over(k: Single, x: Single) -> Single {
     recip_step(k, x, recip_interpolated(x))
 }
 
-pub(super) fn slab([low, high]: [Single; 2], [least, most]: [Single; 2]) -> Slab {
+pub(super) fn slab([low, high]: [Single; 2], [min, max]: [Single; 2]) -> Slab {
     let minus_tiny = TINY | SIGN;
-    let down = fcgt(minus_tiny, most) != 0;
-    let up = fcgt(least, TINY) != 0;
-    let near = select(maximum(TINY, most), least, down);
-    let far = minimum(minus_tiny, least);
-    let far = select(select(far, least, up), most, down);
+    let down = fcgt(minus_tiny, max) != 0;
+    let up = fcgt(min, TINY) != 0;
+    let near = select(maximum(TINY, max), min, down);
+    let far = minimum(minus_tiny, min);
+    let far = select(select(far, min, up), max, down);
     let [near_scale, far_scale] = [over(BELOW_ONE, near), over(ABOVE_ONE, far)];
     let [near_from, far_from] = if down { [low, high] } else { [high, low] };
     Slab {
@@ -125,13 +125,13 @@ pub fn mesh_bound(rays: &[Ray; 16]) -> MeshBound {
         [of(MOST, minimum), of(u32::MAX, maximum)]
     };
     let origins = extremes(|ray, axis| ray.origin[axis]);
-    let [least, most] = extremes(|ray, axis| ray.direction[axis]);
+    let [min, max] = extremes(|ray, axis| ray.direction[axis]);
     let slack = fm(extent(&origins), SLACK).wrapping_add(0x3_ffff) & 0xfffc_0000;
     let [low, high] = origins;
     MeshBound {
         slabs: std::array::from_fn(|axis| {
             let from = [fs(low[axis], slack), fa(high[axis], slack)];
-            slab(from, [least[axis], most[axis]])
+            slab(from, [min[axis], max[axis]])
         }),
         slack,
         farthest: extreme(rays, ABSENT, |ray| ray.t, later, maximum),

@@ -30,7 +30,7 @@ impl MeshBlock {
         }
     }
 
-    /// What a ray gets as its object that has hit the triangle.
+    /// The object that is written to a ray that has hit the triangle.
     #[must_use]
     pub fn hit(&self, index: usize) -> u32 {
         MESH_HIT | self.number << 7 | index as u32

@@ -31,9 +31,9 @@ const SLACK: Single = 0x3680_0000;
 /// The limits of a row's slopes: of direction x/z, and of direction y/z.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RowWindow {
-    /// The least.
+    /// The smallest values.
     pub low: [Single; 2],
-    /// The greatest.
+    /// The largest values.
     pub high: [Single; 2],
 }
 
@@ -77,9 +77,9 @@ pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
     let later = |a: Single, b: Single| select(a, b, b as i32 > a as i32);
     let slabs = std::array::from_fn(|axis| {
         let along = |ray: &Ray| ray.direction[axis];
-        let least = extreme(over(&along, lesser), lesser);
-        let most = extreme(over(&along, greater), greater);
-        slab([ZERO; 2], [least, most])
+        let min = extreme(over(&along, lesser), lesser);
+        let max = extreme(over(&along, greater), greater);
+        slab([ZERO; 2], [min, max])
     });
     let farthest = over(&|ray| later(ABSENT, ray.t), later);
     MeshBound { slabs, slack: 0, farthest: extreme(farthest, greater) }

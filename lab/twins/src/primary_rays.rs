@@ -29,7 +29,7 @@ pub struct Ray {
     pub pixel: u32,
 }
 
-/// What the primary rays of a frame share.
+/// The camera and picture that the primary rays of a frame share.
 #[derive(Clone, Copy, Debug, FromBytes)]
 pub struct View {
     /// The camera.

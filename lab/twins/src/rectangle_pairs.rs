@@ -12,7 +12,7 @@ use super::sphere_ray::Ray;
 pub struct RectangleObject {
     /// Its plane and edges.
     pub rectangle: Rectangle,
-    /// Whether it is seen from behind, too.
+    /// Whether its back is visible, too.
     pub both: bool,
 }
 

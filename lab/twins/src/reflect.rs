@@ -2,7 +2,7 @@
 
 use spu_emulator::float::single::{fa, fma, fnms};
 
-use super::bounce::{Bounce, Limits, Queued, dot, less};
+use super::bounce::{Bounce, Limits, Queued, dot, sub_scaled};
 
 /// The ray that the hit reflects; none if its share is not above 0 or the limits forbid it.
 #[must_use]
@@ -13,7 +13,7 @@ pub fn reflect(hit: &Bounce, limits: Limits) -> Option<Queued> {
     let off = fnms(fa(along, along), cosine, along_plane);
     let (normal, along) =
         if off as i32 > 0 { (hit.normal, along) } else { (hit.plane, along_plane) };
-    let direction = less(hit.direction, fa(along, along), normal);
+    let direction = sub_scaled(hit.direction, fa(along, along), normal);
     let origin = std::array::from_fn(|axis| fma(hit.leave, hit.plane[axis], hit.point[axis]));
     hit.queued(hit.mirror, limits, origin, direction)
 }

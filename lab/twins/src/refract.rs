@@ -2,7 +2,7 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 
-use super::bounce::{Bounce, Limits, Queued, dot, less};
+use super::bounce::{Bounce, Limits, Queued, dot, sub_scaled};
 use super::math::sqrt;
 use super::{ONE, Single, below_zero};
 
@@ -12,12 +12,11 @@ struct Beyond {
     sine: [Single; 3],
     /// The square of the cosine; below 0, all is reflected.
     squared: Single,
-    /// The cosine.
     cosine: Single,
 }
 
-/// What the hit lets through, if anything within the limits, and the share `mirror`
-/// with what it reflects.
+/// The refracted ray of the hit, if there is one within the limits, and the share `mirror` with the
+/// share that it reflects.
 #[must_use]
 pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);
@@ -33,13 +32,13 @@ pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let share = if below_zero(taken.squared) { ONE } else { fma(fifth, hit.grazing, hit.schlick) };
     let mirror = fma(hit.transmittance, share, hit.mirror);
     let through = fnms(hit.transmittance, share, hit.transmittance);
-    let direction = less(taken.sine, taken.cosine, normal);
-    let origin = less(hit.point, hit.leave, hit.plane);
+    let direction = sub_scaled(taken.sine, taken.cosine, normal);
+    let origin = sub_scaled(hit.point, hit.leave, hit.plane);
     (hit.queued(through, limits, origin, direction), mirror)
 }
 
 fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {
-    let sine = less(hit.direction, along, normal).map(|component| fm(component, hit.ratio));
+    let sine = sub_scaled(hit.direction, along, normal).map(|component| fm(component, hit.ratio));
     let squared = sine.into_iter().fold(ONE, |rest, component| fnms(component, component, rest));
     Beyond { sine, squared, cosine: sqrt(squared) }
 }

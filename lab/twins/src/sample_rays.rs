@@ -18,7 +18,7 @@ pub fn sample(across: u32, [column, row]: [u32; 2]) -> [f64; 2] {
     [x + turned_x, y + turned_y]
 }
 
-/// What a packet's row of rays is of: a pixel, by the address of its sum, its column and its row.
+/// The pixel of a packet's row of rays, by the address of its sum, its column and its row.
 #[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Pixel {
     /// The address of its sum.

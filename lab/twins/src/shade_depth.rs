@@ -15,7 +15,7 @@ pub struct Depth {
 }
 
 /// The colour that a ray sees: that of what it meets at `t`, faded by the distance unless `none`,
-/// which says that it meets nothing and `colour` is the background's.
+/// which means that it meets nothing and `colour` is the background's.
 #[must_use]
 pub fn shade_depth(t: Single, colour: [Single; 3], none: bool, depth: Depth) -> [Single; 3] {
     let bright = fm(fs(depth.far, t), depth.scale);

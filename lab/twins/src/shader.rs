@@ -6,7 +6,7 @@ use spu_emulator::float::single::{fa, fcgt, fm, fma, fs};
 use super::Single;
 use super::shade_depth::{Depth, shade_depth};
 
-/// The single 1/1024, by which a side of the cubes belongs to the one behind it.
+/// The single 1/1024, by which a side of the cubes belongs to the next one.
 const WITHIN: Single = 0x3a80_0000;
 
 /// What `shader_depth` leaves of a surface: its lit colour.

@@ -27,15 +27,15 @@ const fn above_zero(value: Single) -> bool {
 }
 
 /// The ray from a surface, with the normal that shades, to a light; t is -1 if there is none.
-/// There is one if more than the share `least` of the light may get to the pixel, or any if that
-/// is 0, whatever the weight of the ray that sees the surface.
+/// There is one if more than the share `min_share` of the light may get to the pixel, or any if
+/// that is 0, whatever the weight of the ray that sees the surface.
 #[must_use]
 pub fn shadow_ray(
     surface: &Surface,
     normal: [Single; 3],
     weight: Single,
     light: &Place,
-    least: Single,
+    min_share: Single,
 ) -> Ray {
     let near = select(ONE, ZERO, light.directional);
     let beyond = select(ZERO, FARTHEST, light.directional);
@@ -46,10 +46,10 @@ pub fn shadow_ray(
     let direction = to.map(|component| fm(component, inverse));
     let facing = dot(normal, direction);
     let [red, green, blue] = surface.colour;
-    let most = select(red | green | blue, ONE, least == ZERO);
-    let weight = select(weight, ONE, least == ZERO);
+    let most = select(red | green | blue, ONE, min_share == ZERO);
+    let weight = select(weight, ONE, min_share == ZERO);
     let share = fma(most, fm(surface.diffuse, facing), surface.highlight);
-    let counts = fcmgt(fm(weight, share), least) != 0;
+    let counts = fcmgt(fm(weight, share), min_share) != 0;
     let faces = above_zero(facing | dot(surface.plane, direction));
     Ray {
         origin: std::array::from_fn(|k| fma(surface.leave, surface.plane[k], surface.point[k])),

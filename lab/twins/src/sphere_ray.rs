@@ -8,7 +8,6 @@ use spu_emulator::float::single::{fcgt, fm, fma, fms, fnms, fs};
 use super::{HALF, ONE, Single, ZERO, below_zero};
 use zerocopy::FromBytes;
 
-/// The sign bit.
 pub(super) const SIGN: u32 = 1 << 31;
 
 /// A sphere.

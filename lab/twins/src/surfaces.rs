@@ -7,7 +7,7 @@ use super::math::rsqrt;
 use super::{Single, below_zero, select};
 use zerocopy::FromBytes;
 
-/// What a distance of coordinates from 0, or of an object's own numbers, adds to `leave`: 2^-20.
+/// The share in `leave` of coordinates' distance from 0 and of an object's own numbers: 2^-20.
 pub const LEAVE: Single = 0x3580_0000;
 
 /// A single's sign.
@@ -35,15 +35,15 @@ pub struct Object {
     pub axis: [Single; 3],
     /// Share of the axis in the normal.
     pub slope: Single,
-    /// What the height is counted from.
+    /// The height's zero.
     pub offset: Single,
-    /// What the object's own numbers add to `leave`.
+    /// The share of the object's own numbers in `leave`.
     pub leave: Single,
     /// `SIDES_` bits.
     pub sides: u32,
 }
 
-/// What a surface is made of, as `MATERIAL` has it.
+/// The material of a surface, as in `MATERIAL`.
 #[derive(Clone, Copy, Debug, FromBytes)]
 pub struct Material {
     /// Red, green, blue.
@@ -66,7 +66,7 @@ pub struct Material {
     pub schlick: Single,
     /// 1 - F0.
     pub grazing: Single,
-    /// What it sends of itself.
+    /// The light that it emits.
     pub emission: [Single; 3],
     /// `MATERIAL_` bits.
     pub flags: u32,
@@ -99,9 +99,9 @@ pub struct Surface {
     pub schlick: Single,
     /// 1 - F0.
     pub grazing: Single,
-    /// What is sent back so far.
+    /// The light that is sent back so far.
     pub lit: [Single; 3],
-    /// What the lane adds to the packet's flags.
+    /// The flags that the lane adds to the packet's.
     pub flags: u32,
 }
 

@@ -13,8 +13,8 @@ const ABOVE_ONE: Single = 0x3f80_0002;
 /// A triangle's vertices.
 pub type Triangle = [[Single; 3]; 3];
 
-/// What a ray's direction and origin are made into: its axes in an order of its own, the longest
-/// last, and the slopes against that one.
+/// A ray's direction and origin after the shear: its axes in a new order, the longest last, and
+/// the slopes against that one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Shear {
     /// Which component of a point is x, y, z here.

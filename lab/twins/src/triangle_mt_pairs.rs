@@ -12,7 +12,7 @@ use super::{ONE, Single, ZERO, below_zero};
 
 type Vector = [Single; 3];
 
-fn less(a: Vector, b: Vector) -> Vector {
+fn sub(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|axis| fs(a[axis], b[axis]))
 }
 
@@ -35,8 +35,8 @@ fn minus_dot(a: Vector, b: Vector) -> Single {
 #[must_use]
 pub fn isect_triangle(ray: Ray, shape: &TriangleObject, object: u32) -> Ray {
     let [a, b, c] = shape.vertices;
-    let (e1, e2) = (less(b, a), less(c, a));
-    let s = less(ray.origin, a);
+    let (e1, e2) = (sub(b, a), sub(c, a));
+    let s = sub(ray.origin, a);
     let p = cross(e2, ray.direction);
     let q = cross(e1, s);
     let det = dot(e1, p);

@@ -5,7 +5,7 @@ use crate::output::Origin;
 use crate::run::{Order, run};
 
 #[test]
-fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
+fn document_has_origin_seed_tables_and_front() {
     let document = Document {
         origin: Some(Origin {
             machine: "some machine".to_owned(),

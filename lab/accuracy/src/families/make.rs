@@ -7,7 +7,7 @@ use twins::sphere_ray::Ray;
 
 use super::{Form, PACKETS, Shot};
 use crate::space::{
-    across, along, direction, fresh, in_cube, in_sphere, less, nearest, on_disc, point, unit,
+    across, add_scaled, direction, fresh, in_cube, in_sphere, nearest, on_disc, point, sub, unit,
 };
 use crate::truth::Vector;
 
@@ -38,7 +38,7 @@ fn ray(origin: Vector, direction: Vector) -> Ray {
 
 /// A ray towards a point.
 fn ray_to(target: Vector, from: Vector) -> Ray {
-    ray(from, unit(less(target, from)))
+    ray(from, unit(sub(target, from)))
 }
 
 /// A sphere, and packets of the rays that `aim` returns.
@@ -59,7 +59,7 @@ fn shot(
 /// The rays' origin, an axis, and the centre of a sphere at this distance along the axis.
 fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
     let axis = direction(random);
-    [from, axis, along(from, distance, axis)]
+    [from, axis, add_scaled(from, distance, axis)]
 }
 
 /// Rays from a point to the disc within 2 radii of a sphere.
@@ -89,9 +89,9 @@ pub(super) fn grazing(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let [_, axis, centre] = ahead(from, ratio * radius, random);
     shot(centre, radius, random, |random| {
         let sine = random.random_range(0.999..1.001) / ratio;
-        let sideways = unit(less(on_disc([0.0; 3], axis, 1.0, random), [0.0; 3]));
+        let sideways = unit(sub(on_disc([0.0; 3], axis, 1.0, random), [0.0; 3]));
         let cosine = (1.0 - sine * sine).sqrt();
-        let towards = along(axis.map(|component| cosine * component), sine, sideways);
+        let towards = add_scaled(axis.map(|component| cosine * component), sine, sideways);
         ray(from, unit(towards))
     })
 }
@@ -100,7 +100,7 @@ pub(super) fn inside(random: &mut Generator, _: Form, scale: f64) -> Shot {
     let radius = scale * radius(random);
     let centre = in_cube(radius, random);
     shot(centre, radius, random, |random| {
-        let from = along(centre, 1.0, in_sphere(0.5 * radius, random));
+        let from = add_scaled(centre, 1.0, in_sphere(0.5 * radius, random));
         ray(from, direction(random))
     })
 }
@@ -109,9 +109,9 @@ pub(super) fn ground(random: &mut Generator, form: Form, radius: f64) -> Shot {
     let from = origin(form, 100.0, random);
     let up = direction(random);
     let height = random.random_range(1.0..100.0);
-    let centre = along(from, -(radius + height), up);
+    let centre = add_scaled(from, -(radius + height), up);
     shot(centre, radius, random, |random| {
-        let below = along(from, -height, up);
+        let below = add_scaled(from, -height, up);
         let target = on_disc(below, up, 20.0 * height, random);
         ray_to(target, from)
     })
@@ -122,12 +122,13 @@ pub(super) fn coherent(random: &mut Generator, _: Form, ratio: f64) -> Shot {
     let centre = in_cube(AROUND * radius, random);
     let packet = |_| {
         let axis = direction(random);
-        let from = along(centre, -ratio * radius, axis).map(rounded);
+        let from = add_scaled(centre, -ratio * radius, axis).map(rounded);
         let [right, down] = across(axis);
         let middle = on_disc(centre, axis, 2.0 * radius, random);
         std::array::from_fn(|lane| {
             let step = |at: usize| (at as f64 - 1.5) * 0.02 * radius;
-            let target = along(along(middle, step(lane % 4), right), step(lane / 4), down);
+            let target =
+                add_scaled(add_scaled(middle, step(lane % 4), right), step(lane / 4), down);
             ray_to(target, from)
         })
     };
@@ -145,7 +146,7 @@ pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
         let doublings = random.random_range(1..7);
         let ratio = f64::from(1_u32 << doublings) * random.random_range(1.0..2.0);
         let axis = direction(random);
-        let from = along(centre, -ratio * radius, axis).map(rounded);
+        let from = add_scaled(centre, -ratio * radius, axis).map(rounded);
         let target = on_disc(centre, axis, 2.0 * radius, random);
         ray_to(target, from)
     })
@@ -159,7 +160,7 @@ pub(super) fn lengths(random: &mut Generator, form: Form, ratio: f64) -> Shot {
         let target = on_disc(centre, axis, 2.0 * radius, random);
         let doublings = random.random_range(0..8);
         let length = f64::from(1_u32 << doublings) / 16.0 * random.random_range(1.0..2.0);
-        let towards = unit(less(target, from));
+        let towards = unit(sub(target, from));
         ray(from, towards.map(|component| length * component))
     })
 }

@@ -70,7 +70,7 @@ pub struct Family {
     pub forms: &'static [Form],
     /// The distance over the radius, if the family is about that.
     pub ratio: Option<f64>,
-    /// The greatest distance from the centre, in radii, at which a ray may pass for the error of
+    /// The largest distance from the centre, in radii, at which a ray may pass for the error of
     /// its distance to count.
     pub counted: f64,
     /// Whether directions may have any length.
@@ -84,9 +84,7 @@ pub struct Family {
 /// A sphere and the rays sent to it.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// Centre.
     pub centre: [Single; 3],
-    /// Radius.
     pub radius: Single,
     /// The rays.
     pub packets: Vec<[Ray; 16]>,

@@ -1,7 +1,7 @@
 //! The families match their descriptions.
 
 use super::*;
-use crate::space::{dot, less};
+use crate::space::{dot, sub};
 use crate::truth::sphere::Sphere;
 
 const SPHERES: usize = 6;
@@ -23,7 +23,7 @@ fn rays(family: &Family, form: Form) -> Vec<(Line, Shot, f64)> {
 }
 
 fn distance(line: &Line, shot: &Shot) -> f64 {
-    let to = less(shot.centre(), line.origin);
+    let to = sub(shot.centre(), line.origin);
     dot(to, to).sqrt()
 }
 
@@ -44,7 +44,7 @@ fn names_are_unique_and_every_form_has_rays() {
 }
 
 #[test]
-fn directions_have_length_1_but_where_they_have_any() {
+fn directions_have_length_1_unless_general() {
     for family in FAMILIES {
         for &form in family.forms {
             let lengths: Vec<f64> = rays(family, form)
@@ -90,7 +90,7 @@ fn grazing_rays_pass_near_the_edge_on_both_sides() {
 }
 
 #[test]
-fn inside_is_inside_ground_is_below_and_tiny_is_far() {
+fn origins_match_family_names() {
     for (line, shot, _) in rays(family("inside"), Form::General) {
         assert!(distance(&line, &shot) < 0.5001 * shot.radius());
     }
@@ -120,7 +120,7 @@ fn coherent_packets_have_one_origin_and_incoherent_ones_sixteen() {
 }
 
 #[test]
-fn a_seed_gives_the_same_and_another_seed_something_else() {
+fn families_depend_on_seed_alone() {
     let first = |seed| family("ratio 16").shots(Form::Eye, seed, 1)[0].centre;
     assert_eq!(first(1), first(1));
     assert_ne!(first(1), first(2));

@@ -7,10 +7,10 @@ use twins::sphere_ray::Ray;
 use twins::triangle::Triangle;
 
 use super::PACKETS;
-use crate::space::{across, along, direction, dot, fresh, in_cube, less, point, unit};
+use crate::space::{across, add_scaled, direction, dot, fresh, in_cube, point, sub, unit};
 use crate::truth::{Line, Vector};
 
-/// The least cosine of the angle between a ray and the normal.
+/// The smallest cosine of the angle between a ray and the normal.
 const SLANT: f64 = 0.3;
 
 /// A family of triangles.
@@ -22,7 +22,7 @@ pub struct Family {
     pub doc: &'static str,
     /// The height of a triangle as a share of its longest edge.
     height: f64,
-    /// The least and the greatest distance of the rays' origins, in longest edges.
+    /// The smallest and the largest distance of the rays' origins, in longest edges.
     reach: [f64; 2],
     /// Whether there are two triangles with a common edge, and only rays to that edge.
     pub shared_edge: bool,
@@ -88,21 +88,21 @@ impl Family {
         let normal = direction(random);
         let [along_edge, upwards] = across(normal);
         let a = in_cube(2.0 * edge, random);
-        let b = along(a, edge, along_edge);
+        let b = add_scaled(a, edge, along_edge);
         let mut top = |side: f64| {
-            let foot = along(a, edge * random.random_range(0.2..0.8), along_edge);
-            along(foot, side * self.height * edge, upwards)
+            let foot = add_scaled(a, edge * random.random_range(0.2..0.8), along_edge);
+            add_scaled(foot, side * self.height * edge, upwards)
         };
         let (c, d) = (top(1.0), top(-1.0));
         let ray = |random: &mut Generator| {
             let from = self.origin(a, edge, normal, random);
             let target = if self.shared_edge {
-                along(a, edge * random.random_range(0.1..0.9), along_edge)
+                add_scaled(a, edge * random.random_range(0.1..0.9), along_edge)
             } else {
                 let [u, v] = [(); 2].map(|()| random.random_range(-0.2..0.8));
-                along(along(a, u, less(b, a)), v, less(c, a))
+                add_scaled(add_scaled(a, u, sub(b, a)), v, sub(c, a))
             };
-            fresh(point(from), point(unit(less(target, from))))
+            fresh(point(from), point(unit(sub(target, from))))
         };
         let packet = |_| std::array::from_fn(|_| ray(random));
         let packets = (0..PACKETS).map(packet).collect();
@@ -123,7 +123,7 @@ impl Family {
                 break away;
             }
         };
-        let origin = along(corner, edge * random.random_range(near..far), away);
+        let origin = add_scaled(corner, edge * random.random_range(near..far), away);
         origin.map(|component| f64::from(component as f32))
     }
 }
@@ -136,7 +136,7 @@ mod tests {
     use crate::truth::triangle;
 
     #[test]
-    fn families_are_what_they_say() {
+    fn families_match_their_descriptions() {
         for family in FAMILIES {
             let (mut within, mut rays) = (0, 0);
             for shot in family.shots(1, 6) {
@@ -144,12 +144,13 @@ mod tests {
                 let exact: Vec<_> = triangles.map(triangle::Triangle::new).collect();
                 assert_eq!(exact.len(), if family.shared_edge { 2 } else { 1 });
                 let [a, b, c] = exact[0].vertices();
-                let longest = dot(less(b, a), less(b, a)).sqrt();
-                let foot = along(a, dot(less(c, a), less(b, a)) / (longest * longest), less(b, a));
-                let height = dot(less(c, foot), less(c, foot)).sqrt() / longest;
+                let longest = dot(sub(b, a), sub(b, a)).sqrt();
+                let foot =
+                    add_scaled(a, dot(sub(c, a), sub(b, a)) / (longest * longest), sub(b, a));
+                let height = dot(sub(c, foot), sub(c, foot)).sqrt() / longest;
                 assert!((height / family.height - 1.0).abs() < 1e-2, "{height}");
                 for line in shot.lines() {
-                    let reach = dot(less(line.origin, a), less(line.origin, a)).sqrt() / longest;
+                    let reach = dot(sub(line.origin, a), sub(line.origin, a)).sqrt() / longest;
                     let [near, far] = family.reach;
                     assert!((near * 0.99..far * 1.01).contains(&reach), "{reach}");
                     let hits = exact.iter().filter_map(|triangle| triangle.meeting(&line));

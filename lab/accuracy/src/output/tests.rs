@@ -45,7 +45,7 @@ fn the_same_seed_gives_the_same_results() {
 }
 
 #[test]
-fn a_folder_that_can_t_be_is_named() {
+fn invalid_folder_is_reported() {
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("file");
     fs::write(&file, "").unwrap();

@@ -13,7 +13,7 @@ use crate::pareto;
 pub(super) const SIZE: (u32, u32) = (960, 600);
 /// The margins around the frame.
 const MARGIN: Area = Area { left: 70.0, top: 84.0, right: 24.0, bottom: 62.0 };
-/// The room for names at the ends of lines.
+/// The width for names at the ends of lines, in pixels.
 const ENDS: f64 = 130.0;
 const FONT: &str = "sans-serif";
 const TEXT: u32 = 14;
@@ -38,7 +38,6 @@ const COLOURS: [RGBColor; 12] = [
     RGBColor(40, 90, 90),
 ];
 
-/// An axis.
 #[derive(Clone, Debug)]
 pub(super) struct Axis {
     pub label: String,
@@ -65,7 +64,6 @@ pub(super) enum Group {
     Course(Vec<Point>),
 }
 
-/// A chart.
 #[derive(Clone, Debug)]
 pub(super) struct Chart {
     pub title: String,

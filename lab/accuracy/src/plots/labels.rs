@@ -107,15 +107,15 @@ pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
     let mut moved = heights.to_vec();
-    let mut least = top;
+    let mut lowest = top;
     for &at in &order {
-        moved[at] = moved[at].max(least);
-        least = moved[at] + gap;
+        moved[at] = moved[at].max(lowest);
+        lowest = moved[at] + gap;
     }
-    let mut most = bottom;
+    let mut highest = bottom;
     for &at in order.iter().rev() {
-        moved[at] = moved[at].min(most);
-        most = moved[at] - gap;
+        moved[at] = moved[at].min(highest);
+        highest = moved[at] - gap;
     }
     moved
 }
@@ -127,7 +127,7 @@ mod tests {
     const FRAME: Area = Area { left: 0.0, top: 0.0, right: 400.0, bottom: 300.0 };
 
     #[test]
-    fn names_of_points_in_a_heap_lie_on_nothing() {
+    fn labels_of_close_points_do_not_overlap() {
         let points: Vec<(f64, f64)> = (0..12)
             .map(|number| (200.0 + f64::from(number % 3), 150.0 + f64::from(number)))
             .collect();

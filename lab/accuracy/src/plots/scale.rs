@@ -128,14 +128,14 @@ mod tests {
     }
 
     #[test]
-    fn nothing_has_a_place_of_its_own_below_all_else() {
+    fn log_scale_puts_zero_below_all_values() {
         let scale = scale(Kind::Log, &[0.0, 0.5, 20.0]);
         assert!(scale.place(0.0) < scale.place(0.4) && scale.place(0.0) > 0.0);
         assert_eq!(scale.ticks()[0], 0.0);
     }
 
     #[test]
-    fn one_value_or_none_has_an_axis_all_the_same() {
+    fn axis_exists_for_one_value_and_none() {
         for kind in [Kind::Linear, Kind::Log] {
             for values in [&[7.0][..], &[]] {
                 let scale = scale(kind, values);

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn the_worst_input_is_kept_and_a_wrong_answer_before_it() {
+    fn tally_keeps_wrong_result_before_worst_error() {
         let tally = of(&[(1.0, false), (3.0, false), (3.0, false), (2.0, false)]);
         assert_eq!((tally.worst, &tally.input[..]), (3.0, &[2][..]));
         let tally = of(&[(1.0, false), (0.0, true), (9.0, false), (0.0, true)]);
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn parts_add_up_to_the_whole() {
+    fn tallies_of_parts_add_up() {
         let cases = [(1.0, false), (0.0, true), (9.0, false), (0.0, true), (9.0, false)];
         for split in 0..=cases.len() {
             let (first, second) = cases.split_at(split);
@@ -205,7 +205,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_counted_holds_nothing() {
+    fn bound_needs_counted_cases_to_hold() {
         let bound = Bound::none("a test");
         let mut tally = Tally::default();
         tally.uncounted();

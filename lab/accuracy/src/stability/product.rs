@@ -12,17 +12,15 @@ use twins::Single;
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 
-use crate::space::{along, cross, dot, less};
+use crate::space::{add_scaled, cross, dot, sub};
 use crate::truth::Vector;
 
-/// The kinds of shape that SPUs know.
+/// The kinds of shape that SPUs trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A sphere.
     Sphere,
     /// A parallelogram.
     Rectangle,
-    /// A triangle.
     Triangle,
     /// An open cone or cylinder.
     Cone,
@@ -191,13 +189,13 @@ pub fn exactly(single: F32) -> f64 {
 /// f64 from the record's own singles. `None` if it does not hit.
 pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<f64> {
     let head = product.head();
-    let from = less(origin, head.centre);
+    let from = sub(origin, head.centre);
     match product.kind {
         // A ray that leaves a plane never hits it again.
         Kind::Rectangle | Kind::Triangle => None,
         Kind::Sphere => {
             let b = dot(from, direction);
-            let l = along(from, -b, direction);
+            let l = add_scaled(from, -b, direction);
             let disc = head.offset * head.offset - dot(l, l);
             (disc >= 0.0).then(|| disc.sqrt() - b).filter(|t| *t > 0.0)
         }
@@ -206,12 +204,12 @@ pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<
             let [radius, growth, height] = [0, 1, 2].map(|word| to_f64(rest[word]));
             let split = |vector: Vector| {
                 let height = dot(vector, head.axis);
-                (height, along(vector, -height, head.axis))
+                (height, add_scaled(vector, -height, head.axis))
             };
             let ((h, c), (rise, e)) = (split(from), split(direction));
             let (k, m) = (radius + growth * h, growth * rise);
             let (a, b) = (dot(e, e) - m * m, dot(c, e) - k * m);
-            let v = along(e.map(|x| k * x), -m, c);
+            let v = add_scaled(e.map(|x| k * x), -m, c);
             let turn = cross(c, e);
             let disc = dot(v, v) - dot(turn, turn);
             let root = disc.max(0.0).sqrt();

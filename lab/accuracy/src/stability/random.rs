@@ -5,7 +5,7 @@ use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
 
-use crate::space::{cross, direction, dot, less, unit};
+use crate::space::{cross, direction, dot, sub, unit};
 use crate::truth::Vector;
 
 /// The random numbers for one round of a family, independent of the thread that tries it.
@@ -42,7 +42,7 @@ pub fn rounded(vector: Vector) -> Vector {
 
 /// The direction from one place to another, or `otherwise` if they are too close for one.
 pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
-    let way = less(to, from);
+    let way = sub(to, from);
     if dot(way, way) > 0.0 { unit(way) } else { otherwise }
 }
 

@@ -177,7 +177,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_file_says_inputs_by_subject() {
+    fn regression_file_lists_inputs_by_subject() {
         let text = r#"{"inputs": [
             {"subject": "a", "worst": 1.5, "words": "3f800000 00000001"},
             {"subject": "b", "worst": 0.0, "words": "ffffffff"}
@@ -190,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn bad_files_are_refused_by_what_is_bad() {
+    fn invalid_regression_file_is_rejected_with_reason() {
         let text = r#"{"inputs": [{"subject": "a", "worst": 1, "words": "3f80000g"}]}"#;
         let error = Regressions::of_file("family", text).expect_err("no hexadecimal word");
         assert!(error.to_string().contains("3f80000g"), "{error}");

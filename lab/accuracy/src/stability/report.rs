@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn what_fails_is_said_with_its_input() {
+    fn report_prints_failure_with_input() {
         let report = report(vec![row(1.5, 0), row(2.5, 0), row(0.5, 1)]);
         assert!(!report.held());
         let text = report.to_string();
@@ -213,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn json_says_the_same() {
+    fn json_report_has_rows_and_verdict() {
         let report = report(vec![row(1.5, 0)]);
         assert!(report.held());
         let value = report.json();
@@ -223,7 +223,7 @@ mod tests {
     }
 
     #[test]
-    fn no_rows_hold_nothing() {
+    fn empty_report_does_not_hold() {
         assert!(!report(Vec::new()).held());
     }
 }

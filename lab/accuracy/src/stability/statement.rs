@@ -62,7 +62,7 @@ pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
 }
 
 /// Whether a kernel's statement of error contains these words.
-pub fn says(kernel: &str, phrase: &str) -> bool {
+pub fn states(kernel: &str, phrase: &str) -> bool {
     let header = Source::find(kernel).and_then(Source::header);
     header.is_some_and(|header| header.error.contains(phrase))
 }
@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_found_by_the_words_behind_them() {
+    fn number_is_found_before_phrase() {
         let text = "25 ulp of t, origin up to 30 radii off, ray within 0.995 r of it";
         assert_eq!(number_before(text, ""), Some(25.0));
         assert_eq!(number_before(text, "radii"), Some(30.0));
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_missing_is_named() {
+    fn missing_statement_names_kernel_and_phrase() {
         let error = Bound::of("isect_nothing").expect_err("no such kernel");
         assert_eq!(error.to_string(), "there is no kernel isect_nothing with a header");
         let error = stated("refract_r16", "furlongs").expect_err("no such number");

@@ -156,9 +156,9 @@ pub fn leave(
     let queue = put(bench, &[QueuedRay::new_zeroed(); 17]);
     for (number, (surfaces, shadow)) in found.iter().zip(&shadows).enumerate() {
         let mut queued = |kernel| {
-            let Limits { least, deepest } = Limits::NONE;
+            let Limits { min_weight, deepest } = Limits::NONE;
             let site = address::<Site>(sites, number);
-            let arguments = [site, 1, queue.address, least, deepest];
+            let arguments = [site, 1, queue.address, min_weight, deepest];
             let end = bench.call(kernel, &arguments).value;
             let count = (end - queue.address) as usize / size_of::<QueuedRay>();
             let mut lanes = [None; 16];

@@ -41,9 +41,9 @@ impl Bounded {
     /// The square root of a number that is not below 0.
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
-        let least = (self.value - self.error).max(0.0).sqrt();
+        let smallest = (self.value - self.error).max(0.0).sqrt();
         let error =
-            if root + least > 0.0 { self.error / (root + least) } else { self.error.sqrt() };
+            if root + smallest > 0.0 { self.error / (root + smallest) } else { self.error.sqrt() };
         Self::new(root, error + root * UNIT)
     }
 
@@ -90,9 +90,9 @@ impl Div for Bounded {
 
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        let least = other.value.abs() - other.error;
-        let error = if least > 0.0 {
-            (self.error + quotient.abs() * other.error) / least + quotient.abs() * UNIT
+        let smallest = other.value.abs() - other.error;
+        let error = if smallest > 0.0 {
+            (self.error + quotient.abs() * other.error) / smallest + quotient.abs() * UNIT
         } else {
             f64::INFINITY
         };
@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_exact_number_is_within_the_bound() {
+    fn exact_number_is_within_bound() {
         let mut random = Generator::seed_from_u64(5);
         for _ in 0..20_000 {
             let mut number = || {
@@ -136,13 +136,13 @@ mod tests {
     }
 
     #[test]
-    fn a_sum_of_singles_that_loses_nothing_is_exact() {
+    fn exact_sum_of_singles_has_no_error() {
         let sum = Bounded::from(1_048_576.25) - Bounded::from(3.5);
         assert_eq!(sum, Bounded::from(1_048_572.75));
     }
 
     #[test]
-    fn a_sign_is_open_within_the_bound() {
+    fn sign_is_undecided_within_bound() {
         let about = |value, error| Bounded { value, error };
         assert_eq!(about(1.0, 0.5).sign(), Some(Ordering::Greater));
         assert_eq!(about(-1.0, 0.5).sign(), Some(Ordering::Less));

@@ -42,7 +42,6 @@ impl Exact {
     }
 }
 
-/// The exact operations.
 macro_rules! exactly {
     ($($trait:ident $method:ident $operator:tt)*) => {$(
         impl $trait for Exact {
@@ -91,7 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_is_lost_between_the_ends_of_the_range() {
+    fn exact_arithmetic_keeps_all_digits() {
         let (large, small) = (2_f64.powi(128), 2_f64.powi(-126));
         let sum = Exact::from(large) + Exact::from(small);
         assert_eq!((sum - Exact::from(large)).to_f64(), small);

@@ -13,13 +13,11 @@ pub(super) trait Number:
 
 impl<T: Clone + Add<Output = T> + Sub<Output = T> + Mul<Output = T>> Number for T {}
 
-/// The scalar product.
 pub(super) fn dot<T: Number>(a: &[T; 3], b: &[T; 3]) -> T {
     let product = |axis: usize| a[axis].clone() * b[axis].clone();
     product(0) + product(1) + product(2)
 }
 
-/// The vector product.
 pub(super) fn cross<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     std::array::from_fn(|k| {
         let (next, last) = ((k + 1) % 3, (k + 2) % 3);
@@ -28,6 +26,6 @@ pub(super) fn cross<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
 }
 
 /// a - b.
-pub(super) fn less<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
+pub(super) fn sub<T: Number>(a: &[T; 3], b: &[T; 3]) -> [T; 3] {
     std::array::from_fn(|axis| a[axis].clone() - b[axis].clone())
 }

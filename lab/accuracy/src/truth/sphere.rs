@@ -7,7 +7,7 @@ use twins::Single;
 
 use super::bounded::Bounded;
 use super::exact::Exact;
-use super::space::{Vector, cross, dot, less};
+use super::space::{Vector, cross, dot, sub};
 use super::{DOUBT, Line, spacing};
 
 /// A sphere as exact numbers.
@@ -110,7 +110,7 @@ impl Sphere {
     /// The distance from the line is computed by a vector product, which keeps its precision far
     /// away.
     fn in_double(&self, line: &Line) -> Option<Passing> {
-        let to = less(&self.centre.map(Bounded::from), &line.origin.map(Bounded::from));
+        let to = sub(&self.centre.map(Bounded::from), &line.origin.map(Bounded::from));
         let d = line.direction.map(Bounded::from);
         let square = Bounded::from(self.radius_squared);
         let dd = dot(&d, &d);
@@ -147,7 +147,7 @@ impl Sphere {
 
     /// The result with exact numbers, computed by other steps than the one in double precision.
     fn in_exact(&self, line: &Line) -> Passing {
-        let from = less(&line.origin.map(Exact::from), &self.centre.map(Exact::from));
+        let from = sub(&line.origin.map(Exact::from), &self.centre.map(Exact::from));
         let d = line.direction.map(Exact::from);
         let square = Exact::from(self.radius_squared);
         let dd = dot(&d, &d);
@@ -201,7 +201,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_numbers_come_out_exactly() {
+    fn whole_numbers_give_exact_results() {
         // 3, 4, 5: at height 3 the chord of the sphere is 8 long. The direction's length does not
         // matter.
         for direction in [[0.0, 0.0, -1.0], [0.0, 0.0, -16.0]] {
@@ -217,16 +217,16 @@ mod tests {
     }
 
     #[test]
-    fn from_within_the_first_distance_is_the_exit() {
+    fn ray_from_inside_first_hits_exit() {
         let inside = sphere([0.0; 3], 2.0);
         let crossing = inside.crossing(&line([0.5, 0.0, 0.0], [1.0, 0.0, 0.0]));
         assert_eq!(crossing.unwrap().first(), Some((1.5, [1.0, 0.0, 0.0])));
-        let behind = inside.crossing(&line([3.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
-        assert_eq!(behind.unwrap().first(), None);
+        let beyond = inside.crossing(&line([3.0, 0.0, 0.0], [1.0, 0.0, 0.0]));
+        assert_eq!(beyond.unwrap().first(), None);
     }
 
     #[test]
-    fn a_line_that_touches_hits_and_the_next_single_beside_it_misses() {
+    fn tangent_line_hits_and_next_single_misses() {
         let sphere = sphere([0.0; 3], 1.0);
         let at = |height| line([height, 0.0, 8.0], [0.0, 0.0, -1.0]);
         let touches = sphere.passing(&at(1.0));
@@ -239,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn the_verdict_is_exact_where_double_precision_has_no_digits_left() {
+    fn verdict_is_exact_beyond_double_precision() {
         // The edge of a sphere, a single ulp of 2^24 away: its square needs 50 digits more than a
         // double has.
         let far = 2_f64.powi(60);
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_of_the_singles_range_are_in_reach() {
+    fn sphere_at_ends_of_single_range_is_computed() {
         let (large, small) = (2_f64.powi(128), 2_f64.powi(-126));
         let huge = sphere([0.0; 3], large);
         let crossing = huge.crossing(&line([small; 3], [small, 0.0, 0.0])).unwrap();
@@ -264,14 +264,14 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_that_goes_nowhere_and_a_sphere_of_no_size_do_not_meet() {
+    fn zero_direction_or_zero_radius_misses() {
         let ahead = line([0.0, 0.0, 4.0], [0.0, 0.0, -1.0]);
         assert_eq!(sphere([0.0; 3], 0.0).crossing(&ahead), None);
         assert_eq!(sphere([0.0; 3], 1.0).crossing(&line([0.0; 3], [0.0; 3])), None);
     }
 
     #[test]
-    fn double_precision_is_as_good_as_it_says() {
+    fn double_precision_keeps_its_bound() {
         let mut random = Generator::seed_from_u64(7);
         let mut sure = 0;
         for _ in 0..4000 {

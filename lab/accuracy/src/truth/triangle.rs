@@ -7,7 +7,7 @@ use twins::Single;
 
 use super::bounded::Bounded;
 use super::exact::Exact;
-use super::space::{Number, Vector, cross, dot, less};
+use super::space::{Number, Vector, cross, dot, sub};
 use super::{DOUBT, Line, spacing};
 
 /// A triangle's vertices as exact numbers.
@@ -19,7 +19,6 @@ pub struct Triangle {
 /// The point where a ray's line meets the plane of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
-    /// Distance.
     pub distance: f64,
     /// The weights of the vertices at the point. Their sum is 1.
     pub weights: [f64; 3],
@@ -47,9 +46,9 @@ struct Volumes<T> {
 
 impl<T: Number> Volumes<T> {
     fn new(vertices: [[T; 3]; 3], origin: &[T; 3], direction: &[T; 3]) -> Self {
-        let [ab, ac] = [1, 2].map(|other| less(&vertices[other], &vertices[0]));
+        let [ab, ac] = [1, 2].map(|other| sub(&vertices[other], &vertices[0]));
         let normal = cross(&ab, &ac);
-        let seen = vertices.map(|vertex| less(&vertex, origin));
+        let seen = vertices.map(|vertex| sub(&vertex, origin));
         let edge = |from: usize, to: usize| dot(direction, &cross(&seen[from], &seen[to]));
         Self {
             edges: [edge(1, 2), edge(2, 0), edge(0, 1)],
@@ -65,7 +64,6 @@ impl Triangle {
         Self { vertices: vertices.map(|vertex| vertex.map(to_f64)) }
     }
 
-    /// Its vertices.
     pub fn vertices(&self) -> [Vector; 3] {
         self.vertices
     }
@@ -153,7 +151,7 @@ mod tests {
     const CORNER: [Vector; 3] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
     #[test]
-    fn whole_numbers_come_out_exactly() {
+    fn whole_numbers_give_exact_results() {
         let corner = triangle(CORNER);
         for (way, front) in [(-2.0, true), (2.0, false)] {
             let line = line([1.0, 2.0, -4.0 * way], [0.0, 0.0, way]);
@@ -169,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn edges_and_vertices_are_told_from_both_sides_of_them() {
+    fn edges_and_vertices_are_separated_from_both_sides() {
         let corner = triangle(CORNER);
         let down = |x, y| corner.meeting(&line([x, y, 3.0], [0.0, 0.0, -1.0]));
         let side = |x, y| down(x, y).unwrap().side();
@@ -183,7 +181,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_plane_or_lies_along_the_ray_is_not_met() {
+    fn degenerate_or_parallel_triangle_is_missed() {
         let along = line([1.0, 1.0, 3.0], [1.0, 3.0, 0.0]);
         assert_eq!(triangle(CORNER).meeting(&along), None);
         let flat = triangle([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6], [0.1, 0.2, 0.3]]);
@@ -191,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn double_precision_is_as_good_as_it_says() {
+    fn double_precision_keeps_its_bound() {
         let mut random = Generator::seed_from_u64(8);
         let mut sure = 0;
         for number in 0..4000 {

@@ -17,7 +17,7 @@ fn failure(arguments: &[&str]) -> String {
 }
 
 #[test]
-fn what_is_wrong_is_named() {
+fn invalid_arguments_are_reported() {
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("file");
     fs::write(&file, "").unwrap();
@@ -39,7 +39,7 @@ fn what_is_wrong_is_named() {
 }
 
 #[test]
-fn json_without_the_host_is_the_same_each_time_and_goes_to_standard_output() {
+fn json_without_host_is_reproducible() {
     let arguments = ["--quick", "--no-host-time", "--only", "perpendicular,paper", "--json", "-"];
     let [first, second] = [(); 2].map(|()| bench(&arguments));
     assert!(first.status.success());
@@ -51,7 +51,7 @@ fn json_without_the_host_is_the_same_each_time_and_goes_to_standard_output() {
 }
 
 #[test]
-fn a_folder_gets_all_files_and_the_document_its_plots() {
+fn folder_output_has_all_files_and_plots() {
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name).to_str().unwrap().to_owned();
     let (out, document) = (at("out"), at("accuracy.md"));

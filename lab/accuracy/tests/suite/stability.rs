@@ -12,7 +12,7 @@ fn kept() -> Regressions {
 }
 
 #[test]
-fn all_bounds_hold_and_kept_inputs_are_tried() {
+fn stability_bounds_hold_with_kept_inputs() {
     let report = run(Size::Quick, SEED, None, &kept()).expect("the suite runs");
     assert!(report.held(), "{report}");
     for row in &report.rows {
@@ -36,7 +36,7 @@ fn figures_depend_on_the_seed_alone() {
 /// The inputs saved by one run are again the worst of the next run with the same seed. With
 /// another seed, the worst is at least as bad.
 #[test]
-fn what_is_kept_is_the_worst_again() {
+fn kept_input_reproduces_worst_error() {
     let family = Some("sphere-grazing");
     let first = run(Size::Quick, 1, family, &Regressions::default()).expect("the family runs");
     let folder = tempfile::tempdir().expect("a folder");
@@ -52,7 +52,7 @@ fn what_is_kept_is_the_worst_again() {
 }
 
 #[test]
-fn a_kept_input_of_another_length_is_refused() {
+fn kept_input_of_other_length_is_rejected() {
     let text = r#"{"inputs": [{"subject": "refract_r16", "worst": 0.0, "words": "3f800000"}]}"#;
     let kept = Regressions::of_file("refract-critical", text).expect("a good file");
     let error = run(Size::Quick, 1, Some("refract-critical"), &kept).expect_err("a short input");
@@ -80,7 +80,7 @@ fn the_command_prints_a_table_and_writes_json() {
 }
 
 #[test]
-fn what_can_not_be_is_said_by_its_value() {
+fn invalid_value_is_reported() {
     let nowhere = "/no/such/folder/report.json";
     for (arguments, expected) in [
         (&["--only", "spherical-cows"][..], "spherical-cows"),

@@ -212,9 +212,9 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
         let target: Vector = std::array::from_fn(|axis| {
             weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]
         });
-        let direction = unit(less(target, origin.map(to_f64)));
+        let direction = unit(sub(target, origin.map(to_f64)));
         // Its apparent size: twice its area across the ray, relative to its size.
-        let seen = dot(cross(less(a, c), less(b, c)), direction).abs();
+        let seen = dot(cross(sub(a, c), sub(b, c)), direction).abs();
         if seen > 0.1 * size * size {
             return (Ray::new(origin, point(direction)), triangle);
         }
@@ -227,8 +227,8 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
 pub fn on_triangle(ray: &Ray, triangle: &Triangle) -> Vector {
     let [a, b, c] = triangle.map(|vertex| vertex.map(to_f64));
     let direction = ray.direction.map(to_f64);
-    let (first, second) = (less(a, c), less(b, c));
-    let beside = less(ray.origin.map(to_f64), c);
+    let (first, second) = (sub(a, c), sub(b, c));
+    let beside = sub(ray.origin.map(to_f64), c);
     let across = cross(direction, second);
     let turned = cross(beside, first);
     let determinant = dot(first, across);
@@ -259,7 +259,7 @@ pub fn around_rectangle(random: &mut impl Rng) -> (Rectangle, [Ray; 16], f64) {
         let [u, v] = [(); 2].map(|()| random.random_range(-0.5..1.5));
         let target: Vector =
             std::array::from_fn(|axis| corner[axis] + u * first[axis] + v * second[axis]);
-        Ray::new(point(origin), point(unit(less(target, origin))))
+        Ray::new(point(origin), point(unit(sub(target, origin))))
     });
     (rectangle(corner, first, second), rays, distance)
 }
@@ -271,7 +271,7 @@ pub fn on_plane(ray: &Ray, rectangle: &Rectangle) -> (Vector, f64) {
     let origin = ray.origin.map(to_f64);
     let direction = ray.direction.map(to_f64);
     let normal = rectangle.normal.map(to_f64);
-    let beside = less(origin, rectangle.point.map(to_f64));
+    let beside = sub(origin, rectangle.point.map(to_f64));
     let along = dot(normal, direction);
     let t = -dot(normal, beside) / along;
     let hit: Vector = std::array::from_fn(|axis| beside[axis] + t * direction[axis]);

@@ -16,10 +16,10 @@ pub struct Domain {
     pub eye: Range<f64>,
     /// The largest distance of other origins from the centre, in radii.
     pub farthest: f64,
-    /// The least distance between a ray and the sphere's outline, as disc / r^2, for which the
+    /// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the
     /// root counts.
     pub outline: f64,
-    /// The least distance of another origin from the surface, in radii.
+    /// The smallest distance of another origin from the surface, in radii.
     pub surface: f64,
     /// The lengths of directions.
     pub lengths: Range<f64>,

@@ -194,8 +194,8 @@ fn results(bench: &Bench, place: Place) -> Vec<[Single; 4]> {
     results.into_iter().map(|quadword| quadword.map(U32::get)).collect()
 }
 
-/// Puts operands into local store, with `anything` in the rest of the last pass, and room for the
-/// results.
+/// Puts operands into local store, with `anything` in the rest of the last pass, and a buffer for
+/// the results.
 fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -> [Place; 2] {
     let padded = operands.len().next_multiple_of(PASS);
     let mut words: Vec<[U32; 4]> = operands.iter().map(|quadword| quadword.map(U32::new)).collect();
@@ -216,7 +216,7 @@ pub fn call(bench: &mut Bench, kernel: &str, operands: &[[Single; 4]]) -> Vec<[S
 
 /// A random operand of the domain. All exponents and fractions are equally likely.
 pub fn operand(random: &mut impl Rng, function: &Function) -> Single {
-    let [least, most] = function.domain;
+    let [min, max] = function.domain;
     let sign = function.quantity.takes_negative() && random.random();
-    random.random_range(least..=most) | u32::from(sign) << 31
+    random.random_range(min..=max) | u32::from(sign) << 31
 }

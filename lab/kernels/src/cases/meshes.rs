@@ -7,7 +7,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::triangle::Triangle;
 
 use crate::flat_records::{Point, point};
-use crate::vector::{Vector, dot, in_cube, less, unit};
+use crate::vector::{Vector, dot, in_cube, sub, unit};
 
 /// A place far from the origin, as in embree's tests.
 pub const FAR_OUT: Vector = [148_376.0, 1234.0, -223_423.0];
@@ -94,7 +94,7 @@ impl Mesh {
             _ => random.random_range(0.0..1.0),
         };
         let target = std::array::from_fn(|axis| a[axis] + share * (b[axis] - a[axis]));
-        less(target, self.inside.map(to_f64))
+        sub(target, self.inside.map(to_f64))
     }
 
     /// The origin and direction of a ray from inside in this direction, or within an ulp of it.

@@ -19,12 +19,12 @@ use nearest::{Blocked, Nearest, One};
 
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 4000;
-/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the root
+/// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the root
 /// counts.
 const OUTLINE: f64 = 0.01;
 /// The same for which the verdict counts.
 const TANGENT: f64 = 1e-4;
-/// The least distance of an origin from the surface, in radii, for which its side counts.
+/// The smallest distance of an origin from the surface, in radii, for which its side counts.
 const SURFACE: f64 = 1e-5;
 
 /// The kernels in this file.

@@ -62,7 +62,7 @@ pub type Distances = [Option<Single>; 16];
 /// # Panics
 ///
 /// Panics if there is no such kernel, or if the packets do not fit into local store, which has
-/// room for 64.
+/// capacity for 64.
 #[must_use]
 pub fn general(
     bench: &mut Bench,
@@ -89,7 +89,7 @@ pub fn general(
 /// # Panics
 ///
 /// Panics if there is no such kernel, or if the packets do not fit into local store, which has
-/// room for 64.
+/// capacity for 64.
 #[must_use]
 pub fn eye(
     bench: &mut Bench,

@@ -24,7 +24,7 @@ fn prints_the_table_of_the_kernels_that_are_named() {
 }
 
 #[test]
-fn gives_the_same_to_programs() {
+fn measure_prints_json() {
     let output = kernels(&["measure", "isect_sphere_r16", "--json"]);
     assert!(output.status.success());
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
@@ -39,7 +39,7 @@ fn gives_the_same_to_programs() {
 }
 
 #[test]
-fn names_the_kernels_that_there_are() {
+fn unknown_kernel_lists_existing_kernels() {
     let output = kernels(&["measure", "isect_cube_r16"]);
     assert!(!output.status.success());
     let error = text(&output.stderr);

@@ -5,7 +5,7 @@ use std::fs;
 use kernels::document::{BEGIN, DocumentError, END, check, write};
 
 #[test]
-fn what_is_outside_the_markers_stays() {
+fn text_outside_markers_is_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.md");
     fs::write(&file, format!("before\n{BEGIN}\nold\n{END}\nbehind\n")).expect("a file");
@@ -31,7 +31,7 @@ fn a_stale_table_is_shown_by_its_line() {
 }
 
 #[test]
-fn a_document_without_markers_or_none_at_all() {
+fn missing_markers_or_document_are_reported() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("a.md");
     let missing = write(&file, "").expect_err("there is no file");

@@ -57,7 +57,7 @@ fn call(kernel: &str) -> Returned {
 }
 
 #[test]
-fn a_good_kernel_is_called() {
+fn valid_kernel_is_called() {
     let mut bench = bench();
     let place = bench.place(&41_u32.to_be_bytes().repeat(4));
     let returned = bench.call("good", &[place.address]);
@@ -66,7 +66,7 @@ fn a_good_kernel_is_called() {
 }
 
 #[test]
-fn what_a_kernel_writes_is_there_for_the_next() {
+fn kernel_writes_are_visible_to_next_call() {
     let mut bench = bench();
     let place = bench.place(&40_u32.to_be_bytes().repeat(4));
     for (kernel, value) in [("good", 41), ("follows", 43), ("good", 44)] {

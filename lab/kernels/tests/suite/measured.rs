@@ -39,7 +39,7 @@ fn the_document_is_up_to_date() {
     check(&document, &markdown(measured())).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// Kernels whose loops are not pipelined, to save local store: their headers say at what cost.
+/// Kernels whose loops are not pipelined, to save local store: their headers state the cost.
 const NOT_PIPELINED: [&str; 10] = [
     "smooth_r16",
     "texture_places_r16",

@@ -50,7 +50,7 @@ fn headers_name_the_registers_that_are_written() {
 fn used(source: &str) -> BTreeSet<u8> {
     let lines = source.lines().take_while(|line| line.starts_with('#'));
     let mut lines = lines.skip_while(|line| !line.starts_with("#   Uses "));
-    let first = lines.next().expect("a header says what is used");
+    let first = lines.next().expect("a header lists the registers used");
     let further = lines.take_while(|line| line.starts_with("#           "));
     let text: Vec<&str> = std::iter::once(first).chain(further).collect();
     let text = text.join(" ");
@@ -89,7 +89,7 @@ fn a_plain_source_with_a_fault_is_named() {
 }
 
 #[test]
-fn a_changed_include_costs_those_that_include_it() {
+fn changed_include_reschedules_its_includers() {
     let folder = with_includes();
     let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let includes = folder.path().join("spu/include");

@@ -53,19 +53,19 @@ fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u3
 }
 
 #[test]
-fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
+fn ray_sphere_relations_give_expected_hits() {
     let mut bench = Bench::new();
     let at = |centre, radius| bare_sphere(centre, radius);
     let cases: [(&str, BareSphere, Option<f64>); 12] = [
         ("ahead", at([0.0, 0.0, -5.0], 1.0), Some(4.0)),
-        ("behind", at([0.0, 0.0, 5.0], 1.0), None),
+        ("behind the origin", at([0.0, 0.0, 5.0], 1.0), None),
         ("around, its centre ahead", at([0.0, 0.0, -0.5], 1.0), Some(1.5)),
-        ("around, its centre behind", at([0.0, 0.0, 0.5], 1.0), Some(0.5)),
+        ("around, its centre behind the origin", at([0.0, 0.0, 0.5], 1.0), Some(0.5)),
         ("around, its centre here", at([0.0; 3], 1.0), Some(1.0)),
         ("around, its centre beside", at([0.6, 0.0, 0.0], 1.0), Some(0.8)),
         ("tangent", at([1.0, 0.0, -5.0], 1.0), Some(5.0)),
         ("beside", at([3.0, 0.0, -5.0], 1.0), None),
-        ("beside and behind", at([3.0, 0.0, 5.0], 1.0), None),
+        ("beside and behind the origin", at([3.0, 0.0, 5.0], 1.0), None),
         ("tiny and far", at([0.0, 0.0, -4096.0], 1.0 / 16.0), Some(4096.0 - 1.0 / 16.0)),
         ("huge", at([0.0, 0.0, -1e9], 0.999e9), Some(1e6)),
         (
@@ -108,7 +108,7 @@ fn ulps_around_a_tangent_equal_the_twin() {
 }
 
 #[test]
-fn an_idle_ray_stays_as_it_is_and_holds_nobody_up() {
+fn idle_ray_is_unchanged_and_does_not_delay_others() {
     let mut bench = Bench::new();
     let mut rays = case_rays();
     for ray in rays.iter_mut().step_by(3) {
@@ -159,7 +159,7 @@ fn every_length_of_an_array() {
 const CLEAR_OF_SURFACE: f64 = 6.0;
 
 #[test]
-fn a_ray_that_leaves_a_surface_does_not_meet_it_again() {
+fn leaving_ray_does_not_meet_its_surface_again() {
     let mut random = random();
     let mut bench = Bench::new();
     let (mut nearest_miss, mut tried) = (0.0_f64, 0);

@@ -68,7 +68,7 @@ fn close(found: Option<(f64, DVec3)>, distance: f64, normal: [f64; 3]) {
 }
 
 #[test]
-fn a_sphere_shows_one_side() {
+fn sphere_is_visible_from_one_side() {
     let sphere = |radius: f64, transmits| {
         let centre = DVec3::ZERO;
         surface(&Shape::Sphere { centre, radius }, transmits)
@@ -119,7 +119,7 @@ fn cylinders_and_cones_are_open_sheets() {
 }
 
 #[test]
-fn concave_polygons_have_their_hollows() {
+fn concave_polygon_is_missed_in_its_notch() {
     let shape = Shape::Polygon {
         vertices: [
             (0.0, 0.0),
@@ -170,7 +170,7 @@ fn polygons_are_filled_by_the_even_odd_rule() {
 }
 
 #[test]
-fn a_bent_polygon_is_put_into_a_plane() {
+fn bent_polygon_is_projected_to_plane() {
     let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
     let bent = |off: f64| {
         let lift = |(x, y): (f64, f64)| DVec3::new(x, y, if x == y { off } else { -off });

@@ -145,7 +145,7 @@ fn the_help_has_examples() {
 }
 
 #[test]
-fn whitteds_model_counts_its_rays_and_compares() {
+fn whitted_render_counts_rays_and_compares() {
     let folder = tempfile::tempdir().expect("a folder");
     let scene = ["sphereflake:1", "--model", "whitted", "--ray-depth", "3"];
     let size = ["--size", "64x48", "--out", "w.png", "--stats", "--corners"];

@@ -41,7 +41,7 @@ fn no_two_spheres_of_the_papers_scenes_intersect() {
 }
 
 #[test]
-fn whitted16_is_the_benchmark_that_it_says_it_is() {
+fn whitted16_matches_its_description() {
     let scene = scenes::read(&file("whitted16.nff")).expect("a scene");
     let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
     let (spheres, rest): (Vec<_>, Vec<_>) =
@@ -52,7 +52,7 @@ fn whitted16_is_the_benchmark_that_it_says_it_is() {
 }
 
 #[test]
-fn the_scenes_of_whitteds_model_use_what_they_show() {
+fn whitted_scenes_use_their_features() {
     let rays = |name: &str| {
         let scene = scenes::read(&file(name)).expect("a scene");
         let options = Options::default();

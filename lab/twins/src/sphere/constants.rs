@@ -3,7 +3,7 @@
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 use zerocopy::FromBytes;
 
-use super::{Crossing, Eye, HALF, ONE, Single, Vector, along, root_by_newton};
+use super::{Crossing, Eye, HALF, ONE, Single, Vector, dot, root_by_newton};
 
 /// A sphere by its direction and distance.
 #[derive(Clone, Copy, Debug, FromBytes)]
@@ -28,7 +28,7 @@ impl Eye for Constants {
 
     fn entry(direction: [Single; 3], sphere: &Axis) -> Crossing {
         let difference: Vector = std::array::from_fn(|axis| fs(direction[axis], sphere.axis[axis]));
-        let chord = along(difference, difference);
+        let chord = dot(difference, difference);
         let disc = fma(chord, fms(chord, QUARTER, ONE), sphere.k);
         let [s, e] = root_by_newton(disc);
         let part = fma(s, e, fm(chord, HALF));

@@ -3,7 +3,7 @@
 use spu_emulator::float::single::{fa, fm, fms, fs};
 
 use super::super::math::sqrt;
-use super::{Meeting, Rooted, Size, Vector, across, along, root_by_newton};
+use super::{Meeting, Rooted, Size, Vector, across, dot, root_by_newton};
 
 /// (r - l)(r + l)
 #[derive(Clone, Copy, Debug)]
@@ -18,9 +18,9 @@ impl Rooted for Factored {
             Size::Radius(radius) => radius,
             Size::Squared(squared) => sqrt(squared),
         };
-        let b = along(f, d);
+        let b = dot(f, d);
         let l = across(f, b, d);
-        let [s, e] = root_by_newton(along(l, l));
+        let [s, e] = root_by_newton(dot(l, l));
         let length = fm(s, e);
         let disc = fm(fs(radius, length), fa(radius, length));
         Meeting { b, disc, out: fms(b, b, disc), root: root_by_newton(disc) }

@@ -56,7 +56,7 @@ pub trait General {
 pub trait Eye {
     /// The kernel.
     const EYE: &'static str;
-    /// What it takes of a sphere.
+    /// The part of a sphere's record that it reads.
     type Sphere: Copy + Debug;
 
     /// Where the ray enters the sphere.
@@ -142,8 +142,7 @@ fn from_origin(centre: Vector, origin: Vector) -> Vector {
     std::array::from_fn(|axis| fs(centre[axis], origin[axis]))
 }
 
-/// Scalar product.
-fn along([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
+fn dot([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
     fma(fz, dz, fma(fy, dy, fm(fx, dx)))
 }
 

@@ -2,7 +2,7 @@
 
 use spu_emulator::float::single::fms;
 
-use super::{Meeting, Rooted, Size, Vector, along, beyond_surface, root_by_newton};
+use super::{Meeting, Rooted, Size, Vector, beyond_surface, dot, root_by_newton};
 
 /// b^2 - (|f|^2 - r^2)
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ impl Rooted for Paper {
     const EYE: &'static str = "isect_pairs_paper_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {
-        let b = along(f, d);
+        let b = dot(f, d);
         let out = beyond_surface(f, size.squared());
         let disc = fms(b, b, out);
         Meeting { b, disc, out, root: root_by_newton(disc) }

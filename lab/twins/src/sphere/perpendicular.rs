@@ -1,11 +1,12 @@
 //! Twins of `spu/include/sphere_perpendicular.inc`, `sphere_estimate.inc` and
-//! `sphere_interpolated.inc`: the discriminant by the perpendicular, and roots of so many bits.
+//! `sphere_interpolated.inc`: the discriminant by the perpendicular, and roots with the precision
+//! of the estimate or the interpolated estimate.
 
 use spu_emulator::float::estimate::frsqest;
 use spu_emulator::float::single::fms;
 
 use super::{
-    Meeting, Rooted, Single, Size, Vector, across, along, interpolated, root_by_newton, within,
+    Meeting, Rooted, Single, Size, Vector, across, dot, interpolated, root_by_newton, within,
 };
 
 /// One Newton step for the root.
@@ -27,7 +28,7 @@ pub(super) fn meet(
     size: Size,
     root: impl Fn(Single) -> [Single; 2],
 ) -> Meeting {
-    let b = along(f, d);
+    let b = dot(f, d);
     let disc = within(size.squared(), across(f, b, d));
     Meeting { b, disc, out: fms(b, b, disc), root: root(disc) }
 }

@@ -4,8 +4,8 @@
 use spu_emulator::float::single::{fm, fma, fms, fnms};
 
 use super::{
-    BareSphere, Crossing, Eye, General, HALF, ONE, Ray, Single, SphereObject, Vector, across,
-    along, interpolated, leaves, sign, within,
+    BareSphere, Crossing, Eye, General, HALF, ONE, Ray, Single, SphereObject, Vector, across, dot,
+    interpolated, leaves, sign, within,
 };
 
 /// Perpendicular, with half of l.d added to b.
@@ -13,9 +13,9 @@ use super::{
 pub struct Refined;
 
 const QUARTER: Single = 0x3e80_0000;
-/// What a root's step is taken from.
+/// The number from which a root's step is subtracted.
 const REFINED_ONE: Single = 0x3f80_0001;
-/// What b is multiplied by.
+/// The factor of b.
 const REFINED_TWO: Single = 0x4000_0001;
 /// Twice the root by its estimate.
 const REFINED_ROOT: Single = 0x4000_0002;
@@ -30,9 +30,9 @@ struct Meeting {
 }
 
 fn meet(f: Vector, d: Vector, radius_squared: Single) -> Meeting {
-    let b = along(f, d);
+    let b = dot(f, d);
     let l = across(f, b, d);
-    let rest = along(l, d);
+    let rest = dot(l, d);
     let disc = fma(rest, rest, within(radius_squared, l));
     let y = interpolated(disc);
     let s = fm(disc, y);

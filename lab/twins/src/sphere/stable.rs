@@ -4,7 +4,7 @@ use spu_emulator::float::single::{fm, fma};
 
 use super::{
     BareSphere, Crossing, Eye, General, Ray, SIGN, Single, Size, SphereObject, Vector, across,
-    along, below_zero, beyond_surface, from_origin, leaves, reciprocal, root_by_newton, within,
+    below_zero, beyond_surface, dot, from_origin, leaves, reciprocal, root_by_newton, within,
 };
 
 /// Perpendicular, and crossings at q and cc/q.
@@ -21,7 +21,7 @@ struct Meeting {
 
 fn meet(f: Vector, d: Vector, size: Size) -> Meeting {
     let radius_squared = size.squared();
-    let b = along(f, d);
+    let b = dot(f, d);
     let disc = within(radius_squared, across(f, b, d));
     let [s, e] = root_by_newton(disc);
     Meeting { b, disc, cc: beyond_surface(f, radius_squared), root: [s & !SIGN | b & SIGN, e] }
@@ -58,7 +58,7 @@ impl Eye for Stable {
         let [_, t] = meeting.crossings();
         Crossing {
             t,
-            // A sphere whose centre is behind is behind, or around the eye: no entry.
+            // A sphere whose centre is behind the eye is not entered.
             outside: meeting.disc | meeting.b,
         }
     }

@@ -18,7 +18,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
 use twins::sphere_ray::Ray;
 
-use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, unit};
+use crate::space::{add_scaled, cross, direction, dot, fresh, in_cube, length, sub, unit};
 use crate::stability::family::{Cases, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly, next_hit};
 use crate::stability::random::{across, either_side, magnitude, rounded, towards};
@@ -111,14 +111,14 @@ fn sphere(random: &mut Generator) -> Option<Body> {
     let shape = Shape::Sphere { centre: vector(centre), radius };
     body(Kind::Sphere, shape, random, |random| {
         let normal = direction(random);
-        Target { point: along(centre, radius, normal), normal }
+        Target { point: add_scaled(centre, radius, normal), normal }
     })
 }
 
 /// A flat body: its corners, and a random point on it.
 fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Body> {
-    let (corner, first) = (vertices[0], less(vertices[1], vertices[0]));
-    let second = less(vertices[vertices.len() - 1], corner);
+    let (corner, first) = (vertices[0], sub(vertices[1], vertices[0]));
+    let second = sub(vertices[vertices.len() - 1], corner);
     let across = cross(first, second);
     let normal = (dot(across, across) > 0.0).then(|| unit(across))?;
     let shape = Shape::Polygon { vertices: vertices.into_iter().map(vector).collect() };
@@ -127,13 +127,13 @@ fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Bod
         if kind == Kind::Triangle && u + v > 1.0 {
             [u, v] = [1.0 - u, 1.0 - v];
         }
-        Target { point: along(along(corner, u, first), v, second), normal }
+        Target { point: add_scaled(add_scaled(corner, u, first), v, second), normal }
     })
 }
 
 fn triangle(random: &mut Generator) -> Option<Body> {
     let (corner, size) = (place(random), magnitude(-7, 5, random));
-    let vertices = [(); 3].map(|()| along(corner, 1.0, in_cube(size, random)));
+    let vertices = [(); 3].map(|()| add_scaled(corner, 1.0, in_cube(size, random)));
     flat(Kind::Triangle, vertices.to_vec(), random)
 }
 
@@ -178,7 +178,7 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body
     let shape = Shape::Cone {
         base: vector(base),
         base_radius: radii[0],
-        apex: vector(along(base, height, axis)),
+        apex: vector(add_scaled(base, height, axis)),
         apex_radius: radii[1],
     };
     let growth = (radii[1] - radii[0]) / height;
@@ -187,8 +187,8 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body
         let [out, _] = across(axis, random);
         let radius = radii[0] + growth * h;
         Target {
-            point: along(along(base, h, axis), radius, out),
-            normal: unit(along(out, -growth, axis)),
+            point: add_scaled(add_scaled(base, h, axis), radius, out),
+            normal: unit(add_scaled(out, -growth, axis)),
         }
     })
 }
@@ -204,10 +204,10 @@ fn aimed_at(target: &Target, random: &mut Generator) -> Line {
             let [level, _] = across(target.normal, random);
             let rise = magnitude(-18, -3, random);
             let rise = either_side(rise, random);
-            along(level, rise, target.normal).map(|x| distance * x)
+            add_scaled(level, rise, target.normal).map(|x| distance * x)
         }
     };
-    let origin = rounded(along(target.point, 1.0, back));
+    let origin = rounded(add_scaled(target.point, 1.0, back));
     // Next to the eye, the ray may start at the eye itself.
     let way = towards(origin, target.point, [0.0, 0.0, -1.0]);
     [origin, way].map(|v| v.map(from_f64))
@@ -248,7 +248,7 @@ fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
     if product.kind == Kind::Cone {
         let head = product.head();
         let height = to_f64(product.rest()[2]);
-        let reached = less(along(origin, t, way), head.centre);
+        let reached = sub(add_scaled(origin, t, way), head.centre);
         let share = dot(reached, head.axis) / height;
         if !(END..=1.0 - END).contains(&share) {
             return Expected::Anything;
@@ -323,11 +323,11 @@ fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool
     ]
     .map(|rows| rows.map(|row| exactly(row[lane])));
     let head = product.head();
-    let from = less(point, head.centre);
-    let off = along(from, -dot(from, head.axis), head.axis);
+    let from = sub(point, head.centre);
+    let off = add_scaled(from, -dot(from, head.axis), head.axis);
     let distance = length(off);
     let scale = if head.gain == 0.0 { 0.0 } else { head.gain / distance };
-    let normal = along(off.map(|x| scale * x), head.slope, head.axis);
+    let normal = add_scaled(off.map(|x| scale * x), head.slope, head.axis);
     let cosine = dot(normal, line[1].map(to_f64)).abs();
     let edge = head.gain != 0.0 && cosine * distance < exactly(found.leave[lane]);
     (dot(normal, plane) > 0.0, edge)
@@ -346,7 +346,7 @@ impl Cases for Leave {
                 .collect();
             let around = bodies[0].targets[0].point;
             let far = magnitude(-2, 10, random);
-            let light = along(around, far, direction(random)).map(from_f64);
+            let light = add_scaled(around, far, direction(random)).map(from_f64);
             let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
             try_packets(bench, &products, &lines, light, tally);
         }

@@ -26,7 +26,7 @@ pub fn thin(random: &mut Generator) -> Mesh {
 }
 
 /// A mesh so far from the origin that the vertices are on a coarse lattice, and many edges are
-/// exactly behind others.
+/// exactly covered by others.
 pub fn far_out(random: &mut Generator) -> Mesh {
     let size = magnitude(0, 10, random);
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)

@@ -20,7 +20,7 @@ use twins::sphere::Perpendicular;
 use twins::sphere_ray::Ray;
 use twins::surfaces::Surface;
 
-use crate::space::{along, direction, dot, in_cube, length, less, two_sided, unit};
+use crate::space::{add_scaled, direction, dot, in_cube, length, sub, two_sided, unit};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::random::{across, magnitude, nearby};
 use crate::stability::statement::{Bound, stated};
@@ -57,13 +57,13 @@ impl Blocker for By<Perpendicular> {
         let normal = direction(random);
         let [level, _] = across(normal, random);
         let radius = to_f64(self.sphere.offset);
-        [along(self.sphere.centre.map(to_f64), radius, normal), level]
+        [add_scaled(self.sphere.centre.map(to_f64), radius, normal), level]
     }
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
         let sphere = truth::sphere::Sphere::of_radius(self.sphere.centre, self.sphere.offset);
         let line =
-            Line { origin: from.map(to_f64), direction: less(to.map(to_f64), from.map(to_f64)) };
+            Line { origin: from.map(to_f64), direction: sub(to.map(to_f64), from.map(to_f64)) };
         sphere.passing(&line).beyond.abs() * sphere.radius()
     }
 
@@ -85,19 +85,19 @@ impl Blocker for TriangleObject {
 
     fn any(place: Vector, size: f64, random: &mut Generator) -> Self {
         let offsets = [(); 3].map(|()| in_cube(size, random));
-        two_sided(offsets.map(|offset| along(place, 1.0, offset).map(from_f64)))
+        two_sided(offsets.map(|offset| add_scaled(place, 1.0, offset).map(from_f64)))
     }
 
     fn outline(&self, random: &mut Generator) -> [Vector; 2] {
         let from = random.random_range(0..3_usize);
         let [a, b] = [from, (from + 1) % 3].map(|k| self.vertices[k].map(to_f64));
         let share = random.random_range(0.0..1.0);
-        [along(a, share, less(b, a)), direction(random)]
+        [add_scaled(a, share, sub(b, a)), direction(random)]
     }
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
         let from = from.map(to_f64);
-        off_edges(&self.vertices, from, less(to.map(to_f64), from))
+        off_edges(&self.vertices, from, sub(to.map(to_f64), from))
     }
 
     fn words(&self) -> Vec<u32> {
@@ -218,7 +218,7 @@ fn try_pairs<B: Blocker>(
         let error = if there == back {
             0.0
         } else {
-            let way = less(light.map(to_f64), point.map(to_f64));
+            let way = sub(light.map(to_f64), point.map(to_f64));
             object.off_outline(point, light) / spacing(length(way))
         };
         tally.error(error, || [object.words(), point.to_vec(), light.to_vec()].concat());
@@ -237,8 +237,8 @@ impl<B: Blocker> Cases for Symmetric<B> {
             let [edge, way] = object.outline(random);
             let towards = if dot(way, axis) < 0.0 { -1.0 } else { 1.0 };
             let reach = [(); 2].map(|()| size * magnitude(-2, 4, random));
-            *point = nearby(along(edge, -towards * reach[0], way), random);
-            *light = nearby(along(edge, towards * reach[1], way), random);
+            *point = nearby(add_scaled(edge, -towards * reach[0], way), random);
+            *light = nearby(add_scaled(edge, towards * reach[1], way), random);
         }
         try_pairs(bench, &object, &points, &lights, axis, tally);
     }
@@ -247,7 +247,7 @@ impl<B: Blocker> Cases for Symmetric<B> {
         need(B::WORDS + 6, words)?;
         let (object, ends) = words.split_at(B::WORDS);
         let [point, light] = points_of(ends)?;
-        let axis = unit(less(light.map(to_f64), point.map(to_f64)));
+        let axis = unit(sub(light.map(to_f64), point.map(to_f64)));
         let object = B::from_words(object);
         try_pairs(bench, &object, &[point; 16], &[light; 16], axis, tally);
         Ok(())

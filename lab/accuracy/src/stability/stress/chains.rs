@@ -19,11 +19,11 @@ use rand::Rng as _;
 use scenes::Shape;
 use spu_emulator::float::single::{from_f64, to_f64};
 
-use crate::space::{along, direction, dot, fresh, length, less, unit};
+use crate::space::{add_scaled, direction, dot, fresh, length, sub, unit};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly};
 use crate::stability::random::{across, magnitude, rounded};
-use crate::stability::statement::{Bound, StatementError, says, stated};
+use crate::stability::statement::{Bound, StatementError, stated, states};
 use crate::stability::steps::{HIT, Lanes, Line, leave, meet};
 use crate::truth::Vector;
 
@@ -36,12 +36,12 @@ const LEAVE: f64 = 8.0 * ULP;
 const PACKETS: usize = 4;
 /// The number of words of a ray.
 const LINE: usize = 6;
-/// The greatest distance, in radii, of the mirrors' centre from the eye on each axis.
+/// The largest distance, in radii, of the mirrors' centre from the eye on each axis.
 const PLACE: f64 = 2.0;
 
-/// Where a ray bounces.
+/// How the mirrors are arranged between which a ray bounces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Room {
+enum Arrangement {
     /// Between two spheres that are a radius apart, almost along their axis.
     Between,
     /// Inside a hollow sphere.
@@ -49,28 +49,28 @@ enum Room {
 }
 
 struct Chain {
-    room: Room,
+    arrangement: Arrangement,
     bounces: u32,
 }
 
 /// The numbers of bounces after which errors are measured.
 const BOUNCES: [u32; 4] = [1, 2, 4, 8];
 
-/// A family for each room and number of bounces.
+/// A family for each arrangement of mirrors and number of bounces.
 pub fn families() -> Families {
     let mut families = Vec::new();
-    for room in [Room::Between, Room::Within] {
-        let noise = room.noise()?;
+    for arrangement in [Arrangement::Between, Arrangement::Within] {
+        let noise = arrangement.noise()?;
         families.extend(BOUNCES.map(|bounces| Family {
             name: "mirror-chain",
-            subject: format!("{}, bounce {bounces}", room.name()),
+            subject: format!("{}, bounce {bounces}", arrangement.name()),
             unit: "ulp of r",
             bound: Bound {
-                value: room.carried(&noise, bounces),
+                value: arrangement.carried(&noise, bounces),
                 source: "headers of spheres, surfaces and reflections, carried along".to_owned(),
             },
             rounds: 200,
-            cases: Box::new(Chain { room, bounces }),
+            cases: Box::new(Chain { arrangement, bounces }),
         }));
     }
     Ok(families)
@@ -84,7 +84,7 @@ struct Noise {
     leave: f64,
 }
 
-impl Room {
+impl Arrangement {
     fn name(self) -> &'static str {
         match self {
             Self::Between => "two spheres",
@@ -104,7 +104,7 @@ impl Room {
         (1.0 - self.cosine() * self.cosine()).sqrt()
     }
 
-    /// The greatest distance between mirrors.
+    /// The largest distance between mirrors.
     fn farthest(self) -> f64 {
         match self {
             Self::Between => 1.25,
@@ -114,7 +114,7 @@ impl Room {
 
     fn noise(self) -> Result<Noise, StatementError> {
         const NORMALS: &str = "normals 2^-23 + leave/(4 r), each component";
-        if !says("surfaces_r16", NORMALS) {
+        if !states("surfaces_r16", NORMALS) {
             return Err(StatementError::NoNumber {
                 kernel: "surfaces_r16".to_owned(),
                 phrase: NORMALS.to_owned(),
@@ -167,7 +167,7 @@ impl Room {
             let stuff = Stuff { mirror: 1.0, transmittance: 0.0, index: 1.0 };
             Product::of(Kind::Sphere, shape, stuff)
         };
-        let at = |by: f64| rounded(along(place, by * radius, axis));
+        let at = |by: f64| rounded(add_scaled(place, by * radius, axis));
         let mirrors = match self {
             Self::Between => [mirror(at(1.5), radius)?, mirror(at(-1.5), radius)?],
             Self::Within => {
@@ -183,11 +183,11 @@ impl Room {
                     let highest = -4 - 2 * bounces as i32;
                     let tilt = magnitude(highest - 8, highest, random);
                     let [aside, _] = across(axis, random);
-                    (place, along(axis, tilt, aside))
+                    (place, add_scaled(axis, tilt, aside))
                 }
                 Self::Within => {
                     let off = direction(random).map(|x| radius * random.random_range(0.0..0.9) * x);
-                    (along(place, 1.0, off), direction(random))
+                    (add_scaled(place, 1.0, off), direction(random))
                 }
             };
             [rounded(from), unit(way)].map(|v| v.map(from_f64))
@@ -213,17 +213,17 @@ impl Exact {
     fn bounce(&mut self, mirror: &Product) -> Option<()> {
         let head = mirror.head();
         let radius = head.offset;
-        let to = less(head.centre, self.origin);
+        let to = sub(head.centre, self.origin);
         let b = dot(to, self.way);
-        let aside = along(to, -b, self.way);
+        let aside = add_scaled(to, -b, self.way);
         let disc = radius * radius - dot(aside, aside);
         let root = (disc > 0.0).then(|| disc.sqrt())?;
         let t = if radius < 0.0 { b + root } else { b - root };
-        let point = along(self.origin, t, self.way);
-        let normal = unit(less(point, head.centre));
+        let point = add_scaled(self.origin, t, self.way);
+        let normal = unit(sub(point, head.centre));
         let incidence = dot(self.way, normal);
         self.cosine = self.cosine.min(incidence.abs());
-        self.way = unit(along(self.way, -2.0 * incidence, normal));
+        self.way = unit(add_scaled(self.way, -2.0 * incidence, normal));
         self.origin = point;
         (t > 0.0).then_some(())
     }
@@ -269,11 +269,11 @@ impl Chain {
                     words.chain(lines[number][lane].into_iter().flatten()).collect()
                 };
                 let exact = exact[number][lane].as_ref();
-                match exact.filter(|exact| exact.cosine > self.room.cosine()) {
+                match exact.filter(|exact| exact.cosine > self.arrangement.cosine()) {
                     None => tally.uncounted(),
                     Some(_) if rays[number][lane].is_none() => tally.wrong(input),
                     Some(exact) => {
-                        let off = length(less(points[number][lane], exact.origin));
+                        let off = length(sub(points[number][lane], exact.origin));
                         tally.error(off / radius / ULP, input);
                     }
                 }
@@ -286,7 +286,7 @@ impl Cases for Chain {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let (mut mirrors, mut lines) = (Vec::new(), Vec::new());
         while mirrors.len() < PACKETS {
-            if let Some((pair, rays)) = self.room.mirrors(self.bounces, random) {
+            if let Some((pair, rays)) = self.arrangement.mirrors(self.bounces, random) {
                 mirrors.push(pair);
                 lines.push(rays);
             }

@@ -11,7 +11,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bounce::{Bounce, CHAIN_STEP, Limits};
 use twins::{ONE, Single};
 
-use crate::space::{along, direction};
+use crate::space::{add_scaled, direction};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, points_of};
 use crate::stability::random::{across, magnitude};
 use crate::stability::statement::{Bound, stated};
@@ -19,7 +19,7 @@ use crate::stability::statement::{Bound, stated};
 const KERNEL: &str = "refract_r16";
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// The greatest derivative of Schlick's share by the cosine, from (1 - c)^5.
+/// The largest derivative of Schlick's share by the cosine, from (1 - c)^5.
 const STEEPEST: f64 = 5.0;
 /// The refracted cosine up to which the header states the error over the cosine.
 const STEEP: f64 = 0.1;
@@ -83,7 +83,7 @@ fn hit(way: Way, random: &mut Generator) -> Bounce {
     let normal = direction(random);
     let [aside, _] = across(normal, random);
     let incidence = (1.0 - sine * sine).sqrt();
-    let ray = along(aside.map(|x| sine * x), -incidence, normal);
+    let ray = add_scaled(aside.map(|x| sine * x), -incidence, normal);
     let head_on = ((1.0 - dense) / (1.0 + dense)) * ((1.0 - dense) / (1.0 + dense));
     bounce([ray, normal].map(|v| v.map(from_f64)), [ratio, head_on, 1.0 - head_on].map(from_f64))
 }
@@ -120,7 +120,7 @@ fn truth(hit: &Bounce) -> Truth {
     let [ray, normal] = [hit.direction, hit.normal].map(|v| unit(v.map(to_f64)));
     let [ratio, schlick, grazing] = [hit.ratio, hit.schlick, hit.grazing].map(to_f64);
     let head_on = dot(ray, normal);
-    let sine = along(ray, -head_on, normal).map(|x| ratio * x);
+    let sine = add_scaled(ray, -head_on, normal).map(|x| ratio * x);
     let squared = 1.0 - dot(sine, sine);
     let cosine = squared.max(0.0).sqrt();
     let thinner = if ratio > 1.0 { cosine } else { -head_on };
@@ -128,7 +128,7 @@ fn truth(hit: &Bounce) -> Truth {
     let fifth = off * off * off * off * off;
     Truth {
         squared,
-        direction: along(sine, -cosine, normal),
+        direction: add_scaled(sine, -cosine, normal),
         share: if squared < 0.0 { 1.0 } else { schlick + grazing * fifth },
         thinner,
     }

@@ -13,7 +13,9 @@ use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere_ray::Ray;
 
-use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, two_sided, unit};
+use crate::space::{
+    add_scaled, cross, direction, dot, fresh, in_cube, length, sub, two_sided, unit,
+};
 use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, points_of};
 use crate::stability::random::{across, magnitude, nearby, rounded, towards};
 use crate::stability::statement::Bound;
@@ -85,9 +87,9 @@ pub fn families() -> Families {
 
 /// The distance of the line between two points from the line of the triangle's nearest edge.
 pub fn off_edges(vertices: &[Point; 3], from: Vector, way: Vector) -> f64 {
-    let corners = vertices.map(|vertex| less(vertex.map(to_f64), from));
+    let corners = vertices.map(|vertex| sub(vertex.map(to_f64), from));
     let off = (0..3).map(|k| {
-        let (a, edge) = (corners[k], less(corners[(k + 1) % 3], corners[k]));
+        let (a, edge) = (corners[k], sub(corners[(k + 1) % 3], corners[k]));
         let across = cross(way, edge);
         dot(a, across).abs() / length(across)
     });
@@ -96,7 +98,7 @@ pub fn off_edges(vertices: &[Point; 3], from: Vector, way: Vector) -> f64 {
 
 /// The distance of the farthest vertex from the ray's origin.
 fn farthest(case: &Case) -> f64 {
-    let distance = |vertex: &Point| length(less(vertex.map(to_f64), case.line.origin));
+    let distance = |vertex: &Point| length(sub(vertex.map(to_f64), case.line.origin));
     case.vertices.iter().map(distance).fold(0.0, f64::max)
 }
 
@@ -105,7 +107,7 @@ fn beyond_vertices(case: &Case) -> Judgement {
         return Judgement::Uncounted;
     };
     let way = unit(case.line.direction);
-    let along = case.vertices.map(|vertex| dot(less(vertex.map(to_f64), case.line.origin), way));
+    let along = case.vertices.map(|vertex| dot(sub(vertex.map(to_f64), case.line.origin), way));
     let near = along.iter().copied().fold(f64::INFINITY, f64::min);
     let far = along.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let beyond = (near - found).max(found - far).max(0.0);
@@ -126,7 +128,7 @@ fn off_edge(case: &Case) -> Judgement {
 
 /// A ray towards a point from this distance, with almost the direction to the point.
 fn aimed_at(target: Vector, back: Vector, distance: f64, random: &mut Generator) -> Ray {
-    let origin = rounded(along(target, distance, back));
+    let origin = rounded(add_scaled(target, distance, back));
     let way = towards(origin, target, [0.0, 0.0, 1.0]);
     fresh(origin.map(from_f64), nearby(way, random))
 }
@@ -140,11 +142,11 @@ fn needle(random: &mut Generator) -> Aimed {
     let [aside, _] = across(axis, random);
     let width = if random.random_ratio(1, 4) { 0.0 } else { size * magnitude(-30, 0, random) };
     let share = random.random_range(-0.5..1.5);
-    let b = along(a, size, axis);
-    let c = along(along(a, share * size, axis), width, aside);
+    let b = add_scaled(a, size, axis);
+    let c = add_scaled(add_scaled(a, share * size, axis), width, aside);
     let rays = [(); 16].map(|()| {
         let [u, v] = [(); 2].map(|()| random.random_range(0.0..0.5));
-        let target = along(along(a, u, less(b, a)), v, less(c, a));
+        let target = add_scaled(add_scaled(a, u, sub(b, a)), v, sub(c, a));
         // For half of the rays, all points of the triangle are at one distance.
         let [aside, _] = across(axis, random);
         let back = if random.random() { aside } else { direction(random) };
@@ -158,7 +160,7 @@ fn needle(random: &mut Generator) -> Aimed {
 fn repeated(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
-    let b = rounded(along(a, size, direction(random)));
+    let b = rounded(add_scaled(a, size, direction(random)));
     let mut vertices = [a, a, if random.random_ratio(1, 4) { a } else { b }];
     vertices.rotate_left(random.random_range(0..3));
     let rays = [(); 16].map(|()| {
@@ -169,7 +171,7 @@ fn repeated(random: &mut Generator) -> Aimed {
         };
         let distance = size * magnitude(-4, 7, random);
         let back = direction(random);
-        aimed_at(along(a, share, less(b, a)), back, distance, random)
+        aimed_at(add_scaled(a, share, sub(b, a)), back, distance, random)
     });
     Aimed::new(vertices, rays)
 }
@@ -178,7 +180,7 @@ fn repeated(random: &mut Generator) -> Aimed {
 fn near_edge(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let place = in_cube(4.0 * size, random);
-    let corners = [(); 3].map(|()| rounded(along(place, 1.0, in_cube(size, random))));
+    let corners = [(); 3].map(|()| rounded(add_scaled(place, 1.0, in_cube(size, random))));
     let rays = [(); 16].map(|()| {
         let from = random.random_range(0..3_usize);
         let (a, b) = (corners[from], corners[(from + 1) % 3]);
@@ -188,7 +190,7 @@ fn near_edge(random: &mut Generator) -> Aimed {
         };
         let distance = size * magnitude(-2, 7, random);
         let back = direction(random);
-        aimed_at(along(a, share, less(b, a)), back, distance, random)
+        aimed_at(add_scaled(a, share, sub(b, a)), back, distance, random)
     });
     Aimed::new(corners, rays)
 }

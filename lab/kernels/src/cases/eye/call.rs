@@ -37,7 +37,7 @@ pub fn put_places(
     put(bench, &places)
 }
 
-/// Room for a list of pairs, and for one more pair that may be written after it.
-pub fn list_room(bench: &mut Bench, pairs: usize) -> bench::Place {
+/// A buffer for a list of pairs, and for one more pair that may be written after it.
+pub fn list_buffer(bench: &mut Bench, pairs: usize) -> bench::Place {
     put(bench, &vec![Pair::new_zeroed(); pairs + 1])
 }

@@ -83,7 +83,7 @@ pub struct FilterSpheres {
 pub struct Filtered {
     packets: Vec<Place>,
     spheres: Place,
-    room: Place,
+    buffer: Place,
 }
 
 impl Description for FilterSpheres {
@@ -111,14 +111,14 @@ impl Description for FilterSpheres {
         let packets = put_packets(bench, &packets);
         let places = put_places(bench, &packets, |_| [1, 2, 3]).address;
         let spheres = put(bench, &self.spheres);
-        let room = list_room(bench, packets.len() * self.spheres.len());
+        let buffer = list_buffer(bench, packets.len() * self.spheres.len());
         let [count, fours] = [packets.len(), self.spheres.len() / 4].map(|count| count as u32);
-        let arguments = vec![places, count, spheres.address, fours, room.address];
-        (Filtered { packets, spheres, room }, arguments)
+        let arguments = vec![places, count, spheres.address, fours, buffer.address];
+        (Filtered { packets, spheres, buffer }, arguments)
     }
 
     fn found(&self, bench: &Bench, placed: &Filtered, end: u32) -> Self::Found {
-        objects_and_packets(bench, placed.room, end)
+        objects_and_packets(bench, placed.buffer, end)
     }
 
     fn twin(&self, placed: &Filtered) -> Self::Found {
@@ -239,9 +239,9 @@ impl Description for FrustumSpheres {
             [0, 1, 2].map(|axis| self.normals.map(|normal| single(normal[axis])));
         let frustum = put(bench, &[Frustum { normal_x, normal_y, normal_z }]).address;
         let spheres = put(bench, &self.spheres);
-        let room = list_room(bench, self.spheres.len());
+        let buffer = list_buffer(bench, self.spheres.len());
         let count = self.spheres.len() as u32;
-        ([spheres, room], vec![frustum, spheres.address, count, room.address])
+        ([spheres, buffer], vec![frustum, spheres.address, count, buffer.address])
     }
 
     fn found(&self, bench: &Bench, [_, room]: &[Place; 2], end: u32) -> Vec<u32> {
@@ -308,13 +308,13 @@ impl Description for HiddenPairs {
                 eye_records::pair(address::<Sphere>(spheres, number), packet.address)
             })
             .collect();
-        let room = put(bench, &pairs);
-        let arguments = vec![room.address, pairs.len() as u32];
-        ((pairs, room), arguments)
+        let buffer = put(bench, &pairs);
+        let arguments = vec![buffer.address, pairs.len() as u32];
+        ((pairs, buffer), arguments)
     }
 
-    fn found(&self, bench: &Bench, (_, room): &Self::Placed, end: u32) -> Self::Found {
-        objects_and_packets(bench, *room, end)
+    fn found(&self, bench: &Bench, (_, buffer): &Self::Placed, end: u32) -> Self::Found {
+        objects_and_packets(bench, *buffer, end)
     }
 
     fn twin(&self, (pairs, _): &Self::Placed) -> Self::Found {

@@ -27,8 +27,8 @@ use crate::eye_records::Vectors;
 use crate::vector::{Vector, dot, magnitude, unit};
 use protocol::layout::Sphere;
 
-/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the verdict
-/// counts. Closer to it, the rounding of the direction decides.
+/// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the
+/// verdict counts. Closer to it, the rounding of the direction decides.
 const TANGENT: f64 = 1e-3;
 
 /// The data that a formulation uses of a sphere for primary rays.

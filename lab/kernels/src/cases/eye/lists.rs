@@ -52,8 +52,8 @@ fn put_tile(bench: &mut Bench, named: [u32; 4], places: &[[u32; 4]]) -> [Place; 
     let group: Vec<_> = places.iter().map(|place| place.map(U32::new)).collect();
     let group = put(bench, &group);
     let masks = put(bench, &[named.map(U32::new)]);
-    let room = bench.place(&[0; size_of::<layout::Place>() * (TILE + 1)]);
-    [masks, group, room]
+    let buffer = bench.place(&[0; size_of::<layout::Place>() * (TILE + 1)]);
+    [masks, group, buffer]
 }
 
 impl Description for ListPlaces {
@@ -76,13 +76,13 @@ impl Description for ListPlaces {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let [masks, group, room] = put_tile(bench, self.named, &self.places);
+        let [masks, group, buffer] = put_tile(bench, self.named, &self.places);
         let origin = put(bench, &self.origin.map(U32::new));
-        (room, vec![masks.address, group.address, origin.address, room.address])
+        (buffer, vec![masks.address, group.address, origin.address, buffer.address])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
-        records(bench, *room, end)
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
+        records(bench, *buffer, end)
     }
 
     fn twin(&self, _: &Place) -> Self::Found {
@@ -121,12 +121,12 @@ impl Description for ListPairs {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let [masks, group, room] = put_tile(bench, self.named, &self.places);
-        (room, vec![masks.address, group.address, self.object, room.address])
+        let [masks, group, buffer] = put_tile(bench, self.named, &self.places);
+        (buffer, vec![masks.address, group.address, self.object, buffer.address])
     }
 
-    fn found(&self, bench: &Bench, room: &Place, end: u32) -> Self::Found {
-        records(bench, *room, end)
+    fn found(&self, bench: &Bench, buffer: &Place, end: u32) -> Self::Found {
+        records(bench, *buffer, end)
     }
 
     fn twin(&self, _: &Place) -> Self::Found {

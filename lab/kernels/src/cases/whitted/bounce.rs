@@ -23,7 +23,7 @@ use protocol::layout::{QueuedRay, RayPacket, Site, Surfaces};
 const SITES: Objects = Objects::List(2, 8);
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 1000;
-/// The least refracted cosine for which `refract_r16` states its error.
+/// The smallest refracted cosine for which `refract_r16` states its error.
 pub const STEEP: f64 = 0.1;
 /// If the cosine is closer to 0 than this, rounding may decide which normal is used.
 pub const ALONG: f64 = 1e-5;
@@ -106,7 +106,7 @@ impl Sites {
     #[must_use]
     pub fn arguments(&self, limits: Limits) -> Vec<u32> {
         let count = self.surfaces.len() as u32;
-        vec![self.sites.address, count, self.queue.address, limits.least, limits.deepest]
+        vec![self.sites.address, count, self.queue.address, limits.min_weight, limits.deepest]
     }
 
     /// The rays that a kernel appended, up to the end that it returned.

@@ -406,7 +406,7 @@ fn patch_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for scale in SCALES {
             let (object, _) = TriangleObject::around(random, scale);
             let [a, b, c] = object.vertices.map(|vertex| vertex.map(to_f64));
-            let edges = [less(b, a), less(c, a), less(c, b)];
+            let edges = [sub(b, a), sub(c, a), sub(c, b)];
             let across = cross(edges[0], edges[1]);
             let longest = edges.map(|edge| dot(edge, edge)).into_iter();
             if dot(across, across).sqrt() < longest.fold(0.0, f64::max) / 20.0 {

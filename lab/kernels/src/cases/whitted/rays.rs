@@ -153,7 +153,6 @@ fn view() -> View {
     }
 }
 
-/// A queued ray.
 const QUEUED: Queued =
     Queued { origin: [ONE; 3], weight: ONE, direction: [ZERO, ZERO, ONE], pixel: 0 };
 

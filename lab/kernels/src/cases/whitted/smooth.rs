@@ -21,7 +21,7 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::{ANY_SHARE, Bits, Description, any_bits};
 use crate::flat_records::{Point, point, quad};
 use crate::single::{bits, single};
-use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
 
 /// The kernels in this file.
@@ -174,7 +174,7 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
             std::array::from_fn(|axis| scale * (middle[axis] + offset[axis]))
         });
         let [a, b, c] = corners;
-        let edges = [less(b, a), less(c, b), less(a, c)];
+        let edges = [sub(b, a), sub(c, b), sub(a, c)];
         let lengths = edges.map(|edge| dot(edge, edge).sqrt());
         let area = cross(edges[0], edges[1]);
         let longest = lengths.into_iter().fold(0.0, f64::max);
@@ -184,7 +184,7 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
         }
     };
     let [a, b, c] = corners;
-    let outward = unit(cross(less(b, a), less(c, a)));
+    let outward = unit(cross(sub(b, a), sub(c, a)));
     let normals = std::array::from_fn(|_| {
         loop {
             let normal = any_direction(random);
@@ -213,8 +213,7 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
 /// used.
 #[must_use]
 pub fn truth(hit: &Hit) -> (Vector, f64) {
-    let [a, b, c] =
-        hit.patch.vertices.map(|vertex| less(vertex.map(to_f64), hit.point.map(to_f64)));
+    let [a, b, c] = hit.patch.vertices.map(|vertex| sub(vertex.map(to_f64), hit.point.map(to_f64)));
     let plane = hit.plane.map(to_f64);
     let part = |from: Vector, to: Vector| dot(cross(from, to), plane);
     let parts = [part(b, c), part(c, a), part(a, b)];
@@ -228,7 +227,7 @@ pub fn truth(hit: &Hit) -> (Vector, f64) {
 
 /// The largest error of a component, of 1.
 fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    /// The least cosine to the ray for which a normal counts.
+    /// The smallest cosine to the ray for which a normal counts.
     const EDGE_ON: f64 = 1e-4;
     let mut worst = 0.0_f64;
     for _ in 0..500 {

@@ -22,7 +22,7 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::{Bits, Description, any_bits};
 use crate::flat_records::{point, quad};
 use crate::single::{bits, single};
-use crate::vector::{Vector, cross, dot, less};
+use crate::vector::{Vector, cross, dot, sub};
 use protocol::layout::{self, SIDES_TEXTURED, Surfaces, TEXTURE_SIDE, Texels};
 
 /// The angle of a pixel, in the cases and for the errors.
@@ -283,9 +283,9 @@ pub fn truth(hit: &Hit, angle: f64) -> ([f64; 2], f64) {
     let wide = |it: [Single; 3]| -> Vector { it.map(to_f64) };
     let [a, b, c] = hit.vertices.map(wide);
     let p = wide(hit.point);
-    let normal = cross(less(b, a), less(c, a));
+    let normal = cross(sub(b, a), sub(c, a));
     let part = |from: Vector, to: Vector| {
-        dot(cross(less(from, p), less(to, p)), normal) / dot(normal, normal)
+        dot(cross(sub(from, p), sub(to, p)), normal) / dot(normal, normal)
     };
     let shares = [part(b, c), part(c, a), part(a, b)];
     let coordinates = hit.coordinates.map(|it| it.map(to_f64));

@@ -28,7 +28,7 @@ fn check_within(
 }
 
 #[test]
-fn rays_below_the_least_weight_are_not_sent_on() {
+fn rays_below_min_weight_are_not_sent_on() {
     let mut random = random();
     let mut bench = Bench::new();
     let (mut all, mut sent) = ([0; 2], [0; 2]);
@@ -42,13 +42,13 @@ fn rays_below_the_least_weight_are_not_sent_on() {
         let open = check(&mut bench, &mut random, packet);
         for kernel in 0..2 {
             let heavy = open[kernel].iter().filter(|ray| !light(ray));
-            assert!(heavy.eq(&found[kernel]), "{least}: {packet:x?}");
+            assert!(heavy.eq(&found[kernel]), "{minimum}: {packet:x?}");
             all[kernel] += open[kernel].len();
             sent[kernel] += found[kernel].len();
         }
     }
-    let told_apart = (0..2).all(|kernel| sent[kernel] > 100 && all[kernel] > sent[kernel] + 100);
-    assert!(told_apart, "{sent:?} of {all:?} rays");
+    let distinguished = (0..2).all(|kernel| sent[kernel] > 100 && all[kernel] > sent[kernel] + 100);
+    assert!(distinguished, "{sent:?} of {all:?} rays");
 }
 
 #[test]

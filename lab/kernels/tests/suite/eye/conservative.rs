@@ -214,9 +214,9 @@ fn no_ray_that_enters_a_sphere_is_filtered_out() {
             let packets = put_packets(&mut bench, packets);
             let places = put_places(&mut bench, &packets, |_| [0; 3]);
             let spheres = put(&mut bench, &group.records);
-            let room = list_room(&mut bench, 4 * SPHERES);
+            let buffer = list_buffer(&mut bench, 4 * SPHERES);
             let fours = SPHERES as u32 / 4;
-            let arguments = [places.address, 4, spheres.address, fours, room.address];
+            let arguments = [places.address, 4, spheres.address, fours, buffer.address];
             let end = bench.call("filter_spheres_r16", &arguments).value;
             for pair in bench.read_list::<Pair>(room, end) {
                 let sphere = (pair.object.get() - spheres.address) as usize / size_of::<Sphere>();
@@ -286,9 +286,9 @@ fn no_sphere_that_a_ray_of_a_tile_enters_is_outside_of_its_frustum() {
         let planes = frustum(&group.camera, group.left, group.top);
         let planes = put(&mut bench, &[planes]);
         let spheres = put(&mut bench, &group.records);
-        let room = list_room(&mut bench, SPHERES);
+        let buffer = list_buffer(&mut bench, SPHERES);
         let count = SPHERES as u32;
-        let arguments = [planes.address, spheres.address, count, room.address];
+        let arguments = [planes.address, spheres.address, count, buffer.address];
         let end = bench.call("frustum_spheres", &arguments).value;
         let listed: Vec<u32> =
             bench.read_list(room, end).iter().map(|entry: &Pair| entry.object.get()).collect();

@@ -16,7 +16,7 @@ use twins::shade_depth::Depth;
 use zerocopy::FromZeros as _;
 
 #[test]
-fn one_ray_of_sixteen_is_enough_for_the_filter() {
+fn filter_keeps_sphere_that_one_ray_meets() {
     let mut bench = Bench::new();
     let sphere = Sphere {
         centre: [0.0, 0.0, -5.0].map(|value| single(from_f64(value))),
@@ -37,7 +37,7 @@ fn one_ray_of_sixteen_is_enough_for_the_filter() {
 }
 
 #[test]
-fn one_ray_of_sixteen_is_enough_to_be_seen() {
+fn pair_seen_by_one_ray_is_not_hidden() {
     let mut bench = Bench::new();
     let near = from_f64(2.0);
     let mut stays = |lane: usize, t| {
@@ -70,7 +70,7 @@ fn directions_with_zeros_and_extreme_lengths() {
 }
 
 #[test]
-fn colours_fade_from_whole_to_black_and_the_background_does_not() {
+fn colours_fade_with_depth_except_background() {
     let mut bench = Bench::new();
     let colours = [[0.25, 0.5, 0.75], [1.0, 0.5, 0.25]].map(|colour| colour.map(from_f64));
     let depth = Depth { far: from_f64(8.0), scale: from_f64(0.25) };
@@ -91,7 +91,7 @@ fn colours_fade_from_whole_to_black_and_the_background_does_not() {
 }
 
 #[test]
-fn every_byte_comes_back_and_values_beyond_0_and_1_are_0_and_1() {
+fn pack_keeps_every_byte_and_clamps_out_of_range() {
     let mut bench = Bench::new();
     let beyond = [
         (0x8000_0000, 0),

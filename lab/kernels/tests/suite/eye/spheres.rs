@@ -53,17 +53,17 @@ fn ulps_around_a_tangent_equal_the_twin<F: ForTheEye<Sphere: Seen>>() {
     assert!(hits.contains(&Some(0)) && hits.contains(&None), "{hits:?}");
 }
 
-fn all_that_an_eye_and_a_sphere_can_be_to_each_other<F: ForTheEye<Sphere: Seen>>() {
+fn eye_sphere_relations_give_expected_hits<F: ForTheEye<Sphere: Seen>>() {
     let mut bench = Bench::new();
     let cases: [(&str, F::Sphere, bool); 11] = [
         ("ahead", F::Sphere::at([0.0, 0.0, -5.0], 1.0), true),
-        ("behind", F::Sphere::at([0.0, 0.0, 5.0], 1.0), false),
+        ("behind the eye", F::Sphere::at([0.0, 0.0, 5.0], 1.0), false),
         ("around the eye", F::Sphere::at([0.0, 0.0, -0.5], 1.0), false),
         ("at the eye", F::Sphere::at([0.0; 3], 1.0), false),
         ("tangent", F::Sphere::at([1.0, 0.0, -5.0], 1.0), true),
         ("tangent at the eye", F::Sphere::at([1.0, 0.0, 0.0], 1.0), true),
         ("beside", F::Sphere::at([3.0, 0.0, -5.0], 1.0), false),
-        ("beside and behind", F::Sphere::at([3.0, 0.0, 5.0], 1.0), false),
+        ("beside and behind the eye", F::Sphere::at([3.0, 0.0, 5.0], 1.0), false),
         ("tiny and far", F::Sphere::at([0.0, 0.0, -4096.0], 1.0 / 16.0), true),
         ("huge", F::Sphere::at([0.0, 0.0, -1e9], 0.999e9), true),
         (
@@ -98,7 +98,7 @@ fn an_entry_counts_at_0_but_not_at_what_was_there<F: ForTheEye<Sphere: Seen>>() 
 }
 
 /// The tests of every formulation.
-macro_rules! asked_of_all {
+macro_rules! tests_of_formulations {
     ($module:ident, $formulation:ty: $($test:ident)*) => {
         mod $module {
             use super::*;
@@ -111,16 +111,16 @@ macro_rules! asked_of_all {
         }
     };
     ($($module:ident: $formulation:ty;)*) => {
-        $(asked_of_all! { $module, $formulation:
+        $(tests_of_formulations! { $module, $formulation:
             a_packet_in_pair_after_pair_keeps_its_nearest_hit
             ulps_around_a_tangent_equal_the_twin
-            all_that_an_eye_and_a_sphere_can_be_to_each_other
+            eye_sphere_relations_give_expected_hits
             an_entry_counts_at_0_but_not_at_what_was_there
         })*
     };
 }
 
-asked_of_all! {
+tests_of_formulations! {
     by_perpendicular: Perpendicular;
     by_paper: Paper;
     by_estimate: Estimate;

@@ -31,7 +31,7 @@ struct Leaks {
     moeller_trumbore: u32,
 }
 
-/// Returns how many of the packets' rays hit none of the triangles, which are visible from both
+/// Returns how many of the packets' rays hit no triangle; all triangles are visible from both
 /// sides.
 fn leaks(bench: &mut Bench, kernel: &str, packets: &[RayPacket], faces: &[TriangleObject]) -> u32 {
     let mut packets = packets.to_vec();
@@ -75,7 +75,7 @@ fn count(random: &mut ChaCha8Rng, mesh: fn(&mut ChaCha8Rng) -> Mesh) -> Leaks {
 
 /// As the kernel's header states, for any seed.
 #[test]
-fn moeller_and_trumbore_leak_where_the_watertight_kernel_does_not() {
+fn moeller_trumbore_leaks_and_watertight_does_not() {
     let mut random = random();
     for (kind, stated) in KINDS.into_iter().zip(STATED) {
         let found = count(&mut random, kind);

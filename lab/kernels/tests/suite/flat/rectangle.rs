@@ -74,7 +74,7 @@ fn sides_edges_behind_and_along() {
         ("on an edge", ahead, [1.0, 0.0, 0.0], forward, 1e9, true, true),
         ("on its corner", ahead, [-1.0, -1.0, 0.0], forward, 1e9, true, true),
         ("on its far corner", ahead, [1.0, 1.0, 0.0], forward, 1e9, true, true),
-        ("behind", ahead, [0.0, 0.0, 9.0], forward, 1e9, false, false),
+        ("behind the origin", ahead, [0.0, 0.0, 9.0], forward, 1e9, false, false),
         ("where the ray begins", ahead, [0.0, 0.0, 5.0], forward, 1e9, false, false),
         ("beyond what is allowed", ahead, [0.0; 3], forward, 4.9999, false, false),
         ("nothing is allowed", ahead, [0.0; 3], forward, 0.0, false, false),

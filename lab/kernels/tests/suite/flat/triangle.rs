@@ -66,7 +66,7 @@ fn behind_beyond_along_and_without_size() {
             1e9,
             true,
         ),
-        ("behind", flat(-5.0), 1e9, false),
+        ("behind the origin", flat(-5.0), 1e9, false),
         ("where the ray begins", flat(0.0), 1e9, false),
         ("just ahead", flat(1e-30), 1e9, true),
         ("beyond what is allowed", flat(5.0), 4.9999, false),

@@ -13,7 +13,7 @@ use spu_emulator::float::single::to_f64;
 
 /// The ways in which meshes are made: of any size and not far from the origin; thin in one or two
 /// directions; so far from the origin that the vertices are on a coarse lattice, and many edges
-/// are exactly behind others; and folded on a lattice.
+/// are exactly covered by others; and folded on a lattice.
 pub const KINDS: [fn(&mut ChaCha8Rng) -> Mesh; 4] = [
     |random| {
         let size = magnitude(1e-3..1e3, random);
@@ -69,7 +69,7 @@ fn on_lattice(random: &mut ChaCha8Rng) -> Mesh {
 /// the sphere's (Van Oosterom and Strackee). An integer, or 0 if `inside` is on the surface.
 fn turns(mesh: &Mesh) -> f64 {
     let inside = mesh.inside.map(to_f64);
-    let seen = |vertex: usize| less(mesh.vertices[vertex].map(to_f64), inside);
+    let seen = |vertex: usize| sub(mesh.vertices[vertex].map(to_f64), inside);
     let mut turns = 0.0;
     for [a, b, c] in mesh.faces.iter().map(|face| face.map(seen)) {
         let [la, lb, lc] = [a, b, c].map(|side| dot(side, side).sqrt());

@@ -24,7 +24,7 @@ fn stated(function: &Function) -> (f64, Single) {
 
 /// Operands where the estimate changes to another entry of its table or to another exponent.
 #[test]
-fn borders_of_the_estimates_tables_equal_the_twin() {
+fn estimates_at_table_borders_equal_twin() {
     let mut bench = Bench::new();
     let mut operands = Vec::new();
     for exponent in [0, 1, 2, 3, 26, 27, 28, 126, 127, 128, 251, 252, 253, 254, 255] {
@@ -73,9 +73,9 @@ fn errors_hold_to_the_ends_of_the_domains() {
     for function in &FUNCTIONS {
         let all = function.quantity.all_fractions();
         let span = all.end() - all.start();
-        let [least, most] = function.domain;
+        let [min, max] = function.domain;
         let (stated, _) = stated(function);
-        for operand in (least..least + span).chain(most - span..=most).step_by(3) {
+        for operand in (min..min + span).chain(max - span..=max).step_by(3) {
             let error = ulps(function, operand, (function.twin)(operand));
             assert!(error <= stated, "{} of {operand:x}: {error}", function.kernel);
         }
@@ -95,7 +95,7 @@ fn every_step_lowers_the_error() {
 /// The manual states that with one Newton step the reciprocal is the truncated one or the single
 /// below it, and that the reciprocal root is wrong by at most one single.
 #[test]
-fn one_step_is_as_near_as_the_manual_says() {
+fn one_newton_step_keeps_manuals_error() {
     for operand in Quantity::Reciprocal.all_fractions() {
         let exact = from_f64(1.0 / to_f64(operand));
         let below = exact.wrapping_sub(reciprocal(operand));
@@ -115,7 +115,7 @@ const ZEROS: [Single; 5] = [0, SIGN, 1, SMALLEST - 1, SIGN | 0x0012_3456];
 const ENORMOUS: Single = 0x7f80_0000;
 
 #[test]
-fn zero_has_no_root_but_zero_and_an_enormous_reciprocal() {
+fn operand_0_gives_root_0_and_huge_reciprocal() {
     for function in &FUNCTIONS {
         for zero in ZEROS {
             let found = (function.twin)(zero);

@@ -11,7 +11,7 @@ use twins::primary_rays::{ABSENT, Ray};
 /// A lane without a child and a packet without rays meet nothing, wherever the eye moves the former
 /// and however it is widened.
 #[test]
-fn nothing_meets_nothing() {
+fn empty_nodes_and_bounds_meet_nothing() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {

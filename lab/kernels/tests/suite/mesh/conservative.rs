@@ -235,7 +235,7 @@ fn boxes_of(
 }
 
 #[test]
-fn no_box_that_a_ray_enters_is_left_out() {
+fn entered_boxes_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in FANS {
@@ -249,7 +249,7 @@ fn no_box_that_a_ray_enters_is_left_out() {
 
 /// The boxes are so near to the rays, and the tests so tight, that slightly smaller ones are lost.
 #[test]
-fn boxes_a_hair_too_small_are_left_out() {
+fn boxes_slightly_too_small_are_culled() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One] {
@@ -299,7 +299,7 @@ fn around(vertices: &[[Single; 3]; 3]) -> Corners {
 /// miss it are not there. Tiny components are left out: products with them underflow where a
 /// triangle is seen edge-on, which is outside the domain of the triangles' kernels.
 #[test]
-fn no_box_is_left_out_whose_triangle_a_ray_hits() {
+fn boxes_of_hit_triangles_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in FANS {
@@ -340,7 +340,7 @@ fn no_box_is_left_out_whose_triangle_a_ray_hits() {
 /// Of what coherent rays miss, most is left out by their common bound; of what any rays miss,
 /// nearly everything by the rays themselves.
 #[test]
-fn much_of_what_rays_miss_is_left_out() {
+fn packets_cull_many_missed_boxes() {
     let mut random = random();
     let mut bench = Bench::new();
     for fan in FANS {

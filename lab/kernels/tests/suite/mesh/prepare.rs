@@ -10,7 +10,7 @@ use twins::mesh_prepare::{HEADER, NODE, WORDS};
 /// Each box holds the old one relative to the eye, with a slack of 2^-20 of its largest coordinate
 /// at least; half of the slack is left for the rounding of the tests.
 #[test]
-fn boxes_hold_what_they_held() {
+fn prepared_boxes_contain_original_boxes() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..300 {

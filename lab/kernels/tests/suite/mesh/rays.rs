@@ -15,7 +15,7 @@ use super::conservative::{self, AXES, SLACK};
 /// Boxes that touch a ray or almost do, with the slack that they have in blocks, are met by it:
 /// by f64 from the singles of the records.
 #[test]
-fn no_box_that_a_ray_enters_is_left_out() {
+fn entered_boxes_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let [mut met, mut found] = [0; 2];

@@ -46,7 +46,7 @@ fn check_cases(exact: &Exact, cases: &[Case]) {
 }
 
 #[test]
-fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
+fn ray_cylinder_relations_give_expected_hits() {
     let cylinder = Exact {
         base: [0.0, -1.0, -5.0],
         axis: [0.0, 1.0, 0.0],
@@ -59,8 +59,8 @@ fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
     let forward = [0.0, 0.0, -1.0];
     let cases: [Case; 12] = [
         ("ahead", [0.0; 3], forward, Some(4.0), Some(6.0)),
-        ("from behind", [0.0, 0.0, -9.0], [0.0, 0.0, 1.0], Some(3.0), Some(5.0)),
-        ("behind", [0.0, 0.0, -9.0], forward, None, None),
+        ("from the opposite side", [0.0, 0.0, -9.0], [0.0, 0.0, 1.0], Some(3.0), Some(5.0)),
+        ("behind the origin", [0.0, 0.0, -9.0], forward, None, None),
         ("beside", [1.5, 0.0, 0.0], forward, None, None),
         ("above", [0.0, 1.5, 0.0], forward, None, None),
         ("below", [0.0, -1.5, 0.0], forward, None, None),
@@ -75,7 +75,7 @@ fn all_that_a_ray_and_a_cylinder_can_be_to_each_other() {
 }
 
 #[test]
-fn all_that_a_ray_and_a_cone_can_be_to_each_other() {
+fn ray_cone_relations_give_expected_hits() {
     let cone = Exact {
         base: [0.0; 3],
         axis: [0.0, 1.0, 0.0],

@@ -38,7 +38,7 @@ fn turned(from: [f64; 3], turn: usize, way: f64) -> [f64; 3] {
 }
 
 #[test]
-fn from_before_and_from_behind() {
+fn flat_shapes_are_hit_from_visible_sides() {
     let mut bench = Bench::new();
     for turn in 0..3 {
         // A point reflection reverses the orientation of the vertices.
@@ -49,7 +49,7 @@ fn from_before_and_from_behind() {
                 // Seen along -z, counter-clockwise is from x to y.
                 let (first, second) = if front { (first, second) } else { (second, first) };
                 let corner = [-0.9, -0.9, -5.0];
-                let behind = [-0.9, -0.9, 5.0];
+                let opposite = [-0.9, -0.9, 5.0];
                 let straight = ray(place([0.0; 3]), place([0.0, 0.0, -1.0]), FARTHEST);
                 let vertex = |edge: [f64; 3]| {
                     point(place(std::array::from_fn(|axis| corner[axis] + edge[axis])))
@@ -64,7 +64,7 @@ fn from_before_and_from_behind() {
                     both,
                 };
                 assert_eq!(is_hit(&mut bench, straight, shape(corner)), seen);
-                assert!(!is_hit(&mut bench, straight, shape(behind)));
+                assert!(!is_hit(&mut bench, straight, shape(opposite)));
                 let triangle = TriangleObject { vertices, both };
                 let other = MoellerTrumbore(triangle);
                 assert_eq!(is_hit(&mut bench, straight, triangle), seen);
@@ -78,7 +78,7 @@ fn from_before_and_from_behind() {
 }
 
 #[test]
-fn along_the_plane_and_from_within_it_is_no_hit() {
+fn ray_in_plane_misses() {
     let mut bench = Bench::new();
     let corner = [-1.0, -1.0, -5.0];
     let flat = rectangle(corner, [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
@@ -129,7 +129,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
                 in_cube(10.0, &mut random).map(|component| component + far)
             });
             let [a, b, c, d] = corners;
-            let volume = dot(cross(less(b, a), less(c, a)), less(d, a));
+            let volume = dot(cross(sub(b, a), sub(c, a)), sub(d, a));
             if volume > 100.0 {
                 break corners;
             }
@@ -151,7 +151,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
             };
             let target: [f64; 3] =
                 std::array::from_fn(|axis| from[axis] + along * (to[axis] - from[axis]));
-            ray(middle, unit(less(target, middle)), FARTHEST)
+            ray(middle, unit(sub(target, middle)), FARTHEST)
         });
         let (rays, objects) = check(&mut bench, &[rays], &faces, &list, 0);
         for ray in rays[0] {

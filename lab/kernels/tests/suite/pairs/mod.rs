@@ -120,7 +120,7 @@ fn a_ray_that_is_not_there_stays_so<S: Shape>() {
 }
 
 /// The tests of every shape.
-macro_rules! asked_of_all {
+macro_rules! tests_of_formulations {
     ($module:ident, $shape:ty: $($test:ident)*) => {
         mod $module {
             use super::*;
@@ -133,7 +133,7 @@ macro_rules! asked_of_all {
         }
     };
     ($($module:ident: $shape:ty;)*) => {
-        $(asked_of_all! { $module, $shape:
+        $(tests_of_formulations! { $module, $shape:
             a_packet_in_candidate_after_candidate_keeps_its_nearest_hit
             the_first_of_equally_near_objects_stays
             a_ray_that_is_not_there_stays_so
@@ -141,7 +141,7 @@ macro_rules! asked_of_all {
     };
 }
 
-asked_of_all! {
+tests_of_formulations! {
     all_of_spheres: By<Perpendicular>;
     all_of_spheres_by_paper: By<Paper>;
     all_of_spheres_by_estimate: By<Estimate>;

@@ -35,7 +35,7 @@ fn a_vertex_has_its_own_normal_from_both_sides() {
 }
 
 #[test]
-fn where_it_points_away_or_the_normals_cancel_it_is_the_planes() {
+fn averted_or_zero_normal_falls_back_to_plane() {
     let mut bench = Bench::new();
     let vertices = [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point);
     let tilted = [0.8, 0.0, 0.6];

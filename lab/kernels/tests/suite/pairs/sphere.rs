@@ -18,14 +18,14 @@ use super::{around_a_tangent, check};
 /// enters and leaves it.
 type Case = (&'static str, [f64; 3], f64, Option<f64>, Option<f64>);
 
-fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
+fn ray_sphere_relations_give_expected_hits<F: ForAnyRay>() {
     let mut bench = Bench::new();
     let cases: [Case; 12] = [
         ("ahead", [0.0, 0.0, -5.0], 1.0, Some(4.0), Some(6.0)),
         ("of a negative radius", [0.0, 0.0, -5.0], -1.0, Some(4.0), Some(6.0)),
-        ("behind", [0.0, 0.0, 5.0], 1.0, None, None),
+        ("behind the origin", [0.0, 0.0, 5.0], 1.0, None, None),
         ("around, its centre ahead", [0.0, 0.0, -0.5], 1.0, None, Some(1.5)),
-        ("around, its centre behind", [0.0, 0.0, 0.5], 1.0, None, Some(0.5)),
+        ("around, its centre behind the origin", [0.0, 0.0, 0.5], 1.0, None, Some(0.5)),
         ("around, its centre here", [0.0; 3], 1.0, None, Some(1.0)),
         ("around, its centre beside", [0.6, 0.0, 0.0], 1.0, None, Some(0.8)),
         ("tangent", [1.0, 0.0, -5.0], 1.0, Some(5.0), Some(5.0)),
@@ -79,7 +79,7 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
     }
 }
 
-fn a_hit_at_0_is_none<F: ForAnyRay>() {
+fn hit_at_distance_0_is_ignored<F: ForAnyRay>() {
     let mut bench = Bench::new();
     if !F::DOMAIN.touches {
         return;
@@ -109,19 +109,19 @@ fn ulps_around_a_tangent_equal_the_twin<F: ForAnyRay>() {
 }
 
 /// The tests of every formulation.
-macro_rules! asked_of_all {
+macro_rules! tests_of_formulations {
     ($($module:ident: $formulation:ty;)*) => {
         $(mod $module {
             use super::*;
 
             #[test]
-            fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
-                super::all_that_a_ray_and_a_sphere_can_be_to_each_other::<$formulation>();
+            fn ray_sphere_relations_give_expected_hits() {
+                super::ray_sphere_relations_give_expected_hits::<$formulation>();
             }
 
             #[test]
-            fn a_hit_at_0_is_none() {
-                super::a_hit_at_0_is_none::<$formulation>();
+            fn hit_at_distance_0_is_ignored() {
+                super::hit_at_distance_0_is_ignored::<$formulation>();
             }
 
             #[test]
@@ -132,7 +132,7 @@ macro_rules! asked_of_all {
     };
 }
 
-asked_of_all! {
+tests_of_formulations! {
     by_perpendicular: Perpendicular;
     by_paper: Paper;
     by_estimate: Estimate;

@@ -46,7 +46,7 @@ fn the_level_is_that_of_a_pixels_width() {
     assert!(other < 5 && seen.iter().all(|&count| count > 50), "{seen:?}");
 }
 
-/// Coordinates outside of the texture are where `wraps` says.
+/// Coordinates outside of the texture are where `wraps` puts them.
 #[test]
 fn edges_are_continued() {
     let mut bench = Bench::new();
@@ -83,7 +83,7 @@ fn edges_are_continued() {
 }
 
 #[test]
-fn white_texels_leave_a_colour_as_it_is() {
+fn white_texels_keep_colour() {
     let mut random = random();
     let mut bench = Bench::new();
     let lanes = std::array::from_fn(|_| {

@@ -3,7 +3,7 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point, any_fan};
 use kernels::description::{Description as _, any_bits};
-use kernels::vector::{Vector, cross, dot, less, unit};
+use kernels::vector::{Vector, cross, dot, sub, unit};
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::NOTHING;
 use twins::primary_rays::{ABSENT, Ray};
@@ -17,7 +17,7 @@ const WIDE: f64 = 0.19;
 
 /// The cone of rays that end at a point equals that of the reversed rays.
 #[test]
-fn rays_turned_round_have_the_same_cone() {
+fn reversed_rays_have_same_cone() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
@@ -34,7 +34,7 @@ fn rays_turned_round_have_the_same_cone() {
 }
 
 #[test]
-fn without_a_ray_the_radius_is_far_below_0() {
+fn bound_without_rays_has_negative_radius() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..200 {
@@ -48,7 +48,7 @@ fn without_a_ray_the_radius_is_far_below_0() {
 }
 
 #[test]
-fn all_rays_are_within_and_the_bound_is_close_about_them() {
+fn bound_contains_all_rays_tightly() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut cones = 0;
@@ -68,7 +68,7 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
             rays.iter().map(|ray| of(ray)).fold(f64::NEG_INFINITY, f64::max)
         };
         let apart = largest(&|ray| {
-            let apart = less(ray.origin.map(to_f64), apex);
+            let apart = sub(ray.origin.map(to_f64), apex);
             dot(apart, apart).sqrt()
         });
         let away = dot(apex, apex).sqrt();
@@ -89,13 +89,13 @@ fn all_rays_are_within_and_the_bound_is_close_about_them() {
         }
         cones += 1;
         let middle = unit(axis);
-        let least = -largest(&|ray| -dot(direction(ray), middle));
+        let smallest = -largest(&|ray| -dot(direction(ray), middle));
         let beside = largest(&|ray| {
             let normal = cross(direction(ray), middle);
             dot(normal, normal).sqrt()
         });
         assert!((dot(axis, axis) - 1.0).abs() < LOOSE, "{at}");
-        assert!(cosine <= least && least - LOOSE_COSINE <= cosine, "{least} {at}");
+        assert!(cosine <= smallest && smallest - LOOSE_COSINE <= cosine, "{smallest} {at}");
         assert!(sine >= beside && beside + LOOSE >= sine, "{beside} {at}");
         assert!(cosine * cosine + sine * sine <= 1.0, "{at}");
     }

@@ -9,7 +9,7 @@ use kernels::cases::whitted::rays::nodes::{
     BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
 };
 use kernels::description::Description as _;
-use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use kernels::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -88,7 +88,7 @@ impl Near for BareSphere {
         let centre = centre.map(from_f64);
         let stored = centre.map(to_f64);
         let is_met = rays.iter().any(|ray| {
-            let to_centre = less(stored, ray.origin.map(to_f64));
+            let to_centre = sub(stored, ray.origin.map(to_f64));
             let direction = unit(ray.direction.map(to_f64));
             let nearest = dot(to_centre, direction).clamp(0.0, to_f64(ray.t));
             let apart = at(to_centre, direction, -nearest);
@@ -247,7 +247,7 @@ fn sum<V: Near>(name: &str, test: Test, source: Source<'_>, slack: f64) -> Outco
 }
 
 #[test]
-fn no_child_that_a_ray_meets_is_left_out() {
+fn met_children_are_kept() {
     none_is_left_out::<BareSphere>();
     none_is_left_out::<BareBox>();
 }
@@ -268,7 +268,7 @@ fn none_is_left_out<V: Near>() {
 /// The volumes are so near to the rays, and the bounds so tight, that slightly smaller ones are not
 /// enough.
 #[test]
-fn with_volumes_a_hair_too_small_some_are_left_out() {
+fn volumes_slightly_too_small_are_culled() {
     some_are_left_out::<BareSphere>();
     some_are_left_out::<BareBox>();
 }
@@ -287,7 +287,7 @@ fn some_are_left_out<V: Near>() {
 /// For rays in similar directions, many children that they miss are culled, although most of these
 /// volumes almost touch a ray.
 #[test]
-fn much_of_what_coherent_rays_miss_is_left_out() {
+fn coherent_packets_cull_many_missed_children() {
     much_is_left_out::<BareSphere>(3);
     much_is_left_out::<BareBox>(6);
 }
@@ -309,7 +309,7 @@ fn much_is_left_out<V: Near>(part: usize) {
 /// By the rays themselves, a child is kept if and only if a ray meets it or nearly does, in
 /// whatever directions they go.
 #[test]
-fn by_the_rays_themselves_hardly_anything_else_is_kept() {
+fn ray_filter_keeps_few_missed_children() {
     hardly_anything_else_is_kept::<BareSphere>();
     hardly_anything_else_is_kept::<BareBox>();
 }
@@ -326,7 +326,7 @@ fn hardly_anything_else_is_kept<V: Near>() {
 
 /// The same as for the packets' bounds: volumes a hair too small are not enough.
 #[test]
-fn by_the_rays_themselves_a_hair_too_small_is_left_out() {
+fn ray_filter_culls_volumes_slightly_too_small() {
     for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
         let name = format!("{fan:?}");
         let spheres = sum::<BareSphere>(&name, Test::Rays, &anywhere(fan), -SLACK);

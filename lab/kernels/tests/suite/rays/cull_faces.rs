@@ -6,7 +6,7 @@ use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point};
 use kernels::cases::whitted::rays::faces::{CullFaces, face};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::description::Description as _;
-use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
+use kernels::vector::{cross, dot, in_cube, magnitude, sub, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -17,7 +17,7 @@ use twins::primary_rays::{ABSENT, Ray};
 
 /// A bound without rays meets no face that is visible from one side.
 #[test]
-fn nobody_meets_a_front() {
+fn one_sided_faces_are_culled_for_absent_rays() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..500 {
@@ -34,7 +34,7 @@ fn nobody_meets_a_front() {
 fn meets(ray: &Ray, face: &Face) -> bool {
     let [point, normal] = [face.point, face.normal].map(|vector| vector.map(to_f64));
     let direction = ray.direction.map(to_f64);
-    let height = dot(less(ray.origin.map(to_f64), point), normal);
+    let height = dot(sub(ray.origin.map(to_f64), point), normal);
     let against = dot(direction, normal);
     let t = -height / against;
     t > 0.0 && t < to_f64(ray.t) && (face.both || against < 0.0)
@@ -96,7 +96,7 @@ fn through(packet: [Ray; 16], point: Point) -> Fans {
 }
 
 #[test]
-fn no_face_that_a_ray_meets_is_left_out() {
+fn met_faces_are_kept() {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sums = [0; 3];

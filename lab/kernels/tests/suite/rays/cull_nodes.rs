@@ -12,12 +12,12 @@ use twins::primary_rays::{ABSENT, Ray};
 
 /// A lane without a child and a bound without rays meet nothing.
 #[test]
-fn nothing_meets_nothing() {
-    nobody_is_met::<BareSphere>();
-    nobody_is_met::<BareBox>();
+fn empty_nodes_and_bounds_meet_nothing() {
+    empty_volumes_are_culled::<BareSphere>();
+    empty_volumes_are_culled::<BareBox>();
 }
 
-fn nobody_is_met<V: Volume>() {
+fn empty_volumes_are_culled<V: Volume>() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..2000 {

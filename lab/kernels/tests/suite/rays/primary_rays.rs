@@ -8,7 +8,7 @@ use twins::ONE;
 use twins::primary_rays::{ABSENT, View};
 
 #[test]
-fn beyond_the_edges_no_ray_is_there() {
+fn primary_rays_outside_picture_are_absent() {
     let mut random = random();
     let mut bench = Bench::new();
     for (width, height) in (0..=9).flat_map(|width| (0..=9).map(move |height| (width, height))) {

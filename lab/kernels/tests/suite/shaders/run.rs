@@ -131,7 +131,7 @@ fn refused(rule: u32, register: u32, shader: u32) -> u32 {
 }
 
 #[test]
-fn each_material_is_shaded_by_its_own() {
+fn materials_are_shaded_by_their_shaders() {
     for features in [0, FEATURE_CHECK_SHADERS] {
         let mut machine = Machine::new();
         for (number, flags) in [(0, MATERIAL_SHADED), (1, 0), (2, MATERIAL_SHADED | 4)] {
@@ -159,7 +159,7 @@ fn each_material_is_shaded_by_its_own() {
 }
 
 #[test]
-fn nothing_is_called_where_no_lane_has_a_shader() {
+fn packet_without_shader_calls_none() {
     let mut machine = Machine::new();
     machine.material(0, MATERIAL_SHADED, GOOD, 1);
     machine.surfaces.flags[0] = (!MATERIAL_SHADED).into();
@@ -169,7 +169,7 @@ fn nothing_is_called_where_no_lane_has_a_shader() {
 }
 
 #[test]
-fn a_shader_that_is_not_there_is_refused() {
+fn missing_shader_is_rejected() {
     for (shader, expected) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
         let mut machine = Machine::new();
         machine.material(0, MATERIAL_SHADED, shader, 1);
@@ -178,7 +178,7 @@ fn a_shader_that_is_not_there_is_refused() {
 }
 
 #[test]
-fn a_check_names_what_a_shader_breaks() {
+fn check_reports_violated_rule() {
     let bad = [
         (LANES, RULE_LANES, 0),
         (POINTER, RULE_REGISTER, 1),
@@ -191,8 +191,8 @@ fn a_check_names_what_a_shader_breaks() {
         machine.material(1, 0, 0, 0);
         // Lane 10 is one that no shader may shade.
         machine.surfaces.material[10] = address(1).into();
-        let answer = machine.run(FEATURE_CHECK_SHADERS);
-        assert_eq!(answer, refused(rule, register, shader), "{answer:#x}");
+        let result = machine.run(FEATURE_CHECK_SHADERS);
+        assert_eq!(result, refused(rule, register, shader), "{result:#x}");
         if shader != POINTER {
             assert_eq!(machine.run(0), Status::Done as u32, "unchecked");
         }
@@ -201,7 +201,7 @@ fn a_check_names_what_a_shader_breaks() {
 
 /// If all lanes belong to the shader that writes to other lanes, it breaks no rule.
 #[test]
-fn lanes_that_are_a_shaders_own_are_not_checked() {
+fn check_skips_shaders_own_lanes() {
     let mut machine = Machine::new();
     machine.material(0, MATERIAL_SHADED, LANES, 1);
     let before = bits(machine.surfaces.leave[8]);

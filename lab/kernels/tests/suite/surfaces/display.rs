@@ -10,7 +10,7 @@ type Twin = fn(Single) -> Single;
 const KERNELS: [(&str, Twin); 2] = [("encode_srgb", encode_srgb), ("roll_off", roll_off)];
 
 #[test]
-fn brighter_light_is_never_darker() {
+fn display_is_monotonic_in_light() {
     for (name, twin) in KERNELS {
         // Of rounding, a step of the estimates' tables may be left.
         let values = (0..40_000).map(|step| to_f64(twin(from_f64(f64::from(step) / 10_000.0))));
@@ -23,7 +23,7 @@ fn brighter_light_is_never_darker() {
 }
 
 #[test]
-fn what_is_not_visible_stays_so() {
+fn display_keeps_0_and_1_and_rolls_off_beyond() {
     let inside = |value: Single| (0.0..=1.0).contains(&to_f64(value));
     assert_eq!(encode_srgb(0), 0);
     assert!((to_f64(encode_srgb(ONE)) - 1.0).abs() < 1e-3);

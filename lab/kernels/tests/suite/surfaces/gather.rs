@@ -35,7 +35,7 @@ fn normals_are_the_shapes_on_the_rays_side() {
                     f64::INFINITY
                 } else {
                     ((shape.offset
-                        - shape.slope * dot(less(vector(found.point), shape.centre), shape.axis))
+                        - shape.slope * dot(sub(vector(found.point), shape.centre), shape.axis))
                         / shape.gain)
                         .abs()
                 };

@@ -53,8 +53,7 @@ fn rays_start_on_the_side_that_they_go_to() {
 type Meets = fn(&Shape, [Single; 3], Vector) -> bool;
 
 /// Starts rays at this share of `leave` from a shape. Counts the rays that leave it and meet it
-/// again, and the rays that continue inside it, in both directions, and do not do what `within`
-/// says.
+/// again, and the rays that continue inside it, in both directions, and differ from `within`.
 fn lost_rays(
     share: f64,
     shape: fn(&mut ChaCha8Rng) -> Shape,

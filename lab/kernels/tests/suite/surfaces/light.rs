@@ -32,7 +32,7 @@ fn facing() -> Surface {
 }
 
 #[test]
-fn there_is_a_shadow_ray_only_to_a_light_ahead() {
+fn shadow_rays_go_only_to_lights_ahead() {
     let surface = facing();
     let normal = surface.plane;
     let at = |position: [f64; 3]| Place { position: position.map(from_f64), directional: false };
@@ -41,13 +41,13 @@ fn there_is_a_shadow_ray_only_to_a_light_ahead() {
     };
     assert!(there(&surface, normal, &at([0.0; 3])));
     assert!(!there(&surface, normal, &at([1.0, 2.0, -4.0])), "beside");
-    assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind");
+    assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind the surface");
     assert!(!there(&surface, normal, &at([0.0, 0.0, -4.0])), "at the point");
     let turned = [-1.0, 0.0, 0.0].map(from_f64);
     let light = at([1.0, 0.0, 0.0]);
-    assert!(!there(&surface, turned, &light), "behind the normal");
-    let behind = Surface { plane: turned, ..surface };
-    assert!(!there(&behind, normal, &light), "behind the plane");
+    assert!(!there(&surface, turned, &light), "on the other side of the normal");
+    let averted = Surface { plane: turned, ..surface };
+    assert!(!there(&averted, normal, &light), "behind the plane");
     let dark = Surface { diffuse: 0, highlight: 0, ..surface };
     assert!(!there(&dark, normal, &at([0.0; 3])), "not lit");
     for share in [Surface { diffuse: 0, ..surface }, Surface { highlight: 0, ..surface }] {
@@ -71,25 +71,25 @@ fn light_at(cosine: f64) -> Place {
 }
 
 #[test]
-fn a_ray_is_left_out_if_its_light_is_too_little() {
+fn shadow_ray_below_min_share_is_omitted() {
     let surface = Surface { colour: [0.25, 0.5, 0.125].map(from_f64), ..facing() };
     let matt = Surface { highlight: 0, ..surface };
     // The OR of the channels' bits.
     let most = to_f64(surface.colour.into_iter().fold(0, |all, channel| all | channel));
     assert!((0.5..2.0).contains(&most), "{most}");
-    let least = 1.0 / 4096.0;
-    let there = |surface: &Surface, weight: f64, cosine: f64, least: f64| {
-        let (weight, least) = (from_f64(weight), from_f64(least));
-        let ray = shadow_ray(surface, surface.plane, weight, &light_at(cosine), least);
+    let min_share = 1.0 / 4096.0;
+    let there = |surface: &Surface, weight: f64, cosine: f64, min_share: f64| {
+        let (weight, min_share) = (from_f64(weight), from_f64(min_share));
+        let ray = shadow_ray(surface, surface.plane, weight, &light_at(cosine), min_share);
         ray.t != NOT_THERE
     };
     for cosine in [0.01, 0.1, 0.5, 0.9] {
         let lambert = 0.5 * cosine * most;
         for (surface, share) in [(&matt, lambert), (&surface, lambert + 0.25)] {
-            let weight = least / share;
-            assert!(there(surface, 1.01 * weight, cosine, least), "{cosine}");
-            assert!(!there(surface, 0.99 * weight, cosine, least), "{cosine}");
-            assert!(there(surface, 0.99 * weight, cosine, 0.9 * least));
+            let weight = min_share / share;
+            assert!(there(surface, 1.01 * weight, cosine, min_share), "{cosine}");
+            assert!(!there(surface, 0.99 * weight, cosine, min_share), "{cosine}");
+            assert!(there(surface, 0.99 * weight, cosine, 0.9 * min_share));
         }
     }
     // Without a bound only what is not lit at all is left out, whatever the weight and the colour.
@@ -97,13 +97,13 @@ fn a_ray_is_left_out_if_its_light_is_too_little() {
     for surface in [&surface, &matt, &black] {
         assert!(there(surface, 0.0, 0.5, 0.0));
     }
-    assert!(!there(&black, 1.0, 0.5, least));
+    assert!(!there(&black, 1.0, 0.5, min_share));
     let dark = Surface { diffuse: 0, ..matt };
     assert!(!there(&dark, 1.0, 0.5, 0.0));
 }
 
 #[test]
-fn without_a_highlight_both_kernels_give_the_same_bits() {
+fn light_kernels_agree_without_highlight() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..100 {

@@ -5,7 +5,7 @@ use oracle::whitted::{Options, trace};
 use super::{colour, look, scene, wide};
 
 #[test]
-fn a_mirror_shows_what_a_mirrored_scene_shows() {
+fn mirror_image_equals_mirrored_scene() {
     let view = |rest: &str| wide([0.0, -10.0, 5.0], [0.0, 2.0, -4.0], 20.0, rest);
     let matt = "f 0.9 0.5 0.2 0.9 0 1 0 1\n";
     let floor = "f 1 1 1 0 1 1e6 0 1\np 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n";
@@ -32,7 +32,7 @@ fn a_mirror_shows_what_a_mirrored_scene_shows() {
 }
 
 #[test]
-fn a_slab_shifts_what_is_behind_it_by_snells_law() {
+fn slab_shifts_image_by_snells_law() {
     // A ray at 40 degrees to a slab 2 thick leaves it parallel, shifted by
     // t sin(a) (1 - cos(a) / sqrt(n² - sin²(a))).
     let (angle, thickness, index) = (40f64.to_radians(), 2.0, 1.5f64);

@@ -150,7 +150,7 @@ fn primary_rays_go_through_centres_or_corners() {
 }
 
 #[test]
-fn a_greater_depth_adds_rays_and_a_picture_is_the_same_again() {
+fn larger_depth_adds_rays_reproducibly() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let scene = scenes::read(&folder.join("glass.nff")).expect("a scene");
     let at = |depth| {
@@ -186,7 +186,7 @@ fn without_shadows_lights_reach_everything() {
 }
 
 #[test]
-fn by_spds_rule_glass_of_no_share_sends_rays_that_are_not_seen() {
+fn spd_rule_counts_invisible_glass_rays() {
     // Of glass of Ks 0, of which one ball is lit and the other is not.
     let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 60 40\nb 0.2 0.3 0.5\n\
         l 5 -9 3\nf 1 1 1 0.2 0 0 0.8 1.1\ns -1.2 0 0 1\nf 1 1 1 0 0 0 1 1.3\ns 1.2 0 0 1\n\

@@ -33,7 +33,7 @@ fn a_mesh_is_drawn_as_polygons_are() {
 }
 
 #[test]
-fn the_back_of_a_mesh_is_visible_if_it_says_so() {
+fn back_of_two_sided_mesh_is_visible() {
     let front = with_mesh(&scenes::load("tetra:0".as_ref()).expect("a scene"));
     let mut mesh = Mesh::clone(front.mesh.as_deref().expect("a mesh"));
     // Wound the other way, only the far faces are visible from the front.

@@ -37,7 +37,7 @@ fn the_sun_is_in_the_same_direction_from_everywhere() {
 }
 
 #[test]
-fn the_sun_is_behind_everything() {
+fn sun_is_beyond_all_objects() {
     let sun = "#cellray sun 1 0 1 1 1 1\n";
     let ball = |x: f64| format!("{sun}f 1 1 1 1 0 1 0 1\ns {x} 0 {x} 0.5\n");
     let (light, counts) =
@@ -71,7 +71,7 @@ fn ambient_light_is_everywhere_but_of_the_diffuse_share() {
 }
 
 #[test]
-fn flat_is_its_colour_whatever_the_lights() {
+fn flat_shader_ignores_lights() {
     let before = "b 1 1 1\n#cellray ambient 1 1 1\nl 0 0 5 1 1 1\n";
     let scene = ground(before, "0.5 0.25 0.75 1 1 1 1 1.5", "flat", [0.0; 2]);
     let (found, counts) = look(&scene, &Options::default());

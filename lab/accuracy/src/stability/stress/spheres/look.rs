@@ -2,8 +2,8 @@
 //! errors.
 
 use crate::families::Form;
-use crate::space::{length, less};
-use crate::stability::statement::{StatementError, says, stated};
+use crate::space::{length, sub};
+use crate::stability::statement::{StatementError, stated, states};
 use crate::subject::{ANY_LENGTH, Subject};
 use crate::truth::sphere::{Passing, Sphere};
 use crate::truth::{Line, spacing};
@@ -28,11 +28,11 @@ pub struct Stated {
     pub error: f64,
     /// Whether these are ulps of the larger of t and r, and not of t.
     pub of_larger: bool,
-    /// The least distance of the eye from the centre, in radii.
+    /// The smallest distance of the eye from the centre, in radii.
     pub nearest: f64,
-    /// The greatest distance of the origin from the centre, in radii.
+    /// The largest distance of the origin from the centre, in radii.
     pub radii: f64,
-    /// The greatest distance from the centre, in radii, at which the ray may pass.
+    /// The largest distance from the centre, in radii, at which the ray may pass.
     pub within: f64,
 }
 
@@ -62,7 +62,7 @@ impl Stated {
         let kernel = subject.kernel;
         Ok(Self {
             error: stated(kernel, "")?,
-            of_larger: says(kernel, "ulp of the larger of t and r"),
+            of_larger: states(kernel, "ulp of the larger of t and r"),
             nearest: match subject.form {
                 Form::Eye => stated(kernel, "to")?,
                 Form::General => 0.0,
@@ -100,7 +100,7 @@ impl Look {
             subject,
             stated,
             passing,
-            distance: length(less(line.origin, sphere.centre())),
+            distance: length(sub(line.origin, sphere.centre())),
             radius: sphere.radius(),
             off_length: (unit - 1.0).abs(),
             exact: seen.map(|(t, _)| t),
@@ -165,8 +165,8 @@ impl Look {
     /// The unit in which the header states the error of this distance, under the condition of its
     /// domain.
     pub fn unit(&self, exact: f64) -> f64 {
-        let least = if self.stated.of_larger { self.radius } else { exact };
-        spacing(exact.max(least)) * self.condition()
+        let minimum = if self.stated.of_larger { self.radius } else { exact };
+        spacing(exact.max(minimum)) * self.condition()
     }
 
     /// By how much the direction's length moves a distance. Headers that state less than an ulp

@@ -5,7 +5,7 @@ use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use crate::families::{Form, Shot};
-use crate::space::{along, direction, fresh, unit};
+use crate::space::{add_scaled, direction, fresh, unit};
 use crate::stability::random::{across, either_side, magnitude, rounded, towards};
 use crate::truth::{Vector, spacing};
 
@@ -50,12 +50,12 @@ pub fn scales(random: &mut Generator, form: Form) -> Shot {
             Form::General => {
                 let inside = random.random_ratio(1, 4);
                 let away = if inside { radius * random.random_range(0.0..0.999) } else { distance };
-                rounded(along(centre, away, direction(random)))
+                rounded(add_scaled(centre, away, direction(random)))
             }
         };
         let [first, _] = across(towards(origin, centre, ANYWHERE), random);
         let reach = radius * random.random_range(0.0..1.2);
-        let target = along(centre, reach, first);
+        let target = add_scaled(centre, reach, first);
         (origin, towards(origin, target, ANYWHERE))
     })
 }
@@ -70,7 +70,7 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
     let centre = match form {
         // The point where the ray from 0 along the direction passes the sphere at the distance of
         // its radius.
-        Form::Eye => along(way.map(|x| before * x), radius, out),
+        Form::Eye => add_scaled(way.map(|x| before * x), radius, out),
         Form::General => direction(random).map(|x| distance * x),
     };
     let centre = rounded(centre);
@@ -78,11 +78,11 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
         let most = if random.random() { 64.0 } else { 2.0 };
         let off = random.random_range(-most..most) * spacing(distance);
         let (origin, way) = match form {
-            Form::Eye => ([0.0; 3], along(way.map(|x| before * x), -off, out)),
+            Form::Eye => ([0.0; 3], add_scaled(way.map(|x| before * x), -off, out)),
             Form::General => {
                 let way = direction(random);
                 let [out, _] = across(way, random);
-                (along(along(centre, radius + off, out), -before, way), way)
+                (add_scaled(add_scaled(centre, radius + off, out), -before, way), way)
             }
         };
         (rounded(origin), unit(way))
@@ -101,14 +101,14 @@ pub fn surface(random: &mut Generator, _: Form) -> Shot {
             _ => radius * magnitude(-20, -2, random),
         };
         let height = radius + either_side(off, random);
-        let origin = along(centre, height, out);
+        let origin = add_scaled(centre, height, out);
         let way = if random.random() {
             direction(random)
         } else {
             let rise = magnitude(-20, -2, random);
             let rise = either_side(rise, random);
             let [level, _] = across(out, random);
-            along(level, rise, out)
+            add_scaled(level, rise, out)
         };
         (rounded(origin), unit(way))
     })

@@ -1,5 +1,5 @@
-//! Two spheres of which it is difficult to tell the nearer one: they have one centre, touch, or
-//! are nested, or one is ten million times as large as the other.
+//! Two spheres of which the nearer one is difficult to determine: they have one centre, touch,
+//! or are nested, or one is ten million times as large as the other.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -15,7 +15,7 @@ use twins::sphere_ray::Ray;
 use super::look::{Look, Stated};
 use super::make::ANYWHERE;
 use crate::families::Form;
-use crate::space::{along, direction, fresh};
+use crate::space::{add_scaled, direction, fresh};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
 use crate::stability::random::{across, magnitude, rounded, towards};
 use crate::stability::statement::Bound;
@@ -73,7 +73,7 @@ fn pair(random: &mut Generator) -> Pair {
         }
         _ => (1e7 * radius, 1e7 * radius + radius * random.random_range(-1.0..2.0)),
     };
-    [(place, radius), (along(place, apart, way), other)]
+    [(place, radius), (add_scaled(place, apart, way), other)]
         .map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
 }
 
@@ -82,8 +82,8 @@ fn aimed(pair: &Pair, random: &mut Generator) -> Ray {
     let (centre, radius) = (pair[0].0.map(to_f64), to_f64(pair[0].1));
     let off = direction(random).map(|x| radius * random.random_range(0.0..1.2) * x);
     let back = direction(random).map(|x| radius * magnitude(-4, 5, random) * x);
-    let target = along(centre, 1.0, off);
-    let origin = rounded(along(target, 1.0, back));
+    let target = add_scaled(centre, 1.0, off);
+    let origin = rounded(add_scaled(target, 1.0, back));
     let [aside, _] = across(towards([0.0; 3], back, ANYWHERE), random);
     let way = towards(origin, target, aside);
     fresh(origin.map(from_f64), way.map(from_f64))

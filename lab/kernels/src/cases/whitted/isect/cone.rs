@@ -16,7 +16,7 @@ use zerocopy::big_endian::F32;
 use super::shape::{Shape, Truth, any_sides, head_words};
 use crate::cases::sphere_ray::{any_direction, ray};
 use crate::single::single;
-use crate::vector::{Vector, cross, dot, less, magnitude, unit};
+use crate::vector::{Vector, cross, dot, magnitude, sub, unit};
 use protocol::layout;
 
 /// How much larger and smaller they are, relative to the radius and to the distance.
@@ -45,7 +45,7 @@ pub struct Exact {
 impl Exact {
     /// The first hit of a ray.
     fn hit(&self, origin: Vector, direction: Vector) -> Option<f64> {
-        let from_base = less(origin, self.base);
+        let from_base = sub(origin, self.base);
         let split = |vector: Vector| {
             let along = dot(vector, self.axis);
             let across: Vector = std::array::from_fn(|axis| vector[axis] - along * self.axis[axis]);
@@ -103,7 +103,7 @@ impl Shape for ConeObject {
             heights: [0.0, height],
             sides: self.sides,
         };
-        let from_base = less(origin, base);
+        let from_base = sub(origin, base);
         let distance = dot(from_base, from_base).sqrt();
         let widest = radius.max(radius + exact.growth * height);
         let by = LARGER[0] * widest + LARGER[1] * (distance + height);
@@ -194,7 +194,7 @@ impl Shape for ConeObject {
                     std::array::from_fn(|axis| target[axis] + away * from[axis])
                 }
             };
-            ray(origin, unit(less(target, origin)), FARTHEST)
+            ray(origin, unit(sub(target, origin)), FARTHEST)
         });
         (cone(&exact), rays)
     }

@@ -13,12 +13,12 @@ use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::cases::flat::{around_rectangle, on_plane, rectangle};
 use crate::description::any_bits;
 use crate::flat_records::{self, quad};
-use crate::vector::{dot, less};
+use crate::vector::{dot, sub};
 use protocol::layout;
 
-/// The least distance of a point from an edge, in u and v, on either side.
+/// The smallest distance of a point from an edge, in u and v, on either side.
 const EDGE: f64 = 5e-4;
-/// The least cosine of a ray's incidence, which limits how parallel to the plane it may be.
+/// The smallest cosine of a ray's incidence, which limits how parallel to the plane it may be.
 const INCIDENCE: f64 = 0.1;
 
 impl Shape for RectangleObject {
@@ -42,7 +42,7 @@ impl Shape for RectangleObject {
     fn truth(&self, ray: &Ray) -> Truth {
         let flat = flat_records::Ray::new(ray.origin, ray.direction);
         let ([t, u, v], incidence) = on_plane(&flat, &self.rectangle);
-        let from_corner = less(self.rectangle.point.map(to_f64), ray.origin.map(to_f64));
+        let from_corner = sub(self.rectangle.point.map(to_f64), ray.origin.map(to_f64));
         let normal = self.rectangle.normal.map(to_f64);
         let seen = self.both || dot(normal, ray.direction.map(to_f64)) < 0.0;
         let within = [u, v].iter().all(|on| (0.0..=1.0).contains(on));

@@ -1,4 +1,4 @@
-//! What the kernels of all shapes have: a record, a twin and an exact result.
+//! The common interface of all shapes' kernels: a record, a twin and an exact result.
 
 use std::fmt::Debug;
 

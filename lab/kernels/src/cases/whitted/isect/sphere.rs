@@ -17,8 +17,8 @@ use crate::cases::sphere_ray::{any_direction, ray, ulp};
 use crate::vector::{Vector, dot, magnitude, unit};
 use protocol::layout::Object;
 
-/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the verdict
-/// counts.
+/// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the
+/// verdict counts.
 const TANGENT: f64 = 1e-4;
 
 /// A sphere that a formulation intersects.

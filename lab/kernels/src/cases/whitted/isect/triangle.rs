@@ -13,10 +13,10 @@ use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::bench::Bench;
 use crate::cases::flat::{aimed_at_triangle, on_triangle};
 use crate::flat_records::{self, point, quad};
-use crate::vector::{Vector, cross, dot, less, unit};
+use crate::vector::{Vector, cross, dot, sub, unit};
 use protocol::layout::{self, RayPacket};
 
-/// The least distance of a point from an edge, in barycentric coordinates, on either side.
+/// The smallest distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 8e-5;
 /// The smallest area that counts: twice the area across the ray, relative to the square of the
 /// longest edge.
@@ -29,7 +29,7 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
     let [t, u, v] = on_triangle(&flat, &shape.vertices);
     let w = 1.0 - u - v;
     let [a, b, c] = shape.vertices.map(|vertex| vertex.map(to_f64));
-    let edges = [less(b, a), less(c, b), less(a, c)];
+    let edges = [sub(b, a), sub(c, b), sub(a, c)];
     let longest = edges.map(|edge| dot(edge, edge)).into_iter();
     let normal = cross(edges[0], edges[1]);
     let along = dot(normal, ray.direction.map(to_f64));
@@ -49,7 +49,7 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
 ///
 /// # Panics
 ///
-/// Panics if there is no such kernel, or if the packets do not fit; there is room for 40.
+/// Panics if there is no such kernel, or if the packets do not fit; there is capacity for 40.
 pub fn pairs_by(
     bench: &mut Bench,
     kernel: &str,
@@ -107,7 +107,7 @@ impl Shape for TriangleObject {
             let target: Vector = std::array::from_fn(|axis| {
                 (0..3).map(|corner| weights[corner] * corners[corner][axis]).sum()
             });
-            let towards = unit(less(target, origin.map(to_f64)));
+            let towards = unit(sub(target, origin.map(to_f64)));
             // A quarter of the rays points away from it.
             let way = if lane % 4 == 3 { -1.0 } else { 1.0 };
             Ray {

@@ -8,7 +8,7 @@ use super::shape::{Shape, Truth};
 use super::triangle::{TriangleObject, truth};
 use protocol::layout;
 
-/// The least distance of a point from an edge, in barycentric coordinates, on either side.
+/// The smallest distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 2e-4;
 
 /// A triangle for Möller and Trumbore's test.

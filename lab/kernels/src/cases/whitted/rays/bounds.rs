@@ -22,7 +22,7 @@ use protocol::layout;
 pub struct Point {
     /// The position.
     pub place: [Single; 3],
-    /// The greatest distance of the rays' ends from it.
+    /// The largest distance of the rays' ends from it.
     pub near: Single,
     /// 1 if rays start there, -1 if they end there.
     pub along: Single,

@@ -135,7 +135,7 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
     [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
 }
 
-/// The words of the list that begins in `room` and ends at the address that a kernel returned.
+/// The words of the list that begins in `buffer` and ends at the address that a kernel returned.
 ///
 /// # Panics
 ///

@@ -119,16 +119,16 @@ impl Description for CullFaces {
         let given: Vec<Candidate> = (0..).zip(&self.pairs).map(candidate).collect();
         let mut list = given.clone();
         list.push(Candidate::new_zeroed());
-        let room = put(bench, &list);
-        let arguments = vec![room.address, given.len() as u32, room.address, self.along];
-        (Candidates { given, room }, arguments)
+        let buffer = put(bench, &list);
+        let arguments = vec![buffer.address, given.len() as u32, buffer.address, self.along];
+        (Candidates { given, buffer }, arguments)
     }
 
-    /// The list, and the words behind the candidates, which must stay 0.
+    /// The list, and the words after the candidates, which must stay 0.
     fn found(&self, bench: &Bench, placed: &Candidates, end: u32) -> Vec<[u32; 4]> {
-        let behind = bench.read_all::<Candidate>(placed.room).last().map(words);
-        assert_eq!(behind, Some([0; 4]), "behind the candidates");
-        listed(bench, placed.room, end)
+        let after = bench.read_all::<Candidate>(placed.buffer).last().map(words);
+        assert_eq!(after, Some([0; 4]), "after the candidates");
+        listed(bench, placed.buffer, end)
     }
 
     fn twin(&self, placed: &Candidates) -> Vec<[u32; 4]> {

@@ -9,7 +9,7 @@ use twins::{FARTHEST, ONE, Single, ZERO};
 use super::bounds::Point;
 use crate::cases::sphere_ray::any_direction;
 use crate::description::any_bits;
-use crate::vector::{Vector, dot, in_cube, less, magnitude, unit};
+use crate::vector::{Vector, dot, in_cube, magnitude, sub, unit};
 
 /// How the rays of a packet are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -82,7 +82,7 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
         };
         let (direction, t) = match fan {
             Fan::Shadow => {
-                let to_light = less(light, origin);
+                let to_light = sub(light, origin);
                 (to_light, from_f64(dot(to_light, to_light).sqrt()))
             }
             Fan::Incoherent | Fan::Any => (any_direction(random), FARTHEST),
@@ -93,7 +93,7 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     })
 }
 
-/// A packet of shadow rays to a light, and the light. The rays start at the greatest allowed
+/// A packet of shadow rays to a light, and the light. The rays start at the largest allowed
 /// distance from surfaces, and some are absent.
 pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let far = if random.random() { 1.0 } else { 100.0 };
@@ -108,7 +108,7 @@ pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let rays = std::array::from_fn(|_| {
         let point = moved(place, in_cube(1.0, random), size);
         let origin = moved(point, any_direction(random), 2.7 * leave);
-        let to_light = less(light, point);
+        let to_light = sub(light, point);
         let t = from_f64(dot(to_light, to_light).sqrt());
         let is_there = random.random_range(0..8) > 0;
         Ray { t: if is_there { t } else { ABSENT }, ..ray(origin, to_light, t) }

@@ -24,7 +24,7 @@ const PIXELS_END: u32 = 1 << 23;
 /// that of the one before.
 #[derive(Clone, Debug)]
 pub struct PrimaryRays {
-    /// What all of them share.
+    /// The view that all of them share.
     pub view: View,
     /// The columns and rows.
     pub corners: Vec<[u32; 2]>,

@@ -171,7 +171,7 @@ pub struct Candidates {
     /// The candidates.
     pub given: Vec<Candidate>,
     /// The buffer for the list.
-    pub room: Place,
+    pub buffer: Place,
 }
 
 /// What `cull_nodes` puts in its list of a child.
@@ -192,7 +192,7 @@ pub struct CullNodes<V> {
     pub bounds: Vec<Bound>,
     /// A node and a bound.
     pub pairs: Vec<[usize; 2]>,
-    /// What the list has of a child.
+    /// The part of a child that the list has.
     pub what: Listed,
 }
 
@@ -249,14 +249,14 @@ impl<V: Volume> Description for CullNodes<V> {
         };
         let given: Vec<Candidate> = (0..).zip(&self.pairs).map(candidate).collect();
         let list = put(bench, &given);
-        let room = put(bench, &vec![Candidate::new_zeroed(); 4 * given.len() + 1]);
+        let buffer = put(bench, &vec![Candidate::new_zeroed(); 4 * given.len() + 1]);
         let count = given.len() as u32;
-        let arguments = vec![list.address, count, room.address, self.what as u32];
-        (Candidates { given, room }, arguments)
+        let arguments = vec![list.address, count, buffer.address, self.what as u32];
+        (Candidates { given, buffer }, arguments)
     }
 
     fn found(&self, bench: &Bench, placed: &Candidates, end: u32) -> Vec<[u32; 4]> {
-        listed(bench, placed.room, end)
+        listed(bench, placed.buffer, end)
     }
 
     fn twin(&self, placed: &Candidates) -> Vec<[u32; 4]> {
@@ -338,13 +338,13 @@ impl<V: Volume> Description for FilterChildren<V> {
         let given: Vec<Candidate> = children.map(candidate).collect();
         let list = put(bench, &given);
         let apart = put(bench, &vec![Candidate::new_zeroed(); given.len() + 1]);
-        let room = if self.in_place { list } else { apart };
-        let arguments = vec![list.address, given.len() as u32, room.address, 0];
-        (Candidates { given, room }, arguments)
+        let buffer = if self.in_place { list } else { apart };
+        let arguments = vec![list.address, given.len() as u32, buffer.address, 0];
+        (Candidates { given, buffer }, arguments)
     }
 
     fn found(&self, bench: &Bench, placed: &Candidates, end: u32) -> Vec<[u32; 4]> {
-        listed(bench, placed.room, end)
+        listed(bench, placed.buffer, end)
     }
 
     fn twin(&self, placed: &Candidates) -> Vec<[u32; 4]> {

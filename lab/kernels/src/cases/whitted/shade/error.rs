@@ -17,7 +17,7 @@ use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
 use crate::description::{Bits, Description as _};
 use crate::single::bits;
-use crate::vector::{dot, less, magnitude, ulps, unit};
+use crate::vector::{dot, magnitude, sub, ulps, unit};
 use protocol::layout::Surfaces;
 
 /// The number of packets over which an error is measured.
@@ -148,7 +148,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for (ray, surface) in found.packets.iter().flatten().zip(&sites[0].surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
-            let to = if light.directional { position } else { less(position, point) };
+            let to = if light.directional { position } else { sub(position, point) };
             let distance = dot(to, to).sqrt();
             let exact = to.map(|component| component / distance);
             for (found, exact) in ray.direction.iter().zip(exact) {
@@ -163,7 +163,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// The light that a surface sends back, in f64 by the model's own formula.
+/// The light that a surface sends back, in f64, from the formula of the shading model.
 fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> [f64; 3] {
     let surface = &site.surfaces[lane];
     let (ray, blocked) = &site.shadow[lane];
@@ -173,7 +173,7 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
     }
     let normal = site.normals[lane].map(to_f64);
     let to = ray.direction.map(to_f64);
-    let half = unit(less(to, site.directions[lane].map(to_f64)));
+    let half = unit(sub(to, site.directions[lane].map(to_f64)));
     let cosine = dot(normal, half).clamp(0.0, 1.0);
     let shine = if shines {
         to_f64(surface.highlight) * libm::pow(cosine, to_f64(surface.exponent))

@@ -8,7 +8,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::surfaces::{Object, Ray};
 
 use crate::cases::sphere_ray::any_direction;
-use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 
 /// How much the numbers of an object, and the coordinates of a point, add to the origin offset of
 /// a ray, relative to their magnitude.
@@ -93,7 +93,7 @@ impl Shape {
     /// The height above the surface, and the normal there.
     #[must_use]
     pub fn at(&self, point: Vector) -> (f64, Vector) {
-        let from = less(point, self.centre);
+        let from = sub(point, self.centre);
         let along = dot(from, self.axis);
         let off: Vector = std::array::from_fn(|k| from[k] - along * self.axis[k]);
         let distance = dot(off, off).sqrt();
@@ -132,7 +132,7 @@ impl Shape {
         let back = any_direction(random);
         let origin: Vector = std::array::from_fn(|k| point[k] + distance * back[k]);
         let origin = origin.map(|x| to_f64(from_f64(x)));
-        let way = less(point, origin);
+        let way = sub(point, origin);
         let size = distance.max(self.offset.abs());
         let off = random.random_range(-ROUNDINGS..ROUNDINGS) * 2_f64.powi(-23) * size;
         Ray {

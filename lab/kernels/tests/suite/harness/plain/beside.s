@@ -1,4 +1,4 @@
-# beside   writes behind its buffer of a quadword
+# beside   writes after its buffer of a quadword
 #   C       void beside(int *);
         .text
         .align  3

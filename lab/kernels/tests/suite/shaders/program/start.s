@@ -1,4 +1,4 @@
-# What spu/main/shaders.s needs of the program around it.
+# The symbols that spu/main/shaders.s needs from the program around it.
 
         .include "work_unit.inc"
 
