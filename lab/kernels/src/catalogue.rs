@@ -17,17 +17,15 @@ pub struct Kernel {
     /// Measures the largest error of many calls with random inputs from its domain against f64, in
     /// the header's unit.
     pub error: Option<fn(&mut Bench, &mut ChaCha8Rng) -> f64>,
-    /// Compares it with its twin, if it has a [`Description`]. Otherwise, only its family's tests
-    /// do.
-    pub equal: Option<Equal>,
+    /// Compares it with its twin; see [`Description`].
+    pub equal: Equal,
 }
 
 impl Kernel {
     /// A described kernel for packets, without cases and without an error.
     #[must_use]
     pub const fn of<D: Description>() -> Self {
-        let equal: Equal = equal::<D>;
-        Self { name: D::KERNEL, rays: 16, cases: &[], error: None, equal: Some(equal) }
+        Self { name: D::KERNEL, rays: 16, cases: &[], error: None, equal: equal::<D> }
     }
 }
 
@@ -51,33 +49,25 @@ pub enum Objects {
     List(u32, u32),
 }
 
-/// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
-const FAMILIES: [(&[Kernel], &[&str]); 14] = [
-    (eye::KERNELS, &["eye::"]),
-    (eye::formulation::KERNELS, &["eye::spheres", "spheres::"]),
-    (sphere_ray::KERNELS, &["sphere_ray::"]),
-    (flat::KERNELS, &["flat::"]),
-    (math::KERNELS, &["math::"]),
-    (whitted::rays::KERNELS, &["rays::"]),
-    (whitted::isect::KERNELS, &["pairs::"]),
-    (whitted::shade::KERNELS, &["surfaces::"]),
-    (whitted::smooth::KERNELS, &["pairs::smooth"]),
-    (whitted::texture::KERNELS, &["pairs::texture"]),
-    (whitted::colour::KERNELS, &["pairs::colour"]),
-    (whitted::shaders::KERNELS, &["shaders::"]),
-    (whitted::bounce::KERNELS, &["bounce::"]),
-    (whitted::mesh::KERNELS, &["mesh::"]),
+/// The families of kernels.
+const FAMILIES: [&[Kernel]; 14] = [
+    eye::KERNELS,
+    eye::formulation::KERNELS,
+    sphere_ray::KERNELS,
+    flat::KERNELS,
+    math::KERNELS,
+    whitted::rays::KERNELS,
+    whitted::isect::KERNELS,
+    whitted::shade::KERNELS,
+    whitted::smooth::KERNELS,
+    whitted::texture::KERNELS,
+    whitted::colour::KERNELS,
+    whitted::shaders::KERNELS,
+    whitted::bounce::KERNELS,
+    whitted::mesh::KERNELS,
 ];
 
 /// All kernels that have cases.
 pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
-    FAMILIES.iter().flat_map(|(kernels, _)| *kernels)
-}
-
-/// The tests of a kernel's family, as filters for `cargo test`.
-#[must_use]
-pub fn tests(kernel: &str) -> &'static [&'static str] {
-    let mut families = FAMILIES.iter();
-    let family = families.find(|(kernels, _)| kernels.iter().any(|found| found.name == kernel));
-    family.map_or(&[], |(_, tests)| tests)
+    FAMILIES.into_iter().flatten()
 }

@@ -2,7 +2,6 @@
 //! time, and that it equals its twin.
 
 use std::io::{self, Write};
-use std::process::Command;
 
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
@@ -10,7 +9,7 @@ use spu_scheduler::Outcome;
 use thiserror::Error;
 
 use crate::bench::{Bench, SEED};
-use crate::catalogue::{self, Kernel};
+use crate::catalogue::Kernel;
 use crate::description::Unequal;
 use crate::measure::time;
 use crate::set::Kernels;
@@ -47,17 +46,9 @@ pub enum CheckError {
     /// It differs from its twin.
     #[error(transparent)]
     Unequal(#[from] Unequal),
-    /// A test failed.
-    #[error("{kernel}: a test failed: {command}")]
-    Tests {
-        /// The kernel.
-        kernel: &'static str,
-        /// The command that ran them.
-        command: String,
-    },
-    /// The tests could not be run, or the report could not be written.
+    /// The report can't be written.
     #[error("{0}")]
-    Run(#[from] io::Error),
+    Report(#[from] io::Error),
 }
 
 /// Checks kernels and reports the result of each step.
@@ -94,13 +85,8 @@ pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError
                 timed.objects,
             )?;
         }
-        match kernel.equal {
-            Some(equal) => {
-                let calls = equal(&mut bench, &mut ChaCha8Rng::seed_from_u64(SEED))?;
-                writeln!(out, "  twin      {calls} calls give its bits")?;
-            }
-            None => tests(kernel, out)?,
-        }
+        let calls = (kernel.equal)(&mut bench, &mut ChaCha8Rng::seed_from_u64(SEED))?;
+        writeln!(out, "  twin      {calls} calls give its bits")?;
     }
     Ok(())
 }
@@ -148,20 +134,5 @@ fn error(
         return Err(CheckError::Error { kernel: kernel.name, measured, stated });
     }
     writeln!(out, "  error     {measured:.2}, at most {stated} stated")?;
-    Ok(())
-}
-
-/// Runs the tests of the family of a kernel without a description.
-fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
-    let tests = catalogue::tests(kernel.name);
-    out.flush()?;
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut command = Command::new(cargo);
-    command.args(["test", "--quiet", "--offline"]);
-    command.args(["--test", "kernel_tests", "--"]).args(tests);
-    if !command.status()?.success() {
-        return Err(CheckError::Tests { kernel: kernel.name, command: format!("{command:?}") });
-    }
-    writeln!(out, "  tests     {} pass", tests.join(" and "))?;
     Ok(())
 }

@@ -12,7 +12,7 @@ use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 use crate::bench::Bench;
 
-/// Everything is a share of nothing: what a description says that counts nothing.
+/// Everything is a share of nothing: a description that counts nothing has it.
 pub const ANY_SHARE: Range<f64> = f64::NEG_INFINITY..f64::INFINITY;
 
 /// Lengths of lists, with that of an empty one. A scheduled loop takes other paths for the short
@@ -124,7 +124,7 @@ impl<T: IntoBytes + Immutable> Debug for Bits<T> {
     }
 }
 
-/// How a kernel and its twin differ, or that the inputs do not tell.
+/// How a kernel and its twin differ, or that the inputs do not test it.
 #[derive(Debug, Error)]
 #[error("{0}")]
 pub struct Unequal(String);

@@ -18,9 +18,9 @@ use super::triangle_pairs::isect_triangle;
 use super::{ONE, Single, ZERO, below_zero, select};
 
 /// The largest single.
-const MOST: Single = 0x7fff_ffff;
+const LARGEST: Single = 0x7fff_ffff;
 /// Less the largest single.
-const LEAST: Single = 0xffff_ffff;
+const SMALLEST: Single = 0xffff_ffff;
 /// -1: the farthest distance of a packet without rays.
 const ABSENT: Single = 0xbf80_0000;
 /// The single before 1/2.
@@ -102,7 +102,7 @@ pub fn mesh_window(rays: &[Ray; 16]) -> MeshWindow {
         let [low, high] = ordered(slopes[0], slopes[1]);
         let [other_low, other_high] = ordered(slopes[2], slopes[3]);
         if is_wide {
-            [LEAST, MOST]
+            [SMALLEST, LARGEST]
         } else {
             [fs(lesser(low, other_low), SLACK), fa(greater(high, other_high), SLACK)]
         }

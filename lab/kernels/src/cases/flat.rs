@@ -17,7 +17,7 @@ use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::Description;
 use crate::flat_records::{Ray, Rays, point, quad};
-use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 use rectangles::{ANY, NEAREST, PLANE, WithRectangle};
 use triangles::{One, Sheared, Triangles};
 

@@ -1,4 +1,4 @@
-//! Every described kernel equals its twin.
+//! Every kernel equals its twin.
 
 use std::sync::{Mutex, PoisonError};
 use std::thread;
@@ -7,10 +7,10 @@ use kernels::bench::{Bench, random};
 use kernels::catalogue;
 
 #[test]
-fn every_described_kernel_equals_its_twin() {
-    let described = catalogue::kernels().filter_map(|kernel| kernel.equal);
-    let (random, described) = (random(), Mutex::new(described));
-    let next = || described.lock().unwrap_or_else(PoisonError::into_inner).next();
+fn kernels_equal_their_twins() {
+    let comparisons = catalogue::kernels().map(|kernel| kernel.equal);
+    let (random, comparisons) = (random(), Mutex::new(comparisons));
+    let next = || comparisons.lock().unwrap_or_else(PoisonError::into_inner).next();
     let work = || {
         let mut bench = Bench::new();
         let (mut calls, mut faults) = (0, Vec::new());

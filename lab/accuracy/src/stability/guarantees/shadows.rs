@@ -180,7 +180,7 @@ fn blocked<B: Blocker>(
         .iter()
         .map(|light| {
             let light = Place { position: *light, directional: false };
-            let rays = Shadows { sites: vec![site.clone()], light, least: 0 }.call(bench);
+            let rays = Shadows { sites: vec![site.clone()], light, min_share: 0 }.call(bench);
             let rays = rays.packets.first().map(|packet| {
                 packet.map(|ray| Ray {
                     origin: ray.origin,

@@ -11,7 +11,7 @@ use twins::isect_pairs::Hit;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
-use super::call::{address, list_room, put, put_packets, put_places};
+use super::call::{address, list_buffer, put, put_packets, put_places};
 use super::error::NO_HITS;
 use crate::bench::{Bench, Place};
 use crate::description::{Description, LENGTHS_FROM_0};
@@ -62,9 +62,9 @@ fn packet(rays: &Vectors) -> Packet {
 }
 
 /// The list that a kernel has written: an object and a packet each.
-fn objects_and_packets(bench: &Bench, room: Place, end: u32) -> Vec<[u32; 2]> {
+fn objects_and_packets(bench: &Bench, buffer: Place, end: u32) -> Vec<[u32; 2]> {
     bench
-        .read_list(room, end)
+        .read_list(buffer, end)
         .iter()
         .map(|pair: &Pair| [pair.object, pair.packet].map(U32::get))
         .collect()
@@ -244,8 +244,8 @@ impl Description for FrustumSpheres {
         ([spheres, buffer], vec![frustum, spheres.address, count, buffer.address])
     }
 
-    fn found(&self, bench: &Bench, [_, room]: &[Place; 2], end: u32) -> Vec<u32> {
-        bench.read_list(*room, end).iter().map(|entry: &Pair| entry.object.get()).collect()
+    fn found(&self, bench: &Bench, [_, buffer]: &[Place; 2], end: u32) -> Vec<u32> {
+        bench.read_list(*buffer, end).iter().map(|entry: &Pair| entry.object.get()).collect()
     }
 
     fn twin(&self, [spheres, _]: &[Place; 2]) -> Vec<u32> {

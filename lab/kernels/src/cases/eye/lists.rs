@@ -30,9 +30,9 @@ fn any_masks(random: &mut ChaCha8Rng) -> [u32; 4] {
     [(); 4].map(|()| random.random_range(0..0x1_0000))
 }
 
-/// The records of a list of places, or of pairs, which begins in `room` and ends at `end`.
-fn records<const WORDS: usize>(bench: &Bench, room: Place, end: u32) -> Vec<[u32; WORDS]> {
-    let records = bench.read_list::<[U32; 4]>(room, end).into_iter();
+/// The records of a list of places, or of pairs, which begins in `buffer` and ends at `end`.
+fn records<const WORDS: usize>(bench: &Bench, buffer: Place, end: u32) -> Vec<[u32; WORDS]> {
+    let records = bench.read_list::<[U32; 4]>(buffer, end).into_iter();
     records.map(|record| std::array::from_fn(|word| record[word].get())).collect()
 }
 

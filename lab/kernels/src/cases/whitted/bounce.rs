@@ -165,7 +165,7 @@ impl<const REFRACT: bool> Description for Hits<REFRACT> {
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let packets = (0..count).map(|_| [(); 16].map(|()| hit(random))).collect();
         let limits = Limits {
-            least: from_f64(random.random_range(0.0..0.1)),
+            min_weight: from_f64(random.random_range(0.0..0.1)),
             deepest: random.random_range(8..16) * CHAIN_STEP,
         };
         let limits = if random.random() { Limits::NONE } else { limits };
@@ -173,7 +173,7 @@ impl<const REFRACT: bool> Description for Hits<REFRACT> {
     }
 
     fn any(_: usize, random: &mut ChaCha8Rng) -> Self {
-        let limits = Limits { least: random.random(), deepest: random.random() };
+        let limits = Limits { min_weight: random.random(), deepest: random.random() };
         Self { packets: vec![any_bits(random)], limits, junk: random.random() }
     }
 

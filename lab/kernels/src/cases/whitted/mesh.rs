@@ -26,7 +26,7 @@ use crate::bench::Bench;
 use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::Description as _;
-use crate::vector::{cross, dot, less, unit};
+use crate::vector::{cross, dot, sub, unit};
 use block::Prepare;
 use bounds::{Bounds, EyeBounds, Farthest};
 use boxes::Boxed;

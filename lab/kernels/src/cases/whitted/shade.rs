@@ -35,8 +35,8 @@ const LENGTHS: &[usize] = &[1, 2, 3, 5, 8];
 /// The largest exponent of a highlight.
 const EXPONENT: f64 = 4096.0;
 
-/// The least share of a light of brightness 1 that is worth a shadow ray: 2^-12.
-pub const LEAST: Single = 0x3980_0000;
+/// The minimum share of a light of brightness 1 that is worth a shadow ray: 2^-12.
+pub const MIN_SHARE: Single = 0x3980_0000;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
@@ -154,7 +154,7 @@ fn sites(count: u32) -> Vec<Site> {
         lit: [0; 3],
         flags: 0,
     };
-    let shadow = shadow_ray(&surface, surface.plane, ONE, &near_light(), LEAST);
+    let shadow = shadow_ray(&surface, surface.plane, ONE, &near_light(), MIN_SHARE);
     let site = Site {
         surfaces: [surface; 16],
         normals: [surface.plane; 16],
@@ -167,7 +167,7 @@ fn sites(count: u32) -> Vec<Site> {
 }
 
 fn shadow_rays(bench: &mut Bench, count: u32) -> Vec<u32> {
-    Shadows { sites: sites(count), light: near_light(), least: LEAST }.place(bench).1
+    Shadows { sites: sites(count), light: near_light(), min_share: MIN_SHARE }.place(bench).1
 }
 
 fn lit<const WAY: usize>(bench: &mut Bench, count: u32) -> Vec<u32> {

@@ -34,11 +34,11 @@ fn rays_below_min_weight_are_not_sent_on() {
     let (mut all, mut sent) = ([0; 2], [0; 2]);
     for _ in 0..200 {
         let packet: [Bounce; 16] = std::array::from_fn(|_| hit(&mut random));
-        let least = random.random_range(0.0..1.0);
-        let limits = Limits { least: from_f64(least), ..Limits::NONE };
+        let minimum = random.random_range(0.0..1.0);
+        let limits = Limits { min_weight: from_f64(minimum), ..Limits::NONE };
         let found = check_within(limits, &mut bench, &mut random, packet);
-        let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(least));
-        assert!(!found.iter().flatten().any(light), "{least}: {found:x?}");
+        let light = |ray: &Queued| to_f64(ray.weight) < to_f64(from_f64(minimum));
+        assert!(!found.iter().flatten().any(light), "{minimum}: {found:x?}");
         let open = check(&mut bench, &mut random, packet);
         for kernel in 0..2 {
             let heavy = open[kernel].iter().filter(|ray| !light(ray));

@@ -6,7 +6,7 @@ use cellray::scene;
 use cellray::work::{EyeSpheres, Projection, Skip};
 use glam::DVec3;
 use kernels::bench::{Bench, random};
-use kernels::cases::eye::call::{address, list_room, put, put_packets, put_places};
+use kernels::cases::eye::call::{address, list_buffer, put, put_packets, put_places};
 use kernels::cases::eye::error::NO_HITS;
 use kernels::cases::eye::packets::RaySetup;
 use kernels::description::Description as _;
@@ -218,7 +218,7 @@ fn no_ray_that_enters_a_sphere_is_filtered_out() {
             let fours = SPHERES as u32 / 4;
             let arguments = [places.address, 4, spheres.address, fours, buffer.address];
             let end = bench.call("filter_spheres_r16", &arguments).value;
-            for pair in bench.read_list::<Pair>(room, end) {
+            for pair in bench.read_list::<Pair>(buffer, end) {
                 let sphere = (pair.object.get() - spheres.address) as usize / size_of::<Sphere>();
                 let packet = packets.iter().position(|packet| packet.address == pair.packet.get());
                 masks[sphere] |= 0x8000 >> (4 * row + packet.expect("one of these"));
@@ -291,7 +291,7 @@ fn no_sphere_that_a_ray_of_a_tile_enters_is_outside_of_its_frustum() {
         let arguments = [planes.address, spheres.address, count, buffer.address];
         let end = bench.call("frustum_spheres", &arguments).value;
         let listed: Vec<u32> =
-            bench.read_list(room, end).iter().map(|entry: &Pair| entry.object.get()).collect();
+            bench.read_list(buffer, end).iter().map(|entry: &Pair| entry.object.get()).collect();
         group.check("frustum_spheres", |sphere| {
             let is_listed = listed.contains(&address::<Sphere>(spheres, sphere));
             if is_listed { 0xffff } else { 0 }

@@ -5,7 +5,7 @@ use kernels::cases::flat::triangles::Triangles;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
 use kernels::description::Description as _;
 use kernels::flat_records::{Ray, point};
-use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
+use kernels::vector::{cross, dot, in_cube, magnitude, sub, unit};
 use kernels::{Bench, random};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;

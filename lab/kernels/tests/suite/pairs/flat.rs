@@ -9,7 +9,7 @@ use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
 use kernels::flat_records::point;
-use kernels::vector::{cross, dot, in_cube, less, unit};
+use kernels::vector::{cross, dot, in_cube, sub, unit};
 use rand::Rng as _;
 use twins::FARTHEST;
 use twins::sphere_ray::Ray;

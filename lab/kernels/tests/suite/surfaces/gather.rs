@@ -6,7 +6,7 @@ use kernels::cases::whitted::shade::gather::{Hit, Hits};
 use kernels::cases::whitted::shade::shapes::Shape;
 use kernels::description::{Bits, Description as _};
 use kernels::single::bits;
-use kernels::vector::{dot, less};
+use kernels::vector::{dot, sub};
 use protocol::layout::Surfaces;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::surfaces::{Ray, surface};

@@ -22,8 +22,8 @@ const BLOCKS: u32 = 1000;
 /// How many materials.
 const MATERIALS: u32 = 9;
 
-/// A block of this kind, with this number of lowest nodes, 1 to 11, of which each has a child at
-/// least. All boxes are within a cube of half this size around a point, which is the root's.
+/// A block of this kind, with this number of lowest nodes, 1 to 11, of which each has one
+/// child or more. All boxes are within a cube of half this size around a point, the root's.
 #[must_use]
 pub fn block(
     kind: u32,

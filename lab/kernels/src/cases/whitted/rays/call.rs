@@ -141,6 +141,6 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
 ///
 /// Panics if the address is not a possible end of such a list.
 #[must_use]
-pub fn listed(bench: &Bench, room: Place, end: u32) -> Vec<[u32; 4]> {
-    bench.read_list(room, end).iter().map(words).collect()
+pub fn listed(bench: &Bench, buffer: Place, end: u32) -> Vec<[u32; 4]> {
+    bench.read_list(buffer, end).iter().map(words).collect()
 }

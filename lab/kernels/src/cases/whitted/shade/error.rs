@@ -12,7 +12,7 @@ use super::gather::{Hit, Hits};
 use super::light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use super::shapes::Shape;
 use super::sums::{Rows, Shares};
-use super::{LEAST, records};
+use super::{MIN_SHARE, records};
 use crate::bench::Bench;
 use crate::cases::sphere_ray::any_direction;
 use crate::description::{Bits, Description as _};
@@ -105,7 +105,7 @@ pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
     });
     let weights = [(); 16].map(|()| from_f64(magnitude(1e-4..1.0, random)));
     let shadow = std::array::from_fn(|lane| {
-        let ray = shadow_ray(&surfaces[lane], normals[lane], weights[lane], light, LEAST);
+        let ray = shadow_ray(&surfaces[lane], normals[lane], weights[lane], light, MIN_SHARE);
         (ray, random.random())
     });
     Site { surfaces, normals, directions, weights, shines: random.random(), shadow }
@@ -142,7 +142,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..PACKETS {
         let light = any_light(random);
         let sites = vec![any_site(random, &light, 100.0)];
-        let shadows = Shadows { sites, light, least: 0 };
+        let shadows = Shadows { sites, light, min_share: 0 };
         let found = shadows.call(bench);
         let Shadows { sites, light, .. } = shadows;
         for (ray, surface) in found.packets.iter().flatten().zip(&sites[0].surfaces) {

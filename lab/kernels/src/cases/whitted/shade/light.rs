@@ -113,7 +113,7 @@ pub struct Shadows {
     /// Where the light is.
     pub light: Place,
     /// The smallest share of it that is worth a ray.
-    pub least: Single,
+    pub min_share: Single,
 }
 
 /// Packets of shadow rays.
@@ -152,23 +152,23 @@ impl Description for Shadows {
             site
         };
         let sites = (0..count).map(|_| site()).collect();
-        let least = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
-        Self { sites, light, least }
+        let min_share = from_f64([0.0, 1e-3, 1e-1][random.random_range(0..3)]);
+        Self { sites, light, min_share }
     }
 
     fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
         let sites = (0..count).map(|_| Site::any_bits(random)).collect();
         let light = Place { position: random.random(), directional: random.random() };
-        Self { sites, light, least: if random.random() { random.random() } else { ZERO } }
+        Self { sites, light, min_share: if random.random() { random.random() } else { ZERO } }
     }
 
     fn place(&self, bench: &mut Bench) -> (Self::Placed, Vec<u32>) {
-        let Self { sites, light, least } = self;
+        let Self { sites, light, min_share } = self;
         let ([list, background], _) = put_sites(bench, sites);
         let light = put_light(bench, light, [ANYTHING; 3]).address;
         let packets = bench.place(&vec![0x55; size_of::<RayPacket>() * sites.len()]);
         let listed = bench.place(&vec![0x55; size_of::<layout::Site>() * sites.len()]);
-        let arguments = [list.address, sites.len() as u32, light, background.address, *least];
+        let arguments = [list.address, sites.len() as u32, light, background.address, *min_share];
         let out = [packets, listed].map(|place| place.address);
         ([list, background, packets, listed], [&arguments[..], &out].concat())
     }
@@ -207,7 +207,7 @@ impl Description for Shadows {
         let rays = self.sites.iter().map(|site| {
             std::array::from_fn(|lane| {
                 let (surface, normal) = (&site.surfaces[lane], site.normals[lane]);
-                shadow_ray(surface, normal, site.weights[lane], &self.light, self.least)
+                shadow_ray(surface, normal, site.weights[lane], &self.light, self.min_share)
             })
         });
         let (sites, packets): (Vec<usize>, Vec<[Ray; 16]>) =
