@@ -13,6 +13,7 @@ second: .int    0x00010203,0x04050607,0x08090a0b,0x10111213 # A0 A1 A2 B0
         .section .bss
         .align  7
         .global tile_buffers
+# Double buffering: a tile is traced into one buffer while the MFC puts the other.
 tile_buffers:
         .skip   2*TILE_BYTES
 tile_lists:                             # two lists, then EMPTY_LISTS for empty tiles

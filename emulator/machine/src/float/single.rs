@@ -4,7 +4,7 @@
 //! there, but its rounding error is computed exactly (Knuth's two-sum), which turns the sum into a
 //! truncated one. Truncating that again to 24 bits amounts to one truncation of the exact value.
 //! Converted values and their errors stay between 2^-310 and 2^260, so `f64` itself neither
-//! overflows nor underflows.
+//! overflows nor underflows. So a fused multiply-add (`fma`, `fms`, `fnms`) rounds once.
 //!
 //! The rules are from SPU ISA 1.2. One of them is inferred: that a sum is truncated exactly,
 //! however far apart its operands are. No output from hardware for that case is known.
