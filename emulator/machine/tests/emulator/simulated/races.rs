@@ -242,8 +242,8 @@ fn compiled_code_finds_races() {
     assert_eq!(uses(&both), [(Use::Store, 0x9000), (Use::Load, 0x9000)]);
 }
 
-/// A put is timed by another thread when its turn comes. The mail that follows proves nothing before
-/// it is complete, and everything after.
+/// A put is timed by another thread when its turn comes. The mail that follows proves nothing
+/// before it is complete, and everything after.
 #[test]
 fn a_put_races_until_it_is_complete() {
     let source = |delay: u32| {
