@@ -25,7 +25,10 @@ pub enum ScreenshotError {
     #[error(transparent)]
     Png(#[from] cellray::framebuffer::FramebufferError),
     /// All numbers are in use.
-    #[error("{}: all of {stem}-0001.png to {stem}-{MAX_NUMBER}.png exist already", folder.display())]
+    #[error(
+        "{}: all of {stem}-0001.png to {stem}-{MAX_NUMBER}.png exist already",
+        folder.display()
+    )]
     Full {
         folder: PathBuf,
         /// The beginning of the names.

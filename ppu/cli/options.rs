@@ -58,7 +58,13 @@ pub struct Options {
     #[arg(long, help_heading = "SPUs", hide_short_help = true)]
     pub retrace: bool,
     /// Maximum number of a mesh's blocks that an SPU caches, for measurements
-    #[arg(long, default_value_t = MESH_MAX_SLOTS, value_name = "N", hide = true, value_parser = whole::<u32>(u64::from(MESH_MIN_SLOTS)..=u64::from(MESH_MAX_SLOTS)))]
+    #[arg(
+        long,
+        default_value_t = MESH_MAX_SLOTS,
+        value_name = "N",
+        hide = true,
+        value_parser = whole::<u32>(u64::from(MESH_MIN_SLOTS)..=u64::from(MESH_MAX_SLOTS))
+    )]
     pub mesh_cache: u32,
     #[command(flatten)]
     program: ProgramChoices,

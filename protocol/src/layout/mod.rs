@@ -432,7 +432,9 @@ statuses! {
     Tile = 21, "tiles";
     /// Must be a multiple of 128.
     Scene = 22, "scene";
-    /// Must be a multiple of 128 and leave space in `SCENE_CAPACITY` for the queued rays, 48 `batch` if chains have more than one, and for the buffers of a `batch` of more than 8.
+    // The queue has space for 48 `batch` rays if chains have more than one; the buffers of a `batch`
+    // of more than 8 are in the same memory.
+    /// Must be a multiple of 128 and leave space in `SCENE_CAPACITY` for the queue and the batch.
     SceneBytes = 23, "scene_bytes, ray_depth, batch";
     /// Must be 1 to 16.
     RayDepth = 24, "ray_depth";
