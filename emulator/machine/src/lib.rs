@@ -111,7 +111,7 @@
 //! assert_eq!(time(slower).waits.tag, console.waits.tag + 100);
 //! ```
 
-// Without a compiler, nothing uses what the clock and the interpreter offer it.
+// Without a machine or a compiler, nothing uses what the clock and the interpreter offer them.
 #![cfg_attr(
     not(all(feature = "compiler", target_arch = "x86_64")),
     allow(dead_code, unused_imports)
@@ -120,24 +120,38 @@
 #[cfg(not(target_has_atomic = "64"))]
 mod atomic_words;
 pub mod channel;
+#[cfg(feature = "machine")]
 #[cfg_attr(not(all(feature = "compiler", target_arch = "x86_64")), path = "compiled/absent.rs")]
 pub mod compiled;
+#[cfg(feature = "machine")]
 pub mod decrementer;
+#[cfg(feature = "elf")]
 pub mod elf;
+#[cfg(feature = "machine")]
 pub mod engine;
+#[cfg(feature = "machine")]
 mod event;
 pub mod float;
 pub mod interp;
 pub mod local_store;
+#[cfg(feature = "machine")]
 mod lock;
+#[cfg(feature = "machine")]
 pub mod machine;
+#[cfg(feature = "machine")]
 pub mod mailbox;
+#[cfg(feature = "machine")]
 pub mod memory;
 pub mod mfc;
+#[cfg(feature = "machine")]
 pub mod ppe_call;
+#[cfg(feature = "machine")]
 pub mod profile;
+#[cfg(feature = "machine")]
 pub mod signal;
+#[cfg(feature = "machine")]
 pub mod simulated;
+#[cfg(feature = "machine")]
 pub mod spe;
 pub mod stop;
 pub mod timer;
