@@ -32,3 +32,8 @@ pub use instructions::{
     Class, Disassembly, Field, Format, Instruction, Machine, Op, Operand, Pipe, RegisterSet, Row,
     Target, disassemble, feature,
 };
+
+/// The examples of the readme.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

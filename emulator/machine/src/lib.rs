@@ -17,6 +17,10 @@
 //! | choose whether code is interpreted or compiled | [`engine::Engine`] |
 //! | serve an SPU program's PPE-assisted calls | [`ppe_call`] |
 //!
+//! Without features, this is the SPU alone, which needs neither an operating system nor threads:
+//! the modules `interp`, `local_store`, `channel`, `float` and `timer`. The feature `elf` adds
+//! [`elf`], `compiler` adds [`compiled`], and `machine` the others.
+//!
 //! A fault of the program is reported as a [`stop::Stop`]. It never panics.
 //!
 //! # Run an SPU program
@@ -155,3 +159,8 @@ pub mod simulated;
 pub mod spe;
 pub mod stop;
 pub mod timer;
+
+/// The examples of the readme.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

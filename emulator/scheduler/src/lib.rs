@@ -16,3 +16,8 @@ pub use schedule::{
 
 /// A hash of the scheduler's sources. Schedules that were made by another scheduler may differ.
 pub const SOURCES: &str = env!("SPU_SCHEDULER_SOURCES");
+
+/// The examples of the readme.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -4,3 +4,8 @@
 //! [scheduler](spu_scheduler) and the [emulator](spu_emulator).
 
 pub mod report;
+
+/// The examples of the readme.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;
