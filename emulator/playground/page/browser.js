@@ -28,6 +28,7 @@ export async function browser(profile) {
   const child = spawn("chromium", ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
     "--remote-debugging-pipe", `--user-data-dir=${profile}`, "--no-first-run", "--disable-background-networking",
     "--disable-component-update", "about:blank"], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+  process.once("exit", () => child.kill());
   const [, , , to, from] = child.stdio;
   const waiting = new Map();
   const listeners = new Set();

@@ -1,13 +1,12 @@
 // The editor: CodeMirror with the SPU's notation, errors in place, breakpoints and the next line.
 
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { StreamLanguage, defaultHighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import { HighlightStyle, StreamLanguage, defaultHighlightStyle, syntaxHighlighting } from "@codemirror/language";
 import { lintGutter, setDiagnostics } from "@codemirror/lint";
 import { EditorState, RangeSet, StateEffect, StateField } from "@codemirror/state";
 import {
   Decoration, EditorView, GutterMarker, drawSelection, gutter, keymap, lineNumbers,
 } from "@codemirror/view";
-import { HighlightStyle } from "@codemirror/language";
 import { tags } from "@lezer/highlight";
 
 const notation = StreamLanguage.define({
@@ -75,6 +74,13 @@ const breakpointField = StateField.define({
   },
 });
 
+const clicks = {
+  mousedown(shown, line) {
+    shown.dispatch({ effects: toggle.of(line.from) });
+    return true;
+  },
+};
+
 /** An editor in `parent`, which calls `changed` with each new text. */
 export function editor(parent, changed) {
   const darkScheme = matchMedia("(prefers-color-scheme: dark)").matches;
@@ -86,14 +92,9 @@ export function editor(parent, changed) {
           class: "cm-breakpoints",
           markers: (shown) => shown.state.field(breakpointField),
           initialSpacer: () => dot,
-          domEventHandlers: {
-            mousedown(shown, line) {
-              shown.dispatch({ effects: toggle.of(line.from) });
-              return true;
-            },
-          },
+          domEventHandlers: clicks,
         }),
-        lineNumbers(), lintGutter(), history(), drawSelection(), notation, hereField, breakpointField,
+        lineNumbers({ domEventHandlers: clicks }), lintGutter(), history(), drawSelection(), notation, hereField, breakpointField,
         syntaxHighlighting(darkScheme ? dark : defaultHighlightStyle),
         EditorView.contentAttributes.of({ "aria-label": "SPU assembly", spellcheck: "false" }),
         EditorView.theme({}, { dark: darkScheme }),

@@ -24,7 +24,7 @@ function ask(request) {
 
 let lines = new Map();
 let addresses = new Map();
-let state;
+let state = { step: 0 };
 let scheduled;
 
 function say(text, failed = false) {
@@ -39,12 +39,16 @@ function element(name, text, properties = {}) {
 /** Shows a page of the analyser in a frame. */
 function show(frame, html) {
   const inside = frame.contentDocument;
-  const parsed = new DOMParser().parseFromString(html, "text/html");
-  inside.replaceChild(inside.importNode(parsed.documentElement, true), inside.documentElement);
+  const scrolled = frame.contentWindow.scrollY;
+  inside.open();
+  inside.write(html);
+  inside.close();
+  inside.body.append(...inside.querySelectorAll(".legend"));
   for (const details of inside.querySelectorAll("details")) details.open = true;
   const style = inside.createElement("style");
-  style.textContent = "body { margin: .3rem } h1 { display: none } tr.here td:not(.cycles) { background: var(--mark) }";
+  style.textContent = "body { margin: .3rem } h1 { display: none } details { border: 0 } tr.here td:not(.cycles) { background: var(--mark) }";
   inside.head.append(style);
+  frame.contentWindow.scrollTo(0, scrolled);
   // A frame without an address of its own can't follow links within itself.
   inside.onclick = (event) => {
     const link = event.target.closest?.('a[href^="#"]');

@@ -71,7 +71,7 @@ assert.match(await status(), /has errors/);
 
 // A breakpoint stops each pass of a loop.
 await type("        il      $4,3\nagain:\n        ai      $4,$4,-1\n        brnz    $4,again\n        stop\n");
-await chromium.click(".cm-breakpoints .cm-gutterElement:nth-child(4)");
+await chromium.click(".cm-lineNumbers .cm-gutterElement:nth-child(4)");
 for (const left of ["00000003", "00000002", "00000001"]) {
   await chromium.click("#run");
   assert.equal((await register(4)).slice(0, 8), left);
@@ -95,7 +95,12 @@ for (const name of readdirSync(expected).filter((file) => file.endsWith(".s") &&
   const shown = await value("[...document.querySelectorAll('#registers td')].map((cell) => cell.textContent)");
   const dumped = [...run.matchAll(/^\$\d+ +(.*)$/gm)].map(([, words]) => words);
   assert.equal(dumped.length, 128);
-  assert.deepEqual(shown, dumped, `registers of ${name}`);
+  shown.forEach((words, number) => {
+    // libspe2 starts a program with its arguments in these, which this one may not use.
+    if (number >= 3 && number <= 6 && !read(`${name}.s`).includes(`$${number},`)) return;
+    assert.equal(words, dumped[number], `$${number} of ${name}`);
+  });
+  assert.equal(shown.length, 128);
   const issues = (frame) => value(`[...document.querySelector('${frame}').contentDocument
     .querySelectorAll('details > table.pipeline tr[id]')].filter((row) => /^f\\d+-/.test(row.id))
     .map((row) => parseInt(row.querySelector('td.n')?.textContent))`);
@@ -108,11 +113,18 @@ for (const name of readdirSync(expected).filter((file) => file.endsWith(".s") &&
     assert.equal(await value("document.querySelector('#scheduled').textContent"), read(`${name}.scheduled.s`));
   }
   console.log(`${name}: ${await cycles()} cycles, as spu run has them`);
+  if (name === "dot") {
+    await picture("desktop-scheduled", 1400, 1000);
+    await picture("phone-scheduled", 390, 844, true);
+    await chromium.size(1400, 1000);
+    // The scheduler's version, taken over, runs in the cycles that the guide names.
+    await chromium.click("#take");
+    await chromium.click("#run");
+    assert.equal(await cycles(), 179);
+    await chromium.click("#back");
+    await picture("desktop", 1400, 1000);
+  }
 }
-await picture("desktop-scheduled", 1400, 1000);
-await chromium.click("#take");
-await chromium.click("#run");
-await picture("desktop", 1400, 1000);
 
 // A link carries the program. The page has forgotten it before.
 await chromium.click("#link");

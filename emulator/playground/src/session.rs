@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use serde::Serialize;
 use spu_emulator::channel::NoChannels;
-use spu_emulator::interp::Spu;
+use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::stop::Stopped;
 use spu_emulator::timer::Timer;
@@ -15,6 +15,9 @@ use spu_isa::{Instruction, disassemble};
 /// The number of instructions after which [`Session::run`] returns, so that a page with an endless
 /// loop can still be used.
 pub const LIMIT: u64 = 5_000_000;
+
+/// The stack pointer with which `spu run` starts a program, too.
+const STACK: u32 = 0x3fff0;
 
 /// A program at one of its steps. Equal programs at equal steps are in equal states, so a step back
 /// is a run from the start.
@@ -97,6 +100,7 @@ impl Session {
     fn restart(&mut self) {
         self.spu = Spu::new();
         self.spu.set_pc(self.entry);
+        self.spu.set_register(1, Quad::scalar(STACK));
         self.store = LocalStore::new();
         for (address, bytes) in &self.image {
             self.store.write(*address, bytes);
@@ -159,7 +163,7 @@ impl Session {
             next: disassemble(self.store.load_word(pc), pc).to_string().replace('\t', " "),
             stopped: self.stopped.as_ref().map(ToString::to_string),
             cycles: Cycles::of(self.timer.pipeline.account()),
-            registers: self.spu.registers.iter().map(|r| hexadecimal(r.words())).collect(),
+            registers: self.spu.registers.iter().map(|r| hexadecimal(r.0)).collect(),
             written: Written {
                 registers: self.last.iter().flat_map(|(last, _)| last.writes().iter()).collect(),
                 quadword: self.last.and_then(|(_, quadword)| quadword),
