@@ -12,9 +12,5 @@ _start:
 
         .data
         .align  4
-first:  .rept   64
-        .float  0.5
-        .endr
-second: .rept   64
-        .float  1.25
-        .endr
+first:  .fill   64,4,0x3f000000         # 0.5
+second: .fill   64,4,0x3fa00000         # 1.25

@@ -6,7 +6,12 @@ import { createReadStream } from "node:fs";
 import { createServer } from "node:http";
 import { extname, join } from "node:path";
 
-const TYPES = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".wasm": "application/wasm" };
+const TYPES = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".css": "text/css",
+  ".wasm": "application/wasm",
+};
 
 /** Serves a folder on a free port of this machine; `asked` gets the paths that were asked for. */
 export function serve(folder, asked) {
@@ -16,7 +21,9 @@ export function serve(folder, asked) {
     const file = createReadStream(join(folder, path));
     file.once("error", () => response.writeHead(404).end());
     file.once("open", () => {
-      response.writeHead(200, { "content-type": TYPES[extname(path)] ?? "application/octet-stream" });
+      response.writeHead(200, {
+        "content-type": TYPES[extname(path)] ?? "application/octet-stream",
+      });
       file.pipe(response);
     });
   });
@@ -25,9 +32,22 @@ export function serve(folder, asked) {
 
 /** A browser with one page. Every message of the page's console is a failure. */
 export async function browser(profile) {
-  const child = spawn("chromium", ["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
-    "--remote-debugging-pipe", `--user-data-dir=${profile}`, "--no-first-run", "--disable-background-networking",
-    "--disable-component-update", "about:blank"], { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] });
+  const child = spawn(
+    "chromium",
+    [
+      "--headless=new",
+      "--no-sandbox",
+      "--disable-gpu",
+      "--hide-scrollbars",
+      "--remote-debugging-pipe",
+      `--user-data-dir=${profile}`,
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-component-update",
+      "about:blank",
+    ],
+    { stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"] },
+  );
   process.once("exit", () => child.kill());
   const [, , , to, from] = child.stdio;
   const waiting = new Map();
@@ -35,11 +55,13 @@ export async function browser(profile) {
   const failures = [];
   let last = 0;
   let text = "";
-  const end = new Promise((_, failed) => child.once("exit", (status) => {
-    const error = new Error(`the browser has ended with status ${status}`);
-    for (const { failed: tell } of waiting.values()) tell(error);
-    failed(error);
-  }));
+  const end = new Promise((_, failed) =>
+    child.once("exit", (status) => {
+      const error = new Error(`the browser has ended with status ${status}`);
+      for (const { failed: tell } of waiting.values()) tell(error);
+      failed(error);
+    }),
+  );
   end.catch(() => {});
   from.setEncoding("utf8");
   from.on("data", (chunk) => {
@@ -52,38 +74,55 @@ export async function browser(profile) {
         waiting.delete(message.id);
         message.error ? failed(new Error(JSON.stringify(message.error))) : done(message.result);
       } else {
-        if (message.method === "Runtime.exceptionThrown" || message.method === "Runtime.consoleAPICalled"
-          || message.method === "Log.entryAdded") failures.push(JSON.stringify(message.params));
+        if (
+          message.method === "Runtime.exceptionThrown" ||
+          message.method === "Runtime.consoleAPICalled" ||
+          message.method === "Log.entryAdded"
+        )
+          failures.push(JSON.stringify(message.params));
         for (const listener of listeners) listener(message);
       }
     }
   });
   let sessionId;
-  const send = (method, params = {}) => new Promise((done, failed) => {
-    waiting.set(++last, { done, failed });
-    to.write(`${JSON.stringify({ id: last, method, params, sessionId })}\0`);
-  });
-  const event = (method) => new Promise((done) => {
-    const listener = (message) => {
-      if (message.method !== method) return;
-      listeners.delete(listener);
-      done(message.params);
-    };
-    listeners.add(listener);
-  });
-  const { targetInfos: [target] } = await send("Target.getTargets", { filter: [{ type: "page" }] });
-  ({ sessionId } = await send("Target.attachToTarget", { targetId: target.targetId, flatten: true }));
+  const send = (method, params = {}) =>
+    new Promise((done, failed) => {
+      waiting.set(++last, { done, failed });
+      to.write(`${JSON.stringify({ id: last, method, params, sessionId })}\0`);
+    });
+  const event = (method) =>
+    new Promise((done) => {
+      const listener = (message) => {
+        if (message.method !== method) return;
+        listeners.delete(listener);
+        done(message.params);
+      };
+      listeners.add(listener);
+    });
+  const {
+    targetInfos: [target],
+  } = await send("Target.getTargets", { filter: [{ type: "page" }] });
+  ({ sessionId } = await send("Target.attachToTarget", {
+    targetId: target.targetId,
+    flatten: true,
+  }));
   for (const domain of ["Page", "Runtime", "Log"]) await send(`${domain}.enable`);
 
   /** The value of an expression on the page, awaited. */
   async function value(expression) {
-    const { result, exceptionDetails } = await send("Runtime.evaluate",
-      { expression, awaitPromise: true, returnByValue: true, userGesture: true });
+    const { result, exceptionDetails } = await send("Runtime.evaluate", {
+      expression,
+      awaitPromise: true,
+      returnByValue: true,
+      userGesture: true,
+    });
     if (exceptionDetails) throw new Error(`${expression}: ${JSON.stringify(exceptionDetails)}`);
     return result.value;
   }
   return {
-    failures, send, value,
+    failures,
+    send,
+    value,
     async open(address) {
       const loaded = event("Page.loadEventFired");
       await send("Page.navigate", { url: address });
@@ -96,10 +135,13 @@ export async function browser(profile) {
       })`);
     },
     /** Gives the window a size. */
-    size: (width, height, mobile = false) => send("Emulation.setDeviceMetricsOverride",
-      { width, height, mobile, deviceScaleFactor: 1 }),
+    size: (width, height, mobile = false) =>
+      send("Emulation.setDeviceMetricsOverride", { width, height, mobile, deviceScaleFactor: 1 }),
     async picture() {
-      const { data } = await send("Page.captureScreenshot", { format: "png", captureBeyondViewport: true });
+      const { data } = await send("Page.captureScreenshot", {
+        format: "png",
+        captureBeyondViewport: true,
+      });
       return Buffer.from(data, "base64");
     },
     /** Clicks what a selector finds, with the mouse. */

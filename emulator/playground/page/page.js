@@ -1,4 +1,4 @@
-// The page: it passes the text to the program in WebAssembly, and shows what that answers.
+// The page: it passes the text to the program in WebAssembly, and shows what that replies.
 
 import { editor } from "./editor.js";
 import { examples } from "./examples.js";
@@ -7,18 +7,22 @@ const $ = (id) => document.getElementById(id);
 const code = await WebAssembly.compile(await (await fetch("playground.wasm")).arrayBuffer());
 let machine;
 
-/** Passes a request and returns the answer. After a fault of the program, it starts again. */
+/** Passes a request and returns the reply. After a fault of the program, it starts again. */
 function ask(request) {
   try {
     machine ??= new WebAssembly.Instance(code, {}).exports;
     const bytes = new TextEncoder().encode(JSON.stringify(request));
-    const room = machine.room(bytes.length);
-    new Uint8Array(machine.memory.buffer, room, bytes.length).set(bytes);
-    const at = machine.answer();
-    return JSON.parse(new TextDecoder().decode(new Uint8Array(machine.memory.buffer, at, machine.answer_bytes())));
+    const buffer = machine.buffer(bytes.length);
+    new Uint8Array(machine.memory.buffer, buffer, bytes.length).set(bytes);
+    const at = machine.reply();
+    return JSON.parse(
+      new TextDecoder().decode(new Uint8Array(machine.memory.buffer, at, machine.reply_bytes())),
+    );
   } catch (fault) {
     machine = undefined;
-    return { fault: `The playground's own program failed: ${fault.message}. Please report it with this text.` };
+    return {
+      fault: `The playground's own program failed: ${fault.message}. Please report it with this text.`,
+    };
   }
 }
 
@@ -46,7 +50,8 @@ function show(frame, html) {
   inside.body.append(...inside.querySelectorAll(".legend"));
   for (const details of inside.querySelectorAll("details")) details.open = true;
   const style = inside.createElement("style");
-  style.textContent = "body { margin: .3rem } h1 { display: none } details { border: 0 } tr.here td:not(.cycles) { background: var(--mark) }";
+  style.textContent =
+    "body { margin: .3rem } h1 { display: none } details { border: 0 } tr.here td:not(.cycles) { background: var(--mark) }";
   inside.head.append(style);
   frame.contentWindow.scrollTo(0, scrolled);
   // A frame without an address of its own can't follow links within itself.
@@ -59,47 +64,54 @@ function show(frame, html) {
 }
 
 function assemble(text) {
-  const answer = ask({ load: { source: text } });
+  const reply = ask({ load: { source: text } });
   scheduled = undefined;
   choose(false);
   $("theirs").disabled = true;
-  if (answer.fault) return say(answer.fault, true);
-  source.errors(answer.errors ?? []);
-  if (answer.errors) {
+  if (reply.fault) return say(reply.fault, true);
+  source.errors(reply.errors ?? []);
+  if (reply.errors) {
     lines = new Map();
     source.mark(0);
-    const [first] = answer.errors;
+    const [first] = reply.errors;
     say(`line ${first.line}, column ${first.column}: ${first.message}`, true);
     return;
   }
-  lines = new Map(answer.lines);
+  lines = new Map(reply.lines);
   addresses = new Map();
-  for (const [address, line] of answer.lines) if (!addresses.has(line)) addresses.set(line, address);
-  show($("own"), answer.diagram);
+  for (const [address, line] of reply.lines) if (!addresses.has(line)) addresses.set(line, address);
+  show($("own"), reply.diagram);
   look({ go: { step: 0 } });
 }
 
 /** Asks for a change of the state, and shows the new one. */
 function look(request) {
   const first = Math.floor((Number($("address").value) || 0) / 16);
-  const answer = ask({ ...request, quadwords: [first, first + 64] });
-  if (answer.fault) return say(answer.fault, true);
-  state = answer;
+  const reply = ask({ ...request, quadwords: [first, first + 64] });
+  if (reply.fault) return say(reply.fault, true);
+  state = reply;
   const line = lines.get(state.pc) ?? 0;
   source.mark(state.stopped ? 0 : line);
-  say(state.stopped
-    ? `${state.stopped}, after ${state.step} instructions`
-    : `${state.step} instructions have run; next, at ${hex(state.pc)}: ${state.next}`);
-  for (const row of $("own").contentDocument.querySelectorAll("tr.here")) row.classList.remove("here");
-  const rows = $("own").contentDocument.querySelectorAll(`tr[id$="-${state.pc.toString(16).padStart(5, "0")}"]`);
+  say(
+    state.stopped
+      ? `${state.stopped}, after ${state.step} instructions`
+      : `${state.step} instructions have run; next, at ${hex(state.pc)}: ${state.next}`,
+  );
+  for (const row of $("own").contentDocument.querySelectorAll("tr.here"))
+    row.classList.remove("here");
+  const rows = $("own").contentDocument.querySelectorAll(
+    `tr[id$="-${state.pc.toString(16).padStart(5, "0")}"]`,
+  );
   if (!state.stopped) for (const row of rows) row.classList.add("here");
   cycles();
   registers();
   const quadword = state.written.quadword;
-  $("store").replaceChildren(...state.store.map((words, at) => {
-    const address = 16 * (first + at);
-    return tableRow(address === quadword, element("th", hex(address)), element("td", words));
-  }));
+  $("store").replaceChildren(
+    ...state.store.map((words, at) => {
+      const address = 16 * (first + at);
+      return tableRow(address === quadword, element("th", hex(address)), element("td", words));
+    }),
+  );
 }
 
 const hex = (address) => `0x${address.toString(16).padStart(5, "0")}`;
@@ -114,20 +126,30 @@ function tableRow(isNew, ...cells) {
 function cycles() {
   const { total, single, dual, stalls } = state.cycles;
   $("cycles").textContent = `${total}`;
-  const all = [["one instruction issued", single, "issue"], ["two instructions issued", dual, "issue"],
-    ...stalls.map(([cause, count]) => [cause, count, ""])];
-  $("causes").replaceChildren(...all.map(([cause, count, kind]) => {
-    const bar = element("span", "", { className: `bar ${kind}` });
-    bar.style.width = `${total ? 8 * count / total : 0}rem`;
-    const cell = document.createElement("td");
-    cell.append(bar);
-    return tableRow(false, element("th", cause), element("td", `${count}`, { className: "n" }), cell);
-  }));
+  const all = [
+    ["one instruction issued", single, "issue"],
+    ["two instructions issued", dual, "issue"],
+    ...stalls.map(([cause, count]) => [cause, count, ""]),
+  ];
+  $("causes").replaceChildren(
+    ...all.map(([cause, count, kind]) => {
+      const bar = element("span", "", { className: `bar ${kind}` });
+      bar.style.width = `${total ? (8 * count) / total : 0}rem`;
+      const cell = document.createElement("td");
+      cell.append(bar);
+      return tableRow(
+        false,
+        element("th", cause),
+        element("td", `${count}`, { className: "n" }),
+        cell,
+      );
+    }),
+  );
 }
 
 /** A single of the SPU, whose largest exponent is an ordinary one. */
 function single(word) {
-  const exponent = word >>> 23 & 255;
+  const exponent = (word >>> 23) & 255;
   const magnitude = exponent ? (1 + (word & 0x7fffff) / 0x800000) * 2 ** (exponent - 127) : 0;
   return Number((word >>> 31 ? -magnitude : magnitude).toPrecision(7)).toString();
 }
@@ -140,13 +162,23 @@ const notations = {
 
 function registers() {
   const write = notations[$("format").value];
-  $("registers").replaceChildren(...state.registers.map((value, number) => {
-    const words = value.split(" ").map(write).join(" ");
-    return tableRow(state.written.registers.includes(number), element("th", `$${number}`), element("td", words));
-  }));
+  $("registers").replaceChildren(
+    ...state.registers.map((value, number) => {
+      const words = value.split(" ").map(write).join(" ");
+      return tableRow(
+        state.written.registers.includes(number),
+        element("th", `$${number}`),
+        element("td", words),
+      );
+    }),
+  );
 }
 
-const breakpoints = () => source.breakpoints().map((line) => addresses.get(line)).filter((at) => at !== undefined);
+const breakpoints = () =>
+  source
+    .breakpoints()
+    .map((line) => addresses.get(line))
+    .filter((at) => at !== undefined);
 
 /** Chooses the scheduler's version or one's own. */
 function choose(theirs) {
@@ -158,26 +190,35 @@ function choose(theirs) {
 }
 
 function schedule() {
-  const answer = ask({ schedule: { source: source.text } });
-  if (answer.fault) return say(answer.fault, true);
-  if (answer.error) return say(answer.error, true);
-  scheduled = answer.text;
+  const reply = ask({ schedule: { source: source.text } });
+  if (reply.fault) return say(reply.fault, true);
+  if (reply.error) return say(reply.error, true);
+  scheduled = reply.text;
   $("theirs").disabled = false;
   choose(true);
-  $("scheduled").textContent = answer.text;
-  $("verdict").textContent = answer.loops.join(" ");
-  show($("scheduled-diagram"), answer.diagram);
+  $("scheduled").textContent = reply.text;
+  $("verdict").textContent = reply.loops.join(" ");
+  show($("scheduled-diagram"), reply.diagram);
 }
 
 async function transformed(bytes, stream) {
-  return new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
+  return new Uint8Array(
+    await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer(),
+  );
 }
 
 /** A link that carries the program: its text, compressed, in base64 for addresses. */
 async function link() {
-  const packed = await transformed(new TextEncoder().encode(source.text), new CompressionStream("deflate-raw"));
+  const packed = await transformed(
+    new TextEncoder().encode(source.text),
+    new CompressionStream("deflate-raw"),
+  );
   const base64 = btoa(String.fromCharCode(...packed));
-  history.replaceState(null, "", `#${base64.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`);
+  history.replaceState(
+    null,
+    "",
+    `#${base64.replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "")}`,
+  );
   await navigator.clipboard?.writeText(location.href).catch(() => {});
   say("The page's address now carries this program.");
 }
@@ -186,7 +227,9 @@ async function linked() {
   try {
     const base64 = location.hash.slice(1).replaceAll("-", "+").replaceAll("_", "/");
     const packed = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));
-    return new TextDecoder().decode(await transformed(packed, new DecompressionStream("deflate-raw")));
+    return new TextDecoder().decode(
+      await transformed(packed, new DecompressionStream("deflate-raw")),
+    );
   } catch {
     return `# This link's program is damaged.\n${examples[0].text}`;
   }
@@ -202,7 +245,9 @@ const actions = {
   link,
   mine: () => choose(false),
   theirs: () => choose(true),
-  take: () => { source.text = scheduled; },
+  take: () => {
+    source.text = scheduled;
+  },
 };
 for (const [id, action] of Object.entries(actions)) $(id).addEventListener("click", action);
 addEventListener("keydown", (event) => {
@@ -214,7 +259,11 @@ addEventListener("keydown", (event) => {
 $("format").addEventListener("change", registers);
 $("address").addEventListener("change", () => look({ go: { step: state.step } }));
 $("examples").append(...examples.map(({ name }, at) => new Option(name, at)));
-$("examples").addEventListener("change", () => { source.text = examples[$("examples").value].text; });
-addEventListener("hashchange", async () => { source.text = await linked(); });
+$("examples").addEventListener("change", () => {
+  source.text = examples[$("examples").value].text;
+});
+addEventListener("hashchange", async () => {
+  source.text = await linked();
+});
 source.text = location.hash.length > 1 ? await linked() : examples[0].text;
 document.body.dataset.ready = "yes";

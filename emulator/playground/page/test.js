@@ -23,7 +23,8 @@ const read = (name) => readFileSync(join(expected, name), "utf8");
 
 const status = () => value("document.querySelector('#status').textContent");
 const cycles = async () => Number(await value("document.querySelector('#cycles').textContent"));
-const register = (number) => value(`document.querySelectorAll('#registers td')[${number}].textContent`);
+const register = (number) =>
+  value(`document.querySelectorAll('#registers td')[${number}].textContent`);
 const CONTROL = 2;
 
 /** Replaces the text by typing. */
@@ -47,7 +48,12 @@ console.log(`the page was ready after ${Math.round(performance.now() - begin)} m
 // From here on there is no network.
 server.closeAllConnections();
 await new Promise((done) => server.close(done));
-assert.deepEqual([...new Set(asked)].sort(), ["/index.html", "/page.js", "/playground.wasm", "/style.css"]);
+assert.deepEqual([...new Set(asked)].sort(), [
+  "/index.html",
+  "/page.js",
+  "/playground.wasm",
+  "/style.css",
+]);
 
 // Three lines, step by step, and back.
 await type("        il      $3,40\n        ai      $3,$3,2\n        stop    0x2000\n");
@@ -70,7 +76,9 @@ await chromium.click("#step");
 assert.match(await status(), /has errors/);
 
 // A breakpoint stops each pass of a loop.
-await type("        il      $4,3\nagain:\n        ai      $4,$4,-1\n        brnz    $4,again\n        stop\n");
+await type(
+  "        il      $4,3\nagain:\n        ai      $4,$4,-1\n        brnz    $4,again\n        stop\n",
+);
 await chromium.click(".cm-lineNumbers .cm-gutterElement:nth-child(4)");
 for (const left of ["00000003", "00000002", "00000001"]) {
   await chromium.click("#run");
@@ -86,13 +94,16 @@ await chromium.click("#run");
 assert.match(await status(), /^5000000 instructions have run/);
 
 // Each program gives the registers, the cycles and the schedule that `spu` gives.
-for (const name of readdirSync(expected).filter((file) => file.endsWith(".s") && !file.includes(".scheduled"))
+for (const name of readdirSync(expected)
+  .filter((file) => file.endsWith(".s") && !file.includes(".scheduled"))
   .map((file) => file.slice(0, -2))) {
   await type(read(`${name}.s`));
   await chromium.click("#run");
   const run = read(`${name}.run`);
   assert.equal(await cycles(), Number(/^cycles +(\d+)/m.exec(run)[1]), `cycles of ${name}`);
-  const shown = await value("[...document.querySelectorAll('#registers td')].map((cell) => cell.textContent)");
+  const shown = await value(
+    "[...document.querySelectorAll('#registers td')].map((cell) => cell.textContent)",
+  );
   const dumped = [...run.matchAll(/^\$\d+ +(.*)$/gm)].map(([, words]) => words);
   assert.equal(dumped.length, 128);
   shown.forEach((words, number) => {
@@ -101,16 +112,26 @@ for (const name of readdirSync(expected).filter((file) => file.endsWith(".s") &&
     assert.equal(words, dumped[number], `$${number} of ${name}`);
   });
   assert.equal(shown.length, 128);
-  const issues = (frame) => value(`[...document.querySelector('${frame}').contentDocument
+  const issues = (frame) =>
+    value(`[...document.querySelector('${frame}').contentDocument
     .querySelectorAll('details > table.pipeline tr[id]')].filter((row) => /^f\\d+-/.test(row.id))
     .map((row) => parseInt(row.querySelector('td.n')?.textContent))`);
-  const timed = (file) => JSON.parse(read(file)).functions
-    .flatMap(({ instructions }) => instructions.map(({ issued }) => issued.cycle));
+  const timed = (file) =>
+    JSON.parse(read(file)).functions.flatMap(({ instructions }) =>
+      instructions.map(({ issued }) => issued.cycle),
+    );
   assert.deepEqual(await issues("#own"), timed(`${name}.json`), `schedule of ${name}`);
   if (readdirSync(expected).includes(`${name}.scheduled.json`)) {
     await chromium.click("#schedule");
-    assert.deepEqual(await issues("#scheduled-diagram"), timed(`${name}.scheduled.json`), `schedule of ${name}`);
-    assert.equal(await value("document.querySelector('#scheduled').textContent"), read(`${name}.scheduled.s`));
+    assert.deepEqual(
+      await issues("#scheduled-diagram"),
+      timed(`${name}.scheduled.json`),
+      `schedule of ${name}`,
+    );
+    assert.equal(
+      await value("document.querySelector('#scheduled').textContent"),
+      read(`${name}.scheduled.s`),
+    );
   }
   console.log(`${name}: ${await cycles()} cycles, as spu run has them`);
   if (name === "dot") {

@@ -1,11 +1,10 @@
 //! What the page of the playground runs in WebAssembly: it assembles, schedules and steps through
 //! SPU code.
 //!
-//! The page passes requests as JSON and gets answers as JSON, through three exported functions and
-//! the memory of the program: [`room`], [`answer`] and [`answer_bytes`]. So no generator of
+//! The page passes requests as JSON and gets replies as JSON, through three exported functions and
+//! the memory of the program: [`buffer`], [`reply`] and [`reply_bytes`]. So no generator of
 //! bindings is needed. [`Playground`] is the same without the memory.
 
-mod object;
 mod program;
 mod session;
 
@@ -46,14 +45,14 @@ struct Request {
 /// An error in a source.
 #[derive(Debug, Serialize)]
 struct Problem {
-    line: usize,
-    column: usize,
+    line: u32,
+    column: u32,
     message: String,
 }
 
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Answer {
+enum Reply {
     Errors {
         errors: Vec<Problem>,
     },
@@ -85,17 +84,17 @@ pub struct Playground {
 }
 
 impl Playground {
-    /// The answer to a request.
-    pub fn answer(&mut self, request: &[u8]) -> String {
-        let answer = match serde_json::from_slice(request) {
+    /// The reply to a request.
+    pub fn reply(&mut self, request: &[u8]) -> String {
+        let reply = match serde_json::from_slice(request) {
             Ok(request) => self.carry_out(request),
-            Err(error) => Answer::Fault { fault: format!("not a request: {error}") },
+            Err(error) => Reply::Fault { fault: format!("not a request: {error}") },
         };
-        serde_json::to_string(&answer)
-            .unwrap_or_else(|error| format!("{{\"fault\":\"no answer: {error}\"}}"))
+        serde_json::to_string(&reply)
+            .unwrap_or_else(|error| format!("{{\"fault\":\"no reply: {error}\"}}"))
     }
 
-    fn carry_out(&mut self, Request { task, quadwords }: Request) -> Answer {
+    fn carry_out(&mut self, Request { task, quadwords }: Request) -> Reply {
         match task {
             Task::Load { source } => return self.load(&source),
             Task::Schedule { source } => return schedule(&source),
@@ -106,23 +105,23 @@ impl Playground {
         }
         let (start, end) = quadwords.unwrap_or_default();
         match &self.session {
-            Some(session) => Answer::State(session.view(start..end)),
-            None => Answer::Fault { fault: "the program has errors, so nothing runs".into() },
+            Some(session) => Reply::State(session.view(start..end)),
+            None => Reply::Fault { fault: "the program has errors, so nothing runs".into() },
         }
     }
 
-    fn load(&mut self, source: &str) -> Answer {
+    fn load(&mut self, source: &str) -> Reply {
         self.session = None;
         let assembled = match Assembled::new(source) {
             Ok(assembled) => assembled,
-            Err(errors) => return Answer::Errors { errors },
+            Err(errors) => return Reply::Errors { errors },
         };
         match diagram(&assembled.object) {
             Ok(diagram) => {
                 self.session = Some(Session::new(assembled.image, assembled.entry));
-                Answer::Loaded { diagram, lines: assembled.lines }
+                Reply::Loaded { diagram, lines: assembled.lines }
             }
-            Err(fault) => Answer::Fault { fault },
+            Err(fault) => Reply::Fault { fault },
         }
     }
 }
@@ -134,31 +133,31 @@ fn diagram(object: &[u8]) -> Result<String, String> {
     Ok(report.map(|report| report.html(program::FILE)).unwrap_or_default())
 }
 
-fn schedule(source: &str) -> Answer {
+fn schedule(source: &str) -> Reply {
     let assembled = match Assembled::new(source) {
         Ok(assembled) => assembled,
-        Err(errors) => return Answer::Errors { errors },
+        Err(errors) => return Reply::Errors { errors },
     };
     let mut object = Vec::new();
-    let scheduled =
-        spu_scheduler::schedule(&assembled.object, program::FILE, source, |text| {
-            let assembled = Assembled::new(text).map_err(|errors| {
-                let lines = errors.iter().map(|at| format!("{}: {}", at.line, at.message));
-                lines.collect::<Vec<_>>().join("\n")
-            })?;
-            object.clone_from(&assembled.object);
-            Ok::<_, String>(assembled.object)
-        });
+    let scheduled = spu_scheduler::schedule(&assembled.object, program::FILE, source, |text| {
+        let assembled = Assembled::new(text).map_err(|errors| {
+            let lines = errors.iter().map(|at| format!("{}: {}", at.line, at.message));
+            lines.collect::<Vec<_>>().join("\n")
+        })?;
+        object.clone_from(&assembled.object);
+        Ok::<_, String>(assembled.object)
+    });
     let scheduled = match scheduled {
         Ok(scheduled) => scheduled,
         Err(ScheduleError::NoFunction) => {
-            return Answer::NotScheduled {
-                error: "There is no function to schedule: one needs .type NAME, @function and .size \
+            return Reply::NotScheduled {
+                error:
+                    "There is no function to schedule: one needs .type NAME, @function and .size \
                         NAME, .-NAME."
-                    .into(),
+                        .into(),
             };
         }
-        Err(error) => return Answer::NotScheduled { error: error.to_string() },
+        Err(error) => return Reply::NotScheduled { error: error.to_string() },
     };
     let describe = |found: &spu_scheduler::LoopReport| match &found.outcome {
         Outcome::Plain(why) => format!("Loop {}: not pipelined: {why}.", found.name),
@@ -168,21 +167,21 @@ fn schedule(source: &str) -> Answer {
         }
     };
     match diagram(&object) {
-        Ok(diagram) => Answer::Scheduled {
+        Ok(diagram) => Reply::Scheduled {
             text: scheduled.text,
             diagram,
             loops: scheduled.loops.iter().map(describe).collect(),
         },
-        Err(error) => Answer::NotScheduled { error },
+        Err(error) => Reply::NotScheduled { error },
     }
 }
 
-/// What the page and this program exchange.
+/// The request, the reply, and the state between two requests.
 #[derive(Default)]
 struct Exchange {
     playground: Playground,
     request: Vec<u8>,
-    answer: String,
+    reply: String,
 }
 
 static EXCHANGE: Mutex<Option<Exchange>> = Mutex::new(None);
@@ -191,10 +190,10 @@ fn exchange() -> MutexGuard<'static, Option<Exchange>> {
     EXCHANGE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Makes room for a request of this many bytes, and returns its address.
+/// Makes a buffer for a request of this many bytes, and returns its address.
 // SAFETY: no other function of the program has this name.
 #[unsafe(no_mangle)]
-pub extern "C" fn room(bytes: usize) -> *mut u8 {
+pub extern "C" fn buffer(bytes: usize) -> *mut u8 {
     let mut exchange = exchange();
     let request = &mut exchange.get_or_insert_default().request;
     request.clear();
@@ -202,19 +201,19 @@ pub extern "C" fn room(bytes: usize) -> *mut u8 {
     request.as_mut_ptr()
 }
 
-/// Carries out the request, and returns the address of the answer, which stays until the next one.
+/// Carries out the request, and returns the address of the reply, which stays until the next one.
 // SAFETY: no other function of the program has this name.
 #[unsafe(no_mangle)]
-pub extern "C" fn answer() -> *const u8 {
+pub extern "C" fn reply() -> *const u8 {
     let mut exchange = exchange();
-    let Exchange { playground, request, answer } = exchange.get_or_insert_default();
-    *answer = playground.answer(request);
-    answer.as_ptr()
+    let Exchange { playground, request, reply } = exchange.get_or_insert_default();
+    *reply = playground.reply(request);
+    reply.as_ptr()
 }
 
-/// The length of the answer in bytes.
+/// The length of the reply in bytes.
 // SAFETY: no other function of the program has this name.
 #[unsafe(no_mangle)]
-pub extern "C" fn answer_bytes() -> usize {
-    exchange().as_ref().map_or(0, |exchange| exchange.answer.len())
+pub extern "C" fn reply_bytes() -> usize {
+    exchange().as_ref().map_or(0, |exchange| exchange.reply.len())
 }

@@ -22,8 +22,8 @@ const STACK: u32 = 0x3fff0;
 /// A program at one of its steps. Equal programs at equal steps are in equal states, so a step back
 /// is a run from the start.
 pub struct Session {
-    /// What local store holds at the start: addresses and bytes.
-    image: Vec<(u32, Vec<u8>)>,
+    /// The contents of local store at the start, from address 0.
+    image: Vec<u8>,
     entry: u32,
     spu: Spu,
     store: LocalStore,
@@ -33,7 +33,7 @@ pub struct Session {
     last: Option<(Instruction, Option<u32>)>,
 }
 
-/// What the last instruction wrote.
+/// The registers and the quadword that the last instruction wrote.
 #[derive(Serialize)]
 struct Written {
     registers: Vec<u8>,
@@ -63,7 +63,7 @@ impl Cycles {
     }
 }
 
-/// What the page shows of a session.
+/// The part of a session that the page shows.
 #[derive(Serialize)]
 pub struct View {
     /// The number of instructions that have run.
@@ -82,8 +82,8 @@ pub struct View {
 }
 
 impl Session {
-    /// A program at its start. `image` is what local store holds: addresses and bytes.
-    pub fn new(image: Vec<(u32, Vec<u8>)>, entry: u32) -> Self {
+    /// A program at its start. `image` is what local store holds, from address 0.
+    pub fn new(image: Vec<u8>, entry: u32) -> Self {
         let mut session = Self {
             image,
             entry,
@@ -102,9 +102,7 @@ impl Session {
         self.spu.set_pc(self.entry);
         self.spu.set_register(1, Quad::scalar(STACK));
         self.store = LocalStore::new();
-        for (address, bytes) in &self.image {
-            self.store.write(*address, bytes);
-        }
+        self.store.write(0, &self.image);
         self.timer = Timer::default();
         self.stopped = None;
         self.last = None;

@@ -24,6 +24,7 @@ pub struct Timing {
 
 /// One number of a [`Timing`].
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(not(feature = "timing-file"), allow(dead_code, reason = "only files have tables"))]
 pub(super) struct Figure {
     /// The table of a file that has it.
     pub table: &'static str,

@@ -22,7 +22,7 @@ use spu_isa::{Class, Instruction, LOCAL_STORE_SIZE};
 
 /// Alignment of an object's sections: a line of local store, so that instructions pair as in a
 /// linked program.
-pub const SECTION_ALIGNMENT: u32 = 128;
+const SECTION_ALIGNMENT: u32 = 128;
 
 /// Relocation of a word: the symbol's address plus the addend.
 const R_SPU_ADDR32: u32 = 6;
