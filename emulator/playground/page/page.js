@@ -64,6 +64,7 @@ function show(frame, html) {
 }
 
 function assemble(text) {
+  $("examples").selectedIndex = examples.findIndex((example) => example.text === text);
   const reply = ask({ load: { source: text } });
   scheduled = undefined;
   choose(false);
@@ -197,7 +198,14 @@ function schedule() {
   $("theirs").disabled = false;
   choose(true);
   $("scheduled").textContent = reply.text;
-  $("verdict").textContent = reply.loops.join(" ");
+  const [before, after] = reply.cycles ?? [];
+  const whole =
+    after === undefined ? "" : ` The program takes ${after} cycles instead of ${before}.`;
+  $("verdict").textContent = reply.loops.join(" ") + whole;
+  // The first line that has a note with its cycle.
+  const first = reply.text.split("\n").findIndex((line) => /# \d+[eo]/.test(line));
+  const height = $("scheduled").scrollHeight / reply.text.split("\n").length;
+  $("scheduled").scrollTop = height * Math.max(first - 2, 0);
   show($("scheduled-diagram"), reply.diagram);
 }
 

@@ -135,6 +135,10 @@ for (const name of readdirSync(expected)
   }
   console.log(`${name}: ${await cycles()} cycles, as spu run has them`);
   if (name === "dot") {
+    assert.match(
+      await value("document.querySelector('#verdict').textContent"),
+      /^Loop next: 6 cycles a pass, minimum 6. The program takes 179 cycles instead of 535.$/,
+    );
     await picture("desktop-scheduled", 1400, 1000);
     await picture("phone-scheduled", 390, 844, true);
     await chromium.size(1400, 1000);

@@ -1,4 +1,4 @@
-//! What the page of the playground runs in WebAssembly: it assembles, schedules and steps through
+//! The program of the playground's page, for WebAssembly: it assembles, schedules and steps through
 //! SPU code.
 //!
 //! The page passes requests as JSON and gets replies as JSON, through three exported functions and
@@ -20,7 +20,7 @@ use spu_tool::report::Report;
 use program::Assembled;
 use session::{Session, View};
 
-/// What the page asks for.
+/// The tasks that the page sets.
 #[derive(Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Task {
@@ -65,8 +65,10 @@ enum Reply {
     Scheduled {
         text: String,
         diagram: String,
-        /// What became of each loop.
+        /// The result for each loop.
         loops: Vec<String>,
+        /// The cycles of the program, before and after, if both end.
+        cycles: Option<(u64, u64)>,
     },
     NotScheduled {
         error: String,
@@ -138,14 +140,13 @@ fn schedule(source: &str) -> Reply {
         Ok(assembled) => assembled,
         Err(errors) => return Reply::Errors { errors },
     };
-    let mut object = Vec::new();
+    let mut made = None;
     let scheduled = spu_scheduler::schedule(&assembled.object, program::FILE, source, |text| {
         let assembled = Assembled::new(text).map_err(|errors| {
             let lines = errors.iter().map(|at| format!("{}: {}", at.line, at.message));
             lines.collect::<Vec<_>>().join("\n")
         })?;
-        object.clone_from(&assembled.object);
-        Ok::<_, String>(assembled.object)
+        Ok::<_, String>(made.insert(assembled).object.clone())
     });
     let scheduled = match scheduled {
         Ok(scheduled) => scheduled,
@@ -166,14 +167,27 @@ fn schedule(source: &str) -> Reply {
             format!("Loop {}: {interval} cycles a pass, minimum {minimum}.", found.name)
         }
     };
-    match diagram(&object) {
+    let before = cycles(&assembled);
+    let (diagram, after) = match made {
+        Some(made) => (diagram(&made.object), cycles(&made)),
+        None => (Err("the scheduler has assembled nothing".into()), None),
+    };
+    match diagram {
         Ok(diagram) => Reply::Scheduled {
             text: scheduled.text,
             diagram,
             loops: scheduled.loops.iter().map(describe).collect(),
+            cycles: before.zip(after),
         },
         Err(error) => Reply::NotScheduled { error },
     }
+}
+
+/// The cycles of a whole run, if it ends.
+fn cycles(assembled: &Assembled) -> Option<u64> {
+    let mut session = Session::new(assembled.image.clone(), assembled.entry);
+    session.run(&BTreeSet::new());
+    session.cycles()
 }
 
 /// The request, the reply, and the state between two requests.

@@ -149,6 +149,11 @@ impl Session {
         }
     }
 
+    /// The cycles of the whole program, if it has stopped.
+    pub fn cycles(&self) -> Option<u64> {
+        self.stopped.as_ref().map(|_| self.timer.pipeline.account().cycles())
+    }
+
     /// The present state, with some quadwords of local store.
     pub fn view(&self, quadwords: Range<u32>) -> View {
         let hexadecimal = |words: [u32; 4]| words.map(|word| format!("{word:08x}")).join(" ");
