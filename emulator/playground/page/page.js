@@ -21,7 +21,7 @@ function ask(request) {
   } catch (fault) {
     machine = undefined;
     return {
-      fault: `The playground's own program failed: ${fault.message}. Please report it with this text.`,
+      fault: `The playground's own program failed: ${fault.message}. Please report this text.`,
     };
   }
 }
@@ -50,8 +50,8 @@ function show(frame, html) {
   inside.body.append(...inside.querySelectorAll(".legend"));
   for (const details of inside.querySelectorAll("details")) details.open = true;
   const style = inside.createElement("style");
-  style.textContent =
-    "body { margin: .3rem } h1 { display: none } details { border: 0 } tr.here td:not(.cycles) { background: var(--mark) }";
+  style.textContent = `body { margin: .3rem } h1 { display: none } details { border: 0 }
+    tr.here td:not(.cycles) { background: var(--mark) }`;
   inside.head.append(style);
   frame.contentWindow.scrollTo(0, scrolled);
   // A frame without an address of its own can't follow links within itself.

@@ -1,5 +1,5 @@
-// Tests the page in Chromium: types programs, steps and runs them, and compares registers and cycles
-// with those of the tool `spu`.
+// Tests the page in Chromium: types programs, steps and runs them, and compares registers and
+// cycles with those of the tool `spu`.
 //
 //   node test.js PAGE-FOLDER EXPECTED-FOLDER PICTURES-FOLDER PROFILE-FOLDER
 //
@@ -77,7 +77,7 @@ assert.match(await status(), /has errors/);
 
 // A breakpoint stops each pass of a loop.
 await type(
-  "        il      $4,3\nagain:\n        ai      $4,$4,-1\n        brnz    $4,again\n        stop\n",
+  "        il      $4,3\nagain:\n        ai      $4,$4,-1\n        brnz    $4,again\n stop\n",
 );
 await chromium.click(".cm-lineNumbers .cm-gutterElement:nth-child(4)");
 for (const left of ["00000003", "00000002", "00000001"]) {

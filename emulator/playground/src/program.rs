@@ -1,4 +1,4 @@
-//! An assembled source: what runs, and what the analyser reads.
+//! An assembled source: the program that runs, and the object that the analyser reads.
 
 use spu_assembler::{Errors, Linked, Program, Section};
 
@@ -11,7 +11,7 @@ pub const FILE: &str = "playground.s";
 pub struct Assembled {
     /// As an object with a line table.
     pub object: Vec<u8>,
-    /// What local store holds at the start, from address 0.
+    /// Local store at the start, from address 0.
     pub image: Vec<u8>,
     pub entry: u32,
     /// Addresses of instructions and their source lines.

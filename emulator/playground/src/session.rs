@@ -82,7 +82,7 @@ pub struct View {
 }
 
 impl Session {
-    /// A program at its start. `image` is what local store holds, from address 0.
+    /// A program at its start. `image` is local store, from address 0.
     pub fn new(image: Vec<u8>, entry: u32) -> Self {
         let mut session = Self {
             image,
@@ -113,7 +113,7 @@ impl Session {
         if step < self.spu.executed() {
             self.restart();
         }
-        // The last step is taken alone, to see what it writes.
+        // The last step is taken alone, to see its results.
         let alone = step.saturating_sub(1);
         let before = alone.saturating_sub(self.spu.executed());
         if before > 0 && self.stopped.is_none() {

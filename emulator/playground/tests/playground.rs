@@ -17,7 +17,7 @@ again:  lqd     $5,0($3)
 numbers: .long  1,2,3,4
 ";
 
-/// What the page gets for a request.
+/// The reply to a request.
 fn ask(playground: &mut Playground, request: Value) -> Value {
     let reply = playground.reply(request.to_string().as_bytes());
     serde_json::from_str(&reply).expect("an reply is JSON")
@@ -98,7 +98,7 @@ fn errors_name_their_places() {
 }
 
 #[test]
-fn what_an_spu_alone_can_not_do_stops_the_program() {
+fn channels_stops_and_invalid_words_stop_the_program() {
     for (source, reason) in [
         ("        rdch    $3,$ch29\n", "rdch is not possible on channel 29 at 0x00000"),
         ("        .long   0x00000001\n", "stop 0x0001 at 0x00000"),
