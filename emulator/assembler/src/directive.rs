@@ -293,8 +293,7 @@ impl Source<'_> {
                 };
                 field = Field::Ppu(kind);
             }
-            let known = self.symbols.evaluate(&value).map_err(|message| Fault::new(at, message))?;
-            let number = match known.constant() {
+            let number = match self.symbols.known(&value) {
                 Some(number) => number,
                 None => {
                     let (section, offset) = self.here();
@@ -330,11 +329,17 @@ impl Source<'_> {
                 None => ("", text.strip_prefix('+').unwrap_or(text)),
             };
             let digits = match digits.as_bytes() {
-                [b'0', b'f' | b'F' | b'd' | b'D' | b'r' | b'R' | b's' | b'S', ..] => &digits[2..],
+                [b'0', letter, ..] if letter.is_ascii_alphabetic() => &digits[2..],
                 _ => digits,
             };
             let is_number = digits.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c));
             let made = is_number.then(|| bytes(&format!("{sign}{digits}"))).flatten();
+            // A number that is too small for the type is none, as one that is too large.
+            let mantissa = digits.split(['e', 'E']).next().unwrap_or("");
+            let is_zero = !mantissa.contains(|c: char| matches!(c, '1'..='9'));
+            let made = made.filter(|made| {
+                is_zero || made[0] << 1 != 0 || made[1..].iter().any(|&byte| byte != 0)
+            });
             let made = made
                 .ok_or_else(|| Fault::new(at, format!("{text} is no number that this type has")))?;
             self.emit(&made, at)?;

@@ -229,8 +229,7 @@ impl Source<'_> {
             kind = Some(half);
             (accepted, usual) = (EVERY, EVERY);
         }
-        let known = self.symbols.evaluate(&value).map_err(|message| Fault::new(at, message))?;
-        match (known.constant(), kind) {
+        match (self.symbols.known(&value), kind) {
             (Some(number), _) => {
                 check(number, accepted).map_err(|message| Fault::new(at, message))?;
                 if let Err(message) = check(number, usual) {

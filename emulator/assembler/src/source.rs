@@ -74,7 +74,10 @@ pub(crate) fn assemble(name: &str, text: &str) -> Result<Program, Errors> {
     faults.extend(source.symbols.settle());
     source.fill_ends();
     let ids = source.exported();
-    faults.extend(source.relocate(&ids));
+    // An instruction with an error is missing, though one of its operands may have a fixup.
+    if faults.is_empty() {
+        faults.extend(source.relocate(&ids));
+    }
     let (symbols, bad) = source.symbol_table(&ids);
     faults.extend(bad);
     let lines = Lines::new(text);

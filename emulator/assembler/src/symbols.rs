@@ -104,7 +104,7 @@ impl Symbols {
     /// The number that a name was set to, if it was.
     pub(crate) fn constant(&self, name: &str) -> Option<i64> {
         match &self[*self.names.get(name)?].definition {
-            Definition::Set(expression) => self.evaluate(expression).ok()?.constant(),
+            Definition::Set(expression) => self.known(expression),
             _ => None,
         }
     }
@@ -173,20 +173,29 @@ impl Symbols {
             self.names.insert(name.to_owned(), id);
         }
         self[id].assigned = true;
-        self[id].definition = self.resolved(value).map_err(|message| Fault::new(at, message))?;
+        self[id].at = at;
+        self[id].definition = self.resolved(value);
         Ok(())
     }
 
     /// The simplest form of a symbol's value.
-    fn resolved(&self, value: Expression) -> Result<Definition, String> {
-        let found = self.evaluate(&value)?;
+    fn resolved(&self, value: Expression) -> Definition {
+        // What can't be evaluated may depend on symbols that are defined further below.
+        let Ok(found) = self.evaluate(&value) else { return Definition::Set(value) };
         let place = found.plus.filter(|_| found.minus.is_none()).and_then(|base| self.place(base));
         if let Some((section, offset)) = place {
-            return Ok(Definition::Label(section, offset.wrapping_add(found.number) as u32));
+            return Definition::Label(section, offset.wrapping_add(found.number) as u32);
         }
-        let is_known =
-            [found.plus, found.minus].into_iter().flatten().all(|base| !self.is_open(base));
-        Ok(Definition::Set(if is_known { Expression::Leaf(found) } else { value }))
+        Definition::Set(if self.has_open(found) { value } else { Expression::Leaf(found) })
+    }
+
+    /// The number that an expression is, if it is known already.
+    pub(crate) fn known(&self, expression: &Expression) -> Option<i64> {
+        self.evaluate(expression).ok()?.constant()
+    }
+
+    fn has_open(&self, value: Value) -> bool {
+        [value.plus, value.minus].into_iter().flatten().any(|base| self.is_open(base))
     }
 
     /// Whether a base is a symbol whose `.set` is not evaluated yet.
@@ -197,22 +206,12 @@ impl Symbols {
     /// Evaluates what was set to symbols that are defined further below. A few passes settle it,
     /// unless a symbol is defined by itself.
     pub(crate) fn settle(&mut self) -> Vec<Fault> {
-        let mut faults = Vec::new();
-        for pass in (0..PASSES).rev() {
+        for _ in 0..PASSES {
             let mut changed = false;
             for index in 0..self.all.len() {
-                let symbol = &self.all[index];
-                let Definition::Set(value) = &symbol.definition else { continue };
-                let definition = self.resolved(value.clone()).unwrap_or_else(|message| {
-                    faults.push(Fault::new(symbol.at, message));
-                    Definition::Set(Expression::Leaf(Value::default()))
-                });
-                if definition != symbol.definition {
-                    changed = true;
-                    if pass == 0 {
-                        let message = format!("{} is defined by itself", symbol.name);
-                        faults.push(Fault::new(symbol.at, message));
-                    }
+                if let Definition::Set(value) = &self.all[index].definition {
+                    let definition = self.resolved(value.clone());
+                    changed |= definition != self.all[index].definition;
                     self.all[index].definition = definition;
                 }
             }
@@ -220,6 +219,17 @@ impl Symbols {
                 break;
             }
         }
-        faults
+        let fault = |symbol: &SourceSymbol| {
+            let Definition::Set(value) = &symbol.definition else { return None };
+            let message = match self.evaluate(value) {
+                Err(message) => message,
+                Ok(found) if self.has_open(found) => {
+                    format!("{} is defined by itself", symbol.name)
+                }
+                Ok(_) => return None,
+            };
+            Some(Fault::new(symbol.at, message))
+        };
+        self.all.iter().filter_map(fault).collect()
     }
 }

@@ -61,8 +61,12 @@ pub fn contents(file: &[u8]) -> Contents {
     for symbol in file.symbols() {
         let name = symbol.name().unwrap().to_owned();
         let SymbolFlags::Elf { st_info, .. } = symbol.flags() else { panic!("{name}") };
-        // Symbols of sections, and labels that only a line table uses.
-        let skipped = name.is_empty() || st_info.0 & 15 == 3 || name.starts_with(".L");
+        // Symbols of sections and files, labels that only a line table uses, and the registers of `nop`, of
+        // which the GNU assembler makes symbols without a use.
+        let skipped = name.is_empty()
+            || [3, 4].contains(&(st_info.0 & 15))
+            || name.starts_with(".L")
+            || name.starts_with('$');
         if !skipped {
             let section = match symbol.section_index() {
                 Some(index) => section_of(index),

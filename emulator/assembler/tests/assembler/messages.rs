@@ -31,7 +31,7 @@ fn errors_name_the_place_and_the_reason() {
         (" .long a-b", "x.s:1:8: the distance between these places is not known"),
         (
             " .set a,b+1\n .set b,a+1",
-            "x.s:1:7: a is defined by itself\nx.s:2:10: b is defined by itself",
+            "x.s:1:7: a is defined by itself\nx.s:2:7: b is defined by itself",
         ),
         (" .float inf", "x.s:1:9: inf is no number that this type has"),
         (" .float 3.5e38", "x.s:1:9: 3.5e38 is no number that this type has"),
@@ -41,7 +41,7 @@ fn errors_name_the_place_and_the_reason() {
         (" .section .t,\"aZ\"", "x.s:1:14: the flag Z of a section is not one of awxMS"),
         (" .skip 0x7fffffffffff", "x.s:1:2: 140737488355327 is no size of at most 16 MB"),
         (" .skip later\n .set later,4", "x.s:1:8: this number must be known here"),
-        (" nop é\n ai $3,$4,é,5\n", "x.s:1:6: `é` where a number or a name should be"),
+        (" nop é\n ai $3,$4,é,5\n", "x.s:1:6: `é` where a constant or a symbol should be"),
     ];
     for (source, expected) in cases {
         let found = message(source);

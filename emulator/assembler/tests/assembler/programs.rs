@@ -112,7 +112,7 @@ fn data_and_alignment_are_the_same() {
         stop
         .p2align 4
         .data
-        .float 1.5, 1e-40, -0.1, 3.4028235e38, 0f2.5, -0.0, 1e-50, +2
+        .float 1.5, 1e-40, -0.1, 3.4028235e38, 0f2.5, -0.0, 0e-50, +2
         .single 2
         .double 1.5,1e308,5e-324,-0.1,0d3
         .ascii "a\n\101\x41\"\\\t\r\b\f",  "b # ; c"
@@ -213,9 +213,9 @@ fn all_forms_of_instructions_are_the_same() {
         fscrwr $3\n fscrwr $3,$4\n fscrrd $3\n nop\n nop $7\n nop $127\n lnop\n sync\n syncc
         dsync\n hbrp\n lr $3,$4\n bisled $3,$4\n bisledd $3,$4\n bisle $lr,$4\n bif $3,$4
         bitd $3,$4\n bihfe $3,$4\n biht $3,$4\n bie $lr\n bizd $3,$4\n rdch $3,$ch4\n rdch $3,4
-        rdch $3,SPU_RdInMbox\n rdch $3,$SPU_RdInMbox\n wrch $MFC_EAL,$4\n wrch MFC_Cmd,$4
+        rdch 3,SPU_RdInMbox\n rdch $3,$SPU_RdInMbox\n wrch $MFC_EAL,$4\n wrch MFC_Cmd,4
         rchcnt $5,$MFC_RdTagStat\n il 3,4\n il lr,4\n il sp,5\n il $LR,5\n mfspr $3,$sp4
-        mfspr $3,4\n mtspr $sp5,$3\n il fp,3\n il rp,3\n IL $3,1\n lqd $3, 16 ( $4 )
+        mfspr 3,4\n mtspr $sp5,$3\n il fp,3\n il rp,3\n IL $3,1\n lqd $3, 16 ( $4 )
         stqd $lr,16($sp)\n lqd $3,17($4)\n lqd $3,-8192($sp)\n cbd $3,127($4)\n cbd $3,200($4)
         cbd $3,-64($4)\n roti $3,$4,300\n rotqbyi $3,$4,-1\n andbi $3,$4,255\n andbi $3,$4,-128
         ilh $3,-1\n ilh $3,65535\n fsmbi $3,0xffff\n iohl $3,-32768\n il $3,-32768

@@ -3,6 +3,7 @@
 
 #![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
+mod assembler;
 mod bounce;
 mod catalogue;
 mod command_line;
