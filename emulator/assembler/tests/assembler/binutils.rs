@@ -109,7 +109,7 @@ impl Bench {
     /// shows what they expand to.
     pub fn expand(&self, source: &std::path::Path, includes: &[PathBuf]) -> String {
         let listing = self.path("listing");
-        let list = format!("-alcn={}", listing.display());
+        let list = format!("-alcmn={}", listing.display());
         let widths = ["--listing-rhs-width=4000", "--listing-cont-lines=0"];
         let made =
             self.tools.assemble(includes, &[&list, widths[0], widths[1]], &self.path("o"), source);

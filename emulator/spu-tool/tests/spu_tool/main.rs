@@ -6,6 +6,7 @@
 
 #![allow(clippy::print_stdout, reason = "the harness shows it with a failed test")]
 
+mod asm;
 mod charges;
 mod debug;
 mod dump;

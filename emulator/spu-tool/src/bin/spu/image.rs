@@ -6,10 +6,21 @@ use std::path::Path;
 use object::elf::{EM_386, EM_AARCH64, EM_ARM, EM_PPC, EM_PPC64, EM_X86_64, ET_REL};
 use spu_emulator::elf::{ElfError, Image};
 
+use crate::asm;
 use crate::failure::Failure;
 
-pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+pub fn read_file(path: &Path) -> Result<Vec<u8>, Failure> {
     fs::read(path).map_err(Failure::file(path))
+}
+
+/// Reads a program, or makes one of an assembly source.
+pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let bytes = read_file(path)?;
+    if !asm::is_source(path) {
+        return Ok(bytes);
+    }
+    let made = asm::program(path, &bytes).map_err(Failure::command)?;
+    Ok(made.unwrap_or(bytes))
 }
 
 pub fn parse<'data>(path: &Path, bytes: &'data [u8]) -> Result<Image<'data>, Failure> {

@@ -1,5 +1,6 @@
 //! `spu`: tools for SPU programs that need no PPE program.
 
+mod asm;
 mod debug;
 mod dump;
 mod failure;
@@ -18,7 +19,7 @@ use clap::{CommandFactory as _, Parser, Subcommand};
 
 use failure::{Failure, USAGE, fail};
 
-/// Runs, debugs, times and disassembles programs of the Cell Broadband Engine's SPU.
+/// Assembles, runs, debugs, times and disassembles programs of the Cell Broadband Engine's SPU.
 #[derive(Parser)]
 #[command(name = "spu", version, max_term_width = 100)]
 struct CommandLine {
@@ -29,6 +30,7 @@ struct CommandLine {
 #[derive(Subcommand)]
 enum Command {
     Run(Box<run::Options>),
+    Asm(asm::Arguments),
     Debug(Box<debug::Arguments>),
     Dump(dump::Options),
     Time(Box<time::Arguments>),
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
     };
     let done = match line.command {
         Command::Run(options) => run::run(&options),
+        Command::Asm(arguments) => asm::run(&arguments),
         Command::Debug(arguments) => debug::run(&arguments),
         Command::Dump(options) => dump::dump(&options),
         Command::Time(arguments) => time::run(&arguments).map_err(Into::into),

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use spu_assembler::Errors;
 use spu_emulator::simulated::{Timing, TimingFileError};
 use spu_isa::timing::Rules;
 use spu_isa::timing::rules::MISS_CYCLES;
@@ -14,6 +15,7 @@ use spu_scheduler::code::{Code, CodeError};
 use spu_tool::report::Report;
 use thiserror::Error;
 
+use crate::asm;
 use crate::failure::Failure;
 
 /// Shows when each instruction issues, and where the cycles go, without running the program
@@ -30,7 +32,7 @@ use crate::failure::Failure;
   spu time --html pipelines.html kernel.o
   spu time --check tracer.elf spu/isect/isect_spheres_r16.s")]
 pub struct Arguments {
-    /// SPU program or object
+    /// SPU program, object, or assembly source without macros
     file: PathBuf,
     /// Show only this function
     #[arg(long, value_name = "NAME", conflicts_with = "check")]
@@ -113,6 +115,8 @@ pub enum TimeError {
     #[error("{0}: the file has no schedule note")]
     NoNotes(String),
     #[error(transparent)]
+    Assembler(Errors),
+    #[error(transparent)]
     Machine(TimingFileError),
     #[error("{path}: {source}")]
     Write { path: PathBuf, source: io::Error },
@@ -129,7 +133,11 @@ impl From<TimeError> for Failure {
 /// Runs the subcommand. The exit status is 1 if a note differs.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     let path = &arguments.file;
-    let data = fs::read(path).map_err(|source| TimeError::Read { path: path.clone(), source })?;
+    let mut data =
+        fs::read(path).map_err(|source| TimeError::Read { path: path.clone(), source })?;
+    if asm::is_source(path) {
+        data = asm::assemble(path, &data).map_err(TimeError::Assembler)?.elf();
+    }
     let code =
         Code::parse(&data).map_err(|source| TimeError::Code { path: path.clone(), source })?;
     if arguments.check {
