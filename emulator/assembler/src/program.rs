@@ -32,6 +32,9 @@ pub struct Section {
     pub merged: Option<u32>,
     /// Its entries are strings that end with a zero (flag `S`).
     pub strings: bool,
+    /// The symbol that names its group (flag `G`, with `comdat`): of the groups of all files with
+    /// this name, a linker keeps one.
+    pub group: Option<String>,
     /// It is zeros, which a file does not have (type `@nobits`).
     pub zeros: bool,
     /// The alignment of its address: a power of two.

@@ -331,6 +331,9 @@ impl Source<'_> {
         };
         let is_local = named.is_none_or(|(_, symbol)| symbol.binding == Binding::Local);
         let is_function = named.is_some_and(|(_, symbol)| symbol.kind == SymbolKind::Function);
+        // A linker may drop a group's section, but never a symbol.
+        let in_group =
+            named.is_some() && place.is_some_and(|(other, _)| self.sections[other].group.is_some());
         if let Some((other, to)) = place
             && is_local
             && is_relative
@@ -341,7 +344,7 @@ impl Source<'_> {
         }
         let kind = kind.ok_or("the address of a symbol does not fit here")?;
         match (place, named) {
-            (Some((other, to)), _) if is_local && !is_function => {
+            (Some((other, to)), _) if is_local && !is_function && !in_group => {
                 self.add(fixup, kind, Target::Section(other), value.number.wrapping_add(to))
             }
             (_, Some((id, symbol))) => {

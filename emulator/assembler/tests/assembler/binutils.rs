@@ -33,7 +33,8 @@ pub fn contents(file: &[u8]) -> Contents {
     let section_of = |index| file.section_by_index(index).unwrap().name().unwrap().to_owned();
     for section in file.sections() {
         let name = section.name().unwrap().to_owned();
-        let skipped = name.starts_with(".debug") || name.starts_with(".rela");
+        // A group has the index of a section, which is the assembler's choice.
+        let skipped = [".debug", ".rela", ".group"].iter().any(|start| name.starts_with(start));
         if skipped || tables.contains(&name.as_str()) || section.size() == 0 {
             continue;
         }

@@ -158,6 +158,11 @@ q:      .ascii  "y"
         lnop
         .previous
         .long   12
+        .section .rodata.k,"aG",@progbits,key,comdat
+        .align  4
+key:    .long   1
+        .text
+        ila     $3,key
         .ident  "one"
         .ident  "two"
         .file   "name.s"
