@@ -279,7 +279,7 @@ impl Source<'_> {
         self.align(alignment, fill, most, at)
     }
 
-    /// Numbers of so many bytes.
+    /// Numbers of `size` bytes each.
     fn numbers(&mut self, size: usize, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.is_at_end() {
             return Ok(());

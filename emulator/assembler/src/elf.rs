@@ -251,7 +251,7 @@ impl Program {
                 info: named.map_or(0, |symbol| indices[self.sections.len() + symbol]),
                 alignment: 4,
                 entry_size: 4,
-                // The one says that a linker keeps one of equal groups.
+                // With a 1, a linker keeps one of equal groups.
                 contents: [1, index].map(u32::to_be_bytes).concat(),
                 ..Header::default()
             });

@@ -13,7 +13,7 @@ pub struct Program {
     pub sections: Vec<Section>,
     /// Symbols that the source defines or needs, but not its local labels (`1:`, `.Lname`).
     pub symbols: Vec<Symbol>,
-    /// What the SPU binutils warn of, too.
+    /// The SPU binutils warn of the same places.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -54,7 +54,7 @@ pub struct Symbol {
     pub place: Place,
     /// Whether other files may use it.
     pub binding: Binding,
-    /// What its `.type` is.
+    /// Its `.type`.
     pub kind: SymbolKind,
     /// Its `.size`, or 0.
     pub size: u32,
@@ -166,7 +166,7 @@ impl RelocationKind {
         matches!(self, Self::Rel16 | Self::Rel9 | Self::Rel9Indirect | Self::Rel32)
     }
 
-    /// The least and the greatest value that the linker of the binutils accepts, if it checks this
+    /// The smallest and the largest value that the linker of the binutils accepts, if it checks this
     /// kind.
     pub(crate) const fn range(self) -> Option<(i64, i64)> {
         match self {

@@ -57,7 +57,7 @@ pub fn contents(file: &[u8]) -> Contents {
         }
         let (align, size) = (section.align(), section.size());
         let data = section.data().unwrap().to_vec();
-        contents.sections.insert(name, (sh_flags.0.into(), align, size, data));
+        contents.sections.insert(name, (sh_flags.0, align, size, data));
     }
     for symbol in file.symbols() {
         let name = symbol.name().unwrap().to_owned();

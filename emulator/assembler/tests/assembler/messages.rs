@@ -1,4 +1,4 @@
-//! Messages name the place, and say what would be right.
+//! Messages name the place and the correction.
 
 use spu_assembler::assemble;
 
