@@ -166,8 +166,8 @@ impl RelocationKind {
         matches!(self, Self::Rel16 | Self::Rel9 | Self::Rel9Indirect | Self::Rel32)
     }
 
-    /// The smallest and the largest value that the linker of the binutils accepts, if it checks this
-    /// kind.
+    /// The smallest and the largest value that the linker of the binutils accepts, if it checks
+    /// this kind.
     pub(crate) const fn range(self) -> Option<(i64, i64)> {
         match self {
             Self::Addr10 => Some((-8192, 8191)),

@@ -62,8 +62,8 @@ pub fn contents(file: &[u8]) -> Contents {
     for symbol in file.symbols() {
         let name = symbol.name().unwrap().to_owned();
         let SymbolFlags::Elf { st_info, .. } = symbol.flags() else { panic!("{name}") };
-        // Symbols of sections and files, labels that only a line table uses, and the registers of `nop`, of
-        // which the GNU assembler makes symbols without a use.
+        // Symbols of sections and files, labels that only a line table uses, and the registers of
+        // `nop`, of which the GNU assembler makes symbols without a use.
         let skipped = name.is_empty()
             || [3, 4].contains(&(st_info.0 & 15))
             || name.starts_with(".L")
