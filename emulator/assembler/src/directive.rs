@@ -212,15 +212,15 @@ impl Source<'_> {
         let at = cursor.at;
         let flags = cursor.string()?;
         let has = |flag| flags.contains(&flag);
-        if let Some(&flag) = flags.iter().find(|flag| !b"awxMS".contains(flag)) {
+        if let Some(&flag) = flags.iter().find(|flag| !b"awxMSG".contains(flag)) {
             let flag = char::from(flag);
             return Err(Fault::new(
                 at,
-                format!("the flag {flag} of a section is not one of awxMS"),
+                format!("the flag {flag} of a section is not one of awxMSG"),
             ));
         }
         let mut kind = None;
-        let mut entry = None;
+        let (mut entry, mut group) = (None, None);
         if cursor.take(",") {
             if !(cursor.take("@") || cursor.take("%")) {
                 return Err(cursor.unexpected("@progbits or @nobits"));
@@ -230,8 +230,16 @@ impl Source<'_> {
                 Some("nobits") => Some(true),
                 _ => return Err(cursor.unexpected("@progbits or @nobits")),
             };
-            if cursor.take(",") {
+            if has(b'M') && cursor.take(",") {
                 entry = Some(self.number(cursor)? as u32);
+            }
+            if has(b'G') {
+                cursor.expect(",")?;
+                let name = cursor.expect_name()?;
+                self.symbols.mention(name, at);
+                cursor.expect(",")?;
+                cursor.expect("comdat")?;
+                group = Some(name.to_owned());
             }
         }
         if is_new {
@@ -240,7 +248,8 @@ impl Source<'_> {
             section.writable = has(b'w');
             section.executable = has(b'x');
             section.strings = has(b'S');
-            section.merged = entry.filter(|_| has(b'M'));
+            section.merged = entry;
+            section.group = group;
             section.zeros = kind.unwrap_or(section.zeros);
         }
         Ok(())
@@ -270,7 +279,7 @@ impl Source<'_> {
         self.align(alignment, fill, most, at)
     }
 
-    /// Numbers of so many bytes.
+    /// Numbers of `size` bytes each.
     fn numbers(&mut self, size: usize, cursor: &mut Cursor<'_>) -> Result<(), Fault> {
         if cursor.is_at_end() {
             return Ok(());

@@ -15,6 +15,7 @@ const SYMTAB: u32 = 2;
 const STRTAB: u32 = 3;
 const RELA: u32 = 4;
 const NOBITS: u32 = 8;
+const GROUP: u32 = 17;
 
 const WRITE: u32 = 1;
 const ALLOC: u32 = 2;
@@ -22,6 +23,7 @@ const EXECUTE: u32 = 4;
 const MERGE: u32 = 0x10;
 const STRINGS: u32 = 0x20;
 const INFO_LINK: u32 = 0x40;
+const GROUPED: u32 = 0x200;
 
 /// Section indices with a meaning of their own.
 const ABSOLUTE: u16 = 0xfff1;
@@ -207,8 +209,11 @@ impl Program {
     pub fn elf(&self) -> Vec<u8> {
         let with_relocations =
             self.sections.iter().filter(|section| !section.relocations.is_empty());
-        let symbols_at = (1 + self.sections.len() + with_relocations.count()) as u32;
-        let own = self.sections.iter().zip(1..).map(|(_, index)| Entry {
+        // Groups are before their sections.
+        let groups = self.sections.iter().filter(|section| section.group.is_some()).count();
+        let first = 1 + groups as u16;
+        let symbols_at = (1 + groups + self.sections.len() + with_relocations.count()) as u32;
+        let own = self.sections.iter().zip(first..).map(|(_, index)| Entry {
             name: String::new(),
             value: 0,
             size: 0,
@@ -220,7 +225,7 @@ impl Program {
             let (section, value) = match symbol.place {
                 Place::Undefined => (0, 0),
                 Place::Absolute(number) => (ABSOLUTE, number),
-                Place::Section(index, offset) => (index as u16 + 1, offset),
+                Place::Section(index, offset) => (index as u16 + first, offset),
                 Place::Common(alignment) => (COMMON, alignment),
             };
             Entry {
@@ -236,6 +241,21 @@ impl Program {
         let (table, strings, indices) = symbol_table(&entries, symbols_at + 1);
         let flag = |set, flag| if set { flag } else { 0 };
         let mut headers: Vec<Header> = Vec::new();
+        for (section, index) in self.sections.iter().zip(u32::from(first)..) {
+            let Some(group) = &section.group else { continue };
+            let named = self.symbols.iter().position(|symbol| symbol.name == *group);
+            headers.push(Header {
+                name: ".group".to_owned(),
+                kind: GROUP,
+                link: symbols_at,
+                info: named.map_or(0, |symbol| indices[self.sections.len() + symbol]),
+                alignment: 4,
+                entry_size: 4,
+                // With a 1, a linker keeps one of equal groups.
+                contents: [1, index].map(u32::to_be_bytes).concat(),
+                ..Header::default()
+            });
+        }
         for section in &self.sections {
             headers.push(Header {
                 name: section.name.clone(),
@@ -244,7 +264,8 @@ impl Program {
                     | flag(section.writable, WRITE)
                     | flag(section.executable, EXECUTE)
                     | flag(section.merged.is_some(), MERGE)
-                    | flag(section.strings, STRINGS),
+                    | flag(section.strings, STRINGS)
+                    | flag(section.group.is_some(), GROUPED),
                 size: section.size(),
                 alignment: section.alignment,
                 entry_size: section.merged.unwrap_or(0),
@@ -276,7 +297,7 @@ impl Program {
                 ..Header::default()
             })
         };
-        for (section, index) in self.sections.iter().zip(1..) {
+        for (section, index) in self.sections.iter().zip(first.into()..) {
             headers.extend(relocations(&section.name, &section.relocations, index));
         }
         headers.extend([table, strings]);

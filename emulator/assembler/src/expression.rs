@@ -8,7 +8,7 @@ use crate::cursor::Cursor;
 use crate::diagnostic::Fault;
 use crate::symbols::{Definition, SymbolId, Symbols};
 
-/// The greatest depth of an expression, and the greatest number of operators whose operands are
+/// The maximum depth of an expression, and the maximum number of operators whose operands are
 /// not numbers yet.
 const DEPTH: u32 = 100;
 
@@ -92,10 +92,10 @@ struct Parser<'a> {
 }
 
 impl Parser<'_> {
-    fn binary(&mut self, cursor: &mut Cursor<'_>, least: u32) -> Result<Expression, Fault> {
+    fn binary(&mut self, cursor: &mut Cursor<'_>, minimum: u32) -> Result<Expression, Fault> {
         let at = cursor.at;
         let mut left = self.unary(cursor)?;
-        while let Some((text, rank)) = operator(cursor).filter(|&(_, rank)| rank >= least) {
+        while let Some((text, rank)) = operator(cursor).filter(|&(_, rank)| rank >= minimum) {
             cursor.take(text);
             let right = self.binary(cursor, rank + 1)?;
             left = Expression::Binary(text, Box::new(left), Box::new(right));

@@ -35,7 +35,7 @@
 //! # The language
 //!
 //! It is that of the GNU assembler without its macros, conditions, repetitions and included files:
-//! [`Errors::uses_macros`] says when a source needs those. Numbered subsections are missing,
+//! [`Errors::uses_macros`] is true of a source that needs those. Numbered subsections are missing,
 //! too. Comments begin with `#` or `//`, or are between `/*` and `*/`. A register
 //! may be named by a symbol: after `.set sum,5`, `$sum` and `$sum+1` are registers.
 
@@ -61,7 +61,7 @@ pub use program::{
 ///
 /// # Errors
 ///
-/// What is wrong with the source: an error for each statement that can't be assembled.
+/// There is an error for each statement that can't be assembled.
 pub fn assemble(file: &str, source: &str) -> Result<Program, Errors> {
     source::assemble(file, source)
 }

@@ -17,7 +17,7 @@ const STACK: u32 = 0x3_fff0;
 pub struct Linked {
     /// The address of the first byte.
     pub base: u32,
-    /// What is in local store from there on: code, constants, data and zeros.
+    /// The contents of local store from there on: code, constants, data and zeros.
     pub bytes: Vec<u8>,
     /// The address of `_start`, or else of the first section.
     pub entry: u32,
@@ -36,7 +36,7 @@ pub struct LinkedSymbol {
     pub address: u32,
     /// Its `.size`, or 0.
     pub size: u32,
-    /// What its `.type` is.
+    /// Its `.type`.
     pub kind: SymbolKind,
     /// Whether other files may use it.
     pub binding: Binding,
@@ -187,8 +187,8 @@ fn apply(
     if kind.is_relative() {
         value -= i64::from(section) + i64::from(offset);
     }
-    if let Some((least, greatest)) = kind.range()
-        && !(least..=greatest).contains(&value)
+    if let Some((minimum, maximum)) = kind.range()
+        && !(minimum..=maximum).contains(&value)
     {
         return Err(format!("{value:#x} does not fit into this operand"));
     }

@@ -13,7 +13,7 @@ pub struct Program {
     pub sections: Vec<Section>,
     /// Symbols that the source defines or needs, but not its local labels (`1:`, `.Lname`).
     pub symbols: Vec<Symbol>,
-    /// What the SPU binutils warn of, too.
+    /// The SPU binutils warn of the same places.
     pub warnings: Vec<Diagnostic>,
 }
 
@@ -32,6 +32,9 @@ pub struct Section {
     pub merged: Option<u32>,
     /// Its entries are strings that end with a zero (flag `S`).
     pub strings: bool,
+    /// The symbol that names its group (flag `G`, with `comdat`): of the groups of all files with
+    /// this name, a linker keeps one.
+    pub group: Option<String>,
     /// It is zeros, which a file does not have (type `@nobits`).
     pub zeros: bool,
     /// The alignment of its address: a power of two.
@@ -53,7 +56,7 @@ pub struct Symbol {
     pub place: Place,
     /// Whether other files may use it.
     pub binding: Binding,
-    /// What its `.type` is.
+    /// Its `.type`.
     pub kind: SymbolKind,
     /// Its `.size`, or 0.
     pub size: u32,
@@ -165,8 +168,8 @@ impl RelocationKind {
         matches!(self, Self::Rel16 | Self::Rel9 | Self::Rel9Indirect | Self::Rel32)
     }
 
-    /// The least and the greatest value that the linker of the binutils accepts, if it checks this
-    /// kind.
+    /// The smallest and the largest value that the linker of the binutils accepts, if it checks
+    /// this kind.
     pub(crate) const fn range(self) -> Option<(i64, i64)> {
         match self {
             Self::Addr10 => Some((-8192, 8191)),

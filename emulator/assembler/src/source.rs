@@ -27,7 +27,7 @@ pub(crate) struct Fixup {
 /// What a fixup changes.
 #[derive(Clone, Copy)]
 pub(crate) enum Field {
-    /// Data with this many bytes.
+    /// Data with this number of bytes.
     Data(usize),
     /// An operand of an instruction.
     Operand(RelocationKind, (i64, i64)),
@@ -209,7 +209,7 @@ impl Source<'_> {
         Ok(())
     }
 
-    /// Appends this byte so many times.
+    /// Appends this byte `count` times.
     pub(crate) fn emit_run(&mut self, byte: u8, count: i64, at: usize) -> Result<(), Fault> {
         match usize::try_from(count).ok().filter(|&count| count <= LARGEST) {
             Some(count) => self.emit(&vec![byte; count], at),
@@ -338,6 +338,9 @@ impl Source<'_> {
         };
         let is_local = named.is_none_or(|(_, symbol)| symbol.binding == Binding::Local);
         let is_function = named.is_some_and(|(_, symbol)| symbol.kind == SymbolKind::Function);
+        // A linker may drop a group's section, but never a symbol.
+        let in_group =
+            named.is_some() && place.is_some_and(|(other, _)| self.sections[other].group.is_some());
         if let Some((other, to)) = place
             && is_local
             && is_relative
@@ -348,7 +351,7 @@ impl Source<'_> {
         }
         let kind = kind.ok_or("the address of a symbol does not fit here")?;
         match (place, named) {
-            (Some((other, to)), _) if is_local && !is_function => {
+            (Some((other, to)), _) if is_local && !is_function && !in_group => {
                 self.add(fixup, kind, Target::Section(other), value.number.wrapping_add(to))
             }
             (_, Some((id, symbol))) => {
@@ -418,14 +421,14 @@ impl Source<'_> {
 }
 
 /// A number must be in this range.
-pub(crate) fn check(value: i64, (least, greatest): (i64, i64)) -> Result<(), String> {
-    if (least..=greatest).contains(&value) {
+pub(crate) fn check(value: i64, (minimum, maximum): (i64, i64)) -> Result<(), String> {
+    if (minimum..=maximum).contains(&value) {
         return Ok(());
     }
-    Err(format!("{value} is outside {least} to {greatest}"))
+    Err(format!("{value} is outside {minimum} to {maximum}"))
 }
 
-/// A warning, if a number has more than so many bytes.
+/// A warning, if a number does not fit into `size` bytes.
 pub(crate) fn truncated(value: i64, size: usize) -> Option<String> {
     let bits = 8 * size as u32;
     let fits = bits == 64 || (-1 << (bits - 1)..1 << bits).contains(&value);

@@ -33,7 +33,8 @@ pub fn contents(file: &[u8]) -> Contents {
     let section_of = |index| file.section_by_index(index).unwrap().name().unwrap().to_owned();
     for section in file.sections() {
         let name = section.name().unwrap().to_owned();
-        let skipped = name.starts_with(".debug") || name.starts_with(".rela");
+        // A group has the index of a section, which is the assembler's choice.
+        let skipped = [".debug", ".rela", ".group"].iter().any(|start| name.starts_with(start));
         if skipped || tables.contains(&name.as_str()) || section.size() == 0 {
             continue;
         }
@@ -56,13 +57,13 @@ pub fn contents(file: &[u8]) -> Contents {
         }
         let (align, size) = (section.align(), section.size());
         let data = section.data().unwrap().to_vec();
-        contents.sections.insert(name, (sh_flags.0.into(), align, size, data));
+        contents.sections.insert(name, (sh_flags.0, align, size, data));
     }
     for symbol in file.symbols() {
         let name = symbol.name().unwrap().to_owned();
         let SymbolFlags::Elf { st_info, .. } = symbol.flags() else { panic!("{name}") };
-        // Symbols of sections and files, labels that only a line table uses, and the registers of `nop`, of
-        // which the GNU assembler makes symbols without a use.
+        // Symbols of sections and files, labels that only a line table uses, and the registers of
+        // `nop`, of which the GNU assembler makes symbols without a use.
         let skipped = name.is_empty()
             || [3, 4].contains(&(st_info.0 & 15))
             || name.starts_with(".L")

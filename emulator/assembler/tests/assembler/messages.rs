@@ -1,4 +1,4 @@
-//! Messages name the place, and say what would be right.
+//! Messages name the place and the correction.
 
 use spu_assembler::assemble;
 
@@ -38,7 +38,7 @@ fn errors_name_the_place_and_the_reason() {
         (" .ascii \"abc", "x.s:1:9: this string has no end"),
         (" /* never", "x.s:1:2: this comment has no end"),
         (" .balign 12", "x.s:1:10: 12 is no alignment: at most 256 KB, and a power of two"),
-        (" .section .t,\"aZ\"", "x.s:1:14: the flag Z of a section is not one of awxMS"),
+        (" .section .t,\"aZ\"", "x.s:1:14: the flag Z of a section is not one of awxMSG"),
         (" .skip 0x7fffffffffff", "x.s:1:2: 140737488355327 is no size of at most 16 MB"),
         (" .skip later\n .set later,4", "x.s:1:8: this number must be known here"),
         (" nop é\n ai $3,$4,é,5\n", "x.s:1:6: `é` where a constant or a symbol should be"),

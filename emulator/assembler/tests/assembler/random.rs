@@ -18,7 +18,7 @@ fn operand(op: Op, operand: Operand, random: &mut Random) -> String {
         2 => format!("$named+{}", random.below(100)),
         _ => format!("${}", random.below(128)),
     };
-    let (least, greatest) = match operand {
+    let (minimum, maximum) = match operand {
         Operand::Rt | Operand::Ra | Operand::Rb | Operand::Rc => return register(random),
         Operand::Channel => return format!("$ch{}", random.below(128)),
         Operand::Special => return format!("$sp{}", random.below(128)),
@@ -42,7 +42,7 @@ fn operand(op: Op, operand: Operand, random: &mut Random) -> String {
         Operand::Scale => (0, 127),
         Operand::Code => (0, 0x3fff),
     };
-    let number = least + random.below((greatest - least + 1) as u64) as i64;
+    let number = minimum + random.below((maximum - minimum + 1) as u64) as i64;
     let symbol = REFERENCES[random.below(REFERENCES.len() as u64) as usize];
     let takes_symbols = !matches!(operand, Operand::Scale | Operand::Code | Operand::HintedBranch);
     let text = match random.below(6) {
