@@ -372,7 +372,7 @@ fn samples_can_not_be_explained() {
 #[test]
 fn truncated_rays_are_wrong_in_more_pixels_than_the_scene() {
     let folder = tempfile::tempdir().expect("a folder");
-    let floor = ["floor", "sphereflake:4", "--size", "96x96", "--antialias", "1", "--json"];
+    let floor = ["floor", "sphereflake:4", "--size", "256x256", "--antialias", "1", "--json"];
     let done = oracle(folder.path(), &floor);
     assert!(done.status.success(), "{}", text(&done.stderr));
     let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
