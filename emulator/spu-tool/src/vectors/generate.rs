@@ -1,5 +1,5 @@
-//! Makes vectors: random instructions on random operands and on edge cases, run by the
-//! interpreter, and timed by the model of the pipelines.
+//! Makes vectors: random instructions on random operands and on edge cases. The interpreter runs
+//! them, and the model of the pipelines counts their cycles.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};

@@ -122,10 +122,16 @@ impl State {
         self.regs.iter().find(|&&(register, _)| register == number).map(|&(_, value)| value.0)
     }
 
+    /// The units around an SPU in this state.
+    #[must_use]
+    pub const fn unit(&self) -> Unit {
+        Unit { srr0: self.srr0, event: self.event }
+    }
+
     /// Puts the state into an SPU and its local store. Other registers, and the rest of local
     /// store, keep their contents.
     pub fn load(&self, spu: &mut Spu, local_store: &LocalStore) -> Unit {
-        let mut unit = Unit { srr0: self.srr0, event: self.event };
+        let mut unit = self.unit();
         for &(number, Value(value)) in &self.regs {
             spu.set_register(number, value);
         }
