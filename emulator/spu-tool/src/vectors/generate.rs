@@ -111,7 +111,7 @@ impl Generator {
             1 => self.one_of(&DOUBLES) ^ self.one_of(&[0, 1, 1 << 52]) | bits & 1 << 63,
             // Doubles around one, with few bits or many, so that results are exact or not.
             _ => {
-                let kept = self.one_of(&[0, !0 << 49, !0 << 26, !0]) & (1 << 52) - 1;
+                let kept = self.one_of(&[0, !0 << 49, !0 << 26, !0]) & !0 >> 12;
                 (1003 + self.below(40) as u64) << 52 | bits & (kept | 1 << 63)
             }
         }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use randomness::rounds;
 use spu_emulator::compiled::{Runner, Translations};
 use spu_emulator::engine::Engine;
-use spu_emulator::float::{convert, single};
+use spu_emulator::float::{convert, double, estimate, single};
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::machine::Machine;
@@ -152,26 +152,27 @@ fn junk() -> [Quad; 128] {
 
 /// Compares all registers and local store, and the rest of the state, with those that the vector
 /// demands. An engine that runs on stops at the word 0 after the instruction.
-fn assert_after(
+fn compare(
     vector: &Vector,
     (spu, local_store, unit): (&Spu, &LocalStore, &Unit),
     stopped: Option<&Stopped>,
     entry: Option<&Entry>,
-) {
+) -> Result<(), String> {
+    let i = vector.initial.instruction();
     let mut found = vector.after.of(spu, local_store, unit);
     let mut stop = None;
     match stopped {
         Some(stopped) if stopped.pc == vector.initial.pc => {
-            stop = Some(stop_code(&stopped.reason).unwrap_or_else(|| panic!("{stopped}")));
+            stop = Some(stop_code(&stopped.reason).ok_or_else(|| stopped.to_string())?);
             found.pc = stopped.npc;
         }
-        Some(stopped) => {
-            assert_eq!(stopped.reason, Stop::Signal(0));
-            found.pc = stopped.pc;
-        }
+        Some(stopped) if stopped.reason == Stop::Signal(0) => found.pc = stopped.pc,
+        Some(stopped) => return Err(format!("{i:?}: {stopped}")),
         None => {}
     }
-    assert_eq!((&found, stop), (&vector.after, vector.stop), "{:?}", vector.initial.instruction());
+    if (&found, stop) != (&vector.after, vector.stop) {
+        return Err(format!("{i:?}: {found:x?}, stop {stop:?}, not {vector:x?}"));
+    }
     let mut registers = junk();
     let mut memory = vec![0; SIZE as usize];
     let own = entry.iter().flat_map(|entry| &entry.registers).copied();
@@ -184,16 +185,53 @@ fn assert_after(
     for (address, value) in changed.chain(own) {
         memory[address as usize..][..16].copy_from_slice(&value.bytes());
     }
-    assert_eq!(spu.registers, registers, "{:?}", vector.initial.instruction());
     let mut now = vec![0; SIZE as usize];
     local_store.read(0, &mut now);
-    assert!(now == memory, "local store after {:?}", vector.initial.instruction());
+    match (spu.registers == registers, now == memory) {
+        (true, true) => Ok(()),
+        (same, _) => Err(format!("{i:?}: another {}", if same { "quadword" } else { "register" })),
+    }
 }
 
 fn clear(vector: &Vector, local_store: &LocalStore, entry: &Entry) {
     for address in vector.initial.ram.iter().map(|&(address, _)| address).chain([entry.at]) {
         local_store.store_quadword(address, [0; 4]);
     }
+}
+
+/// Each part of the state after an instruction is compared: a vector with one other bit fails.
+#[test]
+fn a_wrong_bit_anywhere_is_found() {
+    let bench = Bench::new();
+    let (_, vectors) = written(&bench, &["--count", "1", "--instruction", "stqd"]).remove(0);
+    let flip = |value: &mut Value| value.0.0[3] ^= 1;
+    let changes: [&dyn Fn(&mut Vector); 8] = [
+        &|vector| vector.after.pc ^= 4,
+        &|vector| vector.after.regs.iter_mut().for_each(|(_, value)| flip(value)),
+        &|vector| flip(&mut vector.after.fpscr),
+        &|vector| vector.after.srr0 ^= 4,
+        &|vector| vector.after.interrupts ^= true,
+        &|vector| flip(&mut vector.after.ram[1].1),
+        &|vector| vector.stop = Some(1),
+        // A register that the rest of the vector does not mention.
+        &|vector| vector.initial.regs.push((127, Value::default())),
+    ];
+    assert_eq!(vectors[0].initial.register(127), None);
+    assert_eq!(interpret(&mut Spu::new(), &vectors[0]), Ok(()));
+    for (number, change) in changes.iter().enumerate() {
+        let mut vector = vectors[0].clone();
+        change(&mut vector);
+        assert!(interpret(&mut Spu::new(), &vector).is_err(), "change {number}");
+    }
+}
+
+/// Runs one instruction with the interpreter.
+fn interpret(spu: &mut Spu, vector: &Vector) -> Result<(), String> {
+    let local_store = LocalStore::new();
+    spu.registers = junk();
+    let mut unit = vector.initial.load(spu, &local_store);
+    let stopped = spu.step(&local_store, &mut unit);
+    compare(vector, (spu, &local_store, &unit), stopped.as_ref(), None)
 }
 
 #[test]
@@ -204,12 +242,8 @@ fn the_interpreter_passes_all_vectors() {
             Has::DoubleExtension => Spu::with_double_extension(),
         };
         for vector in &vectors {
-            let local_store = LocalStore::new();
-            spu.registers = junk();
-            let mut unit = vector.initial.load(&mut spu, &local_store);
             assert_eq!(vector.initial.instruction().map(|i| i.op), Some(row.op));
-            let stopped = spu.step(&local_store, &mut unit);
-            assert_after(vector, (&spu, &local_store, &unit), stopped.as_ref(), None);
+            interpret(&mut spu, vector).unwrap();
         }
     }
 }
@@ -235,7 +269,8 @@ fn compiled_share(check: bool) -> f64 {
                 entry.load(&mut spu);
                 let stopped = runner.run(&mut spu, &local_store, &mut unit, u64::MAX);
                 assert_eq!(translations.difference(), None, "{}", row.mnemonic);
-                assert_after(vector, (&spu, &local_store, &unit), stopped.as_ref(), Some(&entry));
+                compare(vector, (&spu, &local_store, &unit), stopped.as_ref(), Some(&entry))
+                    .unwrap();
                 clear(vector, &local_store, &entry);
             }
         }
@@ -290,7 +325,7 @@ fn check_mode_in_simulated_time_passes_all_vectors() {
                 assert_eq!(spe.difference(), None, "{}", row.mnemonic);
                 spe.with_spu(|spu| {
                     let state = (spu, &**spe.local_store(), &vector.after.unit());
-                    assert_after(vector, state, Some(&stopped), Some(&entry));
+                    compare(vector, state, Some(&stopped), Some(&entry)).unwrap();
                 });
                 clear(vector, spe.local_store(), &entry);
                 assert_channels(&spe, &vector.after);
@@ -355,6 +390,11 @@ fn x86_cflts(x: u32, scale: i32) -> u32 {
     }
 }
 
+/// `fesd` as a host converts: denormals are numbers, and NaNs keep their bits.
+fn host_fesd(x: u32) -> u64 {
+    f64::from(f32::from_bits(x)).to_bits()
+}
+
 /// Right copies of instructions pass all vectors, deliberately wrong ones do not.
 #[test]
 fn wrong_copies_of_instructions_are_caught() {
@@ -366,6 +406,11 @@ fn wrong_copies_of_instructions_are_caught() {
         |more| move |_, [a, b, _]: [[u32; 4]; 3]| from_fn(|n| a[n].rotate_left((b[n] & 31) + more));
     let converted = |f: fn(u32, i32) -> u32| {
         move |i: Instruction, [a, ..]: [[u32; 4]; 3]| a.map(|x| f(x, i.immediate))
+    };
+    let estimated =
+        |mask: u32| move |_, [a, ..]: [[u32; 4]; 3]| a.map(|x| estimate::frest(x) & mask);
+    let extended = |f: fn(u32) -> u64| {
+        move |_, [a, ..]: [[u32; 4]; 3]| Quad::from_doublewords([f(a[0]), f(a[2])]).0
     };
     for (name, right, wrong) in [
         (
@@ -379,6 +424,16 @@ fn wrong_copies_of_instructions_are_caught() {
             caught(Op::Shufb, |_, operands| shuffled(operands, 0x13)),
         ),
         ("rot by one too many", caught(Op::Rot, rotated(0)), caught(Op::Rot, rotated(1))),
+        (
+            "frest without its step",
+            caught(Op::Frest, estimated(!0)),
+            caught(Op::Frest, estimated(!0x3ff)),
+        ),
+        (
+            "fesd of the host",
+            caught(Op::Fesd, extended(|x| double::fesd(x).0)),
+            caught(Op::Fesd, extended(host_fesd)),
+        ),
         (
             "cflts that saturates as x86 does",
             caught(Op::Cflts, converted(convert::cflts)),

@@ -46,12 +46,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let Arguments { out, instruction, count, .. } = arguments;
     fs::create_dir_all(out).map_err(Failure::file(out))?;
     let rows = Op::rows().iter().filter(|row| instruction.is_none_or(|op| op == row.op));
-    let mut written = 0;
     for row in rows {
         write(arguments, row)?;
-        written += 1;
     }
-    messages::print!("{}: {written} instructions, {count} vectors each", out.display());
+    let written = match instruction {
+        Some(op) => op.row().mnemonic.to_owned(),
+        None => format!("each of {} instructions", Op::rows().len()),
+    };
+    messages::print!("{}: {count} vectors of {written}", out.display());
     Ok(ExitCode::SUCCESS)
 }
 
