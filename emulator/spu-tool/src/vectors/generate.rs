@@ -19,7 +19,7 @@ use super::{Cycles, SRR0, State, Value, Vector, stop_code, truth};
 /// Constants of instructions at the ends of their fields.
 const CONSTANTS: [i32; 6] = [0, 1, -1, i16::MIN as i32, i16::MAX as i32, 1 << 17];
 /// Preferred words that conditional branches distinguish.
-const CONDITIONS: [u32; 5] = [0, 1, 0x8000, 0x1_0000, 0x8000_0000];
+const CONDITIONS: [u32; 6] = [0, 0, 1, 0x8000, 0x1_0000, 0x8000_0000];
 /// Addresses at the ends of local store.
 const ENDS: [u32; 4] = [0, 4, LIMIT_MASK & !7, LIMIT_MASK & !3];
 
@@ -128,6 +128,15 @@ impl Generator {
         Quad(from_fn(|_| self.word(kind)))
     }
 
+    /// The constant of an instruction in each lane, as wide as it may be.
+    fn constant(&mut self, immediate: i32) -> Quad {
+        match self.below(3) {
+            0 => Quad::splat(immediate as u32),
+            1 => Quad::from_halfwords([immediate as u16; 8]),
+            _ => Quad::from_bytes([immediate as u8; 16]),
+        }
+    }
+
     /// An operand that may be close to the one before.
     fn operand(&mut self, before: Option<Quad>) -> Quad {
         let Some(mut near) = before.filter(|_| self.once_in(3)) else { return self.quad() };
@@ -143,9 +152,11 @@ impl Generator {
         let pc = if ends { self.one_of(&ENDS) } else { self.random.next_u32() };
         let mut state = State { pc: pc & LIMIT_MASK & !3, ..State::default() };
         let touched = i.reads().union(i.writes()).union(i.false_target());
+        let mut before = (row.format == Format::Ri10).then(|| self.constant(i.immediate));
         for number in touched.iter() {
-            let before = state.regs.last().map(|&(_, Value(value))| value);
-            state.regs.push((number, Value(self.operand(before))));
+            let value = self.operand(before);
+            state.regs.push((number, Value(value)));
+            before = Some(value);
         }
         let condition = row.class == Class::Br && row.reads.contains(&Field::Rt);
         for (number, Value(value)) in &mut state.regs {
