@@ -117,15 +117,19 @@ impl Generator {
         }
     }
 
-    fn quad(&mut self) -> Quad {
+    /// A number for [`Self::quad`].
+    fn kind(&mut self) -> usize {
+        self.below(6)
+    }
+
+    fn quad(&mut self, kind: usize) -> Quad {
         let row = self.op.row();
         let doubles = row.class == Class::Fpd || row.machine == Machine::DoubleExtension;
         if doubles && self.op != Op::Fesd {
-            let kind = self.one_of(&[0, 1, 1, 2, 2]);
-            return Quad::from_doublewords(from_fn(|_| self.double(kind)));
+            Quad::from_doublewords(from_fn(|_| self.double(kind / 2)))
+        } else {
+            Quad(from_fn(|_| self.word(kind)))
         }
-        let kind = self.below(6);
-        Quad(from_fn(|_| self.word(kind)))
     }
 
     /// The constant of an instruction in each lane, as wide as it may be.
@@ -138,8 +142,8 @@ impl Generator {
     }
 
     /// An operand that may be close to the one before.
-    fn operand(&mut self, before: Option<Quad>) -> Quad {
-        let Some(mut near) = before.filter(|_| self.once_in(3)) else { return self.quad() };
+    fn operand(&mut self, before: Option<Quad>, kind: usize) -> Quad {
+        let Some(mut near) = before.filter(|_| self.once_in(3)) else { return self.quad(kind) };
         if self.once_in(2) {
             near.0[self.below(4)] ^= 1 << self.below(32);
         }
@@ -153,8 +157,11 @@ impl Generator {
         let mut state = State { pc: pc & LIMIT_MASK & !3, ..State::default() };
         let touched = i.reads().union(i.writes()).union(i.false_target());
         let mut before = (row.format == Format::Ri10).then(|| self.constant(i.immediate));
+        // Operands of one kind give ordinary results, others give edge cases.
+        let (shared, is_shared) = (self.kind(), self.once_in(2));
         for number in touched.iter() {
-            let value = self.operand(before);
+            let kind = if is_shared { shared } else { self.kind() };
+            let value = self.operand(before, kind);
             state.regs.push((number, Value(value)));
             before = Some(value);
         }
@@ -198,7 +205,8 @@ impl Generator {
         let code = initial.pc & !15;
         let access = self.spu.access(i);
         if let Some(access) = access.filter(|access| access.address != code) {
-            let value = self.quad();
+            let kind = self.kind();
+            let value = self.quad(kind);
             self.local_store.store_quadword(access.address, value.0);
             initial.ram.push((access.address, Value(value)));
         }
