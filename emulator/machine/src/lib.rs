@@ -123,6 +123,7 @@ pub mod channel;
 #[cfg_attr(not(all(feature = "compiler", target_arch = "x86_64")), path = "compiled/absent.rs")]
 pub mod compiled;
 pub mod decrementer;
+pub mod edges;
 pub mod elf;
 pub mod engine;
 mod event;

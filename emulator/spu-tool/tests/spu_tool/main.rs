@@ -22,3 +22,4 @@ mod schedule;
 mod support;
 mod time;
 mod typed;
+mod vectors;
