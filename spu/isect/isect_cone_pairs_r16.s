@@ -191,6 +191,6 @@ next_row:
         keep_nearer 0
         ai      $a_candidate,$a_candidate,CANDIDATE_SIZE/4
         ai      $count,$count,-1
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a candidate has four rows
         bi      $lr
 endfunction isect_cone_pairs_r16

@@ -112,6 +112,6 @@ next_row:
         ai      $number,$number,-4
         ai      $a_record,$a_record,4*MESH_RAY_SIZE
         ai      $count,$count,-1
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a packet has four rows
         bi      $lr
 endfunction mesh_rays_r16

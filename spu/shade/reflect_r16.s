@@ -6,21 +6,23 @@
 #           rays that may come before the last of a chain; pointers 16-aligned
 #   Out     a ray for each lane whose share `mirror` is above 0 and whose weight is not below the
 #           minimum, unless the lane's is the last of its chain, in order; $3 their end
-#   Uses    $3-$4, $10-$60   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $10-$64   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side
 #   Error   5 ulp of 1, each component of a direction; where r.G is within 1e-5 of 0, either normal
 #           may be taken; its length within 2
 #   Twin    lab/twins/src/reflect.rs
 #
 # r = d - 2 (d.N) N, or with the surface's own normal G if r does not leave the surface: r.G <= 0
-# The ray starts at point + leave G.
+# The ray starts `leave` off the surface, as bounce_leave has it. The ray in a small body must not
+# start beyond the opposite wall: where light passes, it moves 2 leave along itself at most, else 64.
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "bounce.inc"
 
         .set    NEXT,55
-        registers mirror
+        registers k_farthest,k_inside,mirror,transmittance
+        registers farthest                              # one of the two
         registers along                                 # d.N
         registers along_plane                           # d.G
         registers cosine                                # N.G
@@ -31,6 +33,8 @@ bounce_shuffles
 
 function reflect_r16
         bounce_begins
+        ilhu    $k_farthest,0x4280                      # 64
+        ilhu    $k_inside,0x4000                        # 2
 next_row:
         bounce_row
         lqd     $mirror,SURFACES_mirror($a_surfaces)
@@ -47,11 +51,14 @@ next_row:
         fa      $twice,$along,$along
     .irp axis, x,y,z
         fnms    $r\axis,$twice,$n\axis,$d\axis
-        fma     $p\axis,$leave,$g\axis,$p\axis
     .endr
+        lqd     $transmittance,SURFACES_transmittance($a_surfaces)
+        cgti    $farthest,$transmittance,0
+        selb    $farthest,$k_farthest,$k_inside,$farthest
+        bounce_leave fma,$farthest
         bounce_unit
         bounce_append $mirror
         ai      $count,$count,-1
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a site has four rows
         bounce_ends
 endfunction reflect_r16

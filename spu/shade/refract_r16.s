@@ -20,7 +20,8 @@
 #   k = 1 - s.s           below 0, all light is reflected, and F = 1
 #   r = s - sqrt(k) N     or with the surface's own normal G if r does not cross it: r.G >= 0
 #   F = schlick + grazing (1 - c)^5, where c is the cosine in the thinner medium: -d.N or sqrt(k)
-# 1 - cosine^2 would lose the sine of a steep ray. The ray starts at point - leave G.
+# 1 - cosine^2 would lose the sine of a steep ray. The ray starts `leave` off
+# the surface, as bounce_leave has it.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -28,7 +29,7 @@
         .include "bounce.inc"
 
         .set    NEXT,55
-        registers k_one,transmittance,ratio,schlick,grazing,mirror
+        registers k_inside,k_one,transmittance,ratio,schlick,grazing,mirror
         registers along                                 # d.N
         registers k,beyond
         registers side                                  # r.G
@@ -39,7 +40,8 @@
         registers off                                   # 1 - c
         registers fifth
         registers share                                 # F
-        registers through,total,thicker,t_y,t_s
+        registers through,thicker,t_y,t_s
+        .set    total,50                                # reused
         registers ux                                    # s
         registers uy,uz
 
@@ -59,6 +61,7 @@ bounce_shuffles
 
 function refract_r16
         bounce_begins
+        ilhu    $k_inside,0xc000                        # -2, since r.G is below 0
         ilhu    $k_one,0x3f80
 next_row:
         bounce_row
@@ -103,12 +106,10 @@ next_row:
         lqd     $g\axis,SURFACES_plane_\axis($a_surfaces)
         fnms    $r\axis,$beyond,$n\axis,$u\axis
     .endr
+        bounce_leave fnms,$k_inside
         bounce_unit
-    .irp axis, x,y,z
-        fnms    $p\axis,$leave,$g\axis,$p\axis
-    .endr
         bounce_append $through
         ai      $count,$count,-1
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a site has four rows
         bounce_ends
 endfunction refract_r16

@@ -8,7 +8,7 @@
 #   Out     a packet for each site in which some lane has a ray, in order: origin, direction, t,
 #           object; and these sites, as they are; anything may follow these. $3 the end
 #           of the listed sites, number of rays, how many bytes of the listed sites shine
-#   Uses    $3-$4, $6-$7, $10-$60   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $6-$7, $10-$66   Saves  -   Stack  0   Calls  -
 #   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
 #           the direction then of length 1
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
@@ -18,7 +18,8 @@
 #   for a directional light: to = position, t = FARTHEST
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
 #   |weight (most diffuse (N.L) + highlight)| > minimum; otherwise t = -1
-#   origin = point + leave plane
+#   origin = point + ahead L + rest plane, which is `leave` off the surface: ahead is
+#   leave / (plane.L), at most 64 leave, or 2 where light passes, and rest is 0 unless the ray grazes; t counts from point
 # most is the OR of the bits of red, green and blue: at least the largest of them, and below 2 if
 # they are. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
 # exists where any share is. A light exactly at the point has L = 0, and there is no ray.
@@ -67,6 +68,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         registers point_x,point_y,point_z,to_x,to_y,to_z,normal_x,normal_y,normal_z,plane_x
         registers plane_y,plane_z,leave,diffuse,squared,inverse,t,facing,facing_plane,there
         registers most,other,weight,share,there_next
+        registers k_farthest,k_inside,ahead,farthest,grazes,rest
         # temporaries
         registers light,m_lane,t_y,t_e
 
@@ -96,8 +98,18 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         lqd     $diffuse,SURFACES_diffuse+\at($here)
         fm      $diffuse,$diffuse,$facing
         lqd     $leave,SURFACES_leave+\at($here)
+        frest   $ahead,$facing_plane
+        lqd     $farthest,SURFACES_transmittance+\at($here)
+        cgti    $farthest,$farthest,0
+        selb    $farthest,$k_farthest,$k_inside,$farthest
+        fcmgt   $grazes,$ahead,$farthest
+        selb    $ahead,$ahead,$farthest,$grazes
+        fm      $ahead,$leave,$ahead
+        fnms    $rest,$ahead,$facing_plane,$leave
+        and     $rest,$rest,$grazes
     .irp axis, x,y,z
-        fma     $point_\axis,$leave,$plane_\axis,$point_\axis
+        fma     $point_\axis,$ahead,$to_\axis,$point_\axis
+        fma     $point_\axis,$rest,$plane_\axis,$point_\axis
         stqd    $point_\axis,RAYS16_origin_\axis+\at($to_packet)
     .endr
         stqd    $background,RAYS16_object+\at($to_packet)
@@ -128,6 +140,8 @@ function shadow_rays_r16
         ilhu    $k_one,0x3f80
         ilhu    $k_beyond,FARTHEST>>16
         ilhu    $k_minus_one,0xbf80
+        ilhu    $k_farthest,0x4280                      # 64
+        ilhu    $k_inside,0x4000                        # 2
         lqd     $light,LIGHT_position($a_light)
         lqa     $t_y,two
         splat_word $light_x,0x00010203
@@ -171,7 +185,7 @@ next_pass:
         andc    $step,$step,$any
         a       $ends,$ends,$step
         ai      $count,$count,-1
-        brnz    $count,next_pass
+        brnz    $count,next_pass                        # at least 2 passes: a site has two
         rotqbyi $step,$rays,8
         lqa     $m_lane,ended
         a       $rays,$rays,$step

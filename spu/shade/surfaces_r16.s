@@ -153,7 +153,7 @@ next_row:
         or      $high13,$high13,$sides13
         shufb   $flags,$high02,$high13,$m_fourth
         surface_next
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a packet has four rows
         ori     $3,$hits,0
         bi      $lr
 endfunction surfaces_r16

@@ -87,7 +87,7 @@ next_row:
         or      $quad,$quad,$quad_sides
         shufb   $flags,$quad,$quad,$m_w
         surface_next
-        brnz    $count,next_row
+        brnz    $count,next_row                         # at least 4 passes: a packet has four rows
         ori     $3,$hits,0
         bi      $lr
 endfunction surfaces_same_r16

@@ -129,6 +129,7 @@ pub mod channel;
 pub mod compiled;
 #[cfg(feature = "machine")]
 pub mod decrementer;
+pub mod edges;
 #[cfg(feature = "elf")]
 pub mod elf;
 #[cfg(feature = "machine")]

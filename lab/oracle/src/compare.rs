@@ -75,6 +75,19 @@ pub fn difference(picture: &Picture, reference: &Picture) -> Result<Picture, Err
     Ok(result)
 }
 
+/// The numbers of the pixels that are wrong, row by row.
+pub(crate) fn wrong_pixels(picture: &Picture, reference: &Picture) -> Result<Vec<usize>, Error> {
+    check_sizes(picture, reference)?;
+    let pairs = picture.pixels().iter().zip(reference.pixels()).enumerate();
+    let wrong = pairs.filter(|(_, (found, expected))| is_wrong(found, expected));
+    Ok(wrong.map(|(pixel, _)| pixel).collect())
+}
+
+/// Whether a channel is off by more than one rounding.
+pub(crate) fn is_wrong(found: &[u8; 3], expected: &[u8; 3]) -> bool {
+    errors(found, expected).into_iter().any(|error| error > TOLERANCE)
+}
+
 fn errors(found: &[u8; 3], expected: &[u8; 3]) -> [u8; 3] {
     std::array::from_fn(|channel| found[channel].abs_diff(expected[channel]))
 }

@@ -8,6 +8,7 @@
 mod bvh;
 mod colour;
 mod compare;
+mod explain;
 mod floor;
 mod picture;
 mod pixels;
@@ -24,6 +25,7 @@ pub mod whitted;
 
 pub use colour::Colour;
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
+pub use explain::{Explanation, explain};
 pub use floor::rounded_to_singles;
 pub use picture::Picture;
 pub use pixels::{Pixels, Samples};
@@ -121,6 +123,9 @@ pub enum Error {
         /// The expected kind of value.
         expected: &'static str,
     },
+    /// Pixels of several samples can't be explained.
+    #[error("only pictures with one sample a pixel can be explained (--antialias 1)")]
+    Samples,
     /// The pictures have different sizes.
     #[error("the picture has {}x{} pixels, the reference {}x{}", picture.0, picture.1, reference.0, reference.1)]
     Sizes {

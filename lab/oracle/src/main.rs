@@ -2,18 +2,20 @@
 //!
 //! Data goes to standard output, messages go to standard error.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use oracle::{Comparison, DIFFERENCE_SCALE, Model, Picture, Samples, Settings, whitted};
+use oracle::{Comparison, DIFFERENCE_SCALE, Model, Picture, Reference, Samples, Settings, whitted};
 use scenes::depth::not_drawn;
 use scenes::{Scene, ViewError, check_size};
 
 const EXAMPLES: &str = "Examples:
   oracle compare whitted16.png
   oracle compare frame.png scenes/paper16.nff --max-wrong 0.001
+  oracle explain frame.png
   oracle floor sphereflake:4 --size 640x640
   oracle compare frame.png sphereflake:2 --json --diff difference.png
   oracle render scenes/paper16.nff --size 1280x720 --out paper16.png
@@ -58,10 +60,29 @@ enum Verb {
         #[command(flatten)]
         options: Options,
     },
+    /// Finds for each wrong pixel how far the numbers of rays must be off for it to be right.
+    ///
+    /// The wrong pixels are traced again with the coordinates of each ray moved by random units in
+    /// the last place of a single: at most 1, then 2, and so on to 64, with 24 tries each. Prints
+    /// how many pixels each number of units explains. The picture must have one sample a pixel.
+    #[command(after_help = EXAMPLES)]
+    Explain {
+        /// PNG picture to explain
+        picture: PathBuf,
+        /// Scene of the picture [default: the one that it names]
+        scene: Option<PathBuf>,
+        /// Prints the explanation as JSON
+        #[arg(long)]
+        json: bool,
+        #[command(flatten)]
+        options: Options,
+    },
     /// Compares a scene with itself in single precision: what no tracer with singles can avoid.
     ///
     /// The objects and the lights are rounded to singles relative to the eye, as SPUs get them, and
-    /// both scenes are traced in double precision. A pixel is wrong as for compare.
+    /// both scenes are traced in double precision. With Whitted's model, the point, the direction
+    /// and the normal of each ray are then rounded, too: to the nearest singles, and truncated as
+    /// by the SPU's arithmetic. A pixel is wrong as for compare.
     #[command(after_help = EXAMPLES)]
     Floor {
         /// The scene
@@ -218,6 +239,9 @@ fn main() -> ExitCode {
             let compared = compare(&picture, scene.as_deref(), &options, json, diff.as_deref());
             compared.and_then(|result| check_share(&result, max_wrong))
         }
+        Verb::Explain { picture, scene, json, options } => {
+            explain(&picture, scene.as_deref(), &options, json)
+        }
         Verb::Floor { scene, size, json, options } => floor(&scene, &options, size, json),
         Verb::Render { scene, size, out, stats, options } => {
             render(&scene, &options, size, &out, stats)
@@ -237,16 +261,16 @@ fn main() -> ExitCode {
 
 type Done<T = ()> = Result<T, Box<dyn std::error::Error>>;
 
-fn compare(
-    path: &Path,
-    scene: Option<&Path>,
-    options: &Options,
-    json: bool,
-    diff: Option<&Path>,
-) -> Done<Comparison> {
-    if diff == Some(Path::new("-")) {
-        return Err("--diff -: standard output has the errors; name a file".into());
-    }
+/// A picture, its scene as the picture shows it, and the settings that it was made with.
+struct Shown {
+    picture: Picture,
+    scene: Scene,
+    model: Model,
+    reference: Reference,
+}
+
+/// Reads a picture, prints which settings apply, and traces the reference.
+fn shown(path: &Path, scene: Option<&Path>, options: &Options) -> Done<Shown> {
     let picture = Picture::read_png(path)?;
     let said = Settings::of_png(path)?;
     let name = match (scene, said.scene()) {
@@ -297,6 +321,20 @@ fn compare(
 
     report_left_out(&model, &scene);
     let (reference, _) = model.trace(&scene, size)?;
+    Ok(Shown { picture, scene, model, reference })
+}
+
+fn compare(
+    path: &Path,
+    scene: Option<&Path>,
+    options: &Options,
+    json: bool,
+    diff: Option<&Path>,
+) -> Done<Comparison> {
+    if diff == Some(Path::new("-")) {
+        return Err("--diff -: standard output has the errors; name a file".into());
+    }
+    let Shown { picture, model, reference, .. } = shown(path, scene, options)?;
     let pixels = model.pixels();
     let count = match pixels.samples {
         Samples::One => 1,
@@ -319,7 +357,28 @@ fn compare(
     Ok(result)
 }
 
-/// Prints the errors of the scene that has its numbers rounded to singles.
+/// Prints which errors of rays explain a picture's wrong pixels.
+fn explain(path: &Path, scene: Option<&Path>, options: &Options, json: bool) -> Done {
+    let Shown { picture, scene, model, reference } = shown(path, scene, options)?;
+    let Model::Whitted(options) = &model else {
+        return Err("only pictures by Whitted's model can be explained".into());
+    };
+    let result = oracle::explain(&picture, &reference, &scene, options)?;
+    let mut text = if json {
+        serde_json::to_string(&result)?
+    } else {
+        let mut text = format!("wrong pixels   {}\n", result.wrong_pixels);
+        for (ulps, pixels) in result.by_ulps {
+            text += &format!("within {ulps:2} ulp  {pixels}\n");
+        }
+        text + &format!("beyond         {}", result.unexplained.len())
+    };
+    text.push('\n');
+    messages::write_data(text)?;
+    Ok(())
+}
+
+/// Prints the errors of the scene that has its numbers, and those of its rays, rounded to singles.
 fn floor(name: &Path, options: &Options, size: Option<(u32, u32)>, json: bool) -> Done {
     let mut scene = load(name)?;
     let given = options.settings();
@@ -330,9 +389,37 @@ fn floor(name: &Path, options: &Options, size: Option<(u32, u32)>, json: bool) -
     report_left_out(&model, &scene);
     let size = size.unwrap_or(scene.view.resolution);
     let (reference, _) = model.trace(&scene, size)?;
-    let (rounded, _) = model.trace(&oracle::rounded_to_singles(&scene), size)?;
-    let result = oracle::compare(&rounded.picture, &reference)?;
-    print_comparison(&result, &rounded.picture, json)
+    let scene = oracle::rounded_to_singles(&scene);
+    let mut models = vec![("scene", model.clone())];
+    if let Model::Whitted(options) = model {
+        for (name, rounding) in
+            [("nearest", whitted::Rounding::Nearest), ("truncated", whitted::Rounding::Truncated)]
+        {
+            models.push((name, Model::Whitted(whitted::Options { rounding, ..options })));
+        }
+    }
+    let mut floors = Vec::new();
+    for (name, model) in models {
+        let (rounded, _) = model.trace(&scene, size)?;
+        floors.push((name, oracle::compare(&rounded.picture, &reference)?));
+    }
+    let text = if json {
+        serde_json::to_string(&floors.into_iter().collect::<BTreeMap<_, _>>())? + "\n"
+    } else {
+        let pixels = reference.picture.pixels().len();
+        let line = |(name, result): (&str, Comparison)| {
+            let what = match name {
+                "scene" => "the scene rounded to singles",
+                "nearest" => "and each ray, to the nearest",
+                _ => "and each ray, truncated",
+            };
+            let (wrong, share) = (result.wrong_pixels, 100.0 * result.wrong_fraction);
+            format!("{what:28}  {wrong} of {pixels} pixels wrong ({share:.4} %)\n")
+        };
+        floors.into_iter().map(line).collect()
+    };
+    messages::write_data(text)?;
+    Ok(())
 }
 
 /// Prints the errors of a picture, as text or JSON.

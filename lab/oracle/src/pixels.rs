@@ -81,6 +81,11 @@ impl Pixels {
         shown.clamp(DVec3::ZERO, DVec3::ONE)
     }
 
+    /// The bytes of a pixel that sees this light.
+    pub(crate) fn bytes(&self, light: DVec3) -> [u8; 3] {
+        depth::bytes(self.shown(light))
+    }
+
     /// The point of the picture that is the mean of these samples.
     fn point(&self, samples: &[Seen]) -> Point {
         let light = samples.iter().map(|seen| seen.light).sum::<DVec3>();

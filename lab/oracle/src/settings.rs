@@ -254,6 +254,7 @@ impl Settings {
             spd_rays: flag("spd-rays")?,
             shadows: !flag("no-shadows")?,
             pixels,
+            rounding: whitted::Rounding::Double,
         };
         let model = |text: &str| match text {
             "depth" => Some(Model::Depth(pixels)),

@@ -1,8 +1,9 @@
 //! Twin of `spu/include/bounce.inc`: what rays thrown back and let through have in common.
 
-use spu_emulator::float::single::{fcgt, fm, fma, fnms};
+use spu_emulator::float::estimate::frest;
+use spu_emulator::float::single::{fcgt, fcmgt, fm, fma, fnms};
 
-use super::{HALF, Single};
+use super::{HALF, Single, above_zero};
 use zerocopy::FromBytes;
 
 /// The single 3/2.
@@ -67,6 +68,41 @@ pub struct Queued {
     pub pixel: u32,
 }
 
+/// How many times `leave` a ray's origin moves along it at most: 64.
+const FARTHEST: Single = 0x4280_0000;
+/// The same for surfaces that let light through, because a ray in a small body must not start
+/// beyond the opposite wall: 2.
+const FARTHEST_INSIDE: Single = 0x4000_0000;
+/// The sign of a single.
+const SIGN: Single = 0x8000_0000;
+
+/// On which side of a surface a ray leaves it.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Side {
+    /// On the side of the ray that made the hit.
+    Outside,
+    /// On the other.
+    Beyond,
+}
+
+/// How many times `leave` a ray's origin moves along it at most, at a surface of this
+/// transmittance.
+pub(super) fn farthest(transmittance: Single) -> Single {
+    if above_zero(transmittance) { FARTHEST_INSIDE } else { FARTHEST }
+}
+
+/// How far the origin of a ray moves along the ray, and along the surface's own normal, to be
+/// `leave` off the surface. `side` is the cosine between the two, `farthest` the limit of the first
+/// in units of `leave`.
+pub(super) fn leaving(leave: Single, side: Single, farthest: Single) -> [Single; 2] {
+    let per_leave = frest(side);
+    if fcmgt(per_leave, farthest) == 0 {
+        return [fm(leave, per_leave), 0];
+    }
+    let ahead = fm(leave, farthest);
+    [ahead, fnms(ahead, side, leave)]
+}
+
 impl Bounce {
     /// The ray of this share, if that is above 0 and `limits` allow it: as signed integers, singles
     /// above 0 are.
@@ -74,7 +110,7 @@ impl Bounce {
         &self,
         share: Single,
         limits: Limits,
-        origin: [Single; 3],
+        side: Side,
         direction: [Single; 3],
     ) -> Option<Queued> {
         let weight = fm(self.weight, share);
@@ -82,10 +118,23 @@ impl Bounce {
             && fcgt(limits.min_weight, weight) == 0
             && limits.deepest as i32 > self.pixel as i32;
         is_sent.then(|| Queued {
-            origin,
+            origin: self.origin(side, direction),
             weight,
             direction: unit(direction),
             pixel: self.pixel.wrapping_add(CHAIN_STEP),
+        })
+    }
+
+    /// Where a ray starts that leaves in this direction on this side.
+    fn origin(&self, side: Side, direction: [Single; 3]) -> [Single; 3] {
+        let cosine = dot(direction, self.plane);
+        let (farthest, step): (_, fn(Single, Single, Single) -> Single) = match side {
+            Side::Outside => (farthest(self.transmittance), fma),
+            Side::Beyond => (FARTHEST_INSIDE | SIGN, fnms),
+        };
+        let [ahead, rest] = leaving(self.leave, cosine, farthest);
+        std::array::from_fn(|axis| {
+            step(rest, self.plane[axis], step(ahead, direction[axis], self.point[axis]))
         })
     }
 }

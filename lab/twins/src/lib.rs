@@ -66,6 +66,11 @@ fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {
     if condition { chosen } else { otherwise }
 }
 
+/// Whether a single has no sign and is not +0: above 0, if it is no denormal.
+const fn above_zero(value: Single) -> bool {
+    value.cast_signed() > 0
+}
+
 /// Whether a single's sign is set, which is all that a mask of signs asks for: -0 is below 0.
 const fn below_zero(value: Single) -> bool {
     value >> 31 != 0

@@ -1,8 +1,8 @@
 //! Twin of `spu/shade/reflect_r16.s`: the ray that a mirror throws back.
 
-use spu_emulator::float::single::{fa, fma, fnms};
+use spu_emulator::float::single::{fa, fnms};
 
-use super::bounce::{Bounce, Limits, Queued, dot, sub_scaled};
+use super::bounce::{Bounce, Limits, Queued, Side, dot, sub_scaled};
 
 /// The ray that the hit reflects; none if its share is not above 0 or the limits forbid it.
 #[must_use]
@@ -14,6 +14,5 @@ pub fn reflect(hit: &Bounce, limits: Limits) -> Option<Queued> {
     let (normal, along) =
         if off as i32 > 0 { (hit.normal, along) } else { (hit.plane, along_plane) };
     let direction = sub_scaled(hit.direction, fa(along, along), normal);
-    let origin = std::array::from_fn(|axis| fma(hit.leave, hit.plane[axis], hit.point[axis]));
-    hit.queued(hit.mirror, limits, origin, direction)
+    hit.queued(hit.mirror, limits, Side::Outside, direction)
 }

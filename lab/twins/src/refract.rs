@@ -2,7 +2,7 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 
-use super::bounce::{Bounce, Limits, Queued, dot, sub_scaled};
+use super::bounce::{Bounce, Limits, Queued, Side, dot, sub_scaled};
 use super::math::sqrt;
 use super::{ONE, Single, below_zero};
 
@@ -33,8 +33,7 @@ pub fn refract(hit: &Bounce, limits: Limits) -> (Option<Queued>, Single) {
     let mirror = fma(hit.transmittance, share, hit.mirror);
     let through = fnms(hit.transmittance, share, hit.transmittance);
     let direction = sub_scaled(taken.sine, taken.cosine, normal);
-    let origin = sub_scaled(hit.point, hit.leave, hit.plane);
-    (hit.queued(through, limits, origin, direction), mirror)
+    (hit.queued(through, limits, Side::Beyond, direction), mirror)
 }
 
 fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {

@@ -5,9 +5,10 @@
 
 use spu_emulator::float::single::{fcmgt, fm, fma, fnms};
 
+use super::bounce::{farthest, leaving};
 use super::math::rsqrt;
 use super::surfaces::{Ray, Surface, dot};
-use super::{FARTHEST, ONE, Single, ZERO, select};
+use super::{FARTHEST, ONE, Single, ZERO, above_zero, select};
 
 /// The t of a ray that is not there: -1.
 pub const NOT_THERE: Single = 0xbf80_0000;
@@ -19,11 +20,6 @@ pub struct Place {
     pub position: [Single; 3],
     /// Whether it is infinitely far.
     pub directional: bool,
-}
-
-/// Whether a single has no sign and is not +0: above 0, if it is no denormal.
-const fn above_zero(value: Single) -> bool {
-    value.cast_signed() > 0
 }
 
 /// The ray from a surface, with the normal that shades, to a light; t is -1 if there is none.
@@ -50,9 +46,13 @@ pub fn shadow_ray(
     let weight = select(weight, ONE, min_share == ZERO);
     let share = fma(most, fm(surface.diffuse, facing), surface.highlight);
     let counts = fcmgt(fm(weight, share), min_share) != 0;
-    let faces = above_zero(facing | dot(surface.plane, direction));
+    let facing_plane = dot(surface.plane, direction);
+    let faces = above_zero(facing | facing_plane);
+    let [ahead, rest] = leaving(surface.leave, facing_plane, farthest(surface.transmittance));
     Ray {
-        origin: std::array::from_fn(|k| fma(surface.leave, surface.plane[k], surface.point[k])),
+        origin: std::array::from_fn(|k| {
+            fma(rest, surface.plane[k], fma(ahead, direction[k], surface.point[k]))
+        }),
         direction,
         t: select(NOT_THERE, t, faces && counts),
     }

@@ -74,6 +74,7 @@ pub fn options(render_options: RenderOptions) -> Options {
         depth: render_options.ray_depth,
         fresnel: render_options.fresnel,
         spd_rays: render_options.spd_rays,
+        rounding: oracle::whitted::Rounding::Double,
         shadows: render_options.shadows,
         pixels: Pixels {
             colour: match render_options.colour {

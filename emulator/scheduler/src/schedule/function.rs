@@ -81,6 +81,8 @@ pub(super) struct Node {
     pub may_alias: bool,
     /// The branch of a loop that is marked as one whose kernel may contain only one pass.
     pub one_pass: bool,
+    /// The branch of a loop: the source says that the loop has at least so many passes.
+    pub min_passes: u32,
     /// A memory access that stays in order with all other accesses. The passes of a loop may
     /// access the same memory in ways that can't be seen from registers any more.
     pub in_order: bool,
@@ -103,6 +105,7 @@ impl Node {
             origin: None,
             may_alias: false,
             one_pass: false,
+            min_passes: 1,
             in_order: false,
             stage: 0,
             moved: None,

@@ -84,11 +84,12 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
         function.results = source.results(lines).unwrap_or(!0);
         for block in &mut function.blocks {
             for node in &mut block.nodes {
-                let marked = |mark| source.comment(node.line).contains(mark);
-                (node.may_alias, node.one_pass) = (
-                    node.is_store() && marked("may alias"),
-                    node.ends_block() && marked("one pass"),
-                );
+                let comment = source.comment(node.line);
+                node.may_alias = node.is_store() && comment.contains("may alias");
+                if node.ends_block() {
+                    node.one_pass = comment.contains("one pass");
+                    node.min_passes = min_passes(comment).unwrap_or(node.min_passes);
+                }
             }
         }
         function.fuse();
@@ -122,4 +123,10 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
         verify::text(lines, &words, function_code.as_ref(), &made).map_err(at)?;
     }
     Ok(Scheduled { text, loops })
+}
+
+/// The number in "at least N passes".
+fn min_passes(comment: &str) -> Option<u32> {
+    let (before, _) = comment.split_once(" passes")?;
+    before.rsplit_once("at least ")?.1.parse().ok()
 }

@@ -157,6 +157,7 @@ impl<'data> Plain<'data> {
                 origin: Some(*address),
                 may_alias: false,
                 one_pass: false,
+                min_passes: 1,
                 in_order: false,
                 stage: 0,
                 moved: None,

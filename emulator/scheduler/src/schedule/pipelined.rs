@@ -5,8 +5,9 @@
 //! live longer than an interval, it may contain several passes that differ in registers (Lam
 //! 1988), each with an exit and a drain of its own. The fill and the drain are the kernel's
 //! instructions of the first and last passes. If the trip count is below the number of stages, the
-//! short form runs, which is the plain loop. Invariant: for every trip count, memory and the
-//! registers that are live after the loop have the same contents as after the plain loop.
+//! short form runs, which is the plain loop. A loop whose source states at least so many passes has
+//! none. Invariant: for every trip count, memory and the registers that are live after the loop
+//! have the same contents as after the plain loop.
 
 use std::ops::RangeInclusive;
 
@@ -437,23 +438,27 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
         node
     };
     let mut entry = Vec::new();
-    if stages > 1 {
+    let has_short_form = stages > branch.min_passes;
+    if has_short_form {
         let free = POOL.rev().find(|&register| live & bit(register) == 0);
         let test = free.ok_or("no register is free for the test of its trip count")?;
         let enough = plain(Op::Clgti, test, branch.i.rt, stages as i32 - 1);
         let mut enough = Node::added(enough, None, "at least as many passes as overlap");
         enough.plain.rt = branch.i.rt;
         entry.extend([enough, leave(test, short_id, "too few passes")]);
+    }
+    let short_forms = usize::from(has_short_form);
+    if stages > 1 {
         for node in kernel.nodes() {
             // Besides the short form: each part of the kernel contains every stage, and a drain of
             // its own contains a stage as often as there are stages before it. The fill contains it
             // as often as there are stages after it. The branch back closes only the last part.
-            let more = if node.ends_block() {
+            let times = if node.ends_block() {
                 1
             } else {
                 parts * (1 + node.stage) + (stages - 1 - node.stage)
             };
-            function.copied(node, more as usize);
+            function.copied(node, times as usize + short_forms - 1);
         }
     }
     let mut fill = kernel.fill();
@@ -511,7 +516,7 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
         if alone && stages > 1 {
             let next = function.blocks.remove(at + 1);
             for node in &next.nodes {
-                function.copied(node, parts as usize);
+                function.copied(node, parts as usize + short_forms - 1);
             }
             drain.extend(next.nodes.iter().cloned());
             after = next.nodes;
@@ -534,7 +539,7 @@ fn replace(function: &mut Function, at: usize, kernel: &Kernel) -> Result<(), &'
         let block = named(drain_ids[part as usize], "_drain", drain);
         function.blocks.push(block);
     }
-    if stages > 1 {
+    if has_short_form {
         function.blocks.push(named(short_id, "_short", short_nodes));
         function.blocks.push(named(new_id(), "", after));
     }

@@ -23,3 +23,4 @@ mod schedule;
 mod support;
 mod time;
 mod typed;
+mod vectors;

@@ -7,6 +7,7 @@ mod finish;
 mod light;
 mod path;
 mod probe;
+mod rounding;
 mod stage;
 mod texture;
 mod weight;
@@ -18,6 +19,7 @@ use crate::{Error, Pixels, Reference};
 pub use path::Counts;
 use path::Path;
 pub use probe::Probe;
+pub use rounding::Rounding;
 use stage::Stage;
 
 /// The maximum ray depth. Each hit on glass sends two rays, so a depth of n may cost 2^n.
@@ -39,11 +41,20 @@ pub struct Options {
     pub shadows: bool,
     /// How pixels are made of what rays see.
     pub pixels: Pixels,
+    /// What happens to the numbers of each ray's record.
+    pub rounding: Rounding,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { depth: 5, fresnel: false, spd_rays: false, shadows: true, pixels: Pixels::PLAIN }
+        Self {
+            depth: 5,
+            fresnel: false,
+            spd_rays: false,
+            shadows: true,
+            pixels: Pixels::PLAIN,
+            rounding: Rounding::Double,
+        }
     }
 }
 

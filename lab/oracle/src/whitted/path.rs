@@ -4,6 +4,8 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
+use super::rounding::mixed;
+
 /// Numbers of rays, with the Standard Procedural Databases' names. The sum of eye, reflected and
 /// refracted rays equals the sum of `hit` and `background`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
@@ -62,11 +64,7 @@ pub(super) struct Path {
 impl Path {
     /// Records a step of the way, such as the object that was hit.
     pub(super) fn note(&mut self, step: u64) {
-        // The mixing step of Steele's splitmix64.
-        let mut mixed = self.hash.wrapping_add(step).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        self.hash = mixed ^ (mixed >> 31);
+        self.hash = mixed(self.hash.wrapping_add(step));
     }
 
     /// A hash of the way. Rays with equal signatures hit the same objects from the same sides in

@@ -3,9 +3,9 @@
 use glam::DVec3;
 use scenes::{Camera, Scene};
 
-use super::Options;
 use super::path::Path;
 use super::stage::Stage;
+use super::{Options, Rounding};
 use crate::Error;
 
 /// A scene and its camera, to trace single primary rays.
@@ -28,6 +28,11 @@ impl<'a> Probe<'a> {
     ) -> Result<Self, Error> {
         let camera = crate::camera(scene, width, height)?;
         Ok(Self { stage: Stage::new(scene, &camera, options)?, camera })
+    }
+
+    /// Changes what happens to the numbers of the rays' records.
+    pub fn set_rounding(&mut self, rounding: Rounding) {
+        self.stage.set_rounding(rounding);
     }
 
     /// The colour that the ray through a point of the picture sees, each channel 0 to 1. The

@@ -11,7 +11,7 @@ use super::finish::Finish;
 use super::light;
 use super::path::{Counts, Path};
 use super::texture::Textures;
-use super::{MAX_DEPTH, Options, weight};
+use super::{MAX_DEPTH, Options, Rounding, weight};
 use crate::Error;
 use crate::bvh::Bvh;
 use crate::ray::Ray;
@@ -130,9 +130,15 @@ impl<'a> Stage<'a> {
         })
     }
 
+    pub(super) fn set_rounding(&mut self, rounding: Rounding) {
+        self.options.rounding = rounding;
+    }
+
     /// The colour that a primary ray sees. The direction need not have length 1.
     pub(super) fn eye(&self, eye: DVec3, direction: DVec3, path: &mut Path) -> DVec3 {
-        let colour = self.look(&Ray::new(eye, direction.normalize()), 1, 1.0, path);
+        let direction = direction.normalize();
+        let first = self.options.rounding.unit(direction, direction.x.to_bits());
+        let colour = self.look(&Ray::new(eye, first), 1, 1.0, path);
         path.counts.eye += 1;
         colour
     }
@@ -184,16 +190,24 @@ impl<'a> Stage<'a> {
             let texel = self.textures.colour(index, place.point, width, cosine);
             finish = finish.tinted(texel.unwrap_or(DVec3::ONE));
         }
-        let (normal, smooth) =
-            if outside { (place.normal, place.smooth) } else { (-place.normal, -place.smooth) };
+        let (rounding, way) = (self.options.rounding, distance.to_bits());
+        let [normal, smooth] = [place.normal, place.smooth]
+            .map(|exact| rounding.unit(if outside { exact } else { -exact }, way));
         let seen = smooth.dot(ray.direction) < 0.0;
         Some(Hit {
             finish,
-            point: place.point,
+            point: rounding.point(place.point, self.eye, !way),
             normal,
             smooth: if seen { smooth } else { normal },
             outside,
         })
+    }
+
+    /// The ray that leaves a hit in this direction.
+    fn sent(&self, hit: &Hit, direction: DVec3) -> Ray {
+        let rounding = self.options.rounding;
+        let direction = rounding.unit(direction, hit.point.x.to_bits());
+        Ray::new(rounding.origin(hit.point, self.eye, hit.normal, direction), direction)
     }
 
     /// The light that a hit sends back along a ray of this weight: the lights' and its own.
@@ -242,8 +256,7 @@ impl<'a> Stage<'a> {
             let shown = weight * share * weight::most(brightness);
             let counts = self.min_weight == 0.0 || shown > weight::MIN_LIGHT;
             path.counts.shadow += u64::from(counts && self.options.shadows);
-            let hidden =
-                self.options.shadows && self.tree.any(&Ray::new(hit.point, to_light), distance);
+            let hidden = self.options.shadows && self.tree.any(&self.sent(hit, to_light), distance);
             path.note(1 + u64::from(hidden));
             if !hidden {
                 sum += brightness * light::shine(finish, hit.smooth, direction, to_light);
@@ -299,7 +312,7 @@ impl<'a> Stage<'a> {
             } else {
                 light::reflected(direction, hit.normal)
             };
-            let ray = Ray::new(hit.point, reflected);
+            let ray = self.sent(hit, reflected);
             path.counts.reflected += 1;
             let is_total = finish.transmittance > 0.0 && through.is_none();
             path.counts.totally_reflected += u64::from(is_total);
@@ -313,7 +326,7 @@ impl<'a> Stage<'a> {
         }
         if let Some((refracted, share)) = through.filter(|&(_, share)| is_sent(share)) {
             path.counts.refracted += 1;
-            let ray = Ray::new(hit.point, refracted);
+            let ray = self.sent(hit, refracted);
             sum += share * self.look(&ray, depth, weight * share, path);
         }
         sum

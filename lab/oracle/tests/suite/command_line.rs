@@ -337,3 +337,45 @@ fn unknown_settings_are_reported() {
         "a.png: its setting contrast is \"much\", which is not a whole number from 0 to 255";
     assert!(stderr.contains(message), "{stderr}");
 }
+
+#[test]
+fn a_reference_has_nothing_to_explain_and_a_wrong_pixel_no_explanation() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = ["sphereflake:1", "--size", "64x48", "--antialias", "1", "--out", "a.png"];
+    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
+    let explained = || {
+        let done = oracle(folder.path(), &["explain", "a.png", "--json"]);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        serde_json::from_slice::<serde_json::Value>(&done.stdout).expect("JSON")
+    };
+    assert_eq!(explained()["wrong_pixels"], 0);
+    let file = folder.path().join("a.png");
+    let settings = Settings::of_png(&file).expect("settings");
+    let mut picture = Picture::read_png(&file).expect("a PNG");
+    picture.pixels_mut()[64 * 2 + 5][1] ^= 0x40;
+    picture.write_png_with(&file, &settings).expect("written");
+    let found = explained();
+    assert_eq!(found["wrong_pixels"], 1);
+    assert_eq!(found["unexplained"], serde_json::json!([[5, 2]]));
+}
+
+#[test]
+fn samples_can_not_be_explained() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = ["sphereflake:1", "--size", "64x48", "--antialias", "4", "--out", "a.png"];
+    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
+    let done = oracle(folder.path(), &["explain", "a.png"]);
+    assert!(!done.status.success());
+    assert!(text(&done.stderr).contains("--antialias 1"), "{}", text(&done.stderr));
+}
+
+#[test]
+fn truncated_rays_are_wrong_in_more_pixels_than_the_scene() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let floor = ["floor", "sphereflake:4", "--size", "256x256", "--antialias", "1", "--json"];
+    let done = oracle(folder.path(), &floor);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let wrong = |name: &str| found[name]["wrong_pixels"].as_u64().expect("a number");
+    assert!(wrong("truncated") > wrong("scene") && wrong("nearest") > 0, "{found}");
+}

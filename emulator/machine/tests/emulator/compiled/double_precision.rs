@@ -4,41 +4,13 @@ use super::operations::{compare_all, instruction, word};
 use super::units::State;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use spu_emulator::edges::DOUBLES;
 use spu_emulator::interp::Quad;
 use spu_emulator::local_store::LocalStore;
 use spu_isa::Op;
 
 const OPERATIONS: [Op; 9] =
     [Op::Dfa, Op::Dfs, Op::Dfm, Op::Dfma, Op::Dfms, Op::Dfnms, Op::Dfnma, Op::Fesd, Op::Frds];
-
-/// Doubles at the edges: zeros, denormals, numbers whose products or sums leave the range of
-/// doubles or of singles, infinities and NaNs.
-const EDGES: [u64; 24] = [
-    0,
-    1,
-    0x000f_ffff_ffff_ffff,
-    0x0010_0000_0000_0000,
-    0x0010_0000_0000_0001,
-    0x0020_0000_0000_0000,
-    0x1ff0_0000_0000_0000,
-    0x2007_ffff_ffff_ffff,
-    0x36a0_0000_0000_0000,
-    0x380f_ffff_ffff_ffff,
-    0x3810_0000_0000_0000,
-    0x3fe0_0000_0000_0000,
-    0x3fef_ffff_ffff_ffff,
-    0x3ff0_0000_0000_0000,
-    0x3ff0_0000_0000_0001,
-    0x4340_0000_0000_0000,
-    0x47ef_ffff_ffff_ffff,
-    0x5fef_ffff_ffff_ffff,
-    0x7fe0_0000_0000_0000,
-    0x7fef_ffff_ffff_ffff,
-    0x7ff0_0000_0000_0000,
-    0x7ff0_0000_0000_0001,
-    0x7ff8_0000_0000_0000,
-    0x7fff_ffff_ffff_ffff,
-];
 
 /// A double near one, with few bits or many, so that sums and products are exact or not.
 fn ordinary(rng: &mut ChaCha8Rng) -> u64 {
@@ -49,7 +21,7 @@ fn ordinary(rng: &mut ChaCha8Rng) -> u64 {
 }
 
 fn edge(rng: &mut ChaCha8Rng) -> u64 {
-    let edge = EDGES[rng.random_range(0..EDGES.len())];
+    let edge = DOUBLES[rng.random_range(0..DOUBLES.len())];
     let flipped = [0, 1, 1 << 52][rng.random_range(0..3)];
     (edge ^ flipped) | rng.random::<u64>() >> 63 << 63
 }

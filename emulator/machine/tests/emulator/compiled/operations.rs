@@ -4,6 +4,7 @@
 use super::units::{Compiled, State, compiler, trace};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use spu_emulator::edges::{LARGE, WORDS};
 use spu_emulator::interp::Quad;
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::{Class, Instruction, Machine, Op};
@@ -23,58 +24,14 @@ fn mixed(rng: &mut ChaCha8Rng, length: usize) -> FloatMode {
     FloatMode { in_doubles, exact_sums: rng.random() }
 }
 
-/// Words at the edges of floats, integers, counts and controls.
-const EDGES: [u32; 36] = [
-    0,
-    1,
-    2,
-    7,
-    15,
-    16,
-    31,
-    32,
-    63,
-    64,
-    0x7f,
-    0x80,
-    0xff,
-    0x8000,
-    0xffff,
-    0x1_0000,
-    0x0001_0203,
-    0x1011_1213,
-    0x007f_ffff,
-    0x0080_0000,
-    0x0080_0001,
-    0x3f80_0000,
-    0x3f7f_ffff,
-    0x4f00_0000,
-    0x4f80_0000,
-    0x7e80_0000,
-    0x7f00_0000,
-    0x7f7f_ffff,
-    0x7f80_0000,
-    0x7fff_ffff,
-    0x8000_0000,
-    0x8000_0001,
-    0x8080_0000,
-    0xbf80_0000,
-    0xff7f_ffff,
-    0xffff_ffff,
-];
-
-/// Operands whose sums are the largest number, or just above or below it.
-const LARGE: [u32; 8] =
-    [0x7fff_ffff, 0xffff_ffff, 0x7fff_fffe, 0, 0x0080_0000, 0x8080_0000, 0x3f80_0000, 0x7380_0000];
-
 pub(super) fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
     match kind {
         4 => LARGE[rng.random_range(0..LARGE.len())],
         0 => rng.random(),
-        1 => EDGES[rng.random_range(0..EDGES.len())],
+        1 => WORDS[rng.random_range(0..WORDS.len())],
         // Numbers around one, so that results stay within IEEE's range.
         2 => rng.random_range(100..154) << 23 | rng.random::<u32>() & 0x807f_ffff,
-        _ => EDGES[rng.random_range(0..EDGES.len())] ^ 1 << rng.random_range(0..32),
+        _ => WORDS[rng.random_range(0..WORDS.len())] ^ 1 << rng.random_range(0..32),
     }
 }
 

@@ -9,6 +9,7 @@ mod profile;
 mod run;
 mod schedule;
 mod time;
+mod vectors;
 
 use std::env;
 use std::path::Path;
@@ -36,6 +37,7 @@ enum Command {
     Time(Box<time::Arguments>),
     Profile(profile::Arguments),
     Schedule(Box<schedule::Arguments>),
+    Vectors(vectors::Arguments),
     /// Write man pages and shell completions
     #[command(hide = true)]
     Pages(messages::manual::Arguments),
@@ -71,6 +73,7 @@ fn main() -> ExitCode {
         Command::Time(arguments) => time::run(&arguments).map_err(Into::into),
         Command::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
         Command::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
+        Command::Vectors(arguments) => vectors::run(&arguments),
         Command::Pages(arguments) => messages::manual::write(CommandLine::command(), &arguments)
             .map(|()| ExitCode::SUCCESS)
             .map_err(Failure::command),

@@ -32,13 +32,18 @@ fn looped(body: &[&str], after: &[&str]) -> String {
 /// Schedules the loop, compares it with the plain one for each number of passes from 0 on, and
 /// returns the message about it and the scheduled source.
 fn same(source: &str, what: &str) -> (String, String) {
+    same_from(0, source, what)
+}
+
+/// The same for loops that have at least `first` passes.
+fn same_from(first: u32, source: &str, what: &str) -> (String, String) {
     let shop = Workshop::new(source);
     let messages = shop.schedule();
     let functions = ["f".to_owned()];
     let plain = shop.link("plain.s", &functions);
     let scheduled = shop.link("scheduled.s", &functions);
     let mut random = Random::new(what);
-    for count in (0..=MOST_PASSES).chain([63, 64]) {
+    for count in (first..=MOST_PASSES).chain([63, 64]) {
         let mut input = Input::default();
         for address in (DATA..DATA + 0x1_8000).step_by(16) {
             let quadword = [0; 4].map(|_| 0x3f00_0000 + random.below(0x0180_0000) as u32);
@@ -134,6 +139,20 @@ fn a_loop_that_is_marked_has_one_pass_in_its_kernel() {
     let short = |message: &str| message.contains("interval 4,");
     assert!(short(&several) && !several.contains("passes 1"), "{several}");
     assert!(!short(&one) && one.contains("passes 1"), "{one}");
+}
+
+#[test]
+fn a_loop_with_passes_enough_has_no_short_form() {
+    let body = ["lqd $8,0($3)", "fa $8,$8,$5", "stqd $8,0($3)", "ai $3,$3,16", "ai $6,$6,-1"];
+    let source = looped(&body, &[]);
+    let stated = |passes: u32| {
+        let comment = format!("brnz $6,next # at least {passes} passes: so it is called");
+        same_from(passes, &source.replace("brnz $6,next", &comment), &format!("{passes} passes")).1
+    };
+    let (_, any) = same(&source, "any number of passes");
+    assert!(any.contains("next_short:") && stated(2).contains("next_short:"));
+    let enough = stated(8);
+    assert!(!enough.contains("next_short:") && !enough.contains("too few passes"), "{enough}");
 }
 
 #[test]

@@ -199,7 +199,7 @@ fn critical_grazing_and_head_on() {
         if let Some(back) = back {
             assert_eq!(to_f64(back.weight), 0.5 * 0.75);
             assert!((to_f64(back.direction[2]) - cosine).abs() < 1e-6);
-            assert_eq!(to_f64(back.origin[2]), 6.125);
+            assert!((6.125..6.13).contains(&to_f64(back.origin[2])));
         }
     }
     // Perpendicular incidence goes straight on, at any ratio.
@@ -207,7 +207,7 @@ fn critical_grazing_and_head_on() {
         let [through, back] = follow(on_plane(1.0, ratio));
         let through = through.expect("a ray");
         assert!(off(&through, [0.0, 0.0, -1.0]) <= 1.0, "{through:x?}");
-        assert_eq!(to_f64(through.origin[2]), 5.875);
+        assert!((5.87..=5.875).contains(&to_f64(through.origin[2])));
         assert_eq!(through.pixel, 0x1230 + CHAIN_STEP);
         assert_eq!(back, None);
     }

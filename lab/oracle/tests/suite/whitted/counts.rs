@@ -11,6 +11,7 @@ const SPD: Options = Options {
     spd_rays: true,
     shadows: true,
     pixels: Pixels { corners: true, ..Pixels::PLAIN },
+    rounding: oracle::whitted::Rounding::Double,
 };
 
 fn counts(scene: &scenes::Scene, options: &Options) -> Counts {
