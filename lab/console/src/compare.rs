@@ -9,7 +9,7 @@ use clock::rows;
 use crate::Failure;
 use crate::corners::{self, FACTS};
 use crate::pictures;
-use crate::report::{CHECKSUM, TITLE};
+use crate::report::{CHECKSUM, EMULATED, TITLE};
 
 /// The path of the list of facts in the sources, for the patch.
 const FACTS_FILE: &str = "lab/console/corners.txt";
@@ -32,6 +32,9 @@ pub struct Comparison {
 pub fn compare(report: &str, folder: &Path) -> Result<Comparison, Failure> {
     check(report)?;
     let mut found = Comparison { text: String::new(), differences: 0 };
+    if report.lines().any(|line| line.starts_with(EMULATED)) {
+        writeln!(found.text, "note: {EMULATED}: the figures may be an emulator's")?;
+    }
     found.rows(report)?;
     found.corners(report)?;
     if report.lines().any(|line| line.starts_with("picture ")) {

@@ -24,6 +24,9 @@ pub const TITLE: &str = "cellray report 1";
 /// How its last line begins.
 pub const CHECKSUM: &str = "checksum ";
 
+/// How the line begins that tells of emulated SPUs.
+pub const EMULATED: &str = "spufs not mounted";
+
 /// The scenes whose frames are counted.
 const SCENES: [&str; 10] = [
     "paper1.nff",
@@ -175,9 +178,16 @@ impl Report<'_> {
                 });
             }
         }
-        for vsync in [true, false] {
+        // Memory has no vertical blank.
+        let ways: &[bool] = if device.exists() { &[true, false] } else { &[false] };
+        for &vsync in ways {
+            let how = match (device.exists(), vsync) {
+                (false, _) => "in memory",
+                (true, true) => "vsync",
+                (true, false) => "no vsync",
+            };
             for scene in SCENES {
-                let name = format!("frames {scene}, {}", vsync_name(vsync));
+                let name = format!("frames {scene}, {how}");
                 self.step(&name, 10, || {
                     let screen = screen(arguments, vsync)?;
                     let mut engine = engine(Program::tracer(), timeout, screen)?;
@@ -197,8 +207,10 @@ impl Report<'_> {
             }
             for played in [true, false] {
                 let game = if played { "billiards" } else { UNPLAYED };
-                let name = format!("frames of {game}, {}", vsync_name(vsync));
-                self.step(&name, 10, || play(&name, arguments, &folder, game, (played, vsync)));
+                let name = format!("frames of {game}, {how}");
+                self.step(&name, 10, || {
+                    play(&name, arguments, &folder, game, (played, vsync), timeout)
+                });
             }
         }
     }
@@ -210,10 +222,6 @@ pub fn turned(vector: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let axis = axis.normalize();
     let (sine, cosine) = angle.sin_cos();
     vector * cosine + axis.cross(vector) * sine + axis * (axis.dot(vector) * (1.0 - cosine))
-}
-
-fn vsync_name(vsync: bool) -> &'static str {
-    if vsync { "vsync" } else { "no vsync" }
 }
 
 /// A line of the step that this process is.
@@ -268,7 +276,7 @@ fn spes() -> Result<(), Failure> {
     let mounts = fs::read_to_string("/proc/self/mounts").unwrap_or_default();
     match mounts.lines().find(|line| line.split(' ').nth(2) == Some("spufs")) {
         Some(line) => say(&format!("spufs mounted: {line}")),
-        None => say("spufs not mounted: SPUs are emulated, unless a system's libspe2 has its own"),
+        None => say(&format!("{EMULATED}: this project's libspe2 emulates SPUs")),
     }
     say(&format!("SPEs {}", usable_spes()?));
     Ok(())
@@ -342,10 +350,11 @@ fn play(
     folder: &Path,
     game: &str,
     (played, vsync): (bool, bool),
+    timeout: Duration,
 ) -> Result<(), Failure> {
     let entry = games::find(game).ok_or("there is no such game")?;
     let spus = usable_spes()?.clamp(1, Settings::default().spus);
-    let settings = Settings { spus, ..Settings::default() };
+    let settings = Settings { spus, timeout, ..Settings::default() };
     let mut session = Session::start((entry.new)(), settings, screen(arguments, vsync)?)?;
     if played {
         session = session.replaying(Recording::open(&folder.join(RECORDING))?)?;
