@@ -3,13 +3,13 @@
         .set    NAMES_AT, 0x1000        # the offset of the names from the argument
         .set    PUT, 0x20
 
-        # A name has 64 bytes, an answer 32: the value and the FPSCR.
+        # A name has 64 bytes, an result 32: the value and the FPSCR.
         .section .rodata
         .balign 128
 names:
         .section .data
         .balign 128
-answers:
+results:
         .fill   128*32,1,0
 
 # A constant of four words.
@@ -49,7 +49,7 @@ answers:
 _start: fscrrd  $81
         ori     $5,$4,0
         rotqbyi $6,$4,4
-        ila     $70,answers
+        ila     $70,results
         il      $80,0
         store   "FPSCR at the start"
 
@@ -136,7 +136,7 @@ _start: fscrrd  $81
         dfa     $80,$61,$61
         corner  "dfa of a signalling and a quiet NaN"
 
-        # Branches with both feature bits: the machine's state tells whether interrupts are enabled.
+        # Branches with both feature bits: the machine's state shows whether interrupts are enabled.
         clear
         ila     $62,1f
         .long   0x350c0000|62<<7
@@ -166,7 +166,7 @@ _start: fscrrd  $81
         corner  "frsqest, table entries from \step"
         .endr
 
-        ila     $20,answers
+        ila     $20,results
         ori     $21,$6,0
         il      $22,0x1000
         brsl    $0,put

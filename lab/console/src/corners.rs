@@ -12,17 +12,17 @@ use crate::Failure;
 
 const IMAGE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/corners.elf"));
 
-/// The emulator's answers, one a line: the list of facts that a console can correct.
+/// The emulator's results, one a line: the list of facts that a console can correct.
 pub const FACTS: &str = include_str!("../corners.txt");
 
 // The layout of `spu/corners.s`.
 const COUNT: usize = 128;
-const ANSWER_BYTES: usize = 32;
+const RESULT_BYTES: usize = 32;
 const NAME_BYTES: usize = 64;
-const NAMES_AT: usize = COUNT * ANSWER_BYTES;
+const NAMES_AT: usize = COUNT * RESULT_BYTES;
 const BYTES: usize = NAMES_AT + COUNT * NAME_BYTES;
 
-/// What an SPU answers.
+/// A result of an SPU.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Corner {
     name: String,
@@ -47,13 +47,13 @@ pub fn run() -> Result<Vec<Corner>, Failure> {
     let program = Program::from_image(IMAGE)?;
     let context = Context::create()?;
     context.load(&program)?;
-    let answers = SharedMemory::new(BYTES);
-    let ended = context.run(answers.address() as usize);
+    let results = SharedMemory::new(BYTES);
+    let ended = context.run(results.address() as usize);
     if ended.outcome != Outcome::Exit(0) {
         return Err(ended.to_string().into());
     }
     let mut bytes = [0; BYTES];
-    answers.read(0, &mut bytes);
+    results.read(0, &mut bytes);
     let quad = |at: usize| {
         let word = |at: usize| u32::from_be_bytes([0, 1, 2, 3].map(|byte| bytes[at + byte]));
         [0, 4, 8, 12].map(|offset| word(at + offset))
@@ -61,7 +61,7 @@ pub fn run() -> Result<Vec<Corner>, Failure> {
     let corners = (0..COUNT).map_while(|number| {
         let name = &bytes[NAMES_AT + number * NAME_BYTES..][..NAME_BYTES];
         let name: Vec<u8> = name.iter().copied().take_while(|byte| *byte != 0).collect();
-        let at = number * ANSWER_BYTES;
+        let at = number * RESULT_BYTES;
         (!name.is_empty()).then(|| Corner {
             name: String::from_utf8_lossy(&name).into_owned(),
             value: quad(at),
@@ -79,21 +79,21 @@ pub fn on_each(spus: u32, limit: Duration) -> Vec<Result<Vec<Corner>, String>> {
     for number in 0..spus as usize {
         let sender = sender.clone();
         thread::spawn(move || {
-            let answer = run().map_err(|error| error.to_string());
+            let result = run().map_err(|error| error.to_string());
             // Nobody listens any more after the limit.
-            let _ = sender.send((number, answer));
+            let _ = sender.send((number, result));
         });
     }
     let seconds = limit.as_secs_f64();
     let hung = |number| Err(format!("SPU {number} hangs: it has not ended within {seconds} s"));
-    let mut answers: Vec<_> = (0..spus).map(hung).collect();
+    let mut results: Vec<_> = (0..spus).map(hung).collect();
     let until = Instant::now() + limit;
     for _ in 0..spus {
         let left = until.saturating_duration_since(Instant::now());
-        let Ok((number, answer)) = receiver.recv_timeout(left) else {
+        let Ok((number, result)) = receiver.recv_timeout(left) else {
             break;
         };
-        answers[number] = answer.map_err(|error| format!("SPU {number}: {error}"));
+        results[number] = result.map_err(|error| format!("SPU {number}: {error}"));
     }
-    answers
+    results
 }

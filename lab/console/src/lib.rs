@@ -1,5 +1,5 @@
-//! What the owner of a console runs first: [`start`] finds out what is missing and shows a moving
-//! picture, and [`report`] writes a file that says how the console differs from the model.
+//! The first programs for the owner of a console: [`start`] finds out what is missing and shows a moving
+//! picture, and [`report`] writes a file with the differences of the console from the model.
 //! [`compare`] reads that file on a PC.
 //!
 //! Invariant: a step of the report that fails, crashes or hangs ends neither the report nor another
@@ -12,5 +12,5 @@ pub mod report;
 pub mod start;
 pub mod step;
 
-/// What stops a command or a step.
+/// The reason that a command or a step ends early.
 pub type Failure = Box<dyn std::error::Error>;

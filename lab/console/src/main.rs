@@ -21,7 +21,7 @@ enum Command {
     Start(start::Arguments),
     /// Measure this machine, and write a report without personal data
     Report(report::Arguments),
-    /// Print the answers of this machine to the instructions that are uncertain
+    /// Print the results of uncertain instructions on this machine
     Facts,
     /// Print the hashes of the golden pictures
     Golden {

@@ -24,7 +24,7 @@ pub const TITLE: &str = "cellray report 1";
 /// How its last line begins.
 pub const CHECKSUM: &str = "checksum ";
 
-/// How the line begins that tells of emulated SPUs.
+/// How the line about emulated SPUs begins.
 pub const EMULATED: &str = "spufs not mounted";
 
 /// The scenes whose frames are counted.
@@ -103,7 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     }
     let out = arguments.out.display();
     match report.file {
-        Some(_) => messages::print!("cellray-console: {out}: docs/ps3.md says where to send it"),
+        Some(_) => messages::print!("cellray-console: {out}: send it as docs/ps3.md describes"),
         None => messages::print!("cellray-console: the report is only above: please copy it"),
     }
     Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
@@ -154,14 +154,14 @@ impl Report<'_> {
         self.step("memory", 2, memory);
         self.step("libspe2", 5, spes);
         self.step("framebuffer", 5, || {
-            say(&format!("framebuffer {}", Device::inspect(device)?));
+            line(&format!("framebuffer {}", Device::inspect(device)?));
             Ok(())
         });
         self.step("SPUs", 10, || corners(timeout));
         for row in clock::rows::all() {
             self.step(&format!("clock {}", row.name), 10, || {
                 let measured = row.measure()?;
-                say(&format!("clock {} {} {}", row.name, measured.value, row.unit));
+                line(&format!("clock {} {} {}", row.name, measured.value, row.unit));
                 Ok(())
             });
         }
@@ -169,9 +169,9 @@ impl Report<'_> {
         for scene in pictures::SCENES {
             for (number, of) in Formulations::shipped().iter().enumerate() {
                 self.step(&format!("picture {scene} {number}"), 10, || {
-                    let line = pictures::line(&folder, scene, of, timeout)?;
-                    say(&line);
-                    match golden.lines().any(|known| known == line) {
+                    let picture = pictures::line(&folder, scene, of, timeout)?;
+                    line(&picture);
+                    match golden.lines().any(|known| known == picture) {
                         true => Ok(()),
                         false => Err("the picture is not among golden.txt".into()),
                     }
@@ -220,20 +220,20 @@ impl Report<'_> {
 #[must_use]
 pub fn turned(vector: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let axis = axis.normalize();
-    let (sine, cosine) = angle.sin_cos();
+    let (sine, cosine) = libm::sincos(angle);
     vector * cosine + axis.cross(vector) * sine + axis * (axis.dot(vector) * (1.0 - cosine))
 }
 
 /// A line of the step that this process is.
-fn say(line: &str) {
-    messages::print!("{line}");
+fn line(text: &str) {
+    messages::print!("{text}");
 }
 
 /// The lines of a file of the kernel that begin with one of these words.
 fn lines_of(path: &str, words: &[&str]) -> Result<(), Failure> {
     let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
-    for line in text.lines().filter(|line| words.iter().any(|word| line.starts_with(word))) {
-        say(&line.split_whitespace().collect::<Vec<_>>().join(" "));
+    for found in text.lines().filter(|line| words.iter().any(|word| line.starts_with(word))) {
+        line(&found.split_whitespace().collect::<Vec<_>>().join(" "));
     }
     Ok(())
 }
@@ -242,18 +242,18 @@ fn lines_of(path: &str, words: &[&str]) -> Result<(), Failure> {
 fn kernel() -> Result<(), Failure> {
     for file in ["ostype", "osrelease", "version"] {
         if let Ok(text) = fs::read_to_string(format!("/proc/sys/kernel/{file}")) {
-            say(&format!("{file} {}", text.trim()));
+            line(&format!("{file} {}", text.trim()));
         }
     }
-    for line in Machine::here().processor {
-        say(&line);
+    for processor in Machine::here().processor {
+        line(&processor);
     }
     for (path, words) in
         [("/etc/os-release", ["NAME=", "VERSION="]), ("/proc/cpuinfo", ["clock", "timebase"])]
     {
         // A system need not have the files, and a PC's have other lines.
         if let Err(error) = lines_of(path, &words) {
-            say(&error.to_string());
+            line(&error.to_string());
         }
     }
     Ok(())
@@ -261,7 +261,7 @@ fn kernel() -> Result<(), Failure> {
 
 fn memory() -> Result<(), Failure> {
     // SAFETY: sysconf takes no pointers.
-    say(&format!("page size {}", unsafe { libc::sysconf(libc::_SC_PAGESIZE) }));
+    line(&format!("page size {}", unsafe { libc::sysconf(libc::_SC_PAGESIZE) }));
     lines_of("/proc/meminfo", &["MemTotal", "MemAvailable", "HugePages_Total"])
 }
 
@@ -269,37 +269,37 @@ fn spes() -> Result<(), Failure> {
     let library = library_path();
     // Its folder may have a person's name.
     let name = library.as_deref().and_then(Path::file_name);
-    say(&match name {
+    line(&match name {
         Some(name) => format!("libspe2 {}", name.display()),
         None => "libspe2 linked in".to_owned(),
     });
     let mounts = fs::read_to_string("/proc/self/mounts").unwrap_or_default();
     match mounts.lines().find(|line| line.split(' ').nth(2) == Some("spufs")) {
-        Some(line) => say(&format!("spufs mounted: {line}")),
-        None => say(&format!("{EMULATED}: this project's libspe2 emulates SPUs")),
+        Some(mount) => line(&format!("spufs mounted: {mount}")),
+        None => line(&format!("{EMULATED}: this project's libspe2 emulates SPUs")),
     }
-    say(&format!("SPEs {}", usable_spes()?));
+    line(&format!("SPEs {}", usable_spes()?));
     Ok(())
 }
 
-/// Each SPU's answers: those of the first, and the SPUs that differ, fail or hang.
+/// Each SPU's results: those of the first, and the SPUs that differ, fail or hang.
 fn corners(limit: Duration) -> Result<(), Failure> {
-    let answers = on_each(usable_spes()?.clamp(1, Settings::default().spus), limit);
-    let first = answers.iter().find_map(|answer| answer.as_ref().ok());
+    let results = on_each(usable_spes()?.clamp(1, Settings::default().spus), limit);
+    let first = results.iter().find_map(|result| result.as_ref().ok());
     for corner in first.into_iter().flatten() {
-        say(&format!("corner {corner}"));
+        line(&format!("corner {corner}"));
     }
     let mut wrong = 0;
-    for (number, answer) in answers.iter().enumerate() {
-        let fault = match answer {
+    for (number, result) in results.iter().enumerate() {
+        let fault = match result {
             Err(error) => error.clone(),
-            Ok(_) if Some(answer.as_ref()) == first.map(Ok) => continue,
-            Ok(_) => format!("SPU {number} answers otherwise than the first"),
+            Ok(_) if Some(result.as_ref()) == first.map(Ok) => continue,
+            Ok(_) => format!("SPU {number} has other results than the first"),
         };
-        say(&fault);
+        line(&fault);
         wrong += 1;
     }
-    if wrong > 0 { Err(format!("{wrong} SPUs of {}", answers.len()).into()) } else { Ok(()) }
+    if wrong > 0 { Err(format!("{wrong} SPUs of {}", results.len()).into()) } else { Ok(()) }
 }
 
 /// The console's screen, or memory if there is none.
@@ -311,7 +311,7 @@ fn screen(arguments: &Arguments, vsync: bool) -> Result<Box<dyn Framebuffer>, Fa
     Ok(framebuffer::open_with(&arguments.device, options)?)
 }
 
-/// Makes frames for some seconds, until there are no more, and says how many there were.
+/// Makes frames for some seconds, until there are no more, and prints their number.
 fn measure(
     name: &str,
     seconds: u64,
@@ -332,7 +332,7 @@ fn measure(
         }
         _ => "the PPE's idle time not known".to_owned(),
     };
-    say(&format!("{name}: {rate:.2} frames/s, {frames} frames, {idle}"));
+    line(&format!("{name}: {rate:.2} frames/s, {frames} frames, {idle}"));
     Ok(())
 }
 

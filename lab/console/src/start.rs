@@ -198,7 +198,7 @@ impl System {
             ),
             Some(free) => Ok(format!("{} MiB of memory are free", free >> 10)),
             None => trouble(
-                "the kernel does not say how much memory is free",
+                "the kernel reports no number of free memory",
                 Mend::Advice("mount /proc"),
                 false,
             ),

@@ -43,7 +43,7 @@ fn attempt(
 ) -> Result<(), String> {
     let refused = |what: &str| format!("{what}: {}", io::Error::last_os_error());
     let mut ends = [0; 2];
-    // SAFETY: the array has room for both descriptors.
+    // SAFETY: the array holds both descriptors.
     if unsafe { libc::pipe2(ends.as_mut_ptr(), libc::O_CLOEXEC) } != 0 {
         return Err(refused("pipe"));
     }

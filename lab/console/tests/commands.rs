@@ -27,25 +27,25 @@ fn model_report() -> String {
 }
 
 #[test]
-fn emulator_answers_what_the_list_of_facts_has() {
-    let answers = facts().unwrap();
+fn emulator_has_the_results_of_the_list_of_facts() {
+    let results = facts().unwrap();
     if std::env::var_os("MAKE_REF").is_some() {
-        fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/corners.txt"), answers).unwrap();
+        fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/corners.txt"), results).unwrap();
         return;
     }
-    assert_eq!(answers, FACTS, "write it with MAKE_REF=1");
+    assert_eq!(results, FACTS, "write it with MAKE_REF=1");
     let names: std::collections::BTreeSet<_> =
         FACTS.lines().map(|fact| fact.split(':').next()).collect();
     assert_eq!(names.len(), FACTS.lines().count(), "each corner has a name of its own");
 }
 
 #[test]
-fn all_spus_answer_alike() {
-    let answers = on_each(6, std::time::Duration::from_secs(600));
-    assert_eq!(answers.len(), 6);
-    for answer in &answers {
-        assert_eq!(answer, &answers[0]);
-        assert!(answer.is_ok());
+fn all_spus_have_the_same_results() {
+    let results = on_each(6, std::time::Duration::from_secs(600));
+    assert_eq!(results.len(), 6);
+    for result in &results {
+        assert_eq!(result, &results[0]);
+        assert!(result.is_ok());
     }
 }
 

@@ -10,7 +10,7 @@ use super::Outcome;
 
 /// Compare a console's report with the model, row by row
 ///
-/// Rows that leave their band are marked. Instructions that answer otherwise are printed as a patch
+/// Rows that leave their band are marked. Instructions with other results are printed as a patch
 /// to lab/console/corners.txt.
 #[derive(Args)]
 pub struct Arguments {

@@ -1,5 +1,5 @@
 //! Faults that a test asks for by the variable `SPUFS`: `absent`, a kernel without the system calls;
-//! `denied`, a folder that may not be written to; `silent:N`, an SPE that never answers, which is
+//! `denied`, a folder that may not be written to; `silent:N`, an SPE that never replies, which is
 //! that of the context that was created N-th, counted from 0.
 
 use std::env;
@@ -38,7 +38,7 @@ pub(crate) fn check_rights() -> Result<(), Errno> {
     if matches!(fault(), Some(Fault::Denied)) { Err(Errno(libc::EACCES)) } else { Ok(()) }
 }
 
-/// Whether the SPE of the context with this number never answers.
+/// Whether the SPE of the context with this number never replies.
 pub(crate) fn is_silent(number: usize) -> bool {
     matches!(fault(), Some(Fault::Silent(silent)) if silent == number)
 }
