@@ -44,9 +44,17 @@ impl fmt::Display for Corner {
 /// # Errors
 /// libspe2 fails, or the program ends otherwise than it should.
 pub fn run() -> Result<Vec<Corner>, Failure> {
-    let program = Program::from_image(IMAGE)?;
+    run_in(&loaded()?)
+}
+
+/// A context that has the program.
+fn loaded() -> Result<Context, Failure> {
     let context = Context::create()?;
-    context.load(&program)?;
+    context.load(&Program::from_image(IMAGE)?)?;
+    Ok(context)
+}
+
+fn run_in(context: &Context) -> Result<Vec<Corner>, Failure> {
     let results = SharedMemory::new(BYTES);
     let ended = context.run(results.address() as usize);
     if ended.outcome != Outcome::Exit(0) {
@@ -78,8 +86,11 @@ pub fn on_each(spus: u32, limit: Duration) -> Vec<Result<Vec<Corner>, String>> {
     let (sender, receiver) = mpsc::channel();
     for number in 0..spus as usize {
         let sender = sender.clone();
+        // Created in the order of their numbers.
+        let context = loaded().map_err(|error| error.to_string());
         thread::spawn(move || {
-            let result = run().map_err(|error| error.to_string());
+            let result =
+                context.and_then(|context| run_in(&context).map_err(|error| error.to_string()));
             // Nobody listens any more after the limit.
             let _ = sender.send((number, result));
         });
