@@ -33,7 +33,8 @@ fn build(script: &mut Script) -> Outcome<()> {
     };
     fs::write(out.join("images.rs"), table(&images)?)?;
 
-    if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
+    let glibc = env::var("CARGO_CFG_TARGET_ENV")? == "gnu";
+    if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" && glibc {
         stubs(&out, script)?;
     }
     Ok(())

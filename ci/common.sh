@@ -7,6 +7,8 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$top"
 
 ppc64=powerpc64-unknown-linux-gnu
+# Static programs for the console.
+musl=powerpc64-unknown-linux-musl
 ppc=powerpc-unknown-linux-gnu
 # build.rs looks for the SPU tools here, too, after the variables and PATH.
 spu_binutils=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-binutils

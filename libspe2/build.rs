@@ -19,7 +19,8 @@ fn link(script: &mut Script) -> Result<(), Box<dyn Error>> {
     if env::var("CARGO_CFG_TARGET_OS")? == "linux" {
         script.add("rustc-cdylib-link-arg=-Wl,-soname,libspe2.so.2");
     }
-    if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
+    let glibc = env::var("CARGO_CFG_TARGET_ENV")? == "gnu";
+    if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" && glibc {
         let folder = PathBuf::from(env::var("OUT_DIR")?).join("stub");
         fs::create_dir_all(&folder)?;
         stub::glibc::build(&stub::compiler(script), &folder)?;

@@ -32,5 +32,5 @@ impl SpeError {
 }
 
 // Links libspe2 into the program if there is no shared library for it.
-#[cfg(not(target_arch = "powerpc64"))]
+#[cfg(any(not(target_arch = "powerpc64"), target_env = "musl"))]
 use spe2 as _;

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod clock;
+mod compare;
 mod mesh_cache;
 mod stability;
 
@@ -28,6 +29,8 @@ enum Command {
     Stability(stability::Arguments),
     /// Measure pipelines, memory and interconnect by small SPU programs
     Clock(clock::Arguments),
+    /// Compare a console's report with the model, row by row
+    Compare(compare::Arguments),
     /// Draw how many blocks of a mesh an SPU caches against frames a second and bytes a ray
     MeshCache(mesh_cache::Arguments),
 }
@@ -36,7 +39,7 @@ pub fn main() -> ExitCode {
     let command = Arguments::parse().command;
     // The clock's programs are built in, and plots need none. The others need the kernels'
     // sources.
-    if !matches!(command, Command::Clock(_) | Command::MeshCache(_))
+    if !matches!(command, Command::Clock(_) | Command::Compare(_) | Command::MeshCache(_))
         && let Err(error) = kernels::set::Kernels::here()
     {
         messages::print!("cellray-bench: error: {error}");
@@ -46,6 +49,7 @@ pub fn main() -> ExitCode {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
         Command::Clock(arguments) => clock::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::MeshCache(arguments) => mesh_cache::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {

@@ -39,13 +39,15 @@ pub(super) struct Driver {
     smem_len: u32,
     /// Whether it maps the video memory, as a patch has it: no copies, lines as the chip has them.
     patched: bool,
+    /// Bits of a pixel; the console's driver has no other number than 32.
+    depth: u32,
     /// Calls to wait or select that it still handles; `None` for ever.
     patience: Option<u32>,
 }
 
 impl Driver {
-    /// A driver by words: `mode:N` and `memory:MIB` (131 and 9 when left out), `patched`, and
-    /// `vanishes:N`, after which the device is gone.
+    /// A driver by words: `mode:N` and `memory:MIB` (131 and 9 when left out), `patched`, `depth:BITS`,
+    /// and `vanishes:N`, after which the device is gone.
     pub(super) fn new(words: &str, memory: File, screen: File) -> Driver {
         let mut driver = Driver {
             memory,
@@ -53,6 +55,7 @@ impl Driver {
             mode: 3 | FULL,
             smem_len: 9 * MIB - COMMANDS,
             patched: false,
+            depth: 32,
             patience: None,
         };
         for word in words.split_whitespace() {
@@ -62,6 +65,7 @@ impl Driver {
                 "mode" => driver.mode = value,
                 "memory" => driver.smem_len = value * MIB - COMMANDS,
                 "patched" => (driver.patched, driver.smem_len) = (true, 32 * MIB),
+                "depth" => driver.depth = value,
                 "vanishes" => driver.patience = Some(value),
                 _ => panic!("PS3FB: {word} is no word for a driver"),
             }
@@ -109,7 +113,8 @@ impl Driver {
                 0x4600 => {
                     let (width, height) = self.shown();
                     words.cast::<[u32; 40]>().write([0; 40]);
-                    for (at, value) in [(0, width), (4, height), (8, width), (12, height), (24, 32)]
+                    for (at, value) in
+                        [(0, width), (4, height), (8, width), (12, height), (24, self.depth)]
                     {
                         words.byte_add(at).write(value);
                     }

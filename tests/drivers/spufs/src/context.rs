@@ -1,5 +1,6 @@
 //! Contexts: `spu_create`, and what a context holds.
 
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError, RwLock};
 
 use spu_emulator::engine::Engine;
@@ -22,6 +23,7 @@ const KNOWN: u32 = 0x3f;
 
 const ROOT: &str = "/spu";
 
+static CREATED: AtomicUsize = AtomicUsize::new(0);
 static MACHINE: OnceLock<Arc<Machine>> = OnceLock::new();
 
 fn machine() -> &'static Arc<Machine> {
@@ -33,6 +35,8 @@ pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 pub(crate) struct Context {
+    /// How many contexts were created before.
+    pub number: usize,
     pub flags: u32,
     modes: Mutex<[SignalMode; 2]>,
     /// Made when it is first used, because signal modes are set before.
@@ -144,6 +148,7 @@ pub(crate) fn create(path: &str, flags: u32) -> Result<i32, Errno> {
     }
     ProcessMemory::prepare()?;
     let context = Context {
+        number: CREATED.fetch_add(1, Relaxed),
         flags,
         modes: Mutex::default(),
         spe: OnceLock::new(),

@@ -11,6 +11,7 @@ use libc::{c_char, c_int, c_long, c_void, mode_t, off_t, off64_t, size_t, ssize_
 
 use crate::context;
 use crate::error::Errno;
+use crate::fault;
 use crate::file::{self, File};
 use crate::run;
 use crate::table::{self, Open, table};
@@ -68,6 +69,8 @@ fn with_file<T>(descriptor: c_int, body: impl FnOnce(&File) -> T) -> Option<T> {
 /// # Safety
 /// The arguments are those of `spu_create`.
 unsafe fn spu_create(path: *const c_char, flags: c_long) -> Result<c_long, Errno> {
+    fault::check_calls()?;
+    fault::check_rights()?;
     // SAFETY: the caller's promise.
     let path = unsafe { CStr::from_ptr(path) };
     let path = path.to_str().map_err(|_| Errno(libc::EINVAL))?;
@@ -77,6 +80,7 @@ unsafe fn spu_create(path: *const c_char, flags: c_long) -> Result<c_long, Errno
 /// # Safety
 /// The arguments are those of `spu_run`.
 unsafe fn spu_run(descriptor: c_long, npc: *mut u32, event: *mut u32) -> Result<c_long, Errno> {
+    fault::check_calls()?;
     let context = match table::find(descriptor as c_int) {
         Some(Open::Context(_, context)) => context,
         Some(_) => return Err(Errno(libc::EINVAL)),

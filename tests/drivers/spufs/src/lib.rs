@@ -10,10 +10,13 @@
 //! is accessed whether or not the context is loaded, only a signal that a run raises ends the run,
 //! and any caught signal ends a wait for a mailbox, even with `SA_RESTART`.
 //!
+//! The variable `SPUFS` makes it fail ([`fault`]).
+//!
 //! Invariant: what is not of spufs goes to the C library untouched.
 
 mod context;
 mod error;
+mod fault;
 #[path = "../../../../libspe2/src/fault_signal.rs"]
 mod fault_signal;
 mod file;

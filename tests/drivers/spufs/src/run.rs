@@ -5,6 +5,7 @@ use spu_emulator::stop::{Stop, Stopped};
 
 use crate::context::{Context, EVENTS_ENABLED};
 use crate::error::Errno;
+use crate::fault;
 use crate::fault_signal::{After, FaultSignal};
 use crate::system_call;
 
@@ -67,6 +68,9 @@ fn after(context: &Context, stopped: &Stopped) -> Next {
 pub(crate) fn run(context: &Context, npc: &mut u32) -> Result<(i32, u32), Errno> {
     loop {
         context.run_state.starts();
+        while fault::is_silent(context.number) {
+            std::thread::park();
+        }
         let stopped = context.loaded(|| context.spe().run(*npc & spu_isa::LIMIT_MASK));
         *npc = stopped.npc;
         let next = after(context, &stopped);

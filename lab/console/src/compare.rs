@@ -1,0 +1,140 @@
+//! A console's report against the model: what differs, row by row.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use clock::results::model;
+use clock::rows;
+
+use crate::Failure;
+use crate::corners::{self, FACTS};
+use crate::pictures;
+use crate::report::{CHECKSUM, EMULATED, TITLE};
+
+/// The path of the list of facts in the sources, for the patch.
+const FACTS_FILE: &str = "lab/console/corners.txt";
+/// The relative difference that a row may have if nobody has measured it on a console.
+const BAND: f64 = 0.10;
+
+/// What a comparison found.
+pub struct Comparison {
+    /// The text to print.
+    pub text: String,
+    /// How many rows, corners and pictures differ, and how many steps failed.
+    pub differences: u32,
+}
+
+/// Compares a report with the model, with the list of facts, and with the pictures of this
+/// machine. `folder` has the folder `scenes`.
+///
+/// # Errors
+/// It is no report, its checksum is wrong, or a line can't be read.
+pub fn compare(report: &str, folder: &Path) -> Result<Comparison, Failure> {
+    check(report)?;
+    let mut found = Comparison { text: String::new(), differences: 0 };
+    if report.lines().any(|line| line.starts_with(EMULATED)) {
+        writeln!(found.text, "note: {EMULATED}: the figures may be an emulator's")?;
+    }
+    found.rows(report)?;
+    found.corners(report)?;
+    if report.lines().any(|line| line.starts_with("picture ")) {
+        found.pictures(report, &pictures::golden(folder)?)?;
+    }
+    for line in report.lines().filter(|line| line.starts_with("failed: ")) {
+        found.differs(line)?;
+    }
+    writeln!(found.text, "{} differences", found.differences)?;
+    Ok(found)
+}
+
+/// Checks title and checksum.
+fn check(report: &str) -> Result<(), Failure> {
+    if !report.starts_with(TITLE) {
+        return Err(format!("it does not begin with `{TITLE}`").into());
+    }
+    let at =
+        report.rfind(&format!("\n{CHECKSUM}")).ok_or("it has no checksum: its end is missing")?;
+    let (body, last) = report.split_at(at + 1);
+    let stated = last.trim_start_matches(CHECKSUM).trim();
+    let sum = format!("{:08x}", crc32fast::hash(body.as_bytes()));
+    if stated != sum {
+        return Err(format!("its checksum is {stated}, but its text has {sum}").into());
+    }
+    Ok(())
+}
+
+impl Comparison {
+    fn differs(&mut self, line: &str) -> Result<(), Failure> {
+        self.differences += 1;
+        Ok(writeln!(self.text, "DIFFERS  {line}")?)
+    }
+
+    fn rows(&mut self, report: &str) -> Result<(), Failure> {
+        let (model, rows) = (model(), rows::all());
+        for (number, line) in report.lines().enumerate() {
+            let Some(fields) = line.strip_prefix("clock ") else {
+                continue;
+            };
+            let wrong = |what: &str| format!("line {}: {what}: {line}", number + 1);
+            let mut fields = fields.splitn(3, ' ');
+            let name = fields.next().unwrap_or_default();
+            let value = fields.next().and_then(|value| value.parse::<f64>().ok());
+            let value = value.ok_or_else(|| wrong("a row without a figure"))?;
+            let unit = fields.next().unwrap_or_default();
+            let expected = model.iter().find(|row| row.row == name);
+            let expected = expected.ok_or_else(|| wrong("the model has no such row"))?.value;
+            let band =
+                rows.iter().find(|row| row.name == name).and_then(|row| row.console.as_ref());
+            let band = band.map_or(BAND, |console| console.band);
+            let error = value / expected - 1.0;
+            let line = format!(
+                "{name:<20} {value:>12.3}, model {expected:>12.3} {unit}, {:+.1} %, band {:.0} %",
+                100.0 * error,
+                100.0 * band
+            );
+            // A figure that is no number is out of every band.
+            if error.abs() <= band {
+                writeln!(self.text, "         {line}")?;
+            } else {
+                self.differs(&line)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Prints what differs as a patch to the list of facts.
+    fn corners(&mut self, report: &str) -> Result<(), Failure> {
+        let mut patch = String::new();
+        for line in report.lines().filter_map(|line| line.strip_prefix("corner ")) {
+            let name = line.split(':').next().unwrap_or_default();
+            let same = |fact: &&str| fact.split(':').next() == Some(name);
+            let known = FACTS.lines().zip(1..).find(|(fact, _)| same(fact));
+            let (fact, number) = known.ok_or_else(|| format!("no such corner: {line}"))?;
+            if fact != line {
+                self.differences += 1;
+                writeln!(patch, "@@ -{number} +{number} @@\n-{fact}\n+{line}")?;
+            }
+        }
+        if !patch.is_empty() {
+            write!(self.text, "--- a/{FACTS_FILE}\n+++ b/{FACTS_FILE}\n{patch}")?;
+        }
+        Ok(())
+    }
+
+    fn pictures(&mut self, report: &str, golden: &str) -> Result<(), Failure> {
+        for line in report.lines().filter(|line| line.starts_with("picture ")) {
+            if !golden.lines().any(|known| known == line) {
+                self.differs(line)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The list of facts as this machine has it.
+///
+/// # Errors
+/// The SPU program fails.
+pub fn facts() -> Result<String, Failure> {
+    Ok(corners::run()?.iter().map(|corner| format!("{corner}\n")).collect())
+}
