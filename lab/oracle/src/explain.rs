@@ -29,7 +29,7 @@ pub struct Explanation {
     pub unexplained: Vec<(u32, u32)>,
 }
 
-/// Explains the wrong pixels of a picture by Whitted's model with one sample a pixel.
+/// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel.
 ///
 /// # Errors
 /// As for [`crate::whitted::trace`]; the sizes differ; the pixels have several samples.

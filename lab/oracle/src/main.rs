@@ -361,7 +361,7 @@ fn compare(
 fn explain(path: &Path, scene: Option<&Path>, options: &Options, json: bool) -> Done {
     let Shown { picture, scene, model, reference } = shown(path, scene, options)?;
     let Model::Whitted(options) = &model else {
-        return Err("only pictures by Whitted's model can be explained".into());
+        return Err("only pictures in Whitted's model can be explained".into());
     };
     let result = oracle::explain(&picture, &reference, &scene, options)?;
     let mut text = if json {
@@ -390,7 +390,7 @@ fn floor(name: &Path, options: &Options, size: Option<(u32, u32)>, json: bool) -
     let size = size.unwrap_or(scene.view.resolution);
     let (reference, _) = model.trace(&scene, size)?;
     let scene = oracle::rounded_to_singles(&scene);
-    let mut models = vec![("scene", model.clone())];
+    let mut models = vec![("scene", model)];
     if let Model::Whitted(options) = model {
         for (name, rounding) in
             [("nearest", whitted::Rounding::Nearest), ("truncated", whitted::Rounding::Truncated)]

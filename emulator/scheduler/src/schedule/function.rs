@@ -81,7 +81,7 @@ pub(super) struct Node {
     pub may_alias: bool,
     /// The branch of a loop that is marked as one whose kernel may contain only one pass.
     pub one_pass: bool,
-    /// The branch of a loop: the source says that the loop has at least so many passes.
+    /// The branch of a loop: the minimum number of passes, which the source states.
     pub min_passes: u32,
     /// A memory access that stays in order with all other accesses. The passes of a loop may
     /// access the same memory in ways that can't be seen from registers any more.

@@ -5,7 +5,7 @@
 //! live longer than an interval, it may contain several passes that differ in registers (Lam
 //! 1988), each with an exit and a drain of its own. The fill and the drain are the kernel's
 //! instructions of the first and last passes. If the trip count is below the number of stages, the
-//! short form runs, which is the plain loop. A loop whose source states at least so many passes has
+//! short form runs, which is the plain loop. A loop whose source states a minimum that suffices has
 //! none. Invariant: for every trip count, memory and the registers that are live after the loop
 //! have the same contents as after the plain loop.
 
