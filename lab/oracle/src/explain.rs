@@ -1,8 +1,8 @@
 //! Explains the wrong pixels of a picture: how far the numbers of rays must be off for a pixel to
 //! be right.
 //!
-//! That is its backward error: the picture shows exactly what a scene and rays within so many units
-//! in the last place look like.
+//! That is its backward error: the picture shows exactly what the scene looks like with rays that
+//! are moved by this number of units in the last place.
 
 use scenes::Scene;
 use serde::Serialize;
@@ -25,7 +25,7 @@ pub struct Explanation {
     /// For each number of units in the last place, the wrong pixels that it suffices for but the
     /// number before it does not.
     pub by_ulps: [(u32, u64); ULPS.len()],
-    /// The wrong pixels that none of the perturbed pictures has, each with its column and row.
+    /// The wrong pixels that differ from all perturbed pictures, each with its column and row.
     pub unexplained: Vec<(u32, u32)>,
 }
 

@@ -37,7 +37,7 @@ const LEAVE: f64 = 1.0 / (1 << 21) as f64;
 const LEAVE_FARTHEST: f64 = 64.0;
 
 impl Rounding {
-    /// A point near to the rounded one. `way` tells apart the rays of a picture.
+    /// The rounded point. `way` is different for each ray of a picture.
     pub(super) fn point(self, point: DVec3, eye: DVec3, way: u64) -> DVec3 {
         if self == Self::Double { point } else { eye + self.vector(point - eye, way) }
     }
