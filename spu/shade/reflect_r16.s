@@ -14,7 +14,7 @@
 #
 # r = d - 2 (d.N) N, or with the surface's own normal G if r does not leave the surface: r.G <= 0
 # The ray starts `leave` off the surface, as bounce_leave has it. The ray in a small body must not
-# start beyond the opposite wall: where light passes, it moves 2 leave along itself at most, else 64.
+# start beyond the opposite wall: where light passes, it moves 2 leave along itself at most, else 8.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -33,7 +33,7 @@ bounce_shuffles
 
 function reflect_r16
         bounce_begins
-        ilhu    $k_farthest,0x4280                      # 64
+        ilhu    $k_farthest,0x4100                      # 8
         ilhu    $k_inside,0x4000                        # 2
 next_row:
         bounce_row

@@ -19,7 +19,8 @@
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
 #   |weight (most diffuse (N.L) + highlight)| > minimum; otherwise t = -1
 #   origin = point + ahead L + rest plane, which is `leave` off the surface: ahead is
-#   leave / (plane.L), at most 64 leave, or 2 where light passes, and rest is 0 unless the ray grazes; t counts from point
+#   leave / (plane.L), at most 8 leave, or 2 where light passes; rest is 0 unless the ray grazes
+#   t counts from point
 # most is the OR of the bits of red, green and blue: at least the largest of them, and below 2 if
 # they are. A highlight is at most its share. If every ray counts, weight and most are 1: a ray
 # exists where any share is. A light exactly at the point has L = 0, and there is no ray.
@@ -140,7 +141,7 @@ function shadow_rays_r16
         ilhu    $k_one,0x3f80
         ilhu    $k_beyond,FARTHEST>>16
         ilhu    $k_minus_one,0xbf80
-        ilhu    $k_farthest,0x4280                      # 64
+        ilhu    $k_farthest,0x4100                      # 8
         ilhu    $k_inside,0x4000                        # 2
         lqd     $light,LIGHT_position($a_light)
         lqa     $t_y,two

@@ -68,8 +68,8 @@ pub struct Queued {
     pub pixel: u32,
 }
 
-/// How many times `leave` a ray's origin moves along it at most: 64.
-const FARTHEST: Single = 0x4280_0000;
+/// How many times `leave` a ray's origin moves along it at most: 8.
+const FARTHEST: Single = 0x4100_0000;
 /// The same for surfaces that let light through, because a ray in a small body must not start
 /// beyond the opposite wall: 2.
 const FARTHEST_INSIDE: Single = 0x4000_0000;

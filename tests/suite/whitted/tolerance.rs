@@ -13,7 +13,7 @@ use cellray::statistics::Rays;
 use cellray::{Engine, Scene, Settings};
 use glam::DVec3;
 use image::RgbImage;
-use oracle::whitted::Probe;
+use oracle::whitted::{Probe, Rounding};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
@@ -36,6 +36,11 @@ const PIXELS_A_LEAK: u64 = 200_000;
 /// The SPUs' directions are off by some 1e-7, which a chain of mirrors and glass magnifies.
 const NEAR: f64 = 0.02;
 
+/// The units in the last place by which rays may be moved to explain a pixel, and the number of
+/// tries.
+const ULPS: u32 = 64;
+const TRIES: u64 = 100;
+
 /// Whether this colour explains the SPUs' pixel.
 fn is_near(pixel: [u8; 3], colour: DVec3) -> bool {
     let off = |at: usize| (f64::from(pixel[at]) / 255.0 - colour[at]).abs();
@@ -51,7 +56,8 @@ fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<It
     })
 }
 
-/// The pixels that no ray near their centres explains.
+/// The pixels that no ray near their centres explains, and no rays moved by a few units in the last
+/// place.
 fn unexplained(
     scene: &scenes::Scene,
     render_options: RenderOptions,
@@ -65,11 +71,16 @@ fn unexplained(
                 .into_iter()
                 .any(|lines| around(&probe, at, lines).any(|colour| is_near(pixel, colour)))
     };
-    picture
-        .enumerate_pixels()
-        .filter(|(x, y, pixel)| !is_explained((*x, *y), pixel.0))
-        .map(|(x, y, _)| (x, y))
-        .collect()
+    let pixels = picture.enumerate_pixels();
+    let mut left: Vec<_> =
+        pixels.filter(|(x, y, pixel)| !is_explained((*x, *y), pixel.0)).collect();
+    let scene = oracle::rounded_to_singles(scene);
+    let mut probe = Probe::new(&scene, SIDE, SIDE, &options(render_options)).unwrap();
+    for seed in 0..TRIES {
+        probe.set_rounding(Rounding::Perturbed { ulps: ULPS, seed });
+        left.retain(|(x, y, pixel)| !is_near(pixel.0, probe.colour((*x).into(), (*y).into())));
+    }
+    left.into_iter().map(|(x, y, _)| (x, y)).collect()
 }
 
 /// A scene with wrong pixels.
