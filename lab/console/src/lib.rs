@@ -1,5 +1,5 @@
-//! The first programs for the owner of a console: [`start`] finds out what is missing and shows a moving
-//! picture, and [`report`] writes a file with the differences of the console from the model.
+//! The first programs for the owner of a console: [`start`] finds out what is missing and shows a
+//! moving picture, and [`report`] writes a file with the differences of the console from the model.
 //! [`compare`] reads that file on a PC.
 //!
 //! Invariant: a step of the report that fails, crashes or hangs ends neither the report nor another

@@ -46,8 +46,8 @@ pub(super) struct Driver {
 }
 
 impl Driver {
-    /// A driver by words: `mode:N` and `memory:MIB` (131 and 9 when left out), `patched`, `depth:BITS`,
-    /// and `vanishes:N`, after which the device is gone.
+    /// A driver by words: `mode:N` and `memory:MIB` (131 and 9 when left out), `patched`,
+    /// `depth:BITS`, and `vanishes:N`, after which the device is gone.
     pub(super) fn new(words: &str, memory: File, screen: File) -> Driver {
         let mut driver = Driver {
             memory,

@@ -1,5 +1,5 @@
-//! Faults that a test asks for by the variable `SPUFS`: `absent`, a kernel without the system calls;
-//! `denied`, a folder that may not be written to; `silent:N`, an SPE that never replies, which is
+//! Faults that a test asks for by the variable `SPUFS`: `absent`, a kernel without the system
+//! calls; `denied`, a folder that may not be written to; `silent:N`, an SPE that never replies, which is
 //! that of the context that was created N-th, counted from 0.
 
 use std::env;

@@ -10,7 +10,7 @@
 //! is accessed whether or not the context is loaded, only a signal that a run raises ends the run,
 //! and any caught signal ends a wait for a mailbox, even with `SA_RESTART`.
 //!
-//! The variable `SPUFS` makes it fail ([`fault`]).
+//! The variable `SPUFS` makes it fail (`fault.rs`).
 //!
 //! Invariant: what is not of spufs goes to the C library untouched.
 
