@@ -1,6 +1,6 @@
 //! Faults that a test asks for by the variable `SPUFS`: `absent`, a kernel without the system
-//! calls; `denied`, a folder that may not be written to; `silent:N`, an SPE that never replies, which is
-//! that of the context that was created N-th, counted from 0.
+//! calls; `denied`, a folder that may not be written to; `silent:N`, an SPE that never replies,
+//! which is that of the context that was created N-th, counted from 0.
 
 use std::env;
 use std::sync::OnceLock;
