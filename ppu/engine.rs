@@ -179,6 +179,7 @@ impl Engine {
                 addresses: records.addresses(),
                 sphere_count: self.plan.spheres().records().len() as u32,
                 units: self.plan.units(),
+                change_count: self.plan.changes().len() as u32,
                 number: self.number,
                 spus,
                 split,
@@ -190,7 +191,7 @@ impl Engine {
             unsafe { self.exchange_frame(&frame, progress)? };
         }
         self.statistics.read(&self.lines, size);
-        let traced = self.statistics.primary_rays();
+        let traced = self.statistics.primary_rays() + self.statistics.pixels_kept();
         if traced != size.pixels {
             return Err(EngineError::Incomplete {
                 traced,

@@ -20,6 +20,10 @@ pub struct SpuStatistics {
     pub tiles_filled: u64,
     /// Filled tiles that were not written, because they showed the background before.
     pub tiles_blank: u64,
+    /// Tiles that were not traced, because no change reached them.
+    pub tiles_kept: u64,
+    /// Pixels of these tiles, and of kept blocks of tiles that were traced in part.
+    pub pixels_kept: u64,
     /// Number of packets of 16 rays that were traced or filled.
     pub packets: u64,
     /// Packets that were filled with the background.
@@ -156,7 +160,8 @@ impl FrameStatistics {
         self.spus.clear();
         let unseen = size.spheres_unseen;
         self.spus.extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
-        self.tiles_retained = size.tiles_retained;
+        let kept: u64 = self.spus.iter().map(|spu| spu.tiles_kept).sum();
+        self.tiles_retained = size.tiles_retained + kept;
         self.tiles_left = size.tiles_left;
         self.is_put_off = size.is_put_off;
     }
@@ -166,6 +171,13 @@ impl FrameStatistics {
     pub fn primary_rays(&self) -> u64 {
         let rays = self.spus.iter().map(|spu| spu.rays);
         rays.map(|rays| rays.eye - rays.samples).sum()
+    }
+
+    /// The number of pixels that were not traced, because no change reached them, of tiles that
+    /// were looked into.
+    #[must_use]
+    pub fn pixels_kept(&self) -> u64 {
+        self.spus.iter().map(|spu| spu.pixels_kept).sum()
     }
 
     /// Whether anything was traced.
@@ -202,6 +214,8 @@ impl SpuStatistics {
             tiles: line.tiles.get(),
             tiles_filled: line.tiles_empty.get(),
             tiles_blank: line.tiles_blank.get(),
+            tiles_kept: line.tiles_kept.get(),
+            pixels_kept: line.pixels_kept.get(),
             packets: line.packets.get(),
             packets_filled: line.packets_empty.get(),
             rays: Rays::of(line),

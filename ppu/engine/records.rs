@@ -11,10 +11,11 @@ use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
 use crate::spe::Program;
-use crate::work::{Addresses, Plan, tile_count};
+use crate::work::{Addresses, MAX_PAGES, Plan, tile_count};
 use protocol::layout::{
-    BOX_CODE, COLOUR_CODE_CAPACITY, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ADDRESS, SCENE_CAPACITY,
-    Sphere, Statistics, UnitCost, UnitCounter, WAITING_SIZE, WorkUnit,
+    BOX_CODE, COLOUR_CODE_CAPACITY, Frame, MAX_CHANGES, MAX_SPHERES, MAX_SPUS, Node,
+    PATHS_CAPACITY, SCENE_ADDRESS, SCENE_CAPACITY, Sphere, Statistics, UnitCost, UnitCounter,
+    WAITING_SIZE, WorkUnit,
 };
 
 /// Memory that must outlive the SPUs.
@@ -41,6 +42,13 @@ pub(super) struct Records {
     /// Capacity for the largest possible number of units.
     units: SharedMemory,
     costs: SharedMemory,
+    /// The nodes around a frame's changes.
+    changes: SharedMemory,
+    /// For each page of the framebuffer, the paths of its tiles. They take much memory, so they are
+    /// allocated when a frame keeps them.
+    paths: [Option<SharedMemory>; MAX_PAGES],
+    /// The address of those that the frame keeps; 0 for none.
+    kept_paths: u64,
     pub framebuffer: Box<dyn Framebuffer>,
 }
 
@@ -74,6 +82,9 @@ impl Records {
             waiting: SharedMemory::new((MAX_SPUS * WAITING_SIZE) as usize),
             units,
             costs,
+            changes: SharedMemory::new(MAX_CHANGES as usize * size_of::<Node>()),
+            paths: Default::default(),
+            kept_paths: 0,
             framebuffer,
         }
     }
@@ -81,6 +92,7 @@ impl Records {
     /// Takes another framebuffer, with memory for its frames, and returns the previous one.
     pub fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Box<dyn Framebuffer> {
         [self.units, self.costs] = units_and_costs(framebuffer.as_ref());
+        self.paths = Default::default();
         std::mem::replace(&mut self.framebuffer, framebuffer)
     }
 
@@ -99,6 +111,8 @@ impl Records {
             waiting: self.waiting.address(),
             units: self.units.address(),
             costs: self.costs.address(),
+            paths: self.kept_paths,
+            changes: self.changes.address(),
         }
     }
 
@@ -118,6 +132,12 @@ impl Records {
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
             self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }
+        self.changes.write(0, plan.changes().as_bytes());
+        let tiles = tile_count(self.framebuffer.geometry()) as usize;
+        self.kept_paths = plan.paths().map_or(0, |page| {
+            let paths = || SharedMemory::new(tiles * PATHS_CAPACITY as usize);
+            self.paths[page].get_or_insert_with(paths).address()
+        });
         self.units.write(0, plan.units().bytes());
         costs.clear();
         costs.resize(plan.units().lines().len(), UnitCost::new_zeroed());

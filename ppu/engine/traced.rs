@@ -1,6 +1,6 @@
 //! The work units of the last frame, for those who look into it.
 
-use protocol::layout::{TILE_BLANK, UnitCost};
+use protocol::layout::{TILE_FLAGS, UnitCost};
 use zerocopy::big_endian::U32;
 
 use super::Engine;
@@ -35,8 +35,8 @@ impl Engine {
             let tiles = unit.tiles.iter().zip(&cost.ticks);
             let tiles = tiles.take(unit.count.get() as usize);
             let tile = |(tile, ticks): (&U32, &U32)| TracedTile {
-                number: tile.get() & !TILE_BLANK,
-                ticks: ticks.get() & !TILE_BLANK,
+                number: tile.get() & !TILE_FLAGS,
+                ticks: ticks.get() & !TILE_FLAGS,
             };
             tiles.map(tile).collect()
         });

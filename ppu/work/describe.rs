@@ -43,6 +43,10 @@ pub struct Addresses {
     pub units: u64,
     /// The lines for the units' costs.
     pub costs: u64,
+    /// The paths of the page's tiles; 0 if the frame keeps none.
+    pub paths: u64,
+    /// The nodes around the frame's changes.
+    pub changes: u64,
 }
 
 /// Everything that a frame's record is made of.
@@ -60,6 +64,8 @@ pub struct Order<'a> {
     pub sphere_count: u32,
     /// The work units.
     pub units: &'a Units,
+    /// The number of nodes around the frame's changes.
+    pub change_count: u32,
     /// The number of the frame.
     pub number: u32,
     /// The number of SPUs.
@@ -101,6 +107,9 @@ pub fn describe(order: &Order) -> Frame {
     frame.statistics = addresses.statistics.into();
     frame.units = addresses.units.into();
     frame.costs = addresses.costs.into();
+    frame.paths = addresses.paths.into();
+    frame.changes = addresses.changes.into();
+    frame.change_count = order.change_count.into();
     frame.unit_count = (units.lines().len() as u32).into();
     frame.slices = units.slices();
     frame.sphere_count = order.sphere_count.into();

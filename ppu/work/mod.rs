@@ -8,13 +8,13 @@ mod plan;
 mod policy;
 mod projection;
 mod refusal;
-mod shadow;
 mod snapshot;
 mod spheres;
 mod tiles;
 mod units;
 
 pub use describe::{Addresses, Order, describe};
+pub(crate) use pages::MAX_PAGES;
 pub(crate) use plan::{Plan, Size};
 pub(crate) use policy::Policy;
 pub use policy::{Skip, Split};

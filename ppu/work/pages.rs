@@ -12,10 +12,11 @@ use super::tiles::TileSet;
 use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::Scene;
-use protocol::layout::{TILE_BLANK, UnitCost, WorkUnit};
+use crate::scene::block::BoundingSphere;
+use protocol::layout::{TILE_BLANK, TILE_FOLLOWED, UnitCost, WorkUnit};
 
 /// The number of pages that are remembered; no framebuffer has more.
-const MAX_PAGES: usize = 4;
+pub const MAX_PAGES: usize = 4;
 
 /// The pages of a framebuffer.
 #[derive(Default)]
@@ -55,6 +56,21 @@ struct Page {
     missing: TileSet,
     /// Tiles that show nothing but the background.
     blank: TileSet,
+    /// Tiles whose rays' paths the SPUs have kept, as of `shown`.
+    followed: TileSet,
+}
+
+/// What must be traced so that a page shows a frame.
+#[derive(Default)]
+pub struct Changes {
+    /// Tiles to trace as a whole.
+    pub tiles: TileSet,
+    /// Tiles in which only those rays are traced that have crossed a changed place.
+    pub followed: TileSet,
+    /// These places.
+    pub places: Vec<BoundingSphere>,
+    /// Whether it pays to keep the rays' paths, because the camera rests.
+    pub keeps_paths: bool,
 }
 
 impl Pages {
@@ -63,15 +79,15 @@ impl Pages {
         self.pages.clear();
     }
 
-    /// Finds the tiles in which a page's contents differ from the frame that it will show. The
-    /// page's contents then count as unknown until [`Pages::close`].
+    /// Finds where a page's contents differ from the frame that it will show. The page's contents
+    /// then count as unknown until [`Pages::close`].
     pub fn open(
         &mut self,
         target: &Target,
         scene: &Scene,
         camera: &Camera,
         projection: &Projection,
-        changed: &mut TileSet,
+        changes: &mut Changes,
     ) -> Contents {
         let place = Place {
             address: target.base.as_ptr().addr(),
@@ -79,7 +95,10 @@ impl Pages {
             geometry: target.geometry,
             format: target.format,
         };
-        changed.clear(target.geometry);
+        let Changes { tiles, followed, places, keeps_paths } = changes;
+        tiles.clear(target.geometry);
+        followed.clear(target.geometry);
+        places.clear();
         self.to_show.take(scene, camera);
         let found = self.pages.iter().position(|page| page.place == place);
         self.open = found.unwrap_or_else(|| {
@@ -93,21 +112,30 @@ impl Pages {
         if !page.is_known || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
+        *keeps_paths = !page.is_known || page.shown.is_seen_as(&self.to_show);
         let contents = if page.is_known {
-            self.to_show.changes(&page.shown, projection, changed);
-            let contents = match changed.numbers() {
-                [] => Contents::Same,
-                _ => Contents::Moved,
-            };
-            changed.add_set(&page.missing);
-            contents
+            self.to_show.changes(&page.shown, projection, tiles, places);
+            let is_same = places.is_empty() && tiles.numbers().is_empty();
+            if !places.is_empty() {
+                tiles.add_missing(&page.followed);
+            }
+            tiles.add_set(&page.missing);
+            if !places.is_empty() {
+                followed.add_missing(tiles);
+            }
+            if is_same { Contents::Same } else { Contents::Moved }
         } else {
-            changed.add_all();
+            tiles.add_all();
             Contents::Unknown
         };
         page.is_known = false;
         std::mem::swap(&mut page.shown, &mut self.to_show);
         contents
+    }
+
+    /// The number of the page that was opened last, below [`MAX_PAGES`].
+    pub fn number(&self) -> usize {
+        self.open
     }
 
     /// The tiles that show only the background, in the page that was opened last.
@@ -120,9 +148,11 @@ impl Pages {
     pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost], missing: &mut TileSet) {
         if let Some(page) = self.pages.get_mut(self.open) {
             page.is_known = true;
+            page.followed.fit(page.place.geometry);
             std::mem::swap(&mut page.missing, missing);
             for (tile, cost) in units::tiles_and_costs(units, costs) {
                 page.blank.set(tile, cost & TILE_BLANK != 0);
+                page.followed.set(tile, cost & TILE_FOLLOWED != 0);
             }
         }
     }
@@ -136,6 +166,7 @@ impl Page {
             shown: Snapshot::default(),
             missing: TileSet::default(),
             blank: TileSet::default(),
+            followed: TileSet::default(),
         }
     }
 }

@@ -3,24 +3,30 @@
 //! Owns everything that is kept from one frame to the next: the pages' contents and the tiles'
 //! costs. Its buffers are reused for every frame.
 
+use glam::DVec3;
 use scenes::Camera;
 
-use super::pages::{Contents, Pages};
-use super::policy::Policy;
+use super::pages::{Changes, Contents, Pages};
+use super::policy::{Policy, Skip};
 use super::projection::Projection;
 use super::spheres::EyeSpheres;
 use super::tiles::{TileSet, tile_count, tile_pixels};
 use super::units::{TileCosts, Units};
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
-use protocol::layout::UnitCost;
+use crate::scene::block::{BoundingSphere, LANES, change_nodes, enclose_groups};
+use protocol::layout::{Node, TILE_BLANK, TILE_FOLLOWED, UnitCost};
 
 #[derive(Default)]
 pub(crate) struct Plan {
     spheres: EyeSpheres,
     units: Units,
     pages: Pages,
-    tiles: TileSet,
+    changes: Changes,
+    /// The places that the frame's changes are in, as the SPUs get them.
+    nodes: Vec<Node>,
+    /// The page whose tiles' paths the frame keeps.
+    paths: Option<usize>,
     /// The tiles that this frame leaves out.
     missing: TileSet,
     costs: TileCosts,
@@ -28,10 +34,21 @@ pub(crate) struct Plan {
     keeps: bool,
 }
 
+/// Makes the nodes around changed places. If there are several, one around all of them is the
+/// first, since most tiles have no ray that comes near any. The places are used up.
+fn write_changes(eye: DVec3, places: &mut [BoundingSphere], nodes: &mut Vec<Node>) {
+    nodes.clear();
+    nodes.extend(change_nodes(eye, places));
+    if nodes.len() > 1 {
+        let groups = enclose_groups(places, LANES);
+        nodes.splice(0..0, change_nodes(eye, &places[..groups]));
+    }
+}
+
 /// The size of a planned frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Size {
-    /// The number of pixels to trace.
+    /// The number of pixels to trace, or to keep if no change reaches them.
     pub pixels: u64,
     /// The number of tiles that need no tracing, because the page shows them already.
     pub tiles_retained: u64,
@@ -52,23 +69,30 @@ impl Plan {
         if !self.keeps {
             self.pages.forget();
         }
-        let contents = self.pages.open(target, scene, camera, &projection, &mut self.tiles);
+        let contents = self.pages.open(target, scene, camera, &projection, &mut self.changes);
+        let Changes { tiles, followed, places, keeps_paths } = &mut self.changes;
         let most = policy.most_tiles.filter(|_| policy.retain);
         let is_put_off = most.is_some() && contents == Contents::Moved;
         // A postponed frame starts again with all tiles.
         if !policy.retain || is_put_off {
-            self.tiles.add_all();
+            tiles.add_all();
+            followed.clear(geometry);
         }
+        tiles.add_set(followed);
         let most = if is_put_off { Some(0) } else { most };
-        self.tiles.keep(most, &mut self.missing);
+        tiles.keep(most, &mut self.missing);
+        write_changes(camera.eye, places, &mut self.nodes);
+        let follows = policy.retain && policy.skip == Skip::Misses && scene.block().is_some();
+        self.paths = (follows && *keeps_paths).then(|| self.pages.number());
         let tiles_left = self.missing.numbers().len() as u64;
         self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
-        let tiles = self.tiles.numbers();
+        let tiles = tiles.numbers();
         let costs = self.costs.of(geometry);
         self.units.split(tiles, policy.spus, policy.split, costs);
         if let Some(blank) = self.pages.blank() {
-            self.units.mark_blank(blank);
+            self.units.mark(blank, TILE_BLANK);
         }
+        self.units.mark(followed, TILE_FOLLOWED);
         self.size = Size {
             pixels: tiles.iter().map(|&tile| u64::from(tile_pixels(geometry, tile))).sum(),
             tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
@@ -93,6 +117,16 @@ impl Plan {
 
     pub fn spheres(&self) -> &EyeSpheres {
         &self.spheres
+    }
+
+    /// The nodes around the frame's changes.
+    pub fn changes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The number of the page whose tiles' paths the frame keeps, if it keeps any.
+    pub fn paths(&self) -> Option<usize> {
+        self.paths
     }
 
     pub fn units(&self) -> &Units {

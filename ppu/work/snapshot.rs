@@ -1,11 +1,10 @@
-//! Snapshots of the content of a picture, and the tiles in which two of them differ. This is the
-//! only place that looks for differences. A changed world has no record of where the picture
-//! changes, and a new scene is compared in the same way as a scene that was changed in place.
+//! Snapshots of the content of a picture, and where two of them differ. This is the only place
+//! that looks for differences. A changed world has no record of where the picture changes, and a
+//! new scene is compared in the same way as a scene that was changed in place.
 //!
 //! With depth shading, the picture changes where a changed sphere is or was visible. With
-//! Whitted's model, it also changes where the shadow of a changed object falls or fell. In
-//! addition, any change may show in mirrors, in glass and on objects with a game's own shader, so
-//! the picture changes wherever one of these is visible.
+//! Whitted's model, it changes where a ray of any kind meets or met a changed object: the SPUs have
+//! kept what the rays crossed (`PATHS`), and find these rays.
 //!
 //! Invariant: all other pixels are equal in both pictures. The exception is a pixel with two
 //! surfaces at bit-identical distances: each picture may show either.
@@ -18,17 +17,12 @@ use scenes::{Camera, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use super::projection::{Projection, Rectangle};
-use super::shadow::Shadow;
+use super::projection::Projection;
 use super::tiles::TileSet;
-use crate::scene::block::{BoundingSphere, Chains, Light, VisiblePrimitive, widened};
+use crate::scene::block::{BoundingSphere, Chains, Light, VisiblePrimitive, enclose_groups};
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::{RenderOptions, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
-
-/// The most pairs of a changed object and an object that its shadow may fall on. Looking at more
-/// pairs would take longer than tracing the whole picture.
-const MAX_SHADOWS: usize = 4096;
 
 /// The content of a picture. Its buffers are reused for the next.
 #[derive(Default)]
@@ -60,24 +54,10 @@ struct GlobalState {
     render_options: RenderOptions,
 }
 
-/// How an object differs in two pictures.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Change {
-    None,
-    /// Its material differs, or whether others are visible in it.
-    Appearance,
-    /// Its position or its shape differs, or only one picture has it.
-    Place,
-}
-
-/// The pixels on which an object may be visible.
-fn place(seen: &VisiblePrimitive, projection: &Projection) -> Rectangle {
-    let spheres = seen.hull.spheres().iter();
-    projection.hull(spheres.map(|&sphere| {
-        let BoundingSphere { centre, radius } = widened(projection.eye(), sphere);
-        (centre, radius)
-    }))
-}
+/// The most spheres around changed places.
+pub const MAX_PLACES: usize = 32;
+/// The most spheres around one long object.
+const MAX_PIECES: usize = 8;
 
 impl Snapshot {
     /// Records the content of a scene for a camera. The scene's block must be written for the
@@ -118,16 +98,26 @@ impl Snapshot {
         background(self) == background(other)
     }
 
-    /// Adds the tiles in which `self` differs from `before`. If the cameras or the render options
-    /// differ, these are all tiles.
-    pub fn changes(&self, before: &Self, projection: &Projection, changed: &mut TileSet) {
-        match self.global {
-            Some(all) if before.global == Some(all) => {
-                self.changed_spheres(before, projection, changed);
-                self.changed_objects(before, all.render_options.shadows, projection, changed);
-            }
-            _ => changed.add_all(),
+    /// Whether both pictures are of one camera and of the same settings.
+    pub fn is_seen_as(&self, other: &Self) -> bool {
+        self.global.is_some() && self.global == other.global
+    }
+
+    /// Adds the tiles in which `self` differs from `before`, and the places that it differs in:
+    /// what rays show that have not crossed any of these is the same. If the cameras, the lights or
+    /// the render options differ, these are all tiles, and no place.
+    pub fn changes(
+        &self,
+        before: &Self,
+        projection: &Projection,
+        changed: &mut TileSet,
+        places: &mut Vec<BoundingSphere>,
+    ) {
+        if !self.is_seen_as(before) || !self.changed_objects(before, places) {
+            places.clear();
+            return changed.add_all();
         }
+        self.changed_spheres(before, projection, changed);
     }
 
     /// Adds the tiles in which changed spheres are or were visible.
@@ -146,71 +136,36 @@ impl Snapshot {
         new[both..].iter().for_each(&mut add);
     }
 
-    /// Adds the tiles in which objects, their shadows, or reflected and refracted objects differ.
-    fn changed_objects(
-        &self,
-        before: &Self,
-        shadows: bool,
-        projection: &Projection,
-        changed: &mut TileSet,
-    ) {
+    /// Adds the places of objects that differ, at most [`MAX_PLACES`]; `false` if anything may
+    /// differ.
+    fn changed_objects(&self, before: &Self, places: &mut Vec<BoundingSphere>) -> bool {
         if self.options != before.options
+            || self.chains != before.chains
             || self.addresses != before.addresses
             || self.ambient.as_bytes() != before.ambient.as_bytes()
             || !self.lights_as(before)
         {
-            return changed.add_all();
+            return false;
         }
-        // Where the mesh shows others or their shadows is not looked for.
+        // What of the mesh has changed is not looked for.
         let same_mesh = match (&self.mesh, &before.mesh) {
             (None, None) => true,
             (Some(new), Some(old)) => Arc::ptr_eq(new, old) && self.bytes == before.bytes,
             _ => false,
         };
         if !same_mesh {
-            return changed.add_all();
+            return false;
         }
-        let mut are_few = false;
-        // If the bounds of chains differ, everything that is reflected or refracted may differ.
-        let mut any = self.chains != before.chains;
-        for (new, old) in self.objects.iter().zip(&before.objects) {
-            let change = self.change(new.as_ref(), before, old.as_ref());
-            if change == Change::None {
-                continue;
-            }
-            any = true;
-            let has_moved = change == Change::Place && shadows;
-            if has_moved && !are_few {
-                if self.has_many_shadows(before) {
-                    return changed.add_all();
-                }
-                are_few = true;
-            }
-            for (seen, all) in [(old, before), (new, self)] {
-                let Some(seen) = seen else { continue };
-                changed.add(&place(seen, projection));
-                if has_moved && !all.shadows(seen, projection, changed) {
-                    return changed.add_all();
-                }
-            }
-        }
-        if any && self.options.is_some_and(|options| options.ray_depth > 1) {
-            for seen in self.objects.iter().flatten().filter(|seen| seen.sees_others) {
-                changed.add(&place(seen, projection));
-            }
-        }
-    }
-
-    /// Whether the objects that have moved have more shadows than are looked at.
-    fn has_many_shadows(&self, before: &Self) -> bool {
-        let of_one = self.lights.len() * self.objects.len();
-        let mut pairs = 0;
-        self.objects.iter().zip(&before.objects).any(|(new, old)| {
-            if self.change(new.as_ref(), before, old.as_ref()) == Change::Place {
-                pairs += of_one * new.iter().chain(old).count();
-            }
-            pairs > MAX_SHADOWS
-        })
+        let pairs = || self.objects.iter().zip(&before.objects);
+        let changed =
+            || pairs().filter(|(new, old)| self.differs(new.as_ref(), before, old.as_ref()));
+        let count = changed().map(|(new, old)| new.iter().chain(old).count()).sum::<usize>();
+        let pieces = (MAX_PLACES / count.max(1)).min(MAX_PIECES);
+        let both = changed().flat_map(|(new, old)| new.iter().chain(old));
+        both.for_each(|seen| seen.hull.cover(seen.sphere, pieces, places));
+        let groups = enclose_groups(places, MAX_PLACES);
+        places.truncate(groups);
+        true
     }
 
     fn lights_as(&self, other: &Self) -> bool {
@@ -223,56 +178,21 @@ impl Snapshot {
         self.bytes.get(start..start + size).unwrap_or_default()
     }
 
-    fn change(
+    /// Whether an object differs in place, form or appearance, or only one picture has it.
+    fn differs(
         &self,
         new: Option<&VisiblePrimitive>,
         before: &Self,
         old: Option<&VisiblePrimitive>,
-    ) -> Change {
+    ) -> bool {
         let (Some(new), Some(old)) = (new, old) else {
-            return if new.is_none() && old.is_none() { Change::None } else { Change::Place };
+            return new.is_some() || old.is_some();
         };
         let (address, size) = new.record;
-        if new.record != old.record
+        let material = size_of::<layout::Material>();
+        new.record != old.record
             || !same_form(self.record(address, size), before.record(address, size))
-        {
-            return Change::Place;
-        }
-        let size = size_of::<layout::Material>();
-        let same_material = self.record(new.material, size) == before.record(old.material, size);
-        if same_material && new.sees_others == old.sees_others {
-            Change::None
-        } else {
-            Change::Appearance
-        }
-    }
-
-    /// Adds the tiles that the shadows of an object may fall on; `false` if they may fall
-    /// anywhere.
-    fn shadows(
-        &self,
-        seen: &VisiblePrimitive,
-        projection: &Projection,
-        changed: &mut TileSet,
-    ) -> bool {
-        for light in &self.lights {
-            let Some(shadow) = Shadow::of(seen.sphere, light.kind(), projection) else {
-                return false;
-            };
-            for on in self.objects.iter().flatten() {
-                if on.is_bent {
-                    changed.add(&place(on, projection));
-                    continue;
-                }
-                // Computed only when needed, because the shadow misses most objects.
-                let mut bounds = None;
-                shadow.on(on.sphere, on.plane, projection, &mut |pixels: &Rectangle| {
-                    let bounds = bounds.get_or_insert_with(|| place(on, projection));
-                    changed.add(&pixels.intersection(bounds));
-                });
-            }
-        }
-        true
+            || self.record(new.material, material) != before.record(old.material, material)
     }
 }
 

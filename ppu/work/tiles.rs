@@ -64,6 +64,20 @@ impl TileSet {
         }
     }
 
+    /// Adds the tiles that another set does not have.
+    pub fn add_missing(&mut self, other: &Self) {
+        for (tile, wanted) in self.wanted.iter_mut().enumerate() {
+            *wanted |= !other.contains(tile as u32);
+        }
+    }
+
+    /// Empties the set if it is of a picture of another size.
+    pub fn fit(&mut self, geometry: Geometry) {
+        if self.geometry != Some(geometry) {
+            self.clear(geometry);
+        }
+    }
+
     /// Keeps at most `most` tiles, from all over the picture. The others are moved to `rest`.
     pub fn keep(&mut self, most: Option<u32>, rest: &mut Self) {
         rest.geometry = self.geometry;

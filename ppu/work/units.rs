@@ -10,7 +10,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 use super::policy::Split;
 use super::tiles::{TileSet, tile_count};
 use crate::framebuffer::Geometry;
-use protocol::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
+use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, WorkUnit};
 
 /// The number of units for each SPU if the tiles' costs are unknown, without the small ones at the
 /// end. It is low enough for the time to take a unit to be negligible.
@@ -128,13 +128,13 @@ impl Units {
         self.order = order;
     }
 
-    /// Marks the tiles that already show only the background.
-    pub fn mark_blank(&mut self, blank: &TileSet) {
+    /// Marks the units' tiles that are in a set with a flag.
+    pub fn mark(&mut self, tiles: &TileSet, flag: u32) {
         for unit in &mut self.lines {
             let count = unit.count.get() as usize;
             for tile in unit.tiles.iter_mut().take(count) {
-                if blank.contains(tile.get()) {
-                    *tile |= TILE_BLANK;
+                if tiles.contains(tile.get() & !TILE_FLAGS) {
+                    *tile |= flag;
                 }
             }
         }
@@ -187,7 +187,8 @@ impl TileCosts {
         (self.geometry == Some(geometry)).then_some(&self.ticks)
     }
 
-    /// Records the costs of a frame's units.
+    /// Records the costs of a frame's units. Those of tiles that were not traced as a whole say
+    /// nothing about the next time.
     pub fn learn(&mut self, geometry: Geometry, units: &[WorkUnit], costs: &[UnitCost]) {
         if self.geometry != Some(geometry) {
             self.geometry = Some(geometry);
@@ -195,8 +196,9 @@ impl TileCosts {
             self.ticks.resize(tile_count(geometry) as usize, 0);
         }
         for (tile, cost) in tiles_and_costs(units, costs) {
-            if let Some(known) = self.ticks.get_mut(tile as usize) {
-                *known = cost & !TILE_BLANK;
+            if let Some(known) = self.ticks.get_mut(tile as usize).filter(|_| cost & TILE_KEPT == 0)
+            {
+                *known = cost & !TILE_FLAGS;
             }
         }
     }
@@ -210,7 +212,7 @@ pub(super) fn tiles_and_costs<'a>(
     let measured = units.iter().zip(costs).filter(|(unit, cost)| unit.count == cost.count);
     measured.flat_map(|(unit, cost)| {
         let tiles = unit.tiles.iter().take(unit.count.get() as usize);
-        let tiles = tiles.map(|tile| tile.get() & !TILE_BLANK);
+        let tiles = tiles.map(|tile| tile.get() & !TILE_FLAGS);
         tiles.zip(cost.ticks.iter().map(|ticks| ticks.get()))
     })
 }

@@ -38,8 +38,15 @@ endfunction dma_wait
         .set    command,14
 
 function dma_get
-        il      $most,MAX_TRANSFER
         il      $command,MFC_GET
+        br      dma_parts
+endfunction dma_get
+
+# dma_put   stores as dma_get fetches
+function dma_put
+        il      $command,MFC_PUT
+dma_parts:
+        il      $most,MAX_TRANSFER
 next_part:
         biz     $bytes,$lr
         minimum $part,$bytes,$most,$c_more
@@ -48,4 +55,4 @@ next_part:
         add_effective $high,$low,$part,$t_carry
         sf      $bytes,$part,$bytes
         br      next_part
-endfunction dma_get
+endfunction dma_put

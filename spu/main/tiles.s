@@ -4,6 +4,12 @@
         .include "macros.inc"
         .include "driver.inc"
 
+        # The pixels of a block.
+        .set    BLOCK_PIXELS_LOG2,5
+    .if BLOCK_WIDTH*BLOCK_HEIGHT != 1<<BLOCK_PIXELS_LOG2
+        .error  "a block has other pixels"
+    .endif
+
         .section .rodata
         .align  4
         # words of two quadwords A and B
@@ -61,7 +67,7 @@ function tile_place
 endfunction tile_place
 
 # tile_trace   makes the current tile's pixels, and starts to send them
-#   Out     $3 TILE_BLANK if all pixels are the background's, otherwise 0
+#   Out     $3 the flags for its cost
 #   Uses    $3-$79, the tile's and the groups' driver registers
         .set    amount,10
         .set    t_sum,11
@@ -70,6 +76,7 @@ endfunction tile_place
         .set    packets_down,14
         .set    one,15
         .set    was,16
+        .set    kept,17
 
 .macro  packets_of_tile out:req, t_down:req
         ai      \out,$g_tile_width,3
@@ -81,17 +88,16 @@ endfunction tile_place
 
 function tile_trace
         enter
+        lqa     $one,frame
+        rotqbyi $one,$one,FRAME_features
+        andi    $one,$one,FEATURE_WHITTED
+        brnz    $one,whitted
         il      $one,1
         count   tiles,$one,$t_sum,$t_add,$t_carry
         mpyu    $amount,$g_tile_width,$g_tile_height
         count   primary_rays,$amount,$t_sum,$t_add,$t_carry
         packets_of_tile $amount,$packets_down
         count   packets,$amount,$t_sum,$t_add,$t_carry
-
-        lqa     $one,frame
-        rotqbyi $one,$one,FRAME_features
-        andi    $one,$one,FEATURE_WHITTED
-        brnz    $one,whitted
         brz     $g_spheres,empty
         brz     $g_skip,trace
         phase_begins
@@ -129,18 +135,61 @@ samples:
         br      send
 
 whitted:
+        brsl    $lr,paths_begin
+        # How many of the blocks are kept, and their pixels.
+        nor     $kept,$3,$3
+        cntb    $kept,$kept
+        sumb    $kept,$kept,$kept
+        andi    $kept,$kept,0x3f
+        shli    $kept,$kept,BLOCK_PIXELS_LOG2
+        mpyu    $amount,$g_tile_width,$g_tile_height
+        minimum $kept,$kept,$amount,$t_sum
+        count   pixels_kept,$kept,$t_sum,$t_add,$t_carry
+        brz     $3,nothing
+        sf      $amount,$kept,$amount
+        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
+        packets_of_tile $amount,$packets_down
+        rotmi   $kept,$kept,-4
+        sf      $amount,$kept,$amount
+        count   packets,$amount,$t_sum,$t_add,$t_carry
+        il      $one,1
+        count   tiles,$one,$t_sum,$t_add,$t_carry
         il      $3,1<<TAG_TILE
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
-        brsl    $lr,whitted_tile
-        br      send
+        lqa     $kept,tile_blocks
+        ai      $kept,$kept,1
+        brz     $kept,whole
+        # The blocks that are kept are in the framebuffer.
+        ori     $3,$g_parity,0
+        ori     $4,$g_parity,0
+        il      $5,MFC_GETL
+        brsl    $lr,tile_move
+whole:  brsl    $lr,whitted_tile
+        ori     $3,$g_parity,0
+        ori     $4,$g_parity,0
+        xori    $g_parity,$g_parity,1
+        brsl    $lr,tile_put
+        brsl    $lr,paths_end
+        lqa     $kept,tile_blocks
+        ai      $kept,$kept,1
+        brz     $kept,ended
+        ilhu    $one,TILE_KEPT>>16
+        or      $3,$3,$one
+ended:  leave
+nothing:
+        il      $one,1
+        count   tiles_kept,$one,$t_sum,$t_add,$t_carry
+        ilhu    $3,(TILE_KEPT|TILE_FOLLOWED)>>16
+        leave
 
 empty:
         il      $one,1
         count   tiles_empty,$one,$t_sum,$t_add,$t_carry
         packets_of_tile $amount,$packets_down
         count   packets_empty,$amount,$t_sum,$t_add,$t_carry
-        lqa     $was,tile_was_blank
+        lqa     $was,tile_flags
+        rotmi   $was,$was,-31
         brnz    $was,blank
         il      $3,1<<TAG_EMPTY
         shl     $3,$3,$g_empty_turn
@@ -157,14 +206,19 @@ is_blank:
         leave
 endfunction tile_trace
 
-# tile_put   starts the transfer of the current tile
+# tile_put   starts to send the current tile to the framebuffer
 #   In      $4 which of the lists and tags, $3 which of the tile buffers; of the first two lists
-#   Uses    $3-$4, $10-$31
+#   Uses    $3-$5, $10-$31
 #
-# One list command sends all rows. A list's elements share the high word of the address, so a tile
-# that crosses a multiple of 4 GB is sent row by row instead.
+# tile_move   does the same, or fetches it
+#   In      as tile_put, $5 MFC_PUTL or MFC_GETL
+#   Uses    the same
+#
+# One list command moves all rows. A list's elements share the high word of the address, so a tile
+# that crosses a multiple of 4 GB is moved row by row instead.
         .set    a_buffer,3
         .set    list,4
+        .set    way,5
         .set    offset,11
         .set    high,12
         .set    low,13
@@ -183,6 +237,8 @@ endfunction tile_trace
         .set    low_next,26
 
 function tile_put
+        il      $way,MFC_PUTL
+tile_move:
         il      $offset,TILE_BYTES
         mpyu    $offset,$offset,$a_buffer
         ila     $a_buffer,tile_buffers
@@ -229,12 +285,12 @@ function tile_put
         .error  "the list above is of other tiles"
     .endif
         shli    $bytes,$g_tile_height,3
-        il      $command,MFC_PUTL
+        ori     $command,$way,0
         mfc_command $a_buffer,$high,$a_list,$bytes,$tag,$command
         bi      $lr
 
 row_by_row:
-        il      $command,MFC_PUT
+        ai      $command,$way,MFC_PUT-MFC_PUTL
 next_put:
         mfc_command $a_buffer,$high,$low,$g_row_bytes,$tag,$command
         biz     $rows,$lr

@@ -12,8 +12,11 @@ units:  .skip   2*UNIT_SIZE
 costs:  .skip   2*COST_SIZE
 counter:
         .skip   COUNTER_SIZE
-        .global tile_was_blank
-tile_was_blank:                         # TILE_BLANK or 0, for the current tile
+        .global tile_flags
+tile_flags:                             # TILE_BLANK and TILE_FOLLOWED, for the current tile
+        .skip   16
+        .global tile_number
+tile_number:                            # its number in the picture
         .skip   16
 
         .set    a_unit,10
@@ -48,6 +51,7 @@ whitted:
         brsl    $lr,batch_place
         brsl    $lr,bvhs_plan
         brsl    $lr,shading_prepare
+        brsl    $lr,paths_prepare
 prepared:
         phase_ends $g_ticks_fetch,$bad
         il      $3,1<<TAG_FRAME
@@ -89,10 +93,11 @@ next_tile:
         ai      $a_word,$a_word,UNIT_tiles
         lqx     $3,$g_a_unit,$a_word
         rotqby  $3,$3,$a_word
-        ilhu    $blank,TILE_BLANK>>16
+        ilhu    $blank,(TILE_BLANK|TILE_FOLLOWED)>>16
         and     $blank,$3,$blank
-        stqa    $blank,tile_was_blank
+        stqa    $blank,tile_flags
         xor     $3,$3,$blank
+        stqa    $3,tile_number
         clgt    $bad,$g_tiles,$3
         brz     $bad,refuse
         brsl    $lr,tile_place

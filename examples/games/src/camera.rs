@@ -2,15 +2,18 @@
 
 use cellray::game::DVec3;
 
-/// Below this distance, the eye counts as arrived, because the difference is invisible.
-const ARRIVED: f64 = 1e-5;
+/// The distance at which the eye has half of its speed by the distance, and half by this.
+const EVEN: f64 = 0.02;
 
-/// Moves this part of the way. A position that has arrived stays exactly the same however long the
-/// frames are. Otherwise a picture without movement would be traced again and again.
+/// Moves towards a goal, the faster the farther away it is, but at least so fast that the eye
+/// arrives soon: while it rests, only what moves before it must be traced. `part` is what is gone of
+/// a long way. A position that has arrived stays exactly the same however long the frames are.
 #[must_use]
 pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
     let way = to - from;
-    if way.length_squared() < ARRIVED * ARRIVED { to } else { from + way * part }
+    let length = way.length();
+    let step = (length + EVEN) * part;
+    if step >= length { to } else { from + way * (step / length) }
 }
 
 #[cfg(test)]

@@ -73,6 +73,14 @@ pub struct Place {
     size: usize,
 }
 
+impl Place {
+    /// Its first bytes.
+    #[must_use]
+    pub fn first(self, size: usize) -> Self {
+        Self { size: size.min(self.size), ..self }
+    }
+}
+
 /// The result of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Returned {

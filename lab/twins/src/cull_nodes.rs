@@ -18,8 +18,7 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
     let v: [Single; 3] = std::array::from_fn(|k| fs(centre[k], bound.apex[k]));
     let [axis_x, axis_y, axis_z] = bound.axis;
     let along = fma(v[2], axis_z, fma(v[1], axis_y, fm(v[0], axis_x)));
-    let [x, y, z] = std::array::from_fn(|k| fnms(along, bound.axis[k], v[k]));
-    let square = fma(z, z, fma(y, y, fm(x, x)));
+    let square = across(bound, centre);
     let beside = fm(square, fi(square, frsqest(square)));
 
     let reach = fa(radius, bound.radius);
@@ -27,6 +26,15 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
     let before = fa(reach, along);
     let too_far = fs(fa(reach, bound.farthest), along);
     !below_zero(outside | before | too_far)
+}
+
+/// The square of a point's distance from the axis of a bound.
+pub(super) fn across(bound: &Bound, point: [Single; 3]) -> Single {
+    let v: [Single; 3] = std::array::from_fn(|k| fs(point[k], bound.apex[k]));
+    let [axis_x, axis_y, axis_z] = bound.axis;
+    let along = fma(v[2], axis_z, fma(v[1], axis_y, fm(v[0], axis_x)));
+    let [x, y, z] = std::array::from_fn(|k| fnms(along, bound.axis[k], v[k]));
+    fma(z, z, fma(y, y, fm(x, x)))
 }
 
 /// A volume's size, larger by the slack for the rays' origins.

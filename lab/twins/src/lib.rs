@@ -29,6 +29,7 @@ pub mod mesh_rays;
 pub mod mesh_rows;
 pub mod pack;
 pub mod pairs;
+pub mod paths;
 pub mod primary_rays;
 pub mod ray_setup;
 pub mod rectangle;

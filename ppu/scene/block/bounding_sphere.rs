@@ -87,6 +87,23 @@ impl Hull {
     pub fn spheres(&self) -> &[BoundingSphere] {
         &self.spheres[..self.count]
     }
+
+    /// Adds spheres that the primitive is within: `around`, or up to `most` smaller ones in a row
+    /// if it is long.
+    pub fn cover(&self, around: BoundingSphere, most: usize, into: &mut Vec<BoundingSphere>) {
+        let &[from, to] = self.spheres() else { return into.push(around) };
+        let (way, radius) = (to.centre - from.centre, from.radius.max(to.radius));
+        let length = way.length();
+        let pieces = (length / radius).min(most as f64).floor();
+        if pieces.is_nan() || pieces < 2.0 {
+            return into.push(around);
+        }
+        let half = 0.5 * length / pieces;
+        into.extend((0..pieces as usize).map(|piece| {
+            let centre = from.centre + way * ((piece as f64 + 0.5) / pieces);
+            BoundingSphere { centre, radius: radius + half }.rounded()
+        }));
+    }
 }
 
 /// A nearly smallest sphere around all of `spheres`; `None` if there are none. Around a triangle
@@ -125,6 +142,33 @@ pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
         centre += (way + beyond) / f64::from(step + 1);
     }
     let (radius, centre) = best;
+    Some(BoundingSphere { centre, radius }.rounded())
+}
+
+/// Puts spheres around groups of neighbours, which together have all of `spheres`, in front, and
+/// returns how many these are: at most `most`, a power of two.
+pub(crate) fn enclose_groups(spheres: &mut [BoundingSphere], most: usize) -> usize {
+    if most <= 1 || spheres.len() <= 1 {
+        let around = enclose_many(spheres);
+        spheres.iter_mut().zip(around).for_each(|(first, around)| *first = around);
+        return spheres.len().min(1);
+    }
+    let bounds = spheres.iter().map(Bounds::of_sphere).fold(Bounds::NOTHING, Bounds::with);
+    let axis = bounds.size().max_position();
+    let middle = spheres.len() / 2;
+    let along = |sphere: &BoundingSphere| sphere.centre[axis];
+    spheres.select_nth_unstable_by(middle, |one, other| along(one).total_cmp(&along(other)));
+    let (left, right) = spheres.split_at_mut(middle);
+    let (left, right) = (enclose_groups(left, most / 2), enclose_groups(right, most / 2));
+    spheres.copy_within(middle..middle + right, left);
+    left + right
+}
+
+/// A sphere around any number of spheres: around the middle of their box.
+fn enclose_many(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
+    let bounds = spheres.iter().map(Bounds::of_sphere).fold(Bounds::NOTHING, Bounds::with);
+    let centre = bounds.low.midpoint(bounds.high);
+    let radius = spheres.iter().map(|sphere| sphere.farthest(centre)).reduce(f64::max)?;
     Some(BoundingSphere { centre, radius }.rounded())
 }
 

@@ -34,14 +34,14 @@ use protocol::layout::{self, BoxNode, FARTHEST, MAX_ROOTS, Node, SCENE_ADDRESS};
 const SLACK: f64 = 1.0 / (1 << 18) as f64;
 
 /// The number of a node's children.
-const LANES: usize = 4;
+pub(crate) const LANES: usize = 4;
 
 /// How much the sum of a BVH's radii may grow by refitting before the BVH is rebuilt.
 const MAX_GROWTH: f64 = 1.5;
 
 /// A larger sphere, to allow for the rounding of the SPU's test as seen from `eye`: the test
 /// passes every ray that hits an object inside `sphere`.
-pub(crate) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
+pub(super) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
     let distance = sphere.centre.distance(eye);
     BoundingSphere { radius: sphere.radius + SLACK * (distance + sphere.radius), ..sphere }
 }
@@ -336,6 +336,14 @@ pub(super) fn size(objects: usize, volumes: Volumes) -> usize {
 /// The number of nodes for `children` children.
 fn nodes(children: usize) -> usize {
     children.div_ceil(LANES)
+}
+
+/// Nodes of spheres without objects: places that rays may cross.
+pub(crate) fn change_nodes(
+    eye: DVec3,
+    spheres: &[BoundingSphere],
+) -> impl Iterator<Item = Node> + '_ {
+    spheres.chunks(LANES).map(move |four| node(eye, four, &|_| SCENE_ADDRESS.into()))
 }
 
 fn node(eye: DVec3, spheres: &[BoundingSphere], child: &dyn Fn(usize) -> U32) -> Node {

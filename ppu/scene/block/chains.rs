@@ -67,11 +67,6 @@ impl Sends {
             is_own: matches!(material.shader, Shader::Own { .. }),
         }
     }
-
-    /// Whether the material may send secondary rays.
-    pub fn goes_on(&self) -> bool {
-        self.share > 0.0 || self.is_own
-    }
 }
 
 pub(super) fn largest_channel(colour: &[F32]) -> f64 {

@@ -253,10 +253,6 @@ impl Light {
         largest_channel(&self.record.brightness)
     }
 
-    pub fn kind(&self) -> LightKind {
-        self.kind
-    }
-
     /// Whether both lights light every point equally.
     pub fn lights_as(&self, other: &Self) -> bool {
         self.kind == other.kind && self.record.as_bytes() == other.record.as_bytes()

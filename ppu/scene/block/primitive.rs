@@ -136,27 +136,6 @@ impl Primitive {
             }
         }
     }
-
-    /// A point in the primitive's plane, and the plane's normal; `None` for round primitives.
-    pub fn plane(&self) -> Option<(DVec3, DVec3)> {
-        match *self {
-            Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
-            Self::Triangle { vertices: [corner, ..], normal, .. } => Some((corner, normal)),
-            Self::Sphere { .. } | Self::Cone { .. } => None,
-        }
-    }
-
-    /// Whether the primitive is shaded at points noticeably off the points where it is hit. A hit
-    /// is moved to the plane through the triangle's first vertex with the whole polygon's normal.
-    /// A small triangle may be off that plane by more than its own size allows.
-    pub fn is_bent(&self) -> bool {
-        let Self::Triangle { vertices: [a, b, c], normal, .. } = *self else {
-            return false;
-        };
-        let (ab, ac) = (b - a, c - a);
-        let off = ab.dot(normal).abs().max(ac.dot(normal).abs());
-        off > FLAT * ab.length().max(ac.length())
-    }
 }
 
 /// A primitive: an object, or a part of one.

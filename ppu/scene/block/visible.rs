@@ -16,15 +16,9 @@ pub(crate) struct VisiblePrimitive {
     pub sphere: BoundingSphere,
     /// A closer bound: the primitive is within the convex hull of these spheres.
     pub hull: Hull,
-    /// A point in its plane, and the plane's normal; `None` for round primitives.
-    pub plane: Option<(DVec3, DVec3)>,
     /// The address and the size of its record. `material` is the address of its material.
     pub record: (u32, usize),
     pub material: u32,
-    /// Whether other objects may be visible in it.
-    pub sees_others: bool,
-    /// Whether it is shaded at points off the points where it is hit.
-    pub is_bent: bool,
 }
 
 impl SceneBlock {
@@ -52,19 +46,11 @@ impl SceneBlock {
             (0..primitives.slot_count()).map(move |number| primitives.slot(number))
         });
         slots.map(move |(address, object)| {
-            let seen = object.map(|(object, material, sphere)| {
-                let surface = self.materials.get(object.material as usize);
-                VisiblePrimitive {
-                    sphere: widened(eye, sphere),
-                    hull: object.primitive.hull(),
-                    plane: object.primitive.plane(),
-                    is_bent: object.primitive.is_bent(),
-                    record: (address, object.primitive.size()),
-                    material: material.get(),
-                    sees_others: surface
-                        .and_then(Option::as_ref)
-                        .is_none_or(|surface| surface.sends.goes_on()),
-                }
+            let seen = object.map(|(object, material, sphere)| VisiblePrimitive {
+                sphere: widened(eye, sphere),
+                hull: object.primitive.hull(),
+                record: (address, object.primitive.size()),
+                material: material.get(),
             });
             (address, seen)
         })

@@ -50,9 +50,9 @@ impl Screen {
     fn open_target(&mut self, target: &Target, scene: &Scene) -> Vec<u32> {
         let camera = scene.camera(SIZE.width, SIZE.height).unwrap();
         let projection = Projection::new(&camera, SIZE);
-        let mut tiles = TileSet::default();
-        self.known.open(target, scene, &camera, &projection, &mut tiles);
-        tiles.numbers().to_vec()
+        let mut changes = Changes::default();
+        self.known.open(target, scene, &camera, &projection, &mut changes);
+        changes.tiles.numbers().to_vec()
     }
 
     fn show(&mut self, page: usize, scene: &Scene) -> Vec<u32> {

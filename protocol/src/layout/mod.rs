@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 13;
+    VERSION = 14;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -131,18 +131,36 @@ constants! {
     /// Flag. With a tile's number in a unit: the framebuffer shows the background there. With a
     /// tile's cost: it shows the background now.
     TILE_BLANK = 0x8000_0000;
+    /// Flag. With a tile's number in a unit: the framebuffer shows the tile as its `PATHS` have it,
+    /// so only those of its blocks are traced that the frame's changes may have reached. With a
+    /// tile's cost: the tile's `PATHS` have all of its rays.
+    TILE_FOLLOWED = 0x4000_0000;
+    /// Flag with a tile's cost: the tile was not traced, or only in part.
+    TILE_KEPT = 0x2000_0000;
+    /// All flags of tiles and of their costs.
+    TILE_FLAGS = TILE_BLANK | TILE_FOLLOWED | TILE_KEPT;
+    /// Pixels across a block: the part of a tile that is traced again or kept.
+    BLOCK_WIDTH = 8;
+    /// Pixels down a block. A tile has 32 of them, a bit each.
+    BLOCK_HEIGHT = 4;
+    /// Bytes for the `PATHS` of a tile and the `PATH` records that follow.
+    PATHS_CAPACITY = 24576;
+    /// Most `PATH` records of a tile.
+    MAX_PATHS = 511;
+    /// Most `NODE` records of changed places in a frame.
+    MAX_CHANGES = 9;
     /// Largest position of a colour channel in the pixel word.
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
     MAX_TRANSFER = 16384;
     /// Address in local store of the buffers that depth shading and Whitted's model each use in
     /// their own way.
-    ARENA_ADDRESS = 0x1c200;
+    ARENA_ADDRESS = 0x1c980;
     /// Address in local store of the scene of Whitted's model, which begins with the background's
     /// `OBJECT`.
-    SCENE_ADDRESS = 0x2ec00;
+    SCENE_ADDRESS = 0x2f380;
     /// Bytes for the scene and the waiting rays.
-    SCENE_CAPACITY = 0x10380;
+    SCENE_CAPACITY = 0xfc00;
     /// Address in local store of the code that tests boxes, after the background's `OBJECT` and
     /// `MATERIAL`; only the scenes with trees of boxes have it.
     BOX_CODE = SCENE_ADDRESS + 144;
@@ -344,6 +362,8 @@ pub const RECORDS: &[Record] = &[
     RayPacket::RECORD,
     QueuedRay::RECORD,
     Bound::RECORD,
+    Paths::RECORD,
+    Path::RECORD,
     Candidate::RECORD,
     Shear::RECORD,
     Surfaces::RECORD,
@@ -472,6 +492,10 @@ statuses! {
     BoxTrees = 40, "box_trees, scene_bytes";
     /// Must be a multiple of 128.
     ColourCode = 41, "colour_code";
+    /// Must be a multiple of 128.
+    Paths = 42, "paths";
+    /// Must be a multiple of 16, with at most 9 nodes.
+    Changes = 43, "changes, change_count";
 }
 
 const _: () = {
@@ -480,13 +504,14 @@ const _: () = {
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
             && BOX_CODE_CAPACITY.is_multiple_of(16)
     );
-    assert!(size_of::<Frame>() == 512);
+    assert!(size_of::<Frame>() == 544);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
     assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
     assert!(COLOUR_CODE.is_multiple_of(LINE));
     assert!(size_of::<Sphere>() == 48);
+    assert!(size_of::<Paths>() + MAX_PATHS as usize * size_of::<Path>() <= PATHS_CAPACITY as usize);
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);
     assert!(size_of::<UnitCost>() == LINE as usize);

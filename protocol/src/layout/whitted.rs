@@ -276,6 +276,40 @@ record! {
 }
 
 record! {
+    /// What precedes the `PATH` records of a tile.
+    Paths as "PATHS" {
+        /// Records that follow.
+        count: U32,
+        /// 0.
+        reserved: [U32; 3],
+    }
+}
+
+record! {
+    /// The volume that a packet's rays have crossed up to where they hit: a `BOUND` in short, and
+    /// the part of the tile that depends on them.
+    Path as "PATH" {
+        /// Middle of the rays' origins: x, y, z.
+        apex: [F32; 3],
+        /// As in `BOUND`.
+        radius: F32,
+        /// Axis of the directions: x, y, z.
+        axis: [F32; 3],
+        /// As in `BOUND`.
+        cosine: F32,
+        /// As in `BOUND`.
+        sine: F32,
+        /// Largest distance that a ray has gone.
+        farthest: F32,
+        /// The blocks of the tile whose pixels the rays belong to, a bit each: row by row from the
+        /// top left, from the lowest bit.
+        blocks: U32,
+        /// 0.
+        reserved: U32,
+    }
+}
+
+record! {
     /// Local store: a node or an object, and a packet to test with it.
     Candidate as "CANDIDATE" {
         /// Address of the node's or the object's record.

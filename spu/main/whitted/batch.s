@@ -30,8 +30,9 @@ batch_flags:                            # the flags of all surfaces, combined
 #   In      w_depth, w_count
 #   Uses    $3-$79
 function batch_trace
-        hbrr    trace_call,packets_trace
         enter
+        paths_sent
+        hbrr    trace_call,packets_trace
         # How many rays came before the batch's first: 0, 1, or 2 for more.
         lqa     $3,rays_at
         ila     $amount,generations
@@ -48,7 +49,13 @@ function batch_trace
         stqa    $amount,generation
 trace_call:
         brsl    $lr,packets_trace
-
+        lqa     $3,following
+        brz     $3,followed
+        lqa     $3,rays_at
+        ori     $4,$w_count,0
+        il      $5,-1
+        brsl    $lr,paths_add
+followed:
         brsl    $lr,surfaces_make
 
         brsl    $lr,flags_gather

@@ -57,6 +57,9 @@ function whitted_check
 no_mesh:
         require_aligned scene,LINE,Scene
         require_aligned waiting,LINE,Waiting
+        require_aligned paths,LINE,Paths
+        require_aligned changes,16,Changes
+        require_at_most change_count,MAX_CHANGES,Changes
         require_from_one ray_depth,MAX_DEPTH,RayDepth
         require_from_one batch,MAX_BATCH,Batch
         require_at_most light_count,MAX_LIGHTS,LightCount

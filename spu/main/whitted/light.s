@@ -14,6 +14,7 @@
 
         .section .bss
         .align  4
+        .global light_sites
 light_sites:                            # the sites with rays to the light
         .skip   MAX_BATCH*SITE_SIZE
 shining_size:                           # how many bytes of these have highlights; they come first
@@ -136,7 +137,6 @@ next_light:
         andc    $7,$7,$weight
 rays_call:
         brsl    $lr,shadow_rays_r16
-        hbrr    trace_call,packets_trace
         ila     $amount,light_sites
         rotqbyi $w_here,$3,4
         sf      $w_traced,$amount,$3
@@ -149,6 +149,8 @@ rays_call:
         andi    $amount,$amount,FEATURE_NO_SHADOWS
         brnz    $amount,unshadowed
         count   shadow,$w_here,$t_sum,$t_add,$t_carry
+        paths_sent
+        hbrr    trace_call,packets_trace
         phase_ends $g_ticks_shade,$amount
         ori     $6,$w_here,0
         lqa     $3,shadow_rays_at
@@ -158,6 +160,12 @@ rays_call:
         or      $5,$lights,$5                           # -1 if the light is infinitely far away
 trace_call:
         brsl    $lr,packets_trace
+        lqa     $3,following
+        brz     $3,unshadowed
+        lqa     $3,shadow_rays_at
+        ori     $4,$w_traced,0
+        il      $5,0
+        brsl    $lr,paths_add
 unshadowed:
         hbrr    light_call,light_r16
         lqa     $4,shining_size

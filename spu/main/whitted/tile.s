@@ -10,6 +10,14 @@
         .set    NEXT,10
         registers a_sum,zero,left,amount
 
+# The address of the current tile's buffer.
+.macro  tile_buffer out:req, t_base:req
+        il      \out,TILE_BYTES
+        mpyu    \out,\out,$g_parity
+        ila     \t_base,tile_buffers
+        a       \out,\out,\t_base
+.endm
+
 # whitted_tile   makes the current tile's pixels
 #   Uses    $3-$79, the tile's and Whitted's driver registers
 function whitted_tile
@@ -97,15 +105,24 @@ function tile_pack
         brnz    $3,convert
 converted:
         ila     $3,arena+PIXEL_SUMS
-        il      $4,TILE_BYTES
-        mpyu    $4,$4,$g_parity
-        ila     $5,tile_buffers
-        a       $4,$4,$5
-        ori     $5,$g_tile_height,0
+        tile_buffer $4,$5
+        lqa     $amount,tile_blocks
+        ai      $amount,$amount,1
+        brz     $amount,pack
+        # The other blocks are in the buffer.
+        ila     $4,arena+PIXEL_SUMS
+pack:   ori     $5,$g_tile_height,0
         ori     $6,$g_row_bytes,0
         ila     $7,pixel_shuffle
         brsl    $lr,pack_sums
-        phase_ends $g_ticks_shade,$amount
+        lqa     $amount,tile_blocks
+        ai      $amount,$amount,1
+        brz     $amount,packed
+        il      $3,1<<TAG_TILE
+        shl     $3,$3,$g_parity
+        brsl    $lr,dma_wait
+        brsl    $lr,blocks_copy
+packed: phase_ends $g_ticks_shade,$amount
         leave
 
 convert:
@@ -115,9 +132,47 @@ convert:
         br      converted
 endfunction tile_pack
 
-# eye_places   lists the packets of the current tile
+# blocks_copy   copies the traced blocks of the packed tile to its buffer
+#   Uses    $10-$23
+        .set    NEXT,10
+        registers blocks,a_from,a_to,t_c,rows,from
+        # two quadwords of each row
+        registers quad0,quad1,quad2,quad3,quad4,quad5,quad6,quad7
+
+function blocks_copy
+        lqa     $blocks,tile_blocks
+        ila     $a_from,arena+PIXEL_SUMS
+        tile_buffer $a_to,$t_c
+        il      $rows,0
+next_block:
+        andi    $t_c,$blocks,1
+        rotmi   $blocks,$blocks,-1
+        brz     $t_c,block_kept
+    .irp row, 0,1,2,3
+        lqd     $quad0+2*\row,4*TILE_WIDTH*\row($a_from)
+        lqd     $quad1+2*\row,4*TILE_WIDTH*\row+16($a_from)
+    .endr
+    .irp row, 0,1,2,3
+        stqd    $quad0+2*\row,4*TILE_WIDTH*\row($a_to)
+        stqd    $quad1+2*\row,4*TILE_WIDTH*\row+16($a_to)
+    .endr
+block_kept:
+        biz     $blocks,$lr
+        # After the eighth block of a row, the next row of blocks.
+        ai      $rows,$rows,1
+        andi    $t_c,$rows,7
+        ceqi    $t_c,$t_c,0
+        il      $from,(BLOCK_HEIGHT-1)*4*TILE_WIDTH
+        and     $from,$from,$t_c
+        ai      $from,$from,4*BLOCK_WIDTH
+        a       $a_from,$a_from,$from
+        a       $a_to,$a_to,$from
+        br      next_block
+endfunction blocks_copy
+
+# eye_places   lists the packets of the current tile's blocks that are traced
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
-#   Uses    $10-$25
+#   Uses    $14-$30
 #
 # They are listed column by column, so that a batch's secondary rays come from pixels that are near
 # each other. The rays' packets alternate with the places.
@@ -133,6 +188,11 @@ endfunction tile_pack
         .set    c_end,23
         .set    column,24
         .set    column_step,25
+        .set    pair,26
+        .set    passed,27
+        .set    blocks,28
+        .set    listed,29
+        .set    left_out,30
 
         .section .rodata
         .align  4
@@ -150,7 +210,6 @@ function eye_places
         rotmi   $columns,$columns,-2
         ai      $rows,$g_tile_height,3
         rotmi   $rows,$rows,-2
-        mpyu    $w_eye_left,$columns,$rows
         lqa     $place,first_place
         lqa     $batch_end,rays_at
         cwd     $m_word,0($sp)
@@ -169,13 +228,25 @@ function eye_places
         and     $batch_back,$batch_back,$m_word
         a       $batch_end,$batch_end,$batch_back
         ori     $column,$place,0
+        il      $pair,1
 next_column:
         ori     $row,$rows,0
+        # The bits of this column's blocks, of which two columns of packets have one.
+        lqa     $blocks,tile_blocks
+        rotmai  $passed,$pair,-1
+        rotm    $blocks,$blocks,$passed
 next_row:
         hbrr    last_row,next_row
         stqd    $place,0($a_place)
-        ai      $a_place,$a_place,PLACE_SIZE
-        a       $place,$place,$step
+        andi    $listed,$blocks,1
+        ceqi    $left_out,$listed,0
+        shli    $listed,$listed,PLACE_SIZE_LOG2
+        a       $a_place,$a_place,$listed
+        # Only a listed place has a packet.
+        and     $left_out,$left_out,$m_word
+        andc    $left_out,$step,$left_out
+        a       $place,$place,$left_out
+        rotmi   $blocks,$blocks,-8
         ai      $row,$row,-1
         ceq     $c_end,$place,$batch_end
         and     $c_end,$c_end,$batch_back
@@ -185,8 +256,11 @@ last_row:
         # The next column begins at the top, with the next packet.
         a       $column,$column,$column_step
         selb    $place,$column,$place,$m_word
+        ai      $pair,$pair,-1
         ai      $columns,$columns,-1
         brnz    $columns,next_column
+        sf      $w_eye_left,$w_eye_next,$a_place
+        rotmi   $w_eye_left,$w_eye_left,-PLACE_SIZE_LOG2
         bi      $lr
 endfunction eye_places
 

@@ -330,9 +330,12 @@ function packets_trace
         lqa     $w_left,shadow_candidates
         andc    $w_packets,$w_left,$w_packets
         ila     $w_plan,plans
-        # Without trees nobody needs their bounds.
+        # Without trees nobody needs their bounds, unless the frame keeps paths.
         lqa     $c_more,plans_end
+        lqa     $counts,following
         ceq     $c_more,$c_more,$w_plan
+        ceqi    $counts,$counts,0
+        and     $c_more,$c_more,$counts
         selb    $w_after,$w_after,$amount,$c_more
         brnz    $c_more,no_trees
 bound_call:
@@ -600,6 +603,9 @@ in_mesh:
         brz     $c_more,have_shears
         brsl    $lr,shears_make
 have_shears:
+        packets_address $3,$4,$5
+        ori     $4,$w_traced,0
+        brsl    $lr,paths_before_mesh
         brsl    $lr,mesh_trace
         br      counted
 endfunction packets_trace

@@ -47,7 +47,7 @@ fn new_mirror_lengthens_chains() {
 #[test]
 fn scene_without_memory_for_longer_chains_is_refused() {
     // More than fit with the queue for chains of five rays, and fewer than fit without.
-    let (mut block, matt, shaders) = changing(865);
+    let (mut block, matt, shaders) = changing(840);
     let mirror = NffMaterial { specular: 1.0, ..matt };
     assert!(block.set_material(MATERIAL, &mirror, &shaders).unwrap());
     assert!(!block.bound_chains());

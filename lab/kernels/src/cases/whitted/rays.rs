@@ -7,6 +7,7 @@ pub mod faces;
 pub mod fans;
 pub mod makers;
 pub mod nodes;
+pub mod paths;
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -28,6 +29,8 @@ use bounds::{Fans, Origins, Point};
 use faces::CullFaces;
 use makers::{LoadRays, PrimaryRays, SampleRays};
 use nodes::{BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume};
+use paths::{PathBounds, PathsMeet};
+use twins::paths::path;
 
 /// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -89,6 +92,29 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         ..Kernel::of::<Fans>()
+    },
+    Kernel {
+        cases: &[Case {
+            name: "packets",
+            objects: Objects::List(4, 8),
+            place: |bench, count| {
+                let packets = vec![rays(); count as usize];
+                PathBounds::of(packets, true).place(bench).1
+            },
+        }],
+        ..Kernel::of::<PathBounds>()
+    },
+    Kernel {
+        cases: &[Case {
+            name: "paths and one node",
+            objects: NODES,
+            place: |bench, count| {
+                let path = path(&rays(), &bound(&rays()), &[0; 16], true, 0);
+                let nodes = vec![[child(sphere(BESIDE)); 4]];
+                PathsMeet { paths: vec![path; count as usize], nodes }.place(bench).1
+            },
+        }],
+        ..Kernel::of::<PathsMeet>()
     },
     Kernel {
         cases: &[
