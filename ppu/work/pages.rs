@@ -69,7 +69,7 @@ pub struct Changes {
     pub followed: TileSet,
     /// These places.
     pub places: Vec<BoundingSphere>,
-    /// Whether it pays to keep the rays' paths, because the camera rests.
+    /// Whether it pays to keep the rays' paths, because objects move before a resting camera.
     pub keeps_paths: bool,
 }
 
@@ -112,10 +112,11 @@ impl Pages {
         if !page.is_known || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        *keeps_paths = !page.is_known || page.shown.is_seen_as(&self.to_show);
+        *keeps_paths = false;
         let contents = if page.is_known {
             self.to_show.changes(&page.shown, projection, tiles, places);
             let is_same = places.is_empty() && tiles.numbers().is_empty();
+            *keeps_paths = !is_same && page.shown.is_seen_as(&self.to_show);
             if !places.is_empty() {
                 tiles.add_missing(&page.followed);
             }
