@@ -334,5 +334,5 @@ fn session_moves_to_another_framebuffer() {
     drop(session);
     let text = String::from_utf8(bytes.0.take()).unwrap();
     let sizes = text.lines().skip(1).map(|line| line.contains("[320,200]"));
-    assert_eq!(sizes.collect::<Vec<_>>(), [false, false, true, true]);
+    assert_eq!(sizes.collect::<Vec<_>>(), [false, false, true, true, true]);
 }
