@@ -60,7 +60,7 @@ struct Page {
     followed: TileSet,
 }
 
-/// What must be traced so that a page shows a frame.
+/// The tiles and places to trace so that a page shows a frame.
 #[derive(Default)]
 pub struct Changes {
     /// Tiles to trace as a whole.

@@ -147,7 +147,7 @@ impl Snapshot {
         {
             return false;
         }
-        // What of the mesh has changed is not looked for.
+        // Nothing finds the part of a mesh that has changed.
         let same_mesh = match (&self.mesh, &before.mesh) {
             (None, None) => true,
             (Some(new), Some(old)) => Arc::ptr_eq(new, old) && self.bytes == before.bytes,

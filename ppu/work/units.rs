@@ -187,8 +187,8 @@ impl TileCosts {
         (self.geometry == Some(geometry)).then_some(&self.ticks)
     }
 
-    /// Records the costs of a frame's units. Those of tiles that were not traced as a whole say
-    /// nothing about the next time.
+    /// Records the costs of a frame's units. Those of tiles that were not traced as a whole are
+    /// no guide to the next time.
     pub fn learn(&mut self, geometry: Geometry, units: &[WorkUnit], costs: &[UnitCost]) {
         if self.geometry != Some(geometry) {
             self.geometry = Some(geometry);

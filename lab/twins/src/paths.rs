@@ -13,7 +13,7 @@ use super::{Single, below_zero};
 /// 1 - 2^-12.
 const NEARER: Single = 0x3f7f_f000;
 
-/// What a packet's rays have crossed, and the blocks of their pixels.
+/// The volume that a packet's rays have crossed, and the blocks of their pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
 pub struct Path {
     /// The rays' bound, which ends where they do.

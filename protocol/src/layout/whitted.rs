@@ -276,7 +276,7 @@ record! {
 }
 
 record! {
-    /// What precedes the `PATH` records of a tile.
+    /// The head of a tile's `PATH` records.
     Paths as "PATHS" {
         /// Records that follow.
         count: U32,

@@ -13,12 +13,12 @@
 
         # Where a tile's paths are tested, while nothing of it has been traced.
         .set    FETCHED,BATCH_RAYS
-        # What is fetched at first.
+        # The bytes that are fetched at first.
         .set    FIRST_BYTES,8192
         .set    FIRST_PATHS,(FIRST_BYTES-PATHS_SIZE)/PATH_SIZE
         # Where the places are.
         .set    CHANGES,FETCHED+PATHS_CAPACITY
-        # The least that the kernels take.
+        # The smallest numbers that the kernels take.
         .set    FEWEST_PACKETS,4
         .set    FEWEST_PATHS,8
         .set    THIRD_OF_PATHS_LOG2,13
