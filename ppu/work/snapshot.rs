@@ -19,8 +19,11 @@ use zerocopy::big_endian::F32;
 
 use super::projection::Projection;
 use super::tiles::TileSet;
-use crate::scene::block::{BoundingSphere, Chains, Light, VisiblePrimitive, enclose_groups};
+use crate::scene::block::{
+    BoundingSphere, Chains, Light, MaterialTable, MeshPlace, VisiblePrimitive, enclose_groups,
+};
 use crate::scene::mesh::MeshBlocks;
+use crate::scene::texture::Textures;
 use crate::scene::{RenderOptions, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
 
@@ -36,12 +39,41 @@ pub struct Snapshot {
     chains: Option<Chains>,
     ambient: [F32; 4],
     lights: Vec<Light>,
-    mesh: Option<Arc<MeshBlocks>>,
+    mesh: Option<MeshContent>,
     /// The objects by their slots, kind after kind.
     objects: Vec<Option<VisiblePrimitive>>,
     /// The addresses of the slots.
     addresses: Vec<u32>,
     bytes: Vec<u8>,
+}
+
+/// The parts of a mesh that main memory has. As long as a snapshot shares them, they are replaced
+/// and not changed in place.
+struct MeshContent {
+    blocks: Arc<MeshBlocks>,
+    materials: Option<Arc<MaterialTable>>,
+    textures: Option<Arc<Textures>>,
+}
+
+impl MeshContent {
+    fn of(mesh: &MeshPlace) -> Self {
+        Self {
+            blocks: mesh.blocks.clone(),
+            materials: mesh.table.cloned(),
+            textures: mesh.textures.cloned(),
+        }
+    }
+
+    fn is_same(&self, other: &Self) -> bool {
+        let address = |content: &Self| {
+            (
+                Arc::as_ptr(&content.blocks),
+                content.materials.as_ref().map(Arc::as_ptr),
+                content.textures.as_ref().map(Arc::as_ptr),
+            )
+        };
+        address(self) == address(other)
+    }
 }
 
 /// The settings that every pixel depends on.
@@ -55,7 +87,7 @@ struct GlobalState {
 }
 
 /// The most spheres around changed places.
-pub const MAX_PLACES: usize = 32;
+const MAX_PLACES: usize = 32;
 /// The most spheres around one long object.
 const MAX_PIECES: usize = 8;
 
@@ -83,10 +115,10 @@ impl Snapshot {
         self.bytes.clear();
         let Some(block) = block else { return };
         self.ambient = block.ambient();
-        self.mesh = block.mesh().map(|mesh| mesh.blocks.clone());
+        self.mesh = block.mesh().map(|mesh| MeshContent::of(&mesh));
         self.lights.extend_from_slice(block.lights());
         self.bytes.extend_from_slice(block.bytes());
-        for (address, object) in block.slots(camera.eye) {
+        for (address, object) in block.slots() {
             self.addresses.push(address);
             self.objects.push(object);
         }
@@ -150,7 +182,7 @@ impl Snapshot {
         // Nothing finds the part of a mesh that has changed.
         let same_mesh = match (&self.mesh, &before.mesh) {
             (None, None) => true,
-            (Some(new), Some(old)) => Arc::ptr_eq(new, old) && self.bytes == before.bytes,
+            (Some(new), Some(old)) => new.is_same(old) && self.bytes == before.bytes,
             _ => false,
         };
         if !same_mesh {

@@ -41,7 +41,7 @@ const MAX_GROWTH: f64 = 1.5;
 
 /// A larger sphere, to allow for the rounding of the SPU's test as seen from `eye`: the test
 /// passes every ray that hits an object inside `sphere`.
-pub(super) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
+fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
     let distance = sphere.centre.distance(eye);
     BoundingSphere { radius: sphere.radius + SLACK * (distance + sphere.radius), ..sphere }
 }

@@ -1,10 +1,7 @@
 //! A block's objects as they appear in a picture, used to find where two pictures differ.
 
-use glam::DVec3;
-
 use super::SceneBlock;
 use super::bounding_sphere::{BoundingSphere, Hull};
-use super::bvh::widened;
 use super::chains::Chains;
 use super::materials::Light;
 use crate::scene::render_options::RenderOptions;
@@ -12,7 +9,7 @@ use crate::scene::render_options::RenderOptions;
 /// A primitive that may be visible in a picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisiblePrimitive {
-    /// Its bounding sphere, widened for the SPU's rounding.
+    /// Its bounding sphere.
     pub sphere: BoundingSphere,
     /// A closer bound: the primitive is within the convex hull of these spheres.
     pub hull: Hull,
@@ -36,18 +33,15 @@ impl SceneBlock {
         &self.lights
     }
 
-    /// The addresses of all slots, kind after kind, each with its object as it appears from `eye`.
-    pub(crate) fn slots(
-        &self,
-        eye: DVec3,
-    ) -> impl Iterator<Item = (u32, Option<VisiblePrimitive>)> {
+    /// The addresses of all slots, kind after kind, each with its object.
+    pub(crate) fn slots(&self) -> impl Iterator<Item = (u32, Option<VisiblePrimitive>)> {
         let primitives = self.primitives.iter();
         let slots = primitives.flat_map(|primitives| {
             (0..primitives.slot_count()).map(move |number| primitives.slot(number))
         });
         slots.map(move |(address, object)| {
             let seen = object.map(|(object, material, sphere)| VisiblePrimitive {
-                sphere: widened(eye, sphere),
+                sphere,
                 hull: object.primitive.hull(),
                 record: (address, object.primitive.size()),
                 material: material.get(),

@@ -207,8 +207,14 @@ fn materials_over_local_store_capacity() {
     let scene = world.scene(&Program::tracer()).unwrap();
     let mesh = scene.block().and_then(|block| block.mesh()).unwrap();
     assert!(mesh.table.is_some());
-    for step in 0..5 {
+    for step in 0..6 {
         match step {
+            // No object in local store has it.
+            5 => {
+                for material in &materials[100..200] {
+                    world.recolour(*material, DVec3::new(0.1, 0.9, 0.2)).unwrap();
+                }
+            }
             0 => world.set_material(materials[5], Material::mirror()).unwrap(),
             1 => {
                 for (number, material) in (0..).zip(&materials) {
