@@ -13,7 +13,7 @@ use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::Scene;
 use crate::scene::block::BoundingSphere;
-use protocol::layout::{TILE_BLANK, TILE_FOLLOWED, UnitCost, WorkUnit};
+use protocol::layout::{TILE_BLANK, TILE_HAS_PATHS, UnitCost, WorkUnit};
 
 /// The number of pages that are remembered; no framebuffer has more.
 pub const MAX_PAGES: usize = 4;
@@ -57,7 +57,7 @@ struct Page {
     /// Tiles that show nothing but the background.
     blank: TileSet,
     /// Tiles whose rays' paths the SPUs have kept, as of `shown`.
-    followed: TileSet,
+    has_paths: TileSet,
 }
 
 /// The tiles and places to trace so that a page shows a frame.
@@ -66,7 +66,7 @@ pub struct Changes {
     /// Tiles to trace as a whole.
     pub tiles: TileSet,
     /// Tiles in which only those rays are traced that have crossed a changed place.
-    pub followed: TileSet,
+    pub in_part: TileSet,
     /// These places.
     pub places: Vec<BoundingSphere>,
     /// Whether it pays to keep the rays' paths, because objects move before a resting camera.
@@ -95,9 +95,9 @@ impl Pages {
             geometry: target.geometry,
             format: target.format,
         };
-        let Changes { tiles, followed, places, keeps_paths } = changes;
+        let Changes { tiles, in_part, places, keeps_paths } = changes;
         tiles.clear(target.geometry);
-        followed.clear(target.geometry);
+        in_part.clear(target.geometry);
         places.clear();
         self.to_show.take(scene, camera);
         let found = self.pages.iter().position(|page| page.place == place);
@@ -118,11 +118,11 @@ impl Pages {
             let is_same = places.is_empty() && tiles.numbers().is_empty();
             *keeps_paths = !is_same && page.shown.is_seen_as(&self.to_show);
             if !places.is_empty() {
-                tiles.add_missing(&page.followed);
+                tiles.add_missing(&page.has_paths);
             }
             tiles.add_set(&page.missing);
             if !places.is_empty() {
-                followed.add_missing(tiles);
+                in_part.add_missing(tiles);
             }
             if is_same { Contents::Same } else { Contents::Moved }
         } else {
@@ -149,11 +149,11 @@ impl Pages {
     pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost], missing: &mut TileSet) {
         if let Some(page) = self.pages.get_mut(self.open) {
             page.is_known = true;
-            page.followed.fit(page.place.geometry);
+            page.has_paths.fit(page.place.geometry);
             std::mem::swap(&mut page.missing, missing);
             for (tile, cost) in units::tiles_and_costs(units, costs) {
                 page.blank.set(tile, cost & TILE_BLANK != 0);
-                page.followed.set(tile, cost & TILE_FOLLOWED != 0);
+                page.has_paths.set(tile, cost & TILE_HAS_PATHS != 0);
             }
         }
     }
@@ -167,7 +167,7 @@ impl Page {
             shown: Snapshot::default(),
             missing: TileSet::default(),
             blank: TileSet::default(),
-            followed: TileSet::default(),
+            has_paths: TileSet::default(),
         }
     }
 }

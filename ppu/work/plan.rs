@@ -15,7 +15,7 @@ use super::units::{TileCosts, Units};
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
 use crate::scene::block::{BoundingSphere, LANES, change_nodes, enclose_groups};
-use protocol::layout::{Node, TILE_BLANK, TILE_FOLLOWED, UnitCost};
+use protocol::layout::{Node, TILE_BLANK, TILE_HAS_PATHS, UnitCost};
 
 #[derive(Default)]
 pub(crate) struct Plan {
@@ -70,15 +70,15 @@ impl Plan {
             self.pages.forget();
         }
         let contents = self.pages.open(target, scene, camera, &projection, &mut self.changes);
-        let Changes { tiles, followed, places, keeps_paths } = &mut self.changes;
+        let Changes { tiles, in_part, places, keeps_paths } = &mut self.changes;
         let most = policy.most_tiles.filter(|_| policy.retain);
         let is_put_off = most.is_some() && contents == Contents::Moved;
         // A postponed frame starts again with all tiles.
         if !policy.retain || is_put_off {
             tiles.add_all();
-            followed.clear(geometry);
+            in_part.clear(geometry);
         }
-        tiles.add_set(followed);
+        tiles.add_set(in_part);
         let most = if is_put_off { Some(0) } else { most };
         tiles.keep(most, &mut self.missing);
         write_changes(camera.eye, places, &mut self.nodes);
@@ -92,7 +92,7 @@ impl Plan {
         if let Some(blank) = self.pages.blank() {
             self.units.mark(blank, TILE_BLANK);
         }
-        self.units.mark(followed, TILE_FOLLOWED);
+        self.units.mark(in_part, TILE_HAS_PATHS);
         self.size = Size {
             pixels: tiles.iter().map(|&tile| u64::from(tile_pixels(geometry, tile))).sum(),
             tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,

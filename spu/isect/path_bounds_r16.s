@@ -15,12 +15,13 @@
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "extremes.inc"
 
         .set    NEXT,3
         registers a_rays,count,a_bound,a_site,to_hits,a_path,sums
         # constants
         .set    NEXT,10
-        registers m_apex,m_axis,m_ends,m_blocks,k_rows,k_one,m_splat,base,c_to_hits,rays_step
+        registers m_apex,m_axis,m_ends,m_subtiles,k_rows,k_one,m_splat,base,c_to_hits,rays_step
         # a packet
         registers site,t0,t1,t2,t3,p0,p1,p2,p3,x0,x1,x2,x3,y0,y1,y2,y3
         registers apex,axis,limits,cosine,farthest,out
@@ -34,19 +35,14 @@ axis_cosine:
         .int    0x00010203,0x04050607,0x08090a0b,0x10111213 # A0 A1 A2 B0
 sine_farthest:
         .int    0x00010203,0x10111213,0x80808080,0x80808080 # A0 B0 0 0
-with_blocks:
+with_subtiles:
         .int    0x00010203,0x04050607,0x10111213,0x80808080 # A0 A1 B0 0
-
-.macro  larger out:req, other:req, t_c:req
-        cgt     \t_c,\other,\out
-        selb    \out,\out,\other,\t_c
-.endm
 
 function path_bounds_r16
         lqa     $m_apex,apex_radius
         lqa     $m_axis,axis_cosine
         lqa     $m_ends,sine_farthest
-        lqa     $m_blocks,with_blocks
+        lqa     $m_subtiles,with_subtiles
         splat_mask $m_splat
         il      $k_rows,0x18
         il      $k_one,1
@@ -60,8 +56,8 @@ next_packet:
         lqd     $t\row,RAYS16_t+16*\row($a_rays)
         lqd     $p\row,RAYS16_pixel+16*\row($site)
     .endr
-        # A block's number is its row times eight and its column; a row of sums has 1024 bytes. A
-        # lane without a ray adds some block, which is traced again more often than it must be.
+        # A subtile's number is its row times eight and its column; a row of sums has 1024 bytes. A
+        # lane without a ray adds some subtile, which is traced again more often than it must be.
     .irp row, 0,1,2,3
         sf      $p\row,$base,$p\row
         rotmi   $x\row,$p\row,-7
@@ -73,13 +69,13 @@ next_packet:
         or      $x2,$x2,$x3
         or      $x0,$x0,$x2
         orx     $x0,$x0
-        larger  $t0,$t1,$y0
-        larger  $t2,$t3,$y2
-        larger  $t0,$t2,$y1
+        maximum $t0,$t1,$y0
+        maximum $t2,$t3,$y2
+        maximum $t0,$t2,$y1
         rotqbyi $t1,$t0,8
-        larger  $t0,$t1,$y3
+        maximum $t0,$t1,$y3
         rotqbyi $t1,$t0,4
-        larger  $t0,$t1,$y1
+        maximum $t0,$t1,$y1
         lqd     $apex,BOUND_apex($a_bound)
         lqd     $axis,BOUND_axis($a_bound)
         lqd     $limits,BOUND_limits($a_bound)
@@ -89,7 +85,7 @@ next_packet:
         shufb   $apex,$apex,$limits,$m_apex
         shufb   $axis,$axis,$cosine,$m_axis
         shufb   $out,$limits,$farthest,$m_ends
-        shufb   $out,$out,$x0,$m_blocks
+        shufb   $out,$out,$x0,$m_subtiles
         stqd    $apex,0($a_path)
         stqd    $axis,16($a_path)
         stqd    $out,32($a_path)

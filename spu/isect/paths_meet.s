@@ -1,8 +1,8 @@
-# paths_meet   which blocks of a tile have rays that may have crossed one of some spheres
+# paths_meet   which subtiles of a tile have rays that may have crossed one of some spheres
 #   C       unsigned int paths_meet(const struct path *, int count, const struct node *, int nodes);
 #   In      $3 PATHs, consecutive, $4 count (at least 8), $5 NODEs, consecutive, $6 nodes (at least
 #           1); pointers 16-aligned
-#   Out     $3 the blocks' bits, as in PATH
+#   Out     $3 the subtiles' bits, as in PATH
 #   Uses    $3-$4, $10-$46   Saves  -   Stack  0   Calls  -
 #   Domain  as for cull_nodes
 #   Error   0: no path that crosses a sphere is left out
@@ -26,7 +26,7 @@
         registers a_node,left,found
         # the path
         registers first,second,third
-        registers apex_x,apex_y,apex_z,radius,axis_x,axis_y,axis_z,cosine,sine,farthest,blocks
+        registers apex_x,apex_y,apex_z,radius,axis_x,axis_y,axis_z,cosine,sine,farthest,subtiles
         # the spheres
         registers vx,vy,vz,reach,along,perp,t_y,beside,ahead,near,c_last
 
@@ -54,7 +54,7 @@ next_node:
         shufb   $cosine,$second,$second,$m_w
         shufb   $sine,$third,$third,$m_x
         shufb   $farthest,$third,$third,$m_y
-        shufb   $blocks,$third,$third,$m_z
+        shufb   $subtiles,$third,$third,$m_z
         lqd     $vx,NODE_x($a_node)
         lqd     $vy,NODE_y($a_node)
         lqd     $vz,NODE_z($a_node)
@@ -85,8 +85,8 @@ next_node:
         or      $near,$near,$perp
         or      $beside,$beside,$near
         rotmai  $beside,$beside,-31                     # all ones: the sphere is not met
-        andc    $blocks,$blocks,$beside
-        or      $found,$found,$blocks
+        andc    $subtiles,$subtiles,$beside
+        or      $found,$found,$subtiles
         # After the last node, the first one and the next path.
         ai      $left,$left,-1
         ceqi    $c_last,$left,0

@@ -42,7 +42,9 @@ function dma_get
         br      dma_parts
 endfunction dma_get
 
-# dma_put   stores as dma_get fetches
+# dma_put   stores them in the same way
+#   In      as dma_get
+#   Uses    the same
 function dma_put
         il      $command,MFC_PUT
 dma_parts:

@@ -3,11 +3,12 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "whitted.inc"
 
-        # The pixels of a block.
-        .set    BLOCK_PIXELS_LOG2,5
-    .if BLOCK_WIDTH*BLOCK_HEIGHT != 1<<BLOCK_PIXELS_LOG2
-        .error  "a block has other pixels"
+        # The pixels of a subtile.
+        .set    SUBTILE_PIXELS_LOG2,5
+    .if SUBTILE_WIDTH*SUBTILE_HEIGHT != 1<<SUBTILE_PIXELS_LOG2
+        .error  "a subtile has other pixels"
     .endif
 
         .section .rodata
@@ -86,18 +87,27 @@ endfunction tile_place
         mpyu    \out,\out,\t_down
 .endm
 
+# Counts the current tile, its rays and its packets, less those of kept pixels.
+.macro  count_traced
+        il      $one,1
+        count   tiles,$one,$t_sum,$t_add,$t_carry
+        mpyu    $amount,$g_tile_width,$g_tile_height
+        sf      $amount,$kept,$amount
+        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
+        packets_of_tile $amount,$packets_down
+        rotmi   $kept,$kept,-4
+        sf      $amount,$kept,$amount
+        count   packets,$amount,$t_sum,$t_add,$t_carry
+.endm
+
 function tile_trace
         enter
         lqa     $one,frame
         rotqbyi $one,$one,FRAME_features
         andi    $one,$one,FEATURE_WHITTED
         brnz    $one,whitted
-        il      $one,1
-        count   tiles,$one,$t_sum,$t_add,$t_carry
-        mpyu    $amount,$g_tile_width,$g_tile_height
-        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
-        packets_of_tile $amount,$packets_down
-        count   packets,$amount,$t_sum,$t_add,$t_carry
+        il      $kept,0
+        count_traced
         brz     $g_spheres,empty
         brz     $g_skip,trace
         phase_begins
@@ -136,31 +146,22 @@ samples:
 
 whitted:
         brsl    $lr,paths_begin
-        # How many of the blocks are kept, and their pixels.
+        # How many of the subtiles are kept, and their pixels.
         nor     $kept,$3,$3
         cntb    $kept,$kept
         sumb    $kept,$kept,$kept
         andi    $kept,$kept,0x3f
-        shli    $kept,$kept,BLOCK_PIXELS_LOG2
+        shli    $kept,$kept,SUBTILE_PIXELS_LOG2
         mpyu    $amount,$g_tile_width,$g_tile_height
         minimum $kept,$kept,$amount,$t_sum
         count   pixels_kept,$kept,$t_sum,$t_add,$t_carry
         brz     $3,nothing
-        sf      $amount,$kept,$amount
-        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
-        packets_of_tile $amount,$packets_down
-        rotmi   $kept,$kept,-4
-        sf      $amount,$kept,$amount
-        count   packets,$amount,$t_sum,$t_add,$t_carry
-        il      $one,1
-        count   tiles,$one,$t_sum,$t_add,$t_carry
+        count_traced
         il      $3,1<<TAG_TILE
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
-        lqa     $kept,tile_blocks
-        ai      $kept,$kept,1
-        brz     $kept,whole
-        # The blocks that are kept are in the framebuffer.
+        if_whole whole,$kept
+        # The subtiles that are kept are in the framebuffer.
         ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         il      $5,MFC_GETL
@@ -171,16 +172,14 @@ whole:  brsl    $lr,whitted_tile
         xori    $g_parity,$g_parity,1
         brsl    $lr,tile_put
         brsl    $lr,paths_end
-        lqa     $kept,tile_blocks
-        ai      $kept,$kept,1
-        brz     $kept,ended
+        if_whole ended,$kept
         ilhu    $one,TILE_KEPT>>16
         or      $3,$3,$one
 ended:  leave
 nothing:
         il      $one,1
         count   tiles_kept,$one,$t_sum,$t_add,$t_carry
-        ilhu    $3,(TILE_KEPT|TILE_FOLLOWED)>>16
+        ilhu    $3,(TILE_KEPT|TILE_HAS_PATHS)>>16
         leave
 
 empty:

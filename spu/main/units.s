@@ -13,7 +13,7 @@ costs:  .skip   2*COST_SIZE
 counter:
         .skip   COUNTER_SIZE
         .global tile_flags
-tile_flags:                             # TILE_BLANK and TILE_FOLLOWED, for the current tile
+tile_flags:                             # TILE_BLANK and TILE_HAS_PATHS, for the current tile
         .skip   16
         .global tile_number
 tile_number:                            # its number in the picture
@@ -93,7 +93,7 @@ next_tile:
         ai      $a_word,$a_word,UNIT_tiles
         lqx     $3,$g_a_unit,$a_word
         rotqby  $3,$3,$a_word
-        ilhu    $blank,(TILE_BLANK|TILE_FOLLOWED)>>16
+        ilhu    $blank,(TILE_BLANK|TILE_HAS_PATHS)>>16
         and     $blank,$3,$blank
         stqa    $blank,tile_flags
         xor     $3,$3,$blank

@@ -1,8 +1,8 @@
-//! Games in which things move: frames a second in simulated time where only those blocks are traced
-//! that the moved objects can change, and where all are. Six SPUs at 1280x720. Both pictures of each
-//! frame are compared byte for byte. Where the camera moves, everything is traced.
+//! Games in which objects move: frames a second in simulated time where only those subtiles are
+//! traced that the moved objects can change, and where all are. Six SPUs at 1280x720. Both pictures
+//! of each frame are compared byte for byte. Where the camera moves, everything is traced.
 //!
-//!     cargo bench -p games --bench moving [GAME...]
+//!     cargo bench -p games --bench moving -- [recorded] [GAME...]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -16,14 +16,14 @@ use cellray::{Engine, Settings};
 use games::billiards::Billiards;
 use games::demo::DEMOS;
 use image::RgbImage;
-use protocol::layout::{BLOCK_HEIGHT, BLOCK_WIDTH};
+use protocol::layout::{SUBTILE_HEIGHT, SUBTILE_WIDTH};
 use scenes::Camera;
 
 const SIZE: (u32, u32) = (1280, 720);
 const TIMING: &str = "LIBSPE2_TIMING";
 /// Frames of a demonstration.
 const FRAMES: u64 = 24;
-/// Frames of the recorded game, from its first stroke on.
+/// Frames of the recorded game of billiards in which something changes, from its beginning on.
 const RECORDED: u64 = 60;
 /// Ticks a second of the decrementer.
 const TIMEBASE: f64 = 79_800_000.0;
@@ -47,20 +47,20 @@ struct Frame {
     ticks: [u64; 2],
     /// Pixels that the first one traced.
     traced: u64,
-    /// Pixels of the blocks in which the picture differs from the one before.
+    /// Pixels of the subtiles in which the picture differs from the one before.
     changed: u64,
 }
 
-/// The number of pixels in blocks in which two pictures differ.
+/// The number of pixels in subtiles in which two pictures differ.
 fn changed(one: &RgbImage, other: &RgbImage) -> u64 {
-    let across = SIZE.0 / BLOCK_WIDTH;
-    let mut blocks = vec![false; (across * SIZE.1 / BLOCK_HEIGHT) as usize];
+    let across = SIZE.0 / SUBTILE_WIDTH;
+    let mut subtiles = vec![false; (across * SIZE.1 / SUBTILE_HEIGHT) as usize];
     for (x, y, pixel) in one.enumerate_pixels() {
-        let block = y / BLOCK_HEIGHT * across + x / BLOCK_WIDTH;
-        blocks[block as usize] |= pixel != other.get_pixel(x, y);
+        let subtile = y / SUBTILE_HEIGHT * across + x / SUBTILE_WIDTH;
+        subtiles[subtile as usize] |= pixel != other.get_pixel(x, y);
     }
-    let blocks = blocks.iter().filter(|changed| **changed).count();
-    blocks as u64 * u64::from(BLOCK_WIDTH * BLOCK_HEIGHT)
+    let subtiles = subtiles.iter().filter(|changed| **changed).count();
+    subtiles as u64 * u64::from(SUBTILE_WIDTH * SUBTILE_HEIGHT)
 }
 
 impl Pair {
@@ -129,7 +129,7 @@ fn main() -> Outcome<()> {
     let named: Vec<String> = std::env::args().skip(1).filter(|name| name != "--bench").collect();
     let wanted = |name: &str| named.is_empty() || named.iter().any(|other| other == name);
     println!(
-        "| game | camera rests in frames | complete, frames/s | retained, frames/s | retained, camera at rest | slowest frame, of complete | pixels of changed blocks | pixels traced |"
+        "| game | camera rests in frames | complete, frames/s | retained, frames/s | retained, camera at rest | slowest frame, of complete | pixels of changed subtiles | pixels traced |"
     );
     println!("|---|---|---|---|---|---|---|---|");
     if wanted("recorded") {

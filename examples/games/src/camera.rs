@@ -2,12 +2,13 @@
 
 use cellray::game::DVec3;
 
-/// The distance at which the eye has half of its speed by the distance, and half by this.
+/// The speed at the goal is that of an exponential approach from this distance, in metres.
 const EVEN: f64 = 0.02;
 
 /// Moves towards a goal, the faster the farther away it is, but at least so fast that the eye
-/// arrives soon: while it rests, only what moves before it must be traced. `part` is what is gone of
-/// a long way. A position that has arrived stays exactly the same however long the frames are.
+/// arrives soon: while it rests, only moving objects must be traced. `part` is the share of a long
+/// way that is covered. A position that has arrived stays exactly the same however long the frames
+/// are.
 #[must_use]
 pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
     let way = to - from;

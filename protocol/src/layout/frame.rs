@@ -141,14 +141,14 @@ record! {
         /// Effective address of the code that interpolates colours, `COLOUR_CODE_CAPACITY` bytes;
         /// a multiple of 128.
         colour_code: U64,
-        /// Effective address of the `PATHS` of all tiles, `PATHS_CAPACITY` bytes each; a multiple of
-        /// 128. 0: the SPUs keep none.
+        /// Effective address of the `PATHS` of all tiles, `PATHS_CAPACITY` bytes each; a multiple
+        /// of 128. 0: the SPUs keep none.
         paths: U64,
         /// Effective address of the places in which something has changed, `NODE` records; a
         /// multiple of 16.
         changes: U64,
-        /// These records; without them nothing has changed in a tile with `TILE_FOLLOWED`. If there
-        /// are several, the spheres of the first one are around those of all others.
+        /// These records; without them nothing has changed in a tile with `TILE_HAS_PATHS`. If
+        /// there are several, the spheres of the first one are around those of all others.
         change_count: U32,
         /// 0.
         reserved: [U32; 3],
@@ -197,7 +197,7 @@ record! {
         /// Tiles, at least 1.
         count: U32,
         /// The tiles' numbers, counted row by row from the top left, with the flags `TILE_BLANK`
-        /// and `TILE_FOLLOWED`.
+        /// and `TILE_HAS_PATHS`.
         tiles: [U32; 31],
     }
 }
@@ -208,7 +208,7 @@ record! {
         /// Tiles, as in the unit.
         count: U32,
         /// Decrementer ticks that each tile took, at most about 2^29, with the flags `TILE_BLANK`,
-        /// `TILE_FOLLOWED` and `TILE_KEPT`.
+        /// `TILE_HAS_PATHS` and `TILE_KEPT`.
         ticks: [U32; 31],
     }
 }
@@ -276,9 +276,9 @@ record! {
         texture_tiles_used: U64,
         /// Tiles of textures that were fetched.
         texture_tiles_fetched: U64,
-        /// Tiles of which no block was traced, because no change reached them.
+        /// Tiles of which no subtile was traced, because no change reached them.
         tiles_kept: U64,
-        /// Pixels that were not traced for that reason, including those of other tiles' blocks.
+        /// Pixels that were not traced for that reason, including those of other tiles' subtiles.
         pixels_kept: U64,
         /// With Whitted's model: eye rays, the shadow rays from where they hit, the rays that these
         /// surfaces send on, their shadow rays, and the same for all later rays. A batch counts as

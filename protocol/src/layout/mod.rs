@@ -132,17 +132,17 @@ constants! {
     /// tile's cost: it shows the background now.
     TILE_BLANK = 0x8000_0000;
     /// Flag. With a tile's number in a unit: the framebuffer shows the tile as its `PATHS` have it,
-    /// so only those of its blocks are traced that the frame's changes may have reached. With a
+    /// so only those of its subtiles are traced that the frame's changes may have reached. With a
     /// tile's cost: the tile's `PATHS` have all of its rays.
-    TILE_FOLLOWED = 0x4000_0000;
+    TILE_HAS_PATHS = 0x4000_0000;
     /// Flag with a tile's cost: the tile was not traced, or only in part.
     TILE_KEPT = 0x2000_0000;
     /// All flags of tiles and of their costs.
-    TILE_FLAGS = TILE_BLANK | TILE_FOLLOWED | TILE_KEPT;
-    /// Pixels across a block: the part of a tile that is traced again or kept.
-    BLOCK_WIDTH = 8;
-    /// Pixels down a block. A tile has 32 of them, a bit each.
-    BLOCK_HEIGHT = 4;
+    TILE_FLAGS = TILE_BLANK | TILE_HAS_PATHS | TILE_KEPT;
+    /// Pixels across a subtile: the part of a tile that is traced again or kept.
+    SUBTILE_WIDTH = 8;
+    /// Pixels down a subtile. A tile has 32 of them, a bit each.
+    SUBTILE_HEIGHT = 4;
     /// Bytes for the `PATHS` of a tile and the `PATH` records that follow.
     PATHS_CAPACITY = 24576;
     /// Most `PATH` records of a tile.

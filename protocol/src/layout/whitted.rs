@@ -301,9 +301,9 @@ record! {
         sine: F32,
         /// Largest distance that a ray has gone.
         farthest: F32,
-        /// The blocks of the tile whose pixels the rays belong to, a bit each: row by row from the
+        /// The subtiles whose pixels the rays belong to, a bit each: row by row from the
         /// top left, from the lowest bit.
-        blocks: U32,
+        subtiles: U32,
         /// 0.
         reserved: U32,
     }

@@ -49,13 +49,13 @@ function batch_trace
         stqa    $amount,generation
 trace_call:
         brsl    $lr,packets_trace
-        lqa     $3,following
-        brz     $3,followed
+        lqa     $3,keeps_paths
+        brz     $3,paths_added
         lqa     $3,rays_at
         ori     $4,$w_count,0
         il      $5,-1
         brsl    $lr,paths_add
-followed:
+paths_added:
         brsl    $lr,surfaces_make
 
         brsl    $lr,flags_gather

@@ -160,7 +160,7 @@ rays_call:
         or      $5,$lights,$5                           # -1 if the light is infinitely far away
 trace_call:
         brsl    $lr,packets_trace
-        lqa     $3,following
+        lqa     $3,keeps_paths
         brz     $3,unshadowed
         lqa     $3,shadow_rays_at
         ori     $4,$w_traced,0

@@ -1,6 +1,6 @@
-# The paths of a tile's rays: what they have crossed is kept in main memory. When something else
-# changes than the camera and the lights, only the blocks of the tile are traced again whose rays may
-# have crossed a place in which something has changed. The others show the same.
+# The paths of a tile's rays: the volumes that they have crossed are kept in main memory. When
+# objects change, only those subtiles of the tile are traced again whose rays may have crossed a
+# place in which something has changed. The others show the same.
 #
 # This is exact because a ray can only find something else if it crosses such a place before it
 # hits. Shadow rays that are stopped may be stopped farther on as well, so they count with their
@@ -10,13 +10,15 @@
         .include "macros.inc"
         .include "driver.inc"
         .include "whitted.inc"
+        .include "extremes.inc"
 
         # Where a tile's paths are tested, while nothing of it has been traced.
         .set    FETCHED,BATCH_RAYS
         # The bytes that are fetched at first.
         .set    FIRST_BYTES,8192
         .set    FIRST_PATHS,(FIRST_BYTES-PATHS_SIZE)/PATH_SIZE
-        # Where the places are.
+        # Where the changed places are. They are fetched with each tile's paths, since rays take
+        # their place, and there is none for good.
         .set    CHANGES,FETCHED+PATHS_CAPACITY
         # The smallest numbers that the kernels take.
         .set    FEWEST_PACKETS,4
@@ -31,23 +33,17 @@
 
         .section .bss
         .align  4
-        .global following
-following:                              # whether the frame keeps paths
+        .global keeps_paths
+keeps_paths:                            # whether the frame keeps paths
         .skip   16
-        .global tile_blocks
-tile_blocks:                            # the blocks of the current tile that are traced, in all words
+        .global tile_subtiles
+tile_subtiles:                          # those of the current tile that are traced, in all words
         .skip   16
 path_count:                             # the tile's records in main memory; more than MAX_PATHS if
         .skip   16                      # there was no place for some
 path_offset:                            # where the next ones go
         .skip   16
 path_bytes:                             # the size of these
-        .skip   16
-path_rays:                              # the arguments of paths_make
-        .skip   16
-path_to_hits:
-        .skip   16
-path_out:
         .skip   16
 paths_high:                             # the effective address of the tile's PATHS
         .skip   16
@@ -62,18 +58,12 @@ mesh_paths:                             # of the packets that are traced through
 
         .set    NEXT,10
         registers a_frame,t_c,count,high,low,offset,bytes,command,tag,most
-        registers a_from,a_to,left,record0,record1,record2,kept,m_blocks,c_kept,row0,row1,row2,row3
+        registers a_from,a_to,left,record0,record1,record2,kept,m_subtiles,c_kept,row0,row1,row2,row3
 
 # The effective address of the current tile's PATHS.
 .macro  tile_paths_address out_high:req, out_low:req
         lqa     \out_high,paths_high
         lqa     \out_low,paths_low
-.endm
-
-# The larger of words that are singles above 0, or of rays that aren't there below.
-.macro  larger out:req, other:req
-        cgt     $t_c,\other,\out
-        selb    \out,\out,\other,$t_c
 .endm
 
 # paths_prepare   looks up whether the frame keeps paths
@@ -83,21 +73,21 @@ function paths_prepare
         load_word $count,FRAME_paths,$a_frame
         load_word $high,FRAME_paths+4,$a_frame
         or      $count,$count,$high
-        stqa    $count,following
+        stqa    $count,keeps_paths
         il      $count,-1
-        stqa    $count,tile_blocks
+        stqa    $count,tile_subtiles
         bi      $lr
 endfunction paths_prepare
 
-# paths_begin   finds the blocks of the current tile that must be traced, and begins its paths with
-#               those of the others
-#   Out     $3 the blocks, as in tile_blocks
+# paths_begin   finds the subtiles of the current tile that must be traced, and begins its paths
+#               with those of the others
+#   Out     $3 the subtiles, as in tile_subtiles
 #   Uses    $3-$79
 function paths_begin
         enter
         il      $3,-1
-        lqa     $count,following
-        stqa    $3,tile_blocks
+        lqa     $count,keeps_paths
+        stqa    $3,tile_subtiles
         brz     $count,begun
         il      $count,0
         stqa    $count,path_count
@@ -112,7 +102,7 @@ function paths_begin
         stqa    $high,paths_high
         stqa    $low,paths_low
         lqa     $offset,tile_flags
-        shli    $offset,$offset,1                       # TILE_FOLLOWED is now the sign
+        shli    $offset,$offset,1                       # TILE_HAS_PATHS is now the sign
         rotmi   $offset,$offset,-31
         brz     $offset,begun
         load_word $count,FRAME_change_count,$a_frame
@@ -174,13 +164,23 @@ met:
         or      $3,$3,$t_c
         ila     $t_c,0x10203
         shufb   $3,$3,$3,$t_c
-        stqa    $3,tile_blocks
+        stqa    $3,tile_subtiles
         ai      $t_c,$3,1
         brz     $t_c,begun
+        brsl    $lr,paths_drop
+        lqa     $3,tile_subtiles
+begun:  leave
+endfunction paths_begin
 
-        # The paths of the other blocks stay.
-        fsmbi   $m_blocks,0x00f0                        # the word PATH_blocks
-        and     $m_blocks,$m_blocks,$3
+# paths_drop   takes those of the subtiles that are traced out of the fetched paths, and sends the
+#              others back
+#   In      $3 these subtiles, in all words
+#   Out     path_count
+#   Uses    $3-$7, $10-$24
+function paths_drop
+        enter
+        fsmbi   $m_subtiles,0x00f0                      # the word PATH_subtiles
+        and     $m_subtiles,$m_subtiles,$3
         ila     $a_from,arena+FETCHED+PATHS_SIZE
         ori     $a_to,$a_from,0
         lqa     $left,arena+FETCHED
@@ -191,8 +191,8 @@ next_path:
         lqd     $record1,16($a_from)
         lqd     $record2,32($a_from)
         ai      $a_from,$a_from,PATH_SIZE
-        andc    $record2,$record2,$m_blocks
-        rotqbyi $kept,$record2,PATH_blocks-32
+        andc    $record2,$record2,$m_subtiles
+        rotqbyi $kept,$record2,PATH_subtiles-32
         stqd    $record0,0($a_to)
         stqd    $record1,16($a_to)
         stqd    $record2,32($a_to)
@@ -213,9 +213,8 @@ last_path:
         brsl    $lr,dma_put
         load_constant $3,1<<TAG_PATHS
         brsl    $lr,dma_wait
-        lqa     $3,tile_blocks
-begun:  leave
-endfunction paths_begin
+        leave
+endfunction paths_drop
 
 # paths_get   fetches some of the tile's paths, and waits
 #   In      $3 local store, $4 and $5 effective address, $6 bytes
@@ -239,26 +238,19 @@ function paths_make
         ceq     $t_c,$t_c,$3
         ori     $7,$5,0
         ori     $8,$6,0
-        lqa     $5,bounds_at
         ila     $6,light_sites
-        ila     $9,arena+PIXEL_SUMS
         brz     $t_c,listed
         # The batch's rays have their own pixels.
-        stqa    $3,path_rays
-        stqa    $7,path_to_hits
-        stqa    $8,path_out
         lqa     $3,sites_at
         il      $4,0
         il      $5,0
-        brsl    $lr,sites_list
-        lqa     $3,path_rays
+        brsl    $lr,sites_list                          # keeps $7 and $8
+        lqa     $3,rays_at
         ori     $4,$w_count,0
-        lqa     $5,bounds_at
         lqa     $6,sites_at
-        lqa     $7,path_to_hits
-        lqa     $8,path_out
-        ila     $9,arena+PIXEL_SUMS
 listed:
+        lqa     $5,bounds_at
+        ila     $9,arena+PIXEL_SUMS
         # Those of more packets than there are may be anything.
         il      $t_c,FEWEST_PACKETS
         cgt     $most,$t_c,$4
@@ -271,7 +263,7 @@ endfunction paths_make
 #   In      $3 RAYS16, consecutive, $4 count
 #   Uses    $3-$79
 function paths_before_mesh
-        lqa     $5,following
+        lqa     $5,keeps_paths
         biz     $5,$lr
         il      $5,0
         ila     $6,mesh_paths
@@ -311,20 +303,20 @@ added:  leave
 made:   ila     $a_to,mesh_paths
         brz     $5,ends_set
         ori     $left,$4,0
-        cwd     $m_blocks,PATH_farthest-32($sp)
+        cwd     $m_subtiles,PATH_farthest-32($sp)
 next_end:
     .irp row, 0,1,2,3
         lqd     $row\row,RAYS16_t+16*\row($3)
     .endr
-        larger  $row0,$row1
-        larger  $row2,$row3
-        larger  $row0,$row2
+        maximum $row0,$row1,$t_c
+        maximum $row2,$row3,$t_c
+        maximum $row0,$row2,$t_c
         rotqbyi $row1,$row0,8
-        larger  $row0,$row1
+        maximum $row0,$row1,$t_c
         rotqbyi $row1,$row0,4
-        larger  $row0,$row1
+        maximum $row0,$row1,$t_c
         lqd     $record2,32($a_to)
-        shufb   $record2,$row0,$record2,$m_blocks
+        shufb   $record2,$row0,$record2,$m_subtiles
         stqd    $record2,32($a_to)
         ai      $3,$3,RAYS16_SIZE/2
         ai      $3,$3,RAYS16_SIZE/2
@@ -337,10 +329,10 @@ ends_set:
 endfunction paths_add
 
 # paths_end   ends the paths of the current tile
-#   Out     $3 TILE_FOLLOWED if all of them are in main memory, otherwise 0
+#   Out     $3 TILE_HAS_PATHS if all of them are in main memory, otherwise 0
 #   Uses    $3-$7, $10-$20
 function paths_end
-        lqa     $3,following
+        lqa     $3,keeps_paths
         biz     $3,$lr
         enter
         load_constant $3,1<<TAG_PATHS
@@ -349,14 +341,14 @@ function paths_end
         il      $3,0
         cgti    $t_c,$count,MAX_PATHS
         brnz    $t_c,ended
-        fsmbi   $m_blocks,0xf000
-        and     $count,$count,$m_blocks
+        fsmbi   $m_subtiles,0xf000
+        and     $count,$count,$m_subtiles
         stqa    $count,header
         tile_paths_address $4,$5
         ila     $3,header
         il      $6,PATHS_SIZE
         il      $7,TAG_PATHS
         brsl    $lr,dma_put
-        ilhu    $3,TILE_FOLLOWED>>16
+        ilhu    $3,TILE_HAS_PATHS>>16
 ended:  leave
 endfunction paths_end

@@ -106,22 +106,18 @@ function tile_pack
 converted:
         ila     $3,arena+PIXEL_SUMS
         tile_buffer $4,$5
-        lqa     $amount,tile_blocks
-        ai      $amount,$amount,1
-        brz     $amount,pack
-        # The other blocks are in the buffer.
+        if_whole pack,$amount
+        # The other subtiles are in the buffer.
         ila     $4,arena+PIXEL_SUMS
 pack:   ori     $5,$g_tile_height,0
         ori     $6,$g_row_bytes,0
         ila     $7,pixel_shuffle
         brsl    $lr,pack_sums
-        lqa     $amount,tile_blocks
-        ai      $amount,$amount,1
-        brz     $amount,packed
+        if_whole packed,$amount
         il      $3,1<<TAG_TILE
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
-        brsl    $lr,blocks_copy
+        brsl    $lr,subtiles_copy
 packed: phase_ends $g_ticks_shade,$amount
         leave
 
@@ -132,22 +128,22 @@ convert:
         br      converted
 endfunction tile_pack
 
-# blocks_copy   copies the traced blocks of the packed tile to its buffer
+# subtiles_copy   copies the traced subtiles of the packed tile to its buffer
 #   Uses    $10-$23
         .set    NEXT,10
-        registers blocks,a_from,a_to,t_c,rows,from
+        registers subtiles,a_from,a_to,t_c,rows,from
         # two quadwords of each row
         registers quad0,quad1,quad2,quad3,quad4,quad5,quad6,quad7
 
-function blocks_copy
-        lqa     $blocks,tile_blocks
+function subtiles_copy
+        lqa     $subtiles,tile_subtiles
         ila     $a_from,arena+PIXEL_SUMS
         tile_buffer $a_to,$t_c
         il      $rows,0
-next_block:
-        andi    $t_c,$blocks,1
-        rotmi   $blocks,$blocks,-1
-        brz     $t_c,block_kept
+next_subtile:
+        andi    $t_c,$subtiles,1
+        rotmi   $subtiles,$subtiles,-1
+        brz     $t_c,subtile_kept
     .irp row, 0,1,2,3
         lqd     $quad0+2*\row,4*TILE_WIDTH*\row($a_from)
         lqd     $quad1+2*\row,4*TILE_WIDTH*\row+16($a_from)
@@ -156,21 +152,21 @@ next_block:
         stqd    $quad0+2*\row,4*TILE_WIDTH*\row($a_to)
         stqd    $quad1+2*\row,4*TILE_WIDTH*\row+16($a_to)
     .endr
-block_kept:
-        biz     $blocks,$lr
-        # After the eighth block of a row, the next row of blocks.
+subtile_kept:
+        biz     $subtiles,$lr
+        # After the eighth subtile of a row, the next row of subtiles.
         ai      $rows,$rows,1
         andi    $t_c,$rows,7
         ceqi    $t_c,$t_c,0
-        il      $from,(BLOCK_HEIGHT-1)*4*TILE_WIDTH
+        il      $from,(SUBTILE_HEIGHT-1)*4*TILE_WIDTH
         and     $from,$from,$t_c
-        ai      $from,$from,4*BLOCK_WIDTH
+        ai      $from,$from,4*SUBTILE_WIDTH
         a       $a_from,$a_from,$from
         a       $a_to,$a_to,$from
-        br      next_block
-endfunction blocks_copy
+        br      next_subtile
+endfunction subtiles_copy
 
-# eye_places   lists the packets of the current tile's blocks that are traced
+# eye_places   lists the packets of the current tile's subtiles that are traced
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
 #   Uses    $14-$30
 #
@@ -190,7 +186,7 @@ endfunction blocks_copy
         .set    column_step,25
         .set    pair,26
         .set    passed,27
-        .set    blocks,28
+        .set    subtiles,28
         .set    listed,29
         .set    left_out,30
 
@@ -231,14 +227,14 @@ function eye_places
         il      $pair,1
 next_column:
         ori     $row,$rows,0
-        # The bits of this column's blocks, of which two columns of packets have one.
-        lqa     $blocks,tile_blocks
+        # The bits of this column's subtiles, of which two columns of packets have one.
+        lqa     $subtiles,tile_subtiles
         rotmai  $passed,$pair,-1
-        rotm    $blocks,$blocks,$passed
+        rotm    $subtiles,$subtiles,$passed
 next_row:
         hbrr    last_row,next_row
         stqd    $place,0($a_place)
-        andi    $listed,$blocks,1
+        andi    $listed,$subtiles,1
         ceqi    $left_out,$listed,0
         shli    $listed,$listed,PLACE_SIZE_LOG2
         a       $a_place,$a_place,$listed
@@ -246,7 +242,7 @@ next_row:
         and     $left_out,$left_out,$m_word
         andc    $left_out,$step,$left_out
         a       $place,$place,$left_out
-        rotmi   $blocks,$blocks,-8
+        rotmi   $subtiles,$subtiles,-8
         ai      $row,$row,-1
         ceq     $c_end,$place,$batch_end
         and     $c_end,$c_end,$batch_back

@@ -332,7 +332,7 @@ function packets_trace
         ila     $w_plan,plans
         # Without trees nobody needs their bounds, unless the frame keeps paths.
         lqa     $c_more,plans_end
-        lqa     $counts,following
+        lqa     $counts,keeps_paths
         ceq     $c_more,$c_more,$w_plan
         ceqi    $counts,$counts,0
         and     $c_more,$c_more,$counts

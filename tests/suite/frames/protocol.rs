@@ -84,10 +84,13 @@ fn invalid_field_is_named_and_next_frame_is_traced() {
 
 #[test]
 fn invalid_whitted_field_is_named() {
-    let cases: [(&str, &str, Spoil); 32] = [
+    let cases: [(&str, &str, Spoil); 35] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
         }),
+        ("paths", "must be a multiple of 128", |frame| frame.paths = 64.into()),
+        ("changes", "must be a multiple of 16", |frame| frame.changes = 8.into()),
+        ("changes", "at most 9 nodes", |frame| frame.change_count = 10.into()),
         ("waiting", "must be a multiple of 128", |frame| {
             frame.waiting = (frame.waiting.get() + 64).into()
         }),

@@ -8,6 +8,7 @@ use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::cases::whitted::rays::nodes::{
     BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
 };
+use kernels::cases::whitted::rays::paths::{PathBounds, PathsMeet};
 use kernels::description::Description as _;
 use kernels::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 use rand::Rng as _;
@@ -21,6 +22,8 @@ const SLACK: f64 = 1.0 / (1 << 18) as f64;
 /// More than a radius can lose by rounding to a single.
 const ROUNDING: f64 = 1.0 + 1.0 / (1 << 22) as f64;
 const NODES: usize = 16;
+/// The fewest paths that `paths_meet` takes.
+const PATHS: usize = 8;
 const PACKETS: usize = 300;
 
 /// The result of the kernels for one packet's children.
@@ -263,6 +266,48 @@ fn none_is_left_out<V: Near>() {
     }
     check("from the eye", &from_eye);
     check("to a light", &to_light);
+}
+
+/// No path is left out that crosses a sphere, up to where its rays end; and of narrow cones many
+/// that miss one are.
+#[test]
+fn crossing_paths_are_met() {
+    let check = |name: &str, is_narrow: bool, to_hits: bool, source: Source<'_>| {
+        let (mut random, mut bench) = (random(), Bench::new());
+        let mut sum = Outcome::default();
+        for _ in 0..PACKETS / 4 {
+            let scale = magnitude(SCALES, &mut random);
+            let (packet, bounds) = source(&mut bench, scale, &mut random);
+            let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
+            if rays.is_empty() {
+                continue;
+            }
+            let bounds = vec![bounds[0]; PATHS];
+            let made = PathBounds { bounds, ..PathBounds::of(vec![packet; PATHS], to_hits) };
+            let paths = made.call(&mut bench);
+            for _ in 0..NODES {
+                let (volume, is_met) = BareSphere::near(&rays, scale, SLACK, &mut random);
+                let nodes = vec![[Child { volume, address: 0 }; 4]];
+                let kept = PathsMeet { paths: paths.clone(), nodes }.call(&mut bench) != 0;
+                sum.tested += 1;
+                sum.met += usize::from(is_met);
+                sum.kept += usize::from(kept);
+                sum.lost += usize::from(is_met && !kept);
+            }
+        }
+        println!("{name}, paths: {sum:?}");
+        assert_eq!(sum.lost, 0, "{name}");
+        assert!(sum.met > sum.tested / 10, "{name}: {sum:?}");
+        let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
+        assert!(!is_narrow || 3 * left_out > missed, "{name}: {sum:?}");
+    };
+    for fan in FANS {
+        let is_narrow =
+            matches!(fan, Fan::Eye | Fan::Coherent | Fan::Shadow | Fan::One | Fan::Half);
+        check(&format!("{fan:?}"), is_narrow, true, &anywhere(fan));
+    }
+    check("from the eye", true, true, &from_eye);
+    check("to a light", true, false, &to_light);
 }
 
 /// The volumes are so near to the rays, and the bounds so tight, that slightly smaller ones are not

@@ -105,7 +105,7 @@ impl Description for PathBounds {
                     radius: bits(path.radius),
                     farthest: bits(path.farthest),
                 },
-                blocks: path.blocks.get(),
+                subtiles: path.subtiles.get(),
             }
         };
         bench.read_all(*placed).into_iter().map(record).collect()
@@ -142,8 +142,8 @@ impl Description for PathsMeet {
         let path = |random: &mut ChaCha8Rng| {
             let rays = any_fan(random);
             let farthest = from_f64(magnitude(0.1..100.0, random));
-            let blocks = 1 << random.random_range(0..32);
-            Path { bound: Bound { farthest, ..bound(&rays) }, blocks }
+            let subtiles = 1 << random.random_range(0..32);
+            Path { bound: Bound { farthest, ..bound(&rays) }, subtiles }
         };
         let paths = (0..count).map(|_| path(random)).collect();
         let nodes = random.random_range(1..3);
@@ -164,7 +164,7 @@ impl Description for PathsMeet {
             cosine: single(path.bound.cosine),
             sine: single(path.bound.sine),
             farthest: single(path.bound.farthest),
-            blocks: path.blocks.into(),
+            subtiles: path.subtiles.into(),
             reserved: ANYTHING.into(),
         };
         let paths: Vec<layout::Path> = self.paths.iter().map(record).collect();
@@ -173,8 +173,8 @@ impl Description for PathsMeet {
         ((), vec![paths, self.paths.len() as u32, nodes, self.nodes.len() as u32])
     }
 
-    fn found(&self, _: &Bench, (): &(), blocks: u32) -> u32 {
-        blocks
+    fn found(&self, _: &Bench, (): &(), subtiles: u32) -> u32 {
+        subtiles
     }
 
     fn twin(&self, (): &()) -> u32 {
@@ -183,9 +183,9 @@ impl Description for PathsMeet {
         meet(&self.paths, &spheres)
     }
 
-    /// How many blocks are met.
+    /// How many subtiles are met.
     fn part(&self, found: &u32) -> [usize; 2] {
-        let all = self.paths.iter().fold(0, |blocks, path| blocks | path.blocks);
+        let all = self.paths.iter().fold(0, |subtiles, path| subtiles | path.subtiles);
         [found.count_ones() as usize, (all.count_ones() as usize).max(1)]
     }
 }
