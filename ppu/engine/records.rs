@@ -25,6 +25,8 @@ pub(super) struct Records {
     scene: SharedMemory,
     /// The program's code that tests boxes.
     box_code: Vec<u8>,
+    depth_code: SharedMemory,
+    depth_code_bytes: u32,
     mesh_code: SharedMemory,
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
@@ -56,12 +58,15 @@ impl Records {
     /// Allocates memory for frames of this framebuffer's size.
     pub fn new(framebuffer: Box<dyn Framebuffer>, program: &Program) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
-        let [(mesh_code, mesh_code_bytes), (texture_code, texture_code_bytes)] =
-            [program.mesh_code(), program.texture_code()].map(|code| {
-                let mut memory = SharedMemory::new(code.len());
-                memory.write(0, &code);
-                (memory, code.len() as u32)
-            });
+        let [
+            (depth_code, depth_code_bytes),
+            (mesh_code, mesh_code_bytes),
+            (texture_code, texture_code_bytes),
+        ] = [program.depth_code(), program.mesh_code(), program.texture_code()].map(|code| {
+            let mut memory = SharedMemory::new(code.len());
+            memory.write(0, &code);
+            (memory, code.len() as u32)
+        });
         let mut colour_code = SharedMemory::new(COLOUR_CODE_CAPACITY as usize);
         colour_code.write(0, &program.colour_code());
         Self {
@@ -69,6 +74,8 @@ impl Records {
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
             scene: SharedMemory::new(SCENE_CAPACITY as usize),
             box_code: program.box_code(),
+            depth_code,
+            depth_code_bytes,
             mesh_code,
             mesh_code_bytes,
             texture_code,
@@ -101,6 +108,8 @@ impl Records {
         Addresses {
             spheres: self.spheres.address(),
             scene: self.scene.address(),
+            depth_code: self.depth_code.address(),
+            depth_code_bytes: self.depth_code_bytes,
             mesh_code: self.mesh_code.address(),
             mesh_code_bytes: self.mesh_code_bytes,
             texture_code: self.texture_code.address(),

@@ -12,8 +12,9 @@ use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
 use protocol::layout::{
-    BOX_CODE, BOX_CODE_CAPACITY, COLOUR_CODE, COLOUR_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY,
-    MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
+    BOX_CODE, BOX_CODE_CAPACITY, COLOUR_CODE, COLOUR_CODE_CAPACITY, DEPTH_CODE,
+    DEPTH_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY, MESH_CODE_CAPACITY, TEXTURE_CODE,
+    TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -151,6 +152,13 @@ impl Program {
             code.resize(COLOUR_CODE_CAPACITY as usize, 0);
         }
         code
+    }
+
+    /// The code that traces tiles with depth shading: what is loaded from `DEPTH_CODE` on.
+    #[must_use]
+    pub fn depth_code(&self) -> Vec<u8> {
+        let addresses = DEPTH_CODE..DEPTH_CODE + DEPTH_CODE_CAPACITY;
+        elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The code that tests boxes, in the same way: what is loaded from `BOX_CODE` on.

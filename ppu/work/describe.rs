@@ -23,6 +23,10 @@ pub struct Addresses {
     pub spheres: u64,
     /// The block of Whitted's model.
     pub scene: u64,
+    /// The program's code for depth shading.
+    pub depth_code: u64,
+    /// The number of its bytes.
+    pub depth_code_bytes: u32,
     /// The program's code that traces meshes.
     pub mesh_code: u64,
     /// The number of its bytes.
@@ -143,13 +147,16 @@ pub fn describe(order: &Order) -> Frame {
         frame.box_trees = block.box_trees().into();
         frame.ambient = block.ambient();
         frame.eye = quadword(singles(camera.eye));
+    } else {
+        frame.code = addresses.depth_code.into();
+        frame.code_bytes = addresses.depth_code_bytes.into();
     }
     if let Some(mesh) = scene.block().and_then(SceneBlock::mesh) {
         frame.mesh_eye = mesh.eye;
         frame.mesh = mesh.blocks.address().into();
         frame.mesh_blocks = mesh.blocks.count().into();
-        frame.mesh_code = addresses.mesh_code.into();
-        frame.mesh_code_bytes = addresses.mesh_code_bytes.into();
+        frame.code = addresses.mesh_code.into();
+        frame.code_bytes = addresses.mesh_code_bytes.into();
         frame.mesh_materials = mesh.materials.into();
         frame.mesh_material_count = mesh.material_count.into();
         frame.mesh_cache = mesh.cache.into();
@@ -163,8 +170,8 @@ pub fn describe(order: &Order) -> Frame {
         if let Some(textures) = mesh.textures {
             // Their tiles have the place of the code for eye rays.
             let eye_code = EYE_CODE_CAPACITY.min(addresses.mesh_code_bytes);
-            frame.mesh_code = (addresses.mesh_code + u64::from(eye_code)).into();
-            frame.mesh_code_bytes = (addresses.mesh_code_bytes - eye_code).into();
+            frame.code = (addresses.mesh_code + u64::from(eye_code)).into();
+            frame.code_bytes = (addresses.mesh_code_bytes - eye_code).into();
             frame.textures = textures.address().into();
             frame.texture_code = addresses.texture_code.into();
             frame.texture_code_bytes = addresses.texture_code_bytes.into();

@@ -127,7 +127,13 @@ function frame_fetch
         refuse_if $bad,SphereCount
         load_word $value,FRAME_features,$a_frame
         andi    $value,$value,FEATURE_WHITTED
-        brz     $value,checked
+        brnz    $value,whitted
+        require_aligned code,LINE,Code
+        require_at_most code_bytes,DEPTH_CODE_CAPACITY,Code
+        andi    $bad,$value,15
+        refuse_if $bad,Code
+        br      checked
+whitted:
         require_equal sphere_count,0,SphereCount
         brsl    $lr,whitted_check
         brnz    $3,refused

@@ -12,8 +12,13 @@
         .error  "linker/spu.ld takes another size of the background"
     .endif
 
-# scene_fetch   starts to fetch the spheres, and sets up the records around them; or starts to
-# fetch the scene of Whitted's model, which is complete
+        .section .bss
+        .align  4
+overwritten:                            # whether a scene has the place of the code for depth shading
+        .skip   16
+
+# scene_fetch   starts to fetch the spheres, and the code if a scene has overwritten it, and sets up
+# the records around them; or starts to fetch the scene of Whitted's model, which is complete
 #   Uses    $3-$7, $10-$19
         .set    a_frame,15
         .set    quad,16
@@ -27,6 +32,7 @@ function scene_fetch
         load_word $quad,FRAME_features,$a_frame
         andi    $quad,$quad,FEATURE_WHITTED
         brz     $quad,plain
+        stqa    $quad,overwritten
         ila     $3,SCENE_ADDRESS
         load_word $4,FRAME_scene,$a_frame
         load_word $5,FRAME_scene+4,$a_frame
@@ -41,19 +47,29 @@ function scene_fetch
         ila     $3,MESH_CODE
         ila     $4,EYE_CODE
         selb    $3,$3,$4,$quad
-        load_word $4,FRAME_mesh_code,$a_frame
-        load_word $5,FRAME_mesh_code+4,$a_frame
-        load_word $6,FRAME_mesh_code_bytes,$a_frame
+        load_word $4,FRAME_code,$a_frame
+        load_word $5,FRAME_code+4,$a_frame
+        load_word $6,FRAME_code_bytes,$a_frame
         brsl    $lr,dma_get
         br      started
 plain:
+        il      $7,TAG_FRAME
+        lqa     $quad,overwritten
+        brz     $quad,present
+        il      $quad,0
+        stqa    $quad,overwritten
+        load_constant $3,DEPTH_CODE
+        load_word $4,FRAME_code,$a_frame
+        load_word $5,FRAME_code+4,$a_frame
+        load_word $6,FRAME_code_bytes,$a_frame
+        brsl    $lr,dma_get
+present:
         ila     $3,spheres
         load_word $4,FRAME_spheres,$a_frame
         load_word $5,FRAME_spheres+4,$a_frame
         il      $6,SPHERE_SIZE
         mpyu    $6,$g_spheres,$6
         a       $a_padding,$3,$6
-        il      $7,TAG_FRAME
         brsl    $lr,dma_get
 
         lqd     $quad,FRAME_background($a_frame)

@@ -56,11 +56,11 @@ prepared:
         phase_ends $g_ticks_fetch,$bad
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
+        sync                                            # there may be code with the scene
         lqa     $bad,frame
         rotqbyi $bad,$bad,FRAME_features
         andi    $bad,$bad,FEATURE_WHITTED
         brz     $bad,next_unit
-        sync                                            # the scene may have code
         lqa     $bad,streamed
         brz     $bad,next_unit
         brsl    $lr,mesh_begin

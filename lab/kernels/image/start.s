@@ -6,7 +6,8 @@
 _start:
         stop    0x1ffd
 
-# Directly in front of the kernels for colours, so that the bench has all the memory in front of
-# it.
-        .global boxes_place
+# The kernels for depth shading and boxes are directly in front of those for colours, so that the
+# bench has all the memory in front of them.
+        .global depth_place, boxes_place
+        .set    depth_place,0x28300
         .set    boxes_place,0x32e00

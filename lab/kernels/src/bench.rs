@@ -29,13 +29,13 @@ const RETURN: u16 = 0x1fff;
 const LOST: u16 = 0x1ffe;
 /// The top of the stack. Nothing is above it.
 const STACK: u32 = 0x3f000;
-/// The end of the arena: `boxes_place` in `image/start.s`. Behind it are the kernels for boxes,
-/// colours, textures and meshes.
-const ARENA_END: u32 = 0x32e00;
+/// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
+/// shading, boxes, colours, textures and meshes.
+const ARENA_END: u32 = 0x28300;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
-const ARENA: u32 = 0x29400;
+const ARENA: u32 = 0x1e900;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;

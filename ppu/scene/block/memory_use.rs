@@ -7,7 +7,9 @@ use scenes::{Scene, Shape};
 
 use super::bvh::{self, Volumes};
 use super::primitive::{PATCH_SIZE, PrimitiveKind};
-use protocol::layout::{self, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, Shear};
+use protocol::layout::{
+    self, MAX_OBJECTS, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, Shear,
+};
 
 /// The number of rays in a packet.
 const PACKET: usize = 16;
@@ -82,7 +84,9 @@ impl MemoryUse {
             Some(most) if needed - most.bytes < capacity => {
                 let Consumer { what, count, bytes } = *most;
                 let fit = (capacity - (needed - bytes)) * count / bytes;
-                format!("about {} of its {count} {what} fit", fit.min(count))
+                // A tree holds no more, and more materials take more than there is.
+                let fit = fit.min(count).min(MAX_OBJECTS as usize);
+                format!("about {fit} of its {count} {what} fit")
             }
             _ => format!("about {} % of the scene fits", capacity * 100 / needed),
         }

@@ -94,12 +94,14 @@ record! {
         mesh_eye: [F32; 4],
         /// Effective address of the mesh's first block; a multiple of 128.
         mesh: U64,
-        /// Effective address of the code that traces meshes; a multiple of 128.
-        mesh_code: U64,
+        /// Effective address of the code that other scenes may have overwritten; a multiple of 128.
+        /// Depth shading needs what the program has at `DEPTH_CODE`, and a mesh what it has from
+        /// `EYE_CODE` on, or with textures from `MESH_CODE` on.
+        code: U64,
         /// Blocks of the mesh.
         mesh_blocks: U32,
         /// Bytes of that code; a multiple of 16.
-        mesh_code_bytes: U32,
+        code_bytes: U32,
         /// Where in local store the first of the mesh's materials is, which the others follow; not
         /// used with `FEATURE_MATERIALS`.
         mesh_materials: U32,

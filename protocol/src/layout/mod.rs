@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 14;
+    VERSION = 15;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -155,17 +155,22 @@ constants! {
     MAX_TRANSFER = 16384;
     /// Address in local store of the buffers that depth shading and Whitted's model each use in
     /// their own way.
-    ARENA_ADDRESS = 0x1c980;
+    ARENA_ADDRESS = 0x17f80;
     /// Address in local store of the scene of Whitted's model, which begins with the background's
     /// `OBJECT`.
-    SCENE_ADDRESS = 0x2f380;
+    SCENE_ADDRESS = 0x2a980;
     /// Bytes for the scene and the waiting rays.
-    SCENE_CAPACITY = 0xfc00;
+    SCENE_CAPACITY = 0x1_4600;
     /// Address in local store of the code that tests boxes, after the background's `OBJECT` and
     /// `MATERIAL`; only the scenes with trees of boxes have it.
     BOX_CODE = SCENE_ADDRESS + 144;
     /// Bytes for that code.
     BOX_CODE_CAPACITY = 4736;
+    /// Address in local store of the code that traces tiles with depth shading, which scenes of
+    /// Whitted's model overwrite.
+    DEPTH_CODE = 0x2d100;
+    /// Bytes for that code.
+    DEPTH_CODE_CAPACITY = 22528;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -466,8 +471,8 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16, at most 38656, or 31232 with textures.
-    MeshCode = 29, "mesh_code, mesh_code_bytes";
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, and 31232 for one with textures.
+    Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
     /// Must be 1 to 256 materials on quadwords of the scene; or, in main memory, a multiple of 256 up to 65536 at a multiple of 128.

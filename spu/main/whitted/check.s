@@ -44,16 +44,16 @@ function whitted_check
         stqa    $value,surface_way
         stqa    $batch,streamed
         brz     $batch,no_mesh
-        require_aligned mesh_code,LINE,MeshCode
-        require_at_most mesh_code_bytes,EYE_CODE_CAPACITY+MESH_CODE_CAPACITY,MeshCode
+        require_aligned code,LINE,Code
+        require_at_most code_bytes,EYE_CODE_CAPACITY+MESH_CODE_CAPACITY,Code
         load_constant $limit,MESH_CODE_CAPACITY
         clgt    $bad,$value,$limit
         andi    $batch,$batch,FEATURE_TEXTURES
         ceqi    $batch,$batch,0
         andc    $bad,$bad,$batch
-        refuse_if $bad,MeshCode
+        refuse_if $bad,Code
         andi    $bad,$value,15
-        refuse_if $bad,MeshCode
+        refuse_if $bad,Code
 no_mesh:
         require_aligned scene,LINE,Scene
         require_aligned waiting,LINE,Waiting

@@ -17,8 +17,8 @@ pub struct Descriptor {
     pub block: Vec<u8>,
     /// The blocks of the scene's mesh, or none.
     pub mesh: Vec<u8>,
-    /// The program's code that traces meshes.
-    pub mesh_code: Vec<u8>,
+    /// The program's code for depth shading, or with Whitted's model for meshes.
+    pub code: Vec<u8>,
     /// Its materials in main memory, or none.
     pub materials: Vec<u8>,
     /// The tiles of its textures, or none.
@@ -43,7 +43,8 @@ impl Descriptor {
         let mut records = EyeSpheres::default();
         let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program;
-        let (mesh_code, texture_code) = (program.mesh_code(), program.texture_code());
+        let (depth_code, mesh_code) = (program.depth_code(), program.mesh_code());
+        let texture_code = program.texture_code();
         let (box_code, colour_code) = (program.box_code(), program.colour_code());
         let program = program.formulations().unwrap();
         records.cull(scene.spheres(), &projection, Skip::Misses, program.eye.record);
@@ -56,6 +57,8 @@ impl Descriptor {
             addresses: Addresses {
                 spheres: 0,
                 scene: 0,
+                depth_code: 0,
+                depth_code_bytes: depth_code.len() as u32,
                 mesh_code: 0,
                 mesh_code_bytes: mesh_code.len() as u32,
                 texture_code: 0,
@@ -79,6 +82,7 @@ impl Descriptor {
             check_shaders: false,
         });
         let block = scene.block();
+        let code = if block.is_some() { mesh_code } else { depth_code };
         let mesh = block.and_then(|block| block.mesh());
         let textures = mesh.and_then(|mesh| mesh.textures);
         let textures = textures.map_or(Vec::new(), |textures| textures.bytes().to_vec());
@@ -95,7 +99,7 @@ impl Descriptor {
             spheres: records.bytes().to_vec(),
             block,
             mesh,
-            mesh_code,
+            code,
             materials,
             textures,
             texture_code,

@@ -38,7 +38,7 @@ impl Fixture {
             spheres,
             block,
             mesh,
-            mesh_code,
+            code,
             materials,
             textures,
             texture_code,
@@ -52,8 +52,7 @@ impl Fixture {
             memory
         };
         let costs = SharedMemory::new(units.len());
-        let [spheres, mesh, mesh_code, units] =
-            [spheres, mesh, mesh_code, units].map(|bytes| shared(&bytes));
+        let [spheres, mesh, code, units] = [spheres, mesh, code, units].map(|bytes| shared(&bytes));
         let mut scene = SharedMemory::new(SCENE_CAPACITY as usize);
         scene.write(0, &block);
         let [textures, texture_code] = [textures, texture_code].map(|bytes| shared(&bytes));
@@ -73,7 +72,7 @@ impl Fixture {
         frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
         // The descriptor has what is in front of the code that this scene needs.
-        frame.mesh_code = (mesh_code.address() + frame.mesh_code.get()).into();
+        frame.code = (code.address() + frame.code.get()).into();
         frame.unit_counter = unit_counter.address().into();
         frame.statistics = statistics.address().into();
         frame.units = units.address().into();
@@ -91,7 +90,7 @@ impl Fixture {
             framebuffer,
             _memory: vec![
                 spheres,
-                mesh_code,
+                code,
                 textures,
                 texture_code,
                 colour_code,

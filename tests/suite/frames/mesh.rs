@@ -195,14 +195,12 @@ fn invalid_mesh_fields_are_refused() {
         ("mesh", "a multiple of 128", |frame| frame.mesh = (frame.mesh.get() + 16).into()),
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0.into()),
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0x100_0001.into()),
-        ("mesh_code", "a multiple of 128", |frame| {
-            frame.mesh_code = (frame.mesh_code.get() + 64).into()
+        ("code", "a multiple of 128", |frame| frame.code = (frame.code.get() + 64).into()),
+        ("code_bytes", "38656 for a mesh", |frame| frame.code_bytes = 38672.into()),
+        ("code_bytes", "a multiple of 16", |frame| {
+            frame.code_bytes = (frame.code_bytes.get() - 4).into()
         }),
-        ("mesh_code_bytes", "at most 38656", |frame| frame.mesh_code_bytes = 38672.into()),
-        ("mesh_code_bytes", "a multiple of 16", |frame| {
-            frame.mesh_code_bytes = (frame.mesh_code_bytes.get() - 4).into()
-        }),
-        ("mesh_code_bytes", "4294967280", |frame| frame.mesh_code_bytes = 0xffff_fff0.into()),
+        ("code_bytes", "4294967280", |frame| frame.code_bytes = 0xffff_fff0.into()),
         ("mesh_material_count", "1 to 256", |frame| frame.mesh_material_count = 0.into()),
         ("mesh_material_count", "1 to 256", |frame| frame.mesh_material_count = 257.into()),
         ("mesh_material_count", "of the scene", |frame| frame.mesh_material_count = 256.into()),

@@ -10,6 +10,7 @@ use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, PixelFormat,
 use cellray::work::{Skip, Split};
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
+use protocol::layout::{DEPTH_CODE, DEPTH_CODE_CAPACITY, SCENE_ADDRESS};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
@@ -183,6 +184,25 @@ fn sphereflake_equals_reference_within_tolerance() {
     // With depth shading, as for all scenes without lights.
     scene.lights.clear();
     like_the_reference(&scene, 512, 512);
+}
+
+/// The code for depth shading comes back after a scene that has taken its place in local store.
+#[test]
+fn depth_shading_follows_a_large_scene_of_whitteds_model() {
+    let nff = nff_scene("paper16.nff");
+    let expected = render(&nff, 64, 32, one_spu());
+    let shaded = Scene::from_nff(&nff).unwrap();
+    let large = Scene::from_nff(&scenes::sphereflake::generate(3).unwrap()).unwrap();
+    let end = SCENE_ADDRESS + large.block().unwrap().bytes().len() as u32;
+    assert!(end >= DEPTH_CODE + DEPTH_CODE_CAPACITY, "the scene ends at {end:#x}");
+    let (framebuffer, shown) = Recorder::pair(64, 32);
+    let settings = Settings { retain: false, ..one_spu() };
+    let mut engine = Engine::start(settings, framebuffer).unwrap();
+    for (number, scene) in [&shaded, &large, &shaded, &shaded].into_iter().enumerate() {
+        engine.render(scene, &mut |_| ()).unwrap();
+        let picture = shown.lock().unwrap().take().unwrap();
+        assert!((picture == expected) == (number != 1), "frame {number}");
+    }
 }
 
 #[test]

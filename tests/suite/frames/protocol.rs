@@ -45,7 +45,7 @@ fn whitted_fixture(spus: u32) -> Fixture {
 
 #[test]
 fn invalid_field_is_named_and_next_frame_is_traced() {
-    let cases: [(&str, &str, Spoil); 32] = [
+    let cases: [(&str, &str, Spoil); 35] = [
         ("magic", "0x43524119", |frame| frame.magic = (0x4352_4159_u32 ^ 0x40).into()),
         ("version", "1 (0x1)", |frame| frame.version = 1.into()),
         ("size", "256 (0x100)", |frame| frame.size = 256.into()),
@@ -63,6 +63,11 @@ fn invalid_field_is_named_and_next_frame_is_traced() {
         ("stride", "65536 (0x10000)", |frame| frame.stride = 65536.into()),
         ("framebuffer", "8)", |frame| frame.framebuffer = (frame.framebuffer.get() + 8).into()),
         ("spheres", "", |frame| frame.spheres = (frame.spheres.get() + 64).into()),
+        ("code", "a multiple of 128", |frame| frame.code = (frame.code.get() + 64).into()),
+        ("code_bytes", "at most 22528", |frame| frame.code_bytes = 22544.into()),
+        ("code_bytes", "a multiple of 16", |frame| {
+            frame.code_bytes = (frame.code_bytes.get() - 4).into()
+        }),
         ("unit_counter", "", |frame| frame.unit_counter = (frame.unit_counter.get() + 4).into()),
         ("units", "", |frame| frame.units = (frame.units.get() + 64).into()),
         ("costs", "", |frame| frame.costs = (frame.costs.get() + 8).into()),

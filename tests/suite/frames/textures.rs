@@ -206,8 +206,8 @@ fn blocks_with_texture_coordinates() {
     let mut plain = frame;
     plain.features = (frame.features.get() & !protocol::layout::FEATURE_TEXTURES).into();
     // Such a frame has the code for eye rays, which is in front of the rest.
-    plain.mesh_code = (frame.mesh_code.get() - u64::from(EYE_CODE_CAPACITY)).into();
-    plain.mesh_code_bytes = (frame.mesh_code_bytes.get() + EYE_CODE_CAPACITY).into();
+    plain.code = (frame.code.get() - u64::from(EYE_CODE_CAPACITY)).into();
+    plain.code_bytes = (frame.code_bytes.get() + EYE_CODE_CAPACITY).into();
     let refused = fixture.refused(&plain).to_string();
     assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.read(at + 24, &mut word);

@@ -296,7 +296,7 @@ fn boxes_are_chosen_for_scenes_that_gain() {
 #[test]
 fn nodes_are_spheres_without_memory_for_box_code() {
     let mut has_been = [0; 2];
-    for count in (40..=440).step_by(40) {
+    for count in (40..=640).step_by(40) {
         let triangles: String =
             (0..count).map(|x| format!("p 3\n{x} 0 -5\n{x} 1 -5\n{x} 0 -6\n")).collect();
         let scene = scene(&triangles);

@@ -10,9 +10,10 @@ const MATT: &str = "l 0 9 0\nf 1 1 1 1 0 0 0 1\n";
 /// Its number is 1, because the view comes with a material of its own.
 const MATERIAL: usize = 1;
 
-/// A block with spare capacity, and the material of its spheres.
-fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
-    let scene = scene(&(MATT.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
+/// A block with spare capacity, and the material of its triangles.
+fn changing(triangles: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
+    let triangle = "p 3\n0 0 -5\n1 0 -5\n0 1 -5\n";
+    let scene = scene(&(MATT.to_owned() + &triangle.repeat(triangles)));
     let shaders = ShaderEntries::new(vec!["rings".to_owned()]);
     let block =
         SceneBlock::with_spare_capacity(&scene, RenderOptions::default(), &shaders).unwrap();
@@ -47,7 +48,7 @@ fn new_mirror_lengthens_chains() {
 #[test]
 fn scene_without_memory_for_longer_chains_is_refused() {
     // More than fit with the queue for chains of five rays, and fewer than fit without.
-    let (mut block, matt, shaders) = changing(840);
+    let (mut block, matt, shaders) = changing(675);
     let mirror = NffMaterial { specular: 1.0, ..matt };
     assert!(block.set_material(MATERIAL, &mirror, &shaders).unwrap());
     assert!(!block.bound_chains());

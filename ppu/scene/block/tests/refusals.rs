@@ -72,7 +72,7 @@ fn out_of_range_numbers_are_refused() {
 #[test]
 fn scenes_over_capacity_are_refused() {
     let spheres = |count: usize| "s 0 0 0 1\n".repeat(count);
-    for (count, fit) in [(1025, 836), (3000, 840)] {
+    for (count, fit) in [(1025, 1024), (3000, 1024)] {
         let message = format!(
             "t.nff:1033: more than 1024 spheres: the scene has about {count}; about {fit} of its {count} \
              spheres fit"
@@ -88,10 +88,10 @@ fn scenes_over_capacity_are_refused() {
         format!("p {count}\n{corners}")
     };
     for (text, line, count, fit) in [
-        (fan(1027), 9, 1025, 510),
-        (fan(100_000), 9, 99_998, 511),
+        (fan(1027), 9, 1025, 664),
+        (fan(100_000), 9, 99_998, 665),
         // The last polygon is a parallelogram.
-        (format!("{}{}{}", fan(802), fan(502), fan(4)), 812, 1300, 509),
+        (format!("{}{}{}", fan(802), fan(502), fan(4)), 812, 1300, 663),
     ] {
         let found = refusal(&text);
         let message = format!(
@@ -147,26 +147,26 @@ fn largest_consumers_of_memory_are_named() {
         (0..count).map(material).collect::<String>()
     };
     // The spheres alone would fit, but not their materials.
-    let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
+    let message = refusal(&each_its_own(900, "s 0 0 0 1\n"));
     let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
-    assert!(before.contains("): 700 materials 67200, 700 spheres "), "{message}");
-    let fit = fit.strip_suffix(" of its 700 materials fit").expect("of what");
+    assert!(before.contains("): 900 materials 86400, 900 spheres "), "{message}");
+    let fit = fit.strip_suffix(" of its 900 materials fit").expect("of what");
     let fit: usize = fit.parse().expect("a number");
     let with_materials = |count: usize| {
-        let shared = "s 0 0 0 1\n".repeat(700 - count);
+        let shared = "s 0 0 0 1\n".repeat(900 - count);
         format!("{}{shared}", each_its_own(count, "s 0 0 0 1\n"))
     };
     block(&with_materials(fit - fit / 50 - 1));
     assert!(refusal(&with_materials(fit + fit / 50 + 2)).contains("spheres fit"));
     // Neither sort alone would fit.
     let cone = "c\n0 0 0 1\n0 1 0 1\n";
-    let message = refusal(&each_its_own(900, cone));
+    let message = refusal(&each_its_own(1000, cone));
     let (before, part) = message.rsplit_once("; about ").expect("an estimate");
-    assert!(before.contains("): 900 materials 86400, 900 cones "), "{message}");
+    assert!(before.contains("): 1000 materials 96000, 1000 cones "), "{message}");
     let part = part.strip_suffix(" % of the scene fits").expect("of what");
     let part: usize = part.parse().expect("a number");
-    block(&each_its_own(9 * (part - 1), cone));
-    refusal(&each_its_own(9 * (part + 2), cone));
+    block(&each_its_own(10 * (part - 1), cone));
+    refusal(&each_its_own(10 * (part + 2), cone));
 }
 
 /// The needed bytes, the free bytes and the number of objects that fit, from a message about 1000
