@@ -14,7 +14,7 @@
 
         .section .bss
         .align  4
-overwritten:                            # whether a scene has the place of the code for depth shading
+overwritten:                            # whether a scene has the place of that code
         .skip   16
 
 # scene_fetch   starts to fetch the spheres, and the code if a scene has overwritten it, and sets up
