@@ -11,9 +11,10 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_CAPACITY, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS, FEATURE_MESH,
-    FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES,
-    FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS,
+    FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB,
+    FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES,
+    SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -194,6 +195,7 @@ pub fn describe(order: &Order) -> Frame {
 fn features(order: &Order, frame: &Frame) -> u32 {
     let options = order.scene.render_options();
     let mesh = order.scene.block().and_then(SceneBlock::mesh);
+    let branch = order.scene.block().is_some_and(|block| block.chains().branch);
     let is_coloured = mesh.is_some_and(|mesh| mesh.blocks.is_coloured());
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
@@ -202,6 +204,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(is_coloured, FEATURE_COLOURS)
+        | flag(branch, FEATURE_BRANCHES)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)
         | flag(options.roll_off, FEATURE_ROLL_OFF)

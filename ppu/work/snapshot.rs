@@ -47,32 +47,34 @@ pub struct Snapshot {
     bytes: Vec<u8>,
 }
 
-/// The parts of a mesh that main memory has. As long as a snapshot shares them, they are replaced
-/// and not changed in place.
+/// A mesh in main memory. As long as a snapshot shares its parts, they are replaced and not changed
+/// in place.
 struct MeshContent {
     blocks: Arc<MeshBlocks>,
-    materials: Option<Arc<MaterialTable>>,
+    table: Option<Arc<MaterialTable>>,
     textures: Option<Arc<Textures>>,
+    /// The address of the first material, unless `table` has the materials.
+    materials: u32,
+    material_count: u32,
+    /// The eye relative to the blocks' origin.
+    eye: [F32; 4],
 }
 
 impl MeshContent {
     fn of(mesh: &MeshPlace) -> Self {
         Self {
             blocks: mesh.blocks.clone(),
-            materials: mesh.table.cloned(),
+            table: mesh.table.cloned(),
             textures: mesh.textures.cloned(),
+            materials: mesh.materials,
+            material_count: mesh.material_count,
+            eye: mesh.eye,
         }
     }
 
-    fn is_same(&self, other: &Self) -> bool {
-        let address = |content: &Self| {
-            (
-                Arc::as_ptr(&content.blocks),
-                content.materials.as_ref().map(Arc::as_ptr),
-                content.textures.as_ref().map(Arc::as_ptr),
-            )
-        };
-        address(self) == address(other)
+    /// Whether both have the same textures.
+    fn is_textured_as(&self, other: &Self) -> bool {
+        self.textures.as_ref().map(Arc::as_ptr) == other.textures.as_ref().map(Arc::as_ptr)
     }
 }
 
@@ -179,13 +181,7 @@ impl Snapshot {
         {
             return false;
         }
-        // Nothing finds the part of a mesh that has changed.
-        let same_mesh = match (&self.mesh, &before.mesh) {
-            (None, None) => true,
-            (Some(new), Some(old)) => new.is_same(old) && self.bytes == before.bytes,
-            _ => false,
-        };
-        if !same_mesh {
+        if !self.changed_mesh(before, places) {
             return false;
         }
         let pairs = || self.objects.iter().zip(&before.objects);
@@ -198,6 +194,46 @@ impl Snapshot {
         let groups = enclose_groups(places, MAX_PLACES);
         places.truncate(groups);
         true
+    }
+
+    /// Adds the places of a mesh's surfaces that differ; `false` if anything may differ.
+    fn changed_mesh(&self, before: &Self, places: &mut Vec<BoundingSphere>) -> bool {
+        let (new, old, camera) = match (&self.mesh, &before.mesh, &self.global) {
+            (None, None, _) => return true,
+            (Some(new), Some(old), Some(global)) if new.eye == old.eye => (new, old, global.camera),
+            _ => return false,
+        };
+        let count = new.material_count.max(old.material_count);
+        let is_textured_as = new.is_textured_as(old);
+        let texture = std::mem::offset_of!(layout::Material, texture);
+        let texture = texture..texture + size_of::<u32>();
+        let others: Vec<bool> = (0..count)
+            .map(|number| {
+                let material = self.material(new, number);
+                let is_textured = material.get(texture.clone()).is_none_or(|it| it != [0; 4]);
+                material != before.material(old, number) || (is_textured && !is_textured_as)
+            })
+            .collect();
+        if Arc::ptr_eq(&new.blocks, &old.blocks) && !others.contains(&true) {
+            return true;
+        }
+        let is_other = |number: u32| others.get(number as usize).copied().unwrap_or_default();
+        let eye = DVec3::from_array([0, 1, 2].map(|axis| f64::from(new.eye[axis].get())));
+        for corners in new.blocks.changes(&old.blocks, is_other) {
+            let [low, high] = corners.map(|corner| camera.eye + (corner.as_dvec3() - eye));
+            let (centre, radius) = (low.midpoint(high), 0.5 * low.distance(high));
+            places.push(BoundingSphere { centre, radius });
+        }
+        true
+    }
+
+    /// The record of a mesh's material; empty if there is none.
+    fn material<'a>(&'a self, mesh: &'a MeshContent, number: u32) -> &'a [u8] {
+        let size = size_of::<layout::Material>();
+        match &mesh.table {
+            Some(table) => table.record(number),
+            None => self.record(mesh.materials + number * size as u32, size),
+        }
     }
 
     fn lights_as(&self, other: &Self) -> bool {

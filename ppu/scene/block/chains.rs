@@ -32,6 +32,8 @@ pub(crate) struct Chains {
     pub ray_depth: u32,
     /// The minimum weight of a secondary ray; lighter rays are not sent.
     pub least_weight: f32,
+    /// Whether a ray may send more than one ray on.
+    pub branch: bool,
 }
 
 /// What a material adds to a chain.
@@ -43,6 +45,8 @@ pub(super) struct Sends {
     diffuse: f64,
     highlight: f64,
     is_own: bool,
+    /// Whether a ray that meets it may send more than one ray on.
+    branches: bool,
 }
 
 impl Sends {
@@ -65,6 +69,8 @@ impl Sends {
             diffuse: single(record.diffuse) * most.max_element(),
             highlight: single(record.highlight),
             is_own: matches!(material.shader, Shader::Own { .. }),
+            branches: record.transmittance.get() > 0.0
+                || matches!(material.shader, Shader::Own { .. }),
         }
     }
 }
@@ -76,7 +82,7 @@ pub(super) fn largest_channel(colour: &[F32]) -> f64 {
 
 impl Chains {
     /// The bounds without any knowledge of a scene.
-    pub const UNBOUNDED: Self = Self { ray_depth: MAX_DEPTH, least_weight: 0.0 };
+    pub const UNBOUNDED: Self = Self { ray_depth: MAX_DEPTH, least_weight: 0.0, branch: true };
 
     /// The bounds of a scene with these materials. The array has the largest channels of the
     /// background, of the ambient light, and of the sum of all lights.
@@ -85,13 +91,14 @@ impl Chains {
         materials: impl Iterator<Item = Sends> + Clone,
         [background, ambient, lights]: [f64; 3],
     ) -> Self {
-        let (mut share, mut is_bounded) = (0.0_f64, true);
+        let (mut share, mut is_bounded, mut branch) = (0.0_f64, true, false);
         for sends in materials.clone() {
             share = share.max(sends.share);
             is_bounded &= !sends.is_own;
+            branch |= sends.branches;
         }
         if options.spd_rays || !is_bounded {
-            return Self { ray_depth: options.ray_depth, ..Self::UNBOUNDED };
+            return Self { ray_depth: options.ray_depth, branch, ..Self::UNBOUNDED };
         }
         // The maximum brightness that a ray can see: a surface's own light, and a share of the
         // brightness that the next ray of the chain sees.
@@ -109,7 +116,7 @@ impl Chains {
             ray_depth += 1;
             weight *= share * (1.0 + ROUNDING);
         }
-        Self { ray_depth, least_weight: least_weight as f32 }
+        Self { ray_depth, least_weight: least_weight as f32, branch }
     }
 }
 
@@ -118,7 +125,7 @@ mod tests {
     use super::*;
 
     fn sends(share: f64, diffuse: f64) -> Sends {
-        Sends { share, emission: 0.0, diffuse, highlight: 0.0, is_own: false }
+        Sends { share, emission: 0.0, diffuse, highlight: 0.0, is_own: false, branches: false }
     }
 
     fn to(ray_depth: u32) -> RenderOptions {
@@ -139,6 +146,15 @@ mod tests {
         assert_eq!(weak.ray_depth, 4);
         assert!((weak.least_weight - 2.2e-4).abs() < 1e-5, "{weak:?}");
         assert_eq!(chains(1.0).ray_depth, 16);
+    }
+
+    #[test]
+    fn transparent_material_makes_chains_branch() {
+        let glass = Sends { branches: true, ..sends(0.9, 0.0) };
+        let branch = |materials: &[Sends]| {
+            Chains::of(to(5), materials.iter().copied(), [0.0, 0.0, 1.0]).branch
+        };
+        assert!(branch(&[sends(0.5, 1.0), glass]) && !branch(&[sends(0.5, 1.0)]));
     }
 
     #[test]

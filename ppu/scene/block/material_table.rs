@@ -40,6 +40,13 @@ impl MaterialTable {
         self.0[number].put(record);
     }
 
+    /// The bytes of a material's record; empty if there is none.
+    #[must_use]
+    pub fn record(&self, number: u32) -> &[u8] {
+        let line = self.0.get(number as usize);
+        line.map_or(&[], |line| &line.0[..size_of::<Material>()])
+    }
+
     /// The number of records.
     #[must_use]
     pub fn count(&self) -> u32 {

@@ -11,6 +11,7 @@
 //! child's number is greater than its parent's, and all triangles of a block have the same sides. A
 //! triangle without an area is left out: no ray hits it.
 
+mod changes;
 mod colour;
 mod cone;
 mod cut;

@@ -102,8 +102,10 @@ constants! {
     FEATURE_MATERIALS = 256;
     /// Feature bit: the mesh in main memory has colours at its vertices.
     FEATURE_COLOURS = 512;
+    /// Feature bit: a ray may send more than one ray on.
+    FEATURE_BRANCHES = 1024;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 1023;
+    FEATURES_KNOWN = 2047;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.

@@ -155,8 +155,16 @@ fetched:
         brz     $3,begun
 met:
         # An antialiased pixel depends on its neighbours, and a tile at the picture's edge is small.
+        # Where chains branch, the batches decide in which order a pixel's light is added, and so
+        # how the sum is rounded.
         lqa     $t_c,contrast
+        ila     $a_frame,frame
+        load_word $count,FRAME_features,$a_frame
+        il      $most,FEATURE_BRANCHES
+        and     $count,$count,$most
         cgti    $t_c,$t_c,-1
+        ceq     $count,$count,$most
+        or      $t_c,$t_c,$count
         mpyu    $count,$g_tile_width,$g_tile_height
         il      $most,TILE_WIDTH*TILE_HEIGHT
         cgt     $count,$most,$count

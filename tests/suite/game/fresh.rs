@@ -1,6 +1,11 @@
 //! A changed world is traced exactly like a new scene with the same content, byte for byte.
 
-use cellray::game::{DVec3, Light, LightId, MaterialId, Model, ObjectId, RenderOptions, World};
+use std::sync::Arc;
+
+use cellray::game::{
+    DAffine3, DVec3, Light, LightId, Material, MaterialId, MeshId, Model, ObjectId, RenderOptions,
+    World,
+};
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 use rand::seq::IndexedRandom as _;
@@ -9,6 +14,7 @@ use rand_chacha::ChaCha8Rng;
 use randomness::rounds;
 
 use crate::game::content;
+use crate::game::meshes::{chequered, pear};
 use crate::recorder::{Recorder, Snapshot};
 
 /// The tiles of the last column and row are partly outside the picture.
@@ -21,6 +27,7 @@ struct Played {
     objects: Vec<ObjectId>,
     materials: Vec<MaterialId>,
     lights: Vec<LightId>,
+    meshes: Vec<MeshId>,
 }
 
 impl Played {
@@ -32,8 +39,14 @@ impl Played {
     ) -> Self {
         let mut world = World::new();
         world.set_render_options(render_options);
-        let mut played =
-            Self { world, goes_on, objects: Vec::new(), materials: Vec::new(), lights: Vec::new() };
+        let mut played = Self {
+            world,
+            goes_on,
+            objects: Vec::new(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+            meshes: Vec::new(),
+        };
         let world = &mut played.world;
         world.set_background(DVec3::new(0.1, 0.2, 0.3)).unwrap();
         world.set_ambient(DVec3::splat(0.1)).unwrap();
@@ -48,6 +61,40 @@ impl Played {
             played.add(random);
         }
         played
+    }
+
+    /// Adds pears. Two of them have a texture if their material has one.
+    fn add_meshes(&mut self, random: &mut ChaCha8Rng) {
+        let plain = pear(12, 16);
+        let mut textured = plain.clone();
+        let places = textured.positions.iter().map(|[x, y, _]| [2.0 * x, 3.0 * y]);
+        textured.texture_coordinates = places.collect();
+        for mesh in [&plain, &textured, &textured] {
+            let (mesh, material) =
+                (Arc::new(mesh.clone()), content::material(random, self.goes_on));
+            let material = Material { texture: chequered([90, 200, 40]), ..material };
+            let material = self.world.add_material(material).unwrap();
+            let id = self.world.add_mesh(mesh, &[material], place(random)).unwrap();
+            self.meshes.push(id);
+            self.materials.push(material);
+        }
+    }
+
+    /// Changes something of the meshes.
+    fn change_meshes(&mut self, random: &mut ChaCha8Rng) {
+        let Self { world, .. } = self;
+        let mesh = *self.meshes.choose(random).unwrap();
+        let material = *self.materials.choose(random).unwrap();
+        match random.random_range(0..6) {
+            0 => world.recolour(material, content::colour(random)).unwrap(),
+            1 => {
+                let texture = chequered([random.random(), 40, 90]);
+                let other = Material { texture, ..world.material(material).unwrap() };
+                world.set_material(material, other).unwrap();
+            }
+            2 => world.show_mesh(mesh, random.random()).unwrap(),
+            _ => world.place_mesh(mesh, place(random)).unwrap(),
+        }
     }
 
     fn add(&mut self, random: &mut ChaCha8Rng) {
@@ -108,6 +155,12 @@ impl Played {
     }
 }
 
+/// A place for a mesh, which is turned.
+fn place(random: &mut ChaCha8Rng) -> DAffine3 {
+    DAffine3::from_translation(content::vector(random, 3.0))
+        * DAffine3::from_rotation_y(random.random_range(0.0..6.0))
+}
+
 struct Screen {
     engine: Engine,
     shown: Snapshot,
@@ -130,7 +183,13 @@ impl Screen {
 
 /// Changes worlds at random. Returns the share of pixels that were retained in frames in which
 /// something may have changed.
-fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) -> f64 {
+fn play(
+    seed: u64,
+    render_options: RenderOptions,
+    lights: usize,
+    goes_on: bool,
+    has_meshes: bool,
+) -> f64 {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let spus = random.random_range(1..=6);
     let (mut changed, mut fresh) = (Screen::new(spus, true), Screen::new(spus, false));
@@ -138,6 +197,9 @@ fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) 
     let (mut retained, mut frames) = (0, 0);
     for number in 0..rounds(4) {
         let mut played = Played::new(&mut random, render_options, lights, goes_on);
+        if has_meshes {
+            played.add_meshes(&mut random);
+        }
         for frame in 0..20 {
             let world = &mut played.world;
             let (picture, left) = changed.picture(world.scene(&program).unwrap());
@@ -149,7 +211,10 @@ fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) 
                 frames += 1;
             }
             for _ in 0..random.random_range(1..4) {
-                played.change(&mut random);
+                match has_meshes && random.random() {
+                    true => played.change_meshes(&mut random),
+                    false => played.change(&mut random),
+                }
             }
         }
     }
@@ -162,25 +227,31 @@ fn render_options(model: Model) -> RenderOptions {
 
 #[test]
 fn by_depth_shading() {
-    play(1, render_options(Model::Depth), 0, false);
+    play(1, render_options(Model::Depth), 0, false, false);
 }
 
 #[test]
 fn by_whitteds_model_without_mirrors() {
-    let retained = play(2, render_options(Model::Whitted), 2, false);
+    let retained = play(2, render_options(Model::Whitted), 2, false, false);
     assert!(retained > 0.3, "{retained}");
 }
 
 #[test]
 fn by_whitteds_model_with_mirrors_and_glass() {
-    let retained = play(3, render_options(Model::Whitted), 2, true);
-    assert!(retained > 0.4, "{retained}");
+    let retained = play(3, render_options(Model::Whitted), 2, true, false);
+    assert!(retained > 0.3, "{retained}");
+}
+
+#[test]
+fn with_moving_meshes() {
+    let retained = play(7, render_options(Model::Whitted), 2, true, true);
+    assert!(retained > 0.2, "{retained}");
 }
 
 #[test]
 fn without_shadows() {
     let render_options = RenderOptions { shadows: false, ..render_options(Model::Whitted) };
-    let retained = play(4, render_options, 1, false);
+    let retained = play(4, render_options, 1, false, false);
     assert!(retained > 0.3, "{retained}");
 }
 

@@ -19,7 +19,7 @@ use crate::recorder::{Recorder, Snapshot};
 const SIZE: (u32, u32) = (132, 66);
 
 /// A pear with smooth normals, of 2 `rows` `columns` triangles.
-fn pear(rows: u32, columns: u32) -> Mesh {
+pub fn pear(rows: u32, columns: u32) -> Mesh {
     let mut mesh = Mesh::default();
     for row in 0..=rows {
         for column in 0..columns {
@@ -102,7 +102,7 @@ fn at(x: f64, y: f64, z: f64) -> DAffine3 {
 }
 
 /// A texture of four texels, of which two have this colour.
-fn chequered(colour: [u8; 3]) -> Option<Arc<Texture>> {
+pub fn chequered(colour: [u8; 3]) -> Option<Arc<Texture>> {
     let texels = vec![colour, [255; 3], [255; 3], colour];
     Texture::new(2, texels, [Wrap::Repeat; 2]).map(Arc::new)
 }
