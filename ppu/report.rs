@@ -10,7 +10,7 @@ use std::fmt;
 use serde::Serialize;
 
 use crate::scene::Scene;
-use crate::statistics::{Blocks, FrameStatistics, GENERATIONS, Phases, Rays, Tests};
+use crate::statistics::{Blocks, Causes, FrameStatistics, GENERATIONS, Phases, Rays, Tests};
 use protocol::formulation::Formulations;
 use protocol::layout::MESH_BLOCK;
 
@@ -153,6 +153,10 @@ pub struct Tiles {
     pub blank: u64,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub retained: u64,
+    /// Why the others were traced.
+    pub causes: Causes,
+    /// Pixels that were not traced, because no ray of theirs had crossed the place of a change.
+    pub pixels_kept: u64,
 }
 
 /// Numbers of packets by how they were handled.
@@ -256,6 +260,8 @@ impl Report {
         self.ticks += frame.ticks();
         self.tests += frame.tests();
         self.tiles.retained += frame.tiles_retained;
+        self.tiles.causes += frame.causes;
+        self.tiles.pixels_kept += frame.pixels_kept();
         for (sum, spu) in self.spu.iter_mut().zip(&frame.spus) {
             let seconds = |ticks: u64| ticks as f64 / self.timebase;
             let phases = spu.phases.map(seconds);
@@ -371,6 +377,15 @@ impl fmt::Display for Report {
             packets.traced,
             packets.filled
         )?;
+        let Causes { unknown, view, unrecorded, reached, left } = tiles.causes;
+        if view + unrecorded + reached + left > 0 {
+            writeln!(
+                f,
+                "causes: {unknown} tiles unknown, {view} of another view, {unrecorded} unrecorded, \
+                 {reached} reached by a change, {left} left before; {:.2} million pixels kept",
+                tiles.pixels_kept as f64 / 1e6
+            )?;
+        }
         if self.blocks.used > 0 {
             writeln!(f, "mesh: {}", self.blocks)?;
         }

@@ -140,6 +140,21 @@ pub struct Phases<T> {
     pub shade: T,
 }
 
+/// Numbers of tiles by the reason for which they were traced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Causes {
+    /// What the framebuffer showed was not known, or nothing was to be retained.
+    pub unknown: u64,
+    /// The camera had moved, or a light or an option had changed.
+    pub view: u64,
+    /// An object had changed, and there was no record of what the tile's rays had crossed.
+    pub unrecorded: u64,
+    /// A ray of the tile had crossed the place of a changed object.
+    pub reached: u64,
+    /// An earlier frame had left them out, because the number of tiles to trace was limited.
+    pub left: u64,
+}
+
 /// The statistics of one frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameStatistics {
@@ -147,6 +162,8 @@ pub struct FrameStatistics {
     pub spus: Vec<SpuStatistics>,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
+    /// Why the others were traced.
+    pub causes: Causes,
     /// Tiles that were left for the next frame, because the number of tiles to trace was limited.
     pub tiles_left: u64,
     /// Whether nothing was traced because something has moved while tiles were left; see
@@ -162,6 +179,9 @@ impl FrameStatistics {
         self.spus.extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         let kept: u64 = self.spus.iter().map(|spu| spu.tiles_kept).sum();
         self.tiles_retained = size.tiles_retained + kept;
+        // Whether the tiles with paths are reached is what the SPUs find out.
+        let reached = size.causes.reached.saturating_sub(kept);
+        self.causes = Causes { reached, ..size.causes };
         self.tiles_left = size.tiles_left;
         self.is_put_off = size.is_put_off;
     }
@@ -173,8 +193,8 @@ impl FrameStatistics {
         rays.map(|rays| rays.eye - rays.samples).sum()
     }
 
-    /// The number of pixels that were not traced, because no change reached them, of tiles that
-    /// were looked into.
+    /// The number of pixels that were not traced, because no ray of theirs had crossed the place of
+    /// a change.
     #[must_use]
     pub fn pixels_kept(&self) -> u64 {
         self.spus.iter().map(|spu| spu.pixels_kept).sum()
@@ -293,6 +313,16 @@ impl Rays {
             hit,
             background: (eye + reflected + refracted).saturating_sub(hit),
         }
+    }
+}
+
+impl std::ops::AddAssign for Causes {
+    fn add_assign(&mut self, other: Self) {
+        self.unknown += other.unknown;
+        self.view += other.view;
+        self.unrecorded += other.unrecorded;
+        self.reached += other.reached;
+        self.left += other.left;
     }
 }
 

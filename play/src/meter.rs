@@ -57,6 +57,7 @@ pub struct Meter {
     shown: f64,
     free: f64,
     skipped: f64,
+    kept: f64,
     lines: Vec<String>,
     loads: Vec<f32>,
 }
@@ -76,6 +77,7 @@ impl Meter {
             shown: 0.0,
             free: 100.0,
             skipped: 0.0,
+            kept: 0.0,
             lines: Vec::new(),
             loads: Vec::new(),
         }
@@ -103,6 +105,10 @@ impl Meter {
             let tests = last.tests();
             let needless = tests.skipped + tests.unseen;
             self.skipped = 100.0 * needless as f64 / (needless + tests.made).max(1) as f64;
+            // A picture that is made by several frames keeps nothing.
+            let pixels = f64::from(quality.picture.0) * f64::from(quality.picture.1);
+            let kept = 1.0 - last.primary_rays() as f64 / pixels;
+            self.kept = if last.tiles_left == 0 { 100.0 * kept.clamp(0.0, 1.0) } else { 0.0 };
             let ticks = last.ticks().max(1);
             self.loads.clear();
             let load = |busy: u64| busy as f32 / ticks as f32;
@@ -122,7 +128,10 @@ impl Meter {
             part += &format!(", {} tiles to come", last.tiles_left);
         }
         lines.push(format!("{}x{} of {}x{}{part}", picture.0, picture.1, area.0, area.1,));
-        lines.push(format!("{:.1} % of tests skipped", self.skipped));
+        lines.push(format!(
+            "{:.1} % of tests skipped, {:.0} % of pixels kept",
+            self.skipped, self.kept
+        ));
         lines.push(format!("frame loop {:.1} % free", self.free));
         (&self.lines, &self.loads)
     }

@@ -107,6 +107,7 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
         meaning,
     };
     let Report { tests, tiles, packets, rays, phases, .. } = report;
+    let causes = tiles.causes;
     let tile = "Tiles of 64x16 pixels";
     let packet = "Packets of 16 rays";
     let test = "Tests of one ray with one object";
@@ -116,6 +117,10 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
         of(tile, "filled", tiles.filled, "skipped: no object is visible in them"),
         of(tile, "blank", tiles.blank, "filled ones that were not even written"),
         of(tile, "retained", tiles.retained, "skipped: the framebuffer showed them already"),
+        of(tile, "unknown", causes.unknown, "traced: what the framebuffer showed was not known"),
+        of(tile, "view", causes.view, "traced: the camera, a light or an option had changed"),
+        of(tile, "unrecorded", causes.unrecorded, "traced: no record of what their rays crossed"),
+        of(tile, "reached", causes.reached, "traced: a ray had crossed a changed object's place"),
         of(packet, "traced", packets.traced, "packets of primary rays"),
         of(packet, "filled", packets.filled, "skipped: culling left no object for them"),
         of(test, "made", tests.made, "a kernel computed them"),

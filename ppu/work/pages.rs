@@ -44,8 +44,10 @@ pub enum Contents {
     Unknown,
     /// The same, except where tiles were left out.
     Same,
-    /// Something else.
+    /// Objects are elsewhere, or look otherwise.
     Moved,
+    /// Anything may differ: the camera has moved, or a light or an option has changed.
+    Other,
 }
 
 struct Page {
@@ -114,7 +116,7 @@ impl Pages {
         }
         *keeps_paths = false;
         let contents = if page.is_known {
-            self.to_show.changes(&page.shown, projection, tiles, places);
+            let is_found = self.to_show.changes(&page.shown, projection, tiles, places);
             let is_same = places.is_empty() && tiles.numbers().is_empty();
             *keeps_paths = !is_same && page.shown.is_seen_as(&self.to_show);
             if !places.is_empty() {
@@ -124,7 +126,11 @@ impl Pages {
             if !places.is_empty() {
                 in_part.add_missing(tiles);
             }
-            if is_same { Contents::Same } else { Contents::Moved }
+            match (is_found, is_same) {
+                (false, _) => Contents::Other,
+                (_, true) => Contents::Same,
+                _ => Contents::Moved,
+            }
         } else {
             tiles.add_all();
             Contents::Unknown

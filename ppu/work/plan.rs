@@ -15,6 +15,7 @@ use super::units::{TileCosts, Units};
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
 use crate::scene::block::{BoundingSphere, LANES, change_nodes, enclose_groups};
+use crate::statistics::Causes;
 use protocol::layout::{Node, TILE_BLANK, TILE_HAS_PATHS, UnitCost};
 
 #[derive(Default)]
@@ -45,6 +46,19 @@ fn write_changes(eye: DVec3, places: &mut [BoundingSphere], nodes: &mut Vec<Node
     }
 }
 
+/// Why a number of tiles are planned, of which `may_be_reached` are known to be near a change.
+fn causes(contents: Contents, retain: bool, tiles: usize, may_be_reached: usize) -> Causes {
+    let (tiles, reached) = (tiles as u64, may_be_reached.min(tiles) as u64);
+    let none = Causes::default();
+    match contents {
+        _ if !retain => Causes { unknown: tiles, ..none },
+        Contents::Unknown => Causes { unknown: tiles, ..none },
+        Contents::Other => Causes { view: tiles, ..none },
+        Contents::Same => Causes { left: tiles, ..none },
+        Contents::Moved => Causes { reached, unrecorded: tiles - reached, ..none },
+    }
+}
+
 /// The size of a planned frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Size {
@@ -54,6 +68,8 @@ pub(crate) struct Size {
     pub tiles_retained: u64,
     /// The number of tiles that are left for the next frame.
     pub tiles_left: u64,
+    /// Why tiles are traced.
+    pub causes: Causes,
     /// Whether nothing is traced, because the number of tiles is limited and something has moved.
     pub is_put_off: bool,
     /// The number of spheres that are not sent, because the picture can't show them.
@@ -72,7 +88,8 @@ impl Plan {
         let contents = self.pages.open(target, scene, camera, &projection, &mut self.changes);
         let Changes { tiles, in_part, places, keeps_paths } = &mut self.changes;
         let most = policy.most_tiles.filter(|_| policy.retain);
-        let is_put_off = most.is_some() && contents == Contents::Moved;
+        let has_moved = matches!(contents, Contents::Moved | Contents::Other);
+        let is_put_off = most.is_some() && has_moved;
         // A postponed frame starts again with all tiles.
         if !policy.retain || is_put_off {
             tiles.add_all();
@@ -84,6 +101,11 @@ impl Plan {
         write_changes(camera.eye, places, &mut self.nodes);
         let follows = policy.retain && policy.skip == Skip::Misses && scene.block().is_some();
         self.paths = (follows && *keeps_paths).then(|| self.pages.number());
+        let may_be_reached = match scene.block() {
+            Some(_) => in_part.numbers().len(),
+            // With depth shading, these are the tiles that show changed spheres.
+            None => tiles.numbers().len(),
+        };
         let tiles_left = self.missing.numbers().len() as u64;
         self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = tiles.numbers();
@@ -97,6 +119,7 @@ impl Plan {
             pixels: tiles.iter().map(|&tile| u64::from(tile_pixels(geometry, tile))).sum(),
             tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
             tiles_left,
+            causes: causes(contents, policy.retain, tiles.len(), may_be_reached),
             is_put_off,
             spheres_unseen: (scene.spheres().len() - self.spheres.records().len()) as u64,
         };

@@ -138,20 +138,23 @@ impl Snapshot {
     }
 
     /// Adds the tiles in which `self` differs from `before`, and the places that it differs in:
-    /// what rays show that have not crossed any of these is the same. If the cameras, the lights or
-    /// the render options differ, these are all tiles, and no place.
+    /// what rays show that have not crossed any of these is the same. Returns `false` if anything
+    /// may differ, for instance because the cameras, the lights or the render options do; then
+    /// these are all tiles, and no place.
     pub fn changes(
         &self,
         before: &Self,
         projection: &Projection,
         changed: &mut TileSet,
         places: &mut Vec<BoundingSphere>,
-    ) {
+    ) -> bool {
         if !self.is_seen_as(before) || !self.changed_objects(before, places) {
             places.clear();
-            return changed.add_all();
+            changed.add_all();
+            return false;
         }
         self.changed_spheres(before, projection, changed);
+        true
     }
 
     /// Adds the tiles in which changed spheres are or were visible.

@@ -2,6 +2,7 @@
 
 use cellray::game::{DVec3, DepthShading, Light, Material, ObjectId, World, WorldError};
 use cellray::spe::Program;
+use cellray::statistics::Causes;
 use cellray::{Engine, Settings};
 
 use crate::recorder::Recorder;
@@ -31,16 +32,19 @@ fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
     let (framebuffer, _) = Recorder::pair(640, 128);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
     let program = Program::tracer();
-    let mut trace = |world: &mut World| {
+    let mut trace = |world: &mut World, cause: fn(&Causes) -> u64| {
         let scene = world.scene(&program).unwrap();
-        80 - engine.render(scene, &mut |_| ()).unwrap().tiles_retained
+        let statistics = engine.render(scene, &mut |_| ()).unwrap();
+        let traced = 80 - statistics.tiles_retained;
+        assert_eq!(cause(&statistics.causes), traced, "{:?}", statistics.causes);
+        traced
     };
-    assert_eq!(trace(world), 80);
+    assert_eq!(trace(world, |causes| causes.unknown), 80);
     let place = world.position(ball).unwrap();
     world.move_to(ball, place + DVec3::new(0.1, 0.0, 0.0)).unwrap();
-    trace(world);
+    trace(world, |causes| causes.unrecorded + causes.reached + causes.view);
     world.move_to(ball, place + DVec3::new(0.1, 0.0, 0.1)).unwrap();
-    [trace(world), trace(world)]
+    [trace(world, |causes| causes.reached + causes.view), trace(world, |_| 0)]
 }
 
 #[test]
