@@ -2,7 +2,10 @@
 //! traced that the moved objects can change, and where all are. Six SPUs at 1280x720. Both pictures
 //! of each frame are compared byte for byte. Where the camera moves, everything is traced.
 //!
-//!     cargo bench -p games --bench moving -- [recorded] [GAME...]
+//!     cargo bench -p games --bench moving -- [--plot FILE.svg] [recorded] [GAME...]
+//!
+//! The plot has the pixels that are traced and those that change in each frame of the recorded
+//! game.
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -16,6 +19,8 @@ use cellray::{Engine, Settings};
 use games::billiards::Billiards;
 use games::demo::DEMOS;
 use image::RgbImage;
+use plotters::prelude::*;
+use plotters::style::{FontStyle, register_font};
 use protocol::layout::{SUBTILE_HEIGHT, SUBTILE_WIDTH};
 use scenes::Camera;
 
@@ -27,6 +32,14 @@ const FRAMES: u64 = 24;
 const RECORDED: u64 = 60;
 /// Ticks a second of the decrementer.
 const TIMEBASE: f64 = 79_800_000.0;
+
+/// Width and height of the plot in pixels.
+const PLOT: (u32, u32) = (960, 400);
+const FONT: &str = "sans-serif";
+/// Colours that colour-blind readers can distinguish (Okabe and Ito).
+const TRACED: RGBColor = RGBColor(0, 114, 178);
+const CHANGED: RGBColor = RGBColor(213, 94, 0);
+const MOVING: RGBColor = RGBColor(235, 235, 235);
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -118,6 +131,50 @@ impl Pair {
     }
 }
 
+/// Plots the pixels that are traced and those that change, frame by frame.
+fn plot(frames: &[Frame], path: &Path) -> Outcome<()> {
+    register_font(FONT, FontStyle::Normal, dejavu::sans::regular()).map_err(|_| "no font")?;
+    let root = SVGBackend::new(path, PLOT).into_drawing_area();
+    root.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&root)
+        .caption("Recorded game of billiards: subtiles traced, and subtiles changed", (FONT, 18))
+        .margin(10)
+        .x_label_area_size(40)
+        .y_label_area_size(50)
+        .build_cartesian_2d(0..frames.len(), 0.0..100.0)?;
+    let moving = frames.iter().enumerate().filter(|(_, frame)| !frame.rests);
+    chart.draw_series(moving.map(|(number, _)| {
+        Rectangle::new([(number, 0.0), (number + 1, 100.0)], MOVING.filled())
+    }))?;
+    chart
+        .configure_mesh()
+        .disable_x_mesh()
+        .x_desc("frame (grey: the camera moves, and everything is traced)")
+        .y_desc("% of all pixels")
+        .label_style((FONT, 14))
+        .draw()?;
+    let lines: [(&str, RGBColor, fn(&Frame) -> u64); 2] =
+        [("traced", TRACED, |frame| frame.traced), ("changed", CHANGED, |frame| frame.changed)];
+    for (name, colour, of) in lines {
+        let share = |frame| 100.0 * of(frame) as f64 / f64::from(SIZE.0 * SIZE.1);
+        let steps = frames.iter().enumerate();
+        let steps =
+            steps.flat_map(|(number, frame)| [(number, share(frame)), (number + 1, share(frame))]);
+        chart
+            .draw_series(LineSeries::new(steps, colour.stroke_width(2)))?
+            .label(name)
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], colour.stroke_width(2)));
+    }
+    chart
+        .configure_series_labels()
+        .background_style(WHITE)
+        .border_style(MOVING)
+        .label_font((FONT, 14))
+        .draw()?;
+    root.present()?;
+    Ok(())
+}
+
 fn main() -> Outcome<()> {
     if std::env::var_os(TIMING).is_none() {
         // The library reads the variable when a program starts.
@@ -126,7 +183,11 @@ fn main() -> Outcome<()> {
             Command::new(std::env::current_exe()?).args(again).env(TIMING, "1").status()?;
         std::process::exit(status.code().unwrap_or(1));
     }
-    let named: Vec<String> = std::env::args().skip(1).filter(|name| name != "--bench").collect();
+    let mut named: Vec<String> = std::env::args().skip(1).filter(|it| it != "--bench").collect();
+    let plot_path = match named.iter().position(|name| name == "--plot") {
+        Some(at) => named.drain(at..named.len().min(at + 2)).nth(1),
+        None => None,
+    };
     let wanted = |name: &str| named.is_empty() || named.iter().any(|other| other == name);
     println!(
         "| game | camera rests in frames | complete, frames/s | retained, frames/s | retained, camera at rest | slowest frame, of complete | pixels of changed subtiles | pixels traced |"
@@ -147,6 +208,11 @@ fn main() -> Outcome<()> {
             pair.render(session.world())?;
         }
         println!("{}", pair.row("billiards, recorded"));
+        if let Some(path) = plot_path {
+            // Cargo runs it in the package's folder.
+            let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+            plot(&pair.frames, &root.join(path))?;
+        }
     }
     for demo in DEMOS.iter().filter(|demo| wanted(demo.name)) {
         let mut pair = Pair::start()?;
