@@ -20,7 +20,7 @@ use zerocopy::big_endian::F32;
 use super::projection::Projection;
 use super::tiles::TileSet;
 use crate::scene::block::{
-    BoundingSphere, Chains, Light, MaterialTable, MeshPlace, VisiblePrimitive, enclose_groups,
+    BoundingSphere, Chains, Light, MaterialTable, MeshPlace, VisiblePrimitive, merge_nearest,
 };
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
@@ -90,8 +90,6 @@ struct GlobalState {
 
 /// The most spheres around changed places.
 const MAX_PLACES: usize = 32;
-/// The most spheres around one long object.
-const MAX_PIECES: usize = 8;
 
 impl Snapshot {
     /// Records the content of a scene for a camera. The scene's block must be written for the
@@ -187,15 +185,12 @@ impl Snapshot {
         if !self.changed_mesh(before, places) {
             return false;
         }
-        let pairs = || self.objects.iter().zip(&before.objects);
-        let changed =
-            || pairs().filter(|(new, old)| self.differs(new.as_ref(), before, old.as_ref()));
-        let count = changed().map(|(new, old)| new.iter().chain(old).count()).sum::<usize>();
-        let pieces = (MAX_PLACES / count.max(1)).min(MAX_PIECES);
-        let both = changed().flat_map(|(new, old)| new.iter().chain(old));
-        both.for_each(|seen| seen.hull.cover(seen.sphere, pieces, places));
-        let groups = enclose_groups(places, MAX_PLACES);
-        places.truncate(groups);
+        for (new, old) in self.objects.iter().zip(&before.objects) {
+            if self.differs(new.as_ref(), before, old.as_ref()) {
+                cover(new.as_ref(), old.as_ref(), places);
+            }
+        }
+        merge_nearest::<MAX_PLACES>(places);
         true
     }
 
@@ -265,6 +260,23 @@ impl Snapshot {
             || !same_form(self.record(address, size), before.record(address, size))
             || self.record(new.material, material) != before.record(old.material, material)
     }
+}
+
+/// Adds the places of an object that has changed: one if it has moved little for its size.
+fn cover(
+    new: Option<&VisiblePrimitive>,
+    old: Option<&VisiblePrimitive>,
+    places: &mut Vec<BoundingSphere>,
+) {
+    if let (Some(new), Some(old)) = (new, old) {
+        let around = new.sphere.with(&old.sphere);
+        let is_round = new.ends.is_none() && old.ends.is_none();
+        if is_round && around.radius < 1.5 * new.sphere.radius.max(old.sphere.radius) {
+            return places.push(around);
+        }
+    }
+    let both = new.into_iter().chain(old);
+    both.for_each(|seen| seen.cover(places));
 }
 
 /// Whether two records have the same surface. Their materials may differ.

@@ -29,8 +29,14 @@ impl BoundingSphere {
         Self { centre, radius: 0.0 }
     }
 
+    /// The radius of the smallest sphere around this one and another, except for rounding.
+    fn radius_with(&self, other: &Self) -> f64 {
+        let both = 0.5 * (self.centre.distance(other.centre) + self.radius + other.radius);
+        both.max(self.radius).max(other.radius)
+    }
+
     /// The smallest sphere around this one and another.
-    fn with(&self, other: &Self) -> Self {
+    pub fn with(&self, other: &Self) -> Self {
         let way = other.centre - self.centre;
         let distance = way.length();
         let (larger, smaller) = match self.radius < other.radius {
@@ -46,7 +52,7 @@ impl BoundingSphere {
     }
 
     /// A sphere that is larger by the rounding of the operations that made it.
-    fn rounded(self) -> Self {
+    pub fn rounded(self) -> Self {
         let rounding = ROUNDING * (self.centre.abs().max_element() + self.radius);
         Self { radius: self.radius + rounding, ..self }
     }
@@ -86,23 +92,6 @@ impl Hull {
 
     pub fn spheres(&self) -> &[BoundingSphere] {
         &self.spheres[..self.count]
-    }
-
-    /// Adds spheres that the primitive is within: `around`, or up to `most` smaller ones in a row
-    /// if it is long.
-    pub fn cover(&self, around: BoundingSphere, most: usize, into: &mut Vec<BoundingSphere>) {
-        let &[from, to] = self.spheres() else { return into.push(around) };
-        let (way, radius) = (to.centre - from.centre, from.radius.max(to.radius));
-        let length = way.length();
-        let pieces = (length / radius).min(most as f64).floor();
-        if pieces.is_nan() || pieces < 2.0 {
-            return into.push(around);
-        }
-        let half = 0.5 * length / pieces;
-        into.extend((0..pieces as usize).map(|piece| {
-            let centre = from.centre + way * ((piece as f64 + 0.5) / pieces);
-            BoundingSphere { centre, radius: radius + half }.rounded()
-        }));
     }
 }
 
@@ -162,6 +151,40 @@ pub(crate) fn enclose_groups(spheres: &mut [BoundingSphere], most: usize) -> usi
     let (left, right) = (enclose_groups(left, most / 2), enclose_groups(right, most / 2));
     spheres.copy_within(middle..middle + right, left);
     left + right
+}
+
+/// Puts spheres around neighbours, until there are at most `MOST`, a power of two: each time around
+/// the two that together have the smallest one.
+pub(crate) fn merge_nearest<const MOST: usize>(spheres: &mut Vec<BoundingSphere>) {
+    let groups = enclose_groups(spheres, 2 * MOST);
+    spheres.truncate(groups);
+    // The partner of a sphere among those after it, and the radius of the sphere around both.
+    let partner = |spheres: &[BoundingSphere], number: usize| {
+        let others = spheres.iter().enumerate().skip(number + 1);
+        let around = others.map(|(other, sphere)| (spheres[number].radius_with(sphere), other));
+        around.min_by(|one, other| one.0.total_cmp(&other.0))
+    };
+    let mut partners = [[None; MOST]; 2];
+    let partners = partners.as_flattened_mut();
+    for (number, found) in partners.iter_mut().enumerate().take(spheres.len()) {
+        *found = partner(spheres, number);
+    }
+    while spheres.len() > MOST {
+        let found = partners.iter().enumerate().filter_map(|(one, found)| Some((one, (*found)?)));
+        let nearest = found.min_by(|(_, one), (_, other)| one.0.total_cmp(&other.0));
+        let Some((one, (_, other))) = nearest else { return };
+        spheres[one] = spheres[one].with(&spheres[other]);
+        spheres.remove(other);
+        partners.copy_within(other + 1.., other);
+        partners[spheres.len()] = None;
+        for (number, found) in partners.iter_mut().enumerate().take(spheres.len()) {
+            match found {
+                Some((_, at)) if number != one && *at > other => *at -= 1,
+                Some((_, at)) if number != one && *at != one && *at != other => {}
+                _ => *found = partner(spheres, number),
+            }
+        }
+    }
 }
 
 /// A sphere around any number of spheres: around the middle of their box.
@@ -250,6 +273,33 @@ mod tests {
         }
         assert_eq!(enclose(&[]), None);
         assert_eq!(enclose_quickly(&[]), None);
+    }
+
+    #[test]
+    fn neighbours_are_merged_and_everything_stays_inside() {
+        let mut random = ChaCha8Rng::seed_from_u64(5);
+        for count in [0, 1, 8, 9, 15, 16, 17, 100] {
+            let spheres: Vec<BoundingSphere> = (0..count)
+                .map(|_| BoundingSphere {
+                    centre: unit(&mut random) * random.random_range(0.0..10.0),
+                    radius: random.random_range(0.0..1.0),
+                })
+                .collect();
+            let mut merged = spheres.clone();
+            merge_nearest::<8>(&mut merged);
+            assert_eq!(merged.len(), count.min(8));
+            let is_inside = |sphere: &BoundingSphere| {
+                merged.iter().any(|around| sphere.farthest(around.centre) <= around.radius)
+            };
+            assert!(count <= 8 || spheres.iter().all(is_inside));
+        }
+        // Two pairs of neighbours, far from each other.
+        let at = |x: f64| BoundingSphere { centre: DVec3::X * x, radius: 1.0 };
+        let mut pairs = vec![at(0.0), at(100.0), at(3.0), at(104.0)];
+        merge_nearest::<2>(&mut pairs);
+        let mut radii: Vec<f64> = pairs.iter().map(|pair| pair.radius).collect();
+        radii.sort_by(f64::total_cmp);
+        assert!((radii[0] - 2.5).abs() < 1e-9 && (radii[1] - 3.0).abs() < 1e-9, "{pairs:?}");
     }
 
     #[test]

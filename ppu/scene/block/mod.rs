@@ -56,7 +56,7 @@ use self::streamed::Streamed;
 use crate::scene::render_options::RenderOptions;
 use protocol::layout::{self, BVH_TRIANGLES, Bvh, LARGE_OBJECTS, MAX_BATCH, SMALL_BATCH};
 
-pub(crate) use bounding_sphere::{BoundingSphere, enclose_groups};
+pub(crate) use bounding_sphere::{BoundingSphere, enclose_groups, merge_nearest};
 pub(crate) use bvh::{LANES, change_nodes};
 pub(crate) use chains::Chains;
 pub use error::BlockError;

@@ -106,6 +106,17 @@ impl Primitive {
         }
     }
 
+    /// Two spheres that have the primitive in their convex hull, if it may be long.
+    pub fn ends(&self) -> Option<[BoundingSphere; 2]> {
+        match *self {
+            Self::Cone { base, axis, height, radii: [low, high], .. } => Some([
+                BoundingSphere { centre: base, radius: low },
+                BoundingSphere { centre: base + height * axis, radius: high },
+            ]),
+            _ => None,
+        }
+    }
+
     /// Up to four spheres with the property that a sphere around all of them contains the
     /// primitive.
     pub fn hull(&self) -> Hull {

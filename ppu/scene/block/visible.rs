@@ -1,7 +1,7 @@
 //! A block's objects as they appear in a picture, used to find where two pictures differ.
 
 use super::SceneBlock;
-use super::bounding_sphere::{BoundingSphere, Hull};
+use super::bounding_sphere::BoundingSphere;
 use super::chains::Chains;
 use super::materials::Light;
 use crate::scene::render_options::RenderOptions;
@@ -11,11 +11,32 @@ use crate::scene::render_options::RenderOptions;
 pub(crate) struct VisiblePrimitive {
     /// Its bounding sphere.
     pub sphere: BoundingSphere,
-    /// A closer bound: the primitive is within the convex hull of these spheres.
-    pub hull: Hull,
+    /// A closer bound of some: the primitive is within the convex hull of these spheres.
+    pub ends: Option<[BoundingSphere; 2]>,
     /// The address and the size of its record. `material` is the address of its material.
     pub record: (u32, usize),
     pub material: u32,
+}
+
+/// The most spheres around one primitive.
+const MAX_PIECES: f64 = 8.0;
+
+impl VisiblePrimitive {
+    /// Adds spheres that the primitive is within: one, or a row of smaller ones if it is long.
+    pub fn cover(&self, into: &mut Vec<BoundingSphere>) {
+        let Some([from, to]) = self.ends else { return into.push(self.sphere) };
+        let (way, radius) = (to.centre - from.centre, from.radius.max(to.radius));
+        let length = way.length();
+        let pieces = (length / radius).min(MAX_PIECES).floor();
+        if pieces.is_nan() || pieces < 2.0 {
+            return into.push(self.sphere);
+        }
+        let radius = radius + 0.5 * length / pieces;
+        into.extend((0..pieces as usize).map(|piece| {
+            let centre = from.centre + way * ((piece as f64 + 0.5) / pieces);
+            BoundingSphere { centre, radius }.rounded()
+        }));
+    }
 }
 
 impl SceneBlock {
@@ -42,7 +63,7 @@ impl SceneBlock {
         slots.map(move |(address, object)| {
             let seen = object.map(|(object, material, sphere)| VisiblePrimitive {
                 sphere,
-                hull: object.primitive.hull(),
+                ends: object.primitive.ends(),
                 record: (address, object.primitive.size()),
                 material: material.get(),
             });
