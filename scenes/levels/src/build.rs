@@ -195,7 +195,8 @@ fn in_space(place: DVec2, height: f64) -> DVec3 {
     DVec3::new(place.x, height, -place.y)
 }
 
-/// A sector's light as the colour of vertices.
+/// A sector's light as the colour of vertices. Doom darkens what is far away; the root is about as
+/// light as it shows what is near.
 fn lightness(light: f64) -> f32 {
-    (light / LIGHTEST).clamp(0.0, 1.0) as f32
+    (light / LIGHTEST).clamp(0.0, 1.0).sqrt() as f32
 }

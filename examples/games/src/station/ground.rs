@@ -14,11 +14,13 @@ pub const RADIUS: f64 = 16.0;
 pub const TALL: f64 = 56.0;
 /// The highest step that it takes.
 pub const STEP_UP: f64 = 24.0;
+/// What remains between a walker and a wall, so that rounding does not count as touching.
+const GAP: f64 = 1e-3;
 /// The width of the squares by which lines and regions are found.
 const SQUARE: f64 = 128.0;
 
 /// A level's lines and heights.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub struct Ground {
     /// The map.
     pub map: Map,
@@ -138,8 +140,8 @@ impl Ground {
     /// The floor on which a walker with its feet at this height stands at a place.
     ///
     /// # Errors
-    /// It does not fit there. The error is the direction away from what is in the way, of length 1,
-    /// or 0 if it is outside of the level.
+    /// It does not fit there. The error is the step away from what is most in the way, or 0 if it is
+    /// outside of the level.
     pub fn stand(&self, place: DVec2, feet: f64) -> Result<f64, DVec2> {
         let sector = self.sector(place).ok_or(DVec2::ZERO)?;
         let [mut floor, mut ceiling] = self.heights[sector as usize];
@@ -164,11 +166,11 @@ impl Ground {
                     true => away / distance,
                     false => (ends[1] - ends[0]).perp().normalize(),
                 };
-                in_the_way = Some((distance, direction));
+                in_the_way = Some((distance, direction * (RADIUS - distance + GAP)));
             }
         }
         match in_the_way {
-            Some((_, direction)) => Err(direction),
+            Some((_, away)) => Err(away),
             None if floor - feet > STEP_UP || ceiling - floor < TALL => Err(DVec2::ZERO),
             None => Ok(floor),
         }
@@ -178,21 +180,18 @@ impl Ground {
     /// along what is in the way.
     #[must_use]
     pub fn walk(&self, from: DVec2, feet: f64, step: DVec2) -> Option<(DVec2, f64)> {
-        let mut step = step;
-        // One wall turns the step aside, and the second one in a corner.
-        for _ in 0..3 {
-            if step.length_squared() < 1e-12 {
-                return None;
+        if step == DVec2::ZERO {
+            return None;
+        }
+        let mut place = from + step;
+        // One wall turns the step aside, and others in a corner.
+        for _ in 0..4 {
+            match self.stand(place, feet) {
+                Ok(floor) => return Some((place, floor)),
+                Err(away) => place += away,
             }
-            match self.stand(from + step, feet) {
-                Ok(floor) => return Some((from + step, floor)),
-                Err(away) => {
-                    let towards = step.dot(away);
-                    if towards >= 0.0 {
-                        return None;
-                    }
-                    step -= away * towards;
-                }
+            if place.distance(from) > step.length() + 2.0 * GAP {
+                return None;
             }
         }
         None

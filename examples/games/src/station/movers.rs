@@ -27,8 +27,16 @@ pub struct Mover {
 enum Motion {
     Rests,
     /// On its way to a height, and the seconds after which it returns to another one.
-    Goes { to: f64, speed: f64, back: Option<(f64, f64)> },
-    Waits { seconds: f64, to: f64, speed: f64 },
+    Goes {
+        to: f64,
+        speed: f64,
+        back: Option<(f64, f64)>,
+    },
+    Waits {
+        seconds: f64,
+        to: f64,
+        speed: f64,
+    },
 }
 
 /// All that moves in a level.
@@ -64,9 +72,7 @@ impl Movers {
                     let back = (!stays).then_some((mover.built, OPEN));
                     Motion::Goes { to, speed: DOOR, back }
                 }
-                Action::Lift => {
-                    Motion::Goes { to, speed: LIFT, back: Some((mover.built, DOWN)) }
-                }
+                Action::Lift => Motion::Goes { to, speed: LIFT, back: Some((mover.built, DOWN)) },
                 _ => Motion::Goes { to, speed: FLOOR, back: None },
             };
             // A lift that is on its way goes on.
