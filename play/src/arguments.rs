@@ -60,6 +60,12 @@ pub enum Command {
 pub struct PlayArguments {
     /// Name of the game
     pub name: Option<String>,
+    /// WAD file with a level to play in; for the game `station`
+    #[arg(long, help_heading = "Game", value_name = "FILE", requires = "name")]
+    pub wad: Option<PathBuf>,
+    /// Name of the level in the WAD file, such as E1M1 or MAP01 [default: the first one]
+    #[arg(long, help_heading = "Game", value_name = "NAME", requires = "wad")]
+    pub map: Option<String>,
     /// Options of the game.
     #[command(flatten)]
     pub options: GameOptions,

@@ -1,5 +1,6 @@
 //! The errors that end `cellray-play`.
 
+use std::error::Error;
 use std::io;
 use std::path::PathBuf;
 
@@ -25,6 +26,9 @@ pub enum PlayError {
         /// The names of the games.
         known: String,
     },
+    /// The level can't be read.
+    #[error(transparent)]
+    Level(Box<dyn Error + Send + Sync>),
     /// The scene can't be read.
     #[error(transparent)]
     Scene(#[from] meshes::Error),

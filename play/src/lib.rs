@@ -95,7 +95,15 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
                 return print(list(games).as_bytes());
             };
             let entry = find(games, name)?;
-            let game = (entry.new)();
+            let game = match (&play.wad, entry.open) {
+                (Some(wad), Some(open)) => {
+                    open(wad, play.map.as_deref()).map_err(PlayError::Level)?
+                }
+                (Some(_), None) => {
+                    return Err(PlayError::Options("--wad: this game has no levels"));
+                }
+                (None, _) => (entry.new)(),
+            };
             for line in game.controls() {
                 print_line(line);
             }

@@ -14,6 +14,9 @@ mod run;
 mod turntable;
 mod world;
 
+use std::error::Error;
+use std::path::Path;
+
 pub use glam::{DAffine3, DVec3};
 pub use scenes::depth::DepthShading;
 pub use scenes::{LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
@@ -98,7 +101,13 @@ pub struct Entry {
     pub line: &'static str,
     /// Creates the game.
     pub new: fn() -> Box<dyn Game>,
+    /// Creates the game with a level of a WAD file, by the level's name or the file's first one;
+    /// `None` if the game has no such levels.
+    pub open: Option<OpenLevel>,
 }
+
+/// Creates a game with a level of a file. An error names the file.
+pub type OpenLevel = fn(&Path, Option<&str>) -> Result<Box<dyn Game>, Box<dyn Error + Send + Sync>>;
 
 /// The information that a game receives before its first frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -14,12 +14,14 @@ pub mod demo;
 pub mod marbles;
 pub mod orrery;
 pub mod screensaver;
+pub mod station;
 pub mod steps;
 
 use cellray::game::Entry;
 
 /// All games.
-pub const GAMES: &[Entry] = &[billiards::ENTRY, marbles::ENTRY, orrery::ENTRY, screensaver::ENTRY];
+pub const GAMES: &[Entry] =
+    &[billiards::ENTRY, marbles::ENTRY, orrery::ENTRY, screensaver::ENTRY, station::ENTRY];
 
 /// The game with this name.
 #[must_use]

@@ -34,6 +34,7 @@ pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "marbles on a mirror that the player tilts",
     new: || Box::new(Marbles::default()),
+    open: None,
 };
 
 const COUNT: usize = 11;

@@ -43,6 +43,7 @@ pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "the sun, its planets, moons and rings",
     new: || Box::new(Orrery::default()),
+    open: None,
 };
 
 const STARS: usize = 300;

@@ -35,6 +35,7 @@ pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "sixteen spheres that bounce in a room, for ever",
     new: || Box::new(Screensaver::default()),
+    open: None,
 };
 
 const COUNT: usize = 16;

@@ -52,6 +52,7 @@ pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "eight-ball for two on a table with six pockets",
     new: || Box::new(Billiards::default()),
+    open: None,
 };
 
 /// The number of steps in which the cue comes forward.

@@ -4,3 +4,5 @@ mod headless;
 mod orrery;
 mod physics;
 mod played;
+mod station;
+mod walker;

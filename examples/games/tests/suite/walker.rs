@@ -1,0 +1,158 @@
+//! A simulated player who knows the map and walks to each goal.
+
+use std::collections::{HashMap, VecDeque};
+
+use cellray::game::{InputEvent, Key, MouseButton};
+use games::station::Station;
+use games::station::ground::Ground;
+use glam::DVec2;
+use levels::Plane;
+
+/// The distance between the places of a path.
+const GRID: f64 = 16.0;
+/// How near a place must be to count as reached.
+const REACHED: f64 = 14.0;
+/// Radians for a pixel of mouse movement in the game, and the most pixels in a frame.
+const TURN: f64 = 0.006;
+const FASTEST: f64 = 30.0;
+/// How far it turns while it walks, in radians.
+const WALKS: f64 = 0.9;
+/// How many places ahead it looks.
+const AHEAD: usize = 3;
+
+/// Walks by a path, and presses Space where it does not get on.
+#[derive(Default)]
+pub struct Walker {
+    /// The goals, or those of the game if there are none.
+    goals: Vec<DVec2>,
+    /// The places to come, the next one last.
+    path: Vec<DVec2>,
+    goal: Option<DVec2>,
+    last: DVec2,
+    stood: u32,
+    walks: bool,
+    presses: bool,
+    begun: bool,
+}
+
+/// The ground with its doors open, and the sectors whose floors move.
+fn opened(ground: &Ground) -> (Ground, Vec<u32>) {
+    let mut open = ground.clone();
+    let mut lifts = Vec::new();
+    for line in &ground.map.lines {
+        for ((sector, plane), to) in levels::moves(&ground.map, line) {
+            match plane {
+                Plane::Ceiling => open.set_height(sector, plane, to),
+                Plane::Floor => lifts.push(sector),
+            }
+        }
+    }
+    (open, lifts)
+}
+
+type Node = [i32; 2];
+
+fn place_of(node: Node) -> DVec2 {
+    DVec2::from(node.map(f64::from)) * GRID
+}
+
+/// The places on the shortest way to the reachable place that is nearest to a goal, the last one
+/// first.
+fn path(game: &Station, goal: DVec2) -> Vec<DVec2> {
+    let (ground, lifts) = opened(game.ground());
+    let begin = (game.place() / GRID).round().to_array().map(|at| at as i32);
+    let mut from: HashMap<Node, (Node, f64)> = HashMap::from([(begin, (begin, game.feet()))]);
+    let mut queue = VecDeque::from([begin]);
+    let mut nearest = (begin, f64::INFINITY);
+    while let Some(node) = queue.pop_front() {
+        let distance = place_of(node).distance(goal);
+        if distance < nearest.1 {
+            nearest = (node, distance);
+        }
+        if distance < GRID {
+            break;
+        }
+        let feet = from[&node].1;
+        for [x, y] in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
+            let next = [node[0] + x, node[1] + y];
+            if from.contains_key(&next) {
+                continue;
+            }
+            let place = place_of(next);
+            let on_lift = |place| ground.sector(place).is_some_and(|it| lifts.contains(&it));
+            let step = DVec2::new(f64::from(x), f64::from(y)) * GRID;
+            let is_lift = [-2.0, -1.0, 0.0, 1.0].iter().any(|at| on_lift(place + step * *at));
+            let by_lift = || {
+                if !is_lift {
+                    return None;
+                }
+                let floor = ground.height(ground.sector(place)?, Plane::Floor);
+                // Halfway on a lift, the feet are as high as its higher side.
+                [floor, feet.max(floor), 1e4]
+                    .into_iter()
+                    .find_map(|it| ground.stand(place, it).ok())
+            };
+            if let Some(floor) = ground.stand(place, feet).ok().or_else(by_lift) {
+                from.insert(next, (node, floor));
+                queue.push_back(next);
+            }
+        }
+    }
+    let mut path = vec![goal];
+    let mut node = nearest.0;
+    while node != begin {
+        path.push(place_of(node));
+        node = from[&node].0;
+    }
+    path
+}
+
+impl Walker {
+    /// A walker with goals of its own.
+    pub fn to(goals: Vec<DVec2>) -> Self {
+        Self { goals, ..Self::default() }
+    }
+
+    /// The events of the next frame.
+    pub fn next(&mut self, game: &Station) -> Vec<InputEvent> {
+        let place = game.place();
+        let mut events = Vec::new();
+        if !self.begun {
+            self.begun = true;
+            events.push(InputEvent::MouseButton { button: MouseButton::Left, down: true });
+        }
+        let goal = self.goals.first().copied().or_else(|| game.goals().left().next());
+        self.stood = if place.distance(self.last) < 0.5 { self.stood + 1 } else { 0 };
+        self.last = place;
+        if goal != self.goal || self.stood > 300 {
+            self.goal = goal;
+            self.stood = 0;
+            self.path = goal.map(|goal| path(game, goal)).unwrap_or_default();
+        }
+        // Corners are cut a little, so a place may be passed without being reached.
+        let near = self.path.len().saturating_sub(AHEAD + 1)..self.path.len();
+        let passed = near.into_iter().find(|at| self.path[*at].distance(place) < REACHED);
+        if let Some(passed) = passed {
+            self.path.truncate(passed.max(1));
+        }
+        let ahead = self.path.len().checked_sub(AHEAD).and_then(|at| self.path.get(at));
+        let Some(&towards) = ahead.or(self.path.last()) else { return events };
+        let way = towards - place;
+        let wanted = libm::atan2(-way.x, way.y);
+        let turn = libm::remainder(wanted - game.turn(), std::f64::consts::TAU);
+        let pixels = (-turn / TURN).clamp(-FASTEST, FASTEST);
+        events.push(InputEvent::MouseMotion { by: [pixels as f32, 0.0] });
+        // Whoever walks on while turning far circles around the place.
+        let walks = turn.abs() < WALKS;
+        if walks != self.walks {
+            self.walks = walks;
+            events.push(InputEvent::Key { key: Key::W, down: walks });
+        }
+        let presses = self.stood > 3 && self.stood % 20 == 4;
+        if presses != self.presses {
+            self.presses = presses;
+            events.push(InputEvent::Key { key: Key::Space, down: presses });
+        }
+        events
+    }
+}
