@@ -75,7 +75,8 @@ impl Explanation {
     }
 }
 
-/// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel.
+/// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel. If there are
+/// more than `most`, it explains about so many, evenly spread.
 ///
 /// # Errors
 /// As for [`crate::whitted::trace`]; the sizes differ; the pixels have several samples.
@@ -84,6 +85,7 @@ pub fn explain(
     reference: &Reference,
     scene: &Scene,
     options: &Options,
+    most: usize,
 ) -> Result<Explanation, Error> {
     if options.pixels.samples != Samples::One || options.pixels.corners {
         return Err(Error::Samples);
@@ -91,11 +93,12 @@ pub fn explain(
     let (width, height) = (picture.width(), picture.height());
     let exact = Probe::new(scene, width, height, options)?;
     let wrong = crate::compare::wrong_pixels(picture, &reference.picture)?;
-    let mut pixels = Vec::with_capacity(wrong.len());
-    for pixel in wrong.into_iter().map(|pixel| pixel as u32) {
-        let (x, y) = (pixel % width, pixel / width);
-        pixels.push(WrongPixel { x, y, ulps: None, condition: 0.0 });
-    }
+    let step = wrong.len().div_ceil(most).max(1);
+    let explained = wrong.into_iter().step_by(step).map(|pixel| {
+        let (x, y) = (pixel as u32 % width, pixel as u32 / width);
+        WrongPixel { x, y, ulps: None, condition: 0.0 }
+    });
+    let mut pixels: Vec<WrongPixel> = explained.collect();
     rows::each(pixels.iter_mut(), |pixel| {
         pixel.condition = condition(&exact, options, pixel.x, pixel.y);
     });

@@ -370,7 +370,7 @@ fn explain(path: &Path, scene: Option<&Path>, options: &Options, json: bool) -> 
     let Model::Whitted(options) = &model else {
         return Err("only pictures in Whitted's model can be explained".into());
     };
-    let result = oracle::explain(&picture, &reference, &scene, options)?;
+    let result = oracle::explain(&picture, &reference, &scene, options, usize::MAX)?;
     let mut text = if json { serde_json::to_string(&result)? } else { explanation(&result) };
     text.push('\n');
     messages::write_data(text)?;

@@ -8,7 +8,7 @@
 mod family;
 mod guarantees;
 mod product;
-mod random;
+pub(crate) mod random;
 pub mod regressions;
 pub mod report;
 mod statement;
