@@ -23,7 +23,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         extent: Extent::Standard,
         seed: kernels::bench::SEED,
         only: Vec::new(),
+        kernels: true,
         pictures: true,
+        scenes: Vec::new(),
+        programs: Vec::new(),
         host_time: true,
     };
     let results = run(&order, |next| eprintln!("accuracy: {next}"))?;

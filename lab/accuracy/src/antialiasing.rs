@@ -12,7 +12,7 @@ use oracle::whitted::{self, Probe};
 use serde::Serialize;
 
 use crate::parallel;
-use crate::pictures::{PictureError, SCENES, Subject, Traced, trace};
+use crate::pictures::{PictureError, Subject, Traced, trace};
 
 /// The reference has this many samples across and down a pixel.
 const REFERENCE: u32 = 8;
@@ -83,19 +83,15 @@ impl Way {
     }
 
     /// The pixels, and what tracing them took.
-    fn pixels(
-        self,
-        subject: &Subject,
-        scene: &scenes::Scene,
-    ) -> Result<(Vec<DVec3>, Traced), PictureError> {
+    fn pixels(self, subject: &Subject) -> Result<(Vec<DVec3>, Traced), PictureError> {
         let side = self.side();
         let (samples, contrast) = match self {
             Self::Grid(_) => (Samples::One, CONTRAST),
             Self::Spread(samples, contrast) => (samples, contrast),
         };
-        let options = RenderOptions { samples, contrast, ..subject.render_options() };
+        let options = RenderOptions { samples, contrast, ..RenderOptions::default() };
         let size = (side * SIZE.0, side * SIZE.1);
-        let traced = trace(subject.name, scene, options, size, Program::tracer())?;
+        let traced = trace(&subject.name, &subject.scene, options, size, Program::tracer())?;
         let pixels = traced.picture.pixels().iter();
         let light: Vec<_> = pixels.map(|pixel| DVec3::from(pixel.map(f64::from))).collect();
         Ok((means(&light, side), traced))
@@ -121,8 +117,8 @@ enum Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    fn of(subject: &Subject, scene: &'a scenes::Scene) -> Result<Self, PictureError> {
-        let (width, height) = SIZE;
+    fn of(subject: &'a Subject) -> Result<Self, PictureError> {
+        let ((width, height), scene) = (SIZE, &subject.scene);
         Ok(if subject.is_by_depth() {
             Self::Depth(DepthProbe::new(scene, width, height)?)
         } else {
@@ -172,13 +168,13 @@ impl<'a> Light<'a> {
 /// Fails if a scene can't be traced, or if an SPU fails.
 pub fn measure(mut progress: impl FnMut(&str)) -> Result<Vec<Row>, PictureError> {
     let mut rows = Vec::new();
-    for subject in SCENES.iter().filter(|scene| NAMES.contains(&scene.name)) {
-        let scene = subject.scene()?;
-        let light = Light::of(subject, &scene)?;
+    for name in NAMES {
+        let subject = Subject::load(name)?;
+        let light = Light::of(&subject)?;
         let mut references = BTreeMap::new();
         for way in Way::all() {
-            progress(&format!("{}: {}", subject.name, way.name()));
-            let (pixels, traced) = way.pixels(subject, &scene)?;
+            progress(&format!("{name}: {}", way.name()));
+            let (pixels, traced) = way.pixels(&subject)?;
             let side = way.side();
             let expected = references.entry(side).or_insert_with(|| light.picture(side));
             let errors = pixels.iter().zip(&*expected);
@@ -187,7 +183,7 @@ pub fn measure(mut progress: impl FnMut(&str)) -> Result<Vec<Row>, PictureError>
             let count = errors.len() as f64;
             let visible = errors.iter().filter(|error| error.max_element() > 8.0);
             rows.push(Row {
-                scene: subject.name,
+                scene: name,
                 way: way.name(),
                 rays_a_pixel: traced.primary_rays as f64 / count,
                 frames_per_second: traced.frames_per_second,

@@ -21,6 +21,7 @@ pub mod pictures;
 pub mod plots;
 mod roots;
 pub mod run;
+pub mod search;
 mod space;
 mod spheres;
 pub mod stability;

@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::Path;
 
+use oracle::ULPS;
 use serde::{Deserialize, Serialize};
 
 use crate::figures::Figures;
@@ -129,17 +130,21 @@ fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
             .text("worst", &row.worst)
     });
     let pictures = results.pictures.iter().map(|row| {
-        Cells::default()
-            .text("formulation", &row.formulation)
+        let cells = Cells::default()
             .text("scene", &row.scene)
+            .text("program", &row.program)
             .text("width", row.width)
             .text("height", row.height)
-            .number("frames_per_second", Some(row.frames_per_second))
-            .number("rmse", Some(row.rmse))
-            .text("max_error", row.max_error)
-            .text("max_error_off_silhouette", row.max_error_off_silhouette)
+            .number("cycles", Some(row.cycles))
             .text("wrong_pixels", row.wrong_pixels)
-            .text("wrong_off_silhouette", row.wrong_off_silhouette)
+            .text("floor", row.floor)
+            .number("rmse", Some(row.rmse))
+            .text("max_error", row.max_error);
+        let by_ulps = ULPS.iter().zip(row.by_ulps);
+        by_ulps
+            .fold(cells, |cells, (ulps, pixels)| cells.text(&format!("ulps_{ulps}"), pixels))
+            .text("ulps_beyond", row.by_ulps[ULPS.len()])
+            .text("well_conditioned", row.well_conditioned)
     });
     [
         ("kernels.csv", table(kernels)),

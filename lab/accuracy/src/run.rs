@@ -6,11 +6,15 @@ use protocol::formulation::{SPHERES, SphereFormulation, TRIANGLES, TriangleFormu
 use serde::{Deserialize, Serialize};
 
 use crate::families::Form;
-use crate::pictures::{self, PictureError, PictureRow, Sizes};
+use crate::pictures::{self, AntialiasedRow, PictureError, PictureRow, Total};
 use crate::roots::{self, RootRow, host_time};
+use crate::search::{self, KeptRow};
 use crate::spheres::{self, SphereRow};
 use crate::subject::{self, Subject};
 use crate::triangles::{self, TriangleRow};
+
+/// The size of pictures with several samples a pixel.
+const ANTIALIASED_SIZE: (u32, u32) = (1280, 720);
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -34,8 +38,14 @@ pub struct Order {
     pub seed: u64,
     /// The names of the formulations to measure. If it is empty, all are measured.
     pub only: Vec<String>,
+    /// Whether to measure kernels.
+    pub kernels: bool,
     /// Whether to trace whole pictures.
     pub pictures: bool,
+    /// The names of the scenes to trace. If it is empty, all are traced.
+    pub scenes: Vec<String>,
+    /// The names of the programs to trace with. If it is empty, all are used.
+    pub programs: Vec<String>,
     /// Whether to measure the host's time.
     pub host_time: bool,
 }
@@ -99,12 +109,28 @@ pub struct Results {
     pub roots: Vec<RootRow>,
     /// Whole pictures.
     pub pictures: Vec<PictureRow>,
+    /// Pictures with several samples a pixel.
+    pub antialiased: Vec<AntialiasedRow>,
+    /// The kept scenes of the search, the worst first.
+    pub kept: Vec<KeptRow>,
 }
 
 impl Results {
     /// The costs of a form's kernels.
     pub fn kernels_of(&self, form: &str) -> impl Iterator<Item = &KernelRow> {
         self.kernels.iter().filter(move |kernel| kernel.form == form)
+    }
+
+    /// The pictures by a program.
+    pub fn pictures_by(&self, program: &str) -> impl Iterator<Item = &PictureRow> {
+        self.pictures.iter().filter(move |row| row.program == program)
+    }
+
+    /// The programs that have traced pictures, each with the sums of all scenes.
+    pub fn totals(&self) -> Vec<(&'static str, Total)> {
+        let totals =
+            pictures::programs().map(|(name, _)| (name, Total::of(self.pictures_by(name))));
+        totals.into_iter().filter(|(_, total)| total.cycles > 0.0).collect()
     }
 
     /// A formulation's rows of a form, one for each family.
@@ -124,14 +150,11 @@ impl Extent {
         }
     }
 
-    /// The sizes of pictures.
-    pub const fn sizes(self) -> Sizes {
-        Sizes {
-            depth: (1280, 720),
-            whitted: match self {
-                Self::Quick | Self::Standard => (480, 270),
-                Self::Full => (1280, 720),
-            },
+    /// The size of pictures.
+    pub const fn size(self) -> (u32, u32) {
+        match self {
+            Self::Quick | Self::Standard => (256, 192),
+            Self::Full => (512, 384),
         }
     }
 }
@@ -144,13 +167,16 @@ impl Order {
             extent: Extent::Quick,
             seed,
             only: vec!["perpendicular".to_owned(), "watertight".to_owned()],
+            kernels: true,
             pictures: false,
+            scenes: Vec::new(),
+            programs: Vec::new(),
             host_time: false,
         }
     }
 
     fn asks_for(&self, name: &str) -> bool {
-        self.only.is_empty() || self.only.iter().any(|asked| asked == name)
+        self.kernels && (self.only.is_empty() || self.only.iter().any(|asked| asked == name))
     }
 
     /// Rejects unknown names.
@@ -173,7 +199,7 @@ impl Order {
 /// # Errors
 ///
 /// Fails for unknown formulations and if a picture can't be traced.
-pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, RunError> {
+pub fn run(order: &Order, mut progress: impl FnMut(&str) + Send) -> Result<Results, RunError> {
     order.check()?;
     let subjects: Vec<Subject> =
         subject::all().filter(|subject| order.asks_for(subject.formulation.name)).collect();
@@ -186,18 +212,27 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, Run
     let spheres = spheres::measure(&subjects, order.seed, shots);
     progress("triangles");
     let triangles = triangles::measure(&flat, order.seed, shots);
-    let roots = if order.extent == Extent::Quick || !order.only.is_empty() {
+    let roots = if order.extent == Extent::Quick || !(order.kernels && order.only.is_empty()) {
         Vec::new()
     } else {
         progress("reciprocals and roots");
         roots::measure(order.host_time)
     };
-    let pictures = if order.pictures {
-        let asked = |name: &str| order.asks_for(name);
-        pictures::measure(asked, &order.extent.sizes(), progress)?
-    } else {
-        Vec::new()
-    };
+    let (mut pictures, mut antialiased, mut kept) = (Vec::new(), Vec::new(), Vec::new());
+    if order.pictures && order.only.is_empty() {
+        pictures = match (&order.scenes[..], &order.programs[..]) {
+            ([scene], [program]) => vec![pictures::measure(scene, program, order.extent.size())?],
+            (scenes, programs) => {
+                pictures::measure_all(scenes, programs, order.extent, &mut progress)?
+            }
+        };
+        if order.scenes.is_empty() {
+            progress("pictures with sixteen samples a pixel");
+            antialiased = pictures::antialiased(ANTIALIASED_SIZE)?;
+            progress("kept scenes of the search");
+            kept = search::kept()?.iter().map(KeptRow::from).collect();
+        }
+    }
     Ok(Results {
         extent: order.extent,
         seed: order.seed,
@@ -206,6 +241,8 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, Run
         triangles,
         roots,
         pictures,
+        antialiased,
+        kept,
     })
 }
 

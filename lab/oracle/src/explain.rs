@@ -1,9 +1,11 @@
 //! Explains the wrong pixels of a picture: how far the numbers of rays must be off for a pixel to
-//! be right.
+//! be right, and how far the pixel moves if its ray is off.
 //!
-//! That is its backward error: the picture shows exactly what the scene looks like with rays that
-//! are moved by this number of units in the last place.
+//! The first is its backward error: the picture shows exactly what the scene looks like with rays
+//! that are moved by this number of units in the last place. The second is its condition number,
+//! which the scene alone determines.
 
+use glam::DVec3;
 use scenes::Scene;
 use serde::Serialize;
 
@@ -17,19 +19,64 @@ pub const ULPS: [u32; 7] = [1, 2, 4, 8, 16, 32, 64];
 /// The number of perturbed pictures for each number of units.
 const TRIES: u64 = 24;
 
-/// The wrong pixels, by backward error.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub struct Explanation {
-    /// The number of wrong pixels.
-    pub wrong_pixels: u64,
-    /// For each number of units in the last place, the wrong pixels that it suffices for but the
-    /// number before it does not.
-    pub by_ulps: [(u32, u64); ULPS.len()],
-    /// The wrong pixels that differ from all perturbed pictures, each with its column and row.
-    pub unexplained: Vec<(u32, u32)>,
+/// The angle by which a primary ray is turned to find how far its pixel moves: 8 units in the last
+/// place of a single just below 1.
+const TURN: f64 = 8.0 * f32::EPSILON as f64 / 2.0;
+
+/// The number of sides to which it is turned.
+const TURNS: u32 = 8;
+
+/// The condition number below which a pixel is well-conditioned: a ray that is off by 8 units moves
+/// none of its channels by more than 1/255.
+pub const WELL_CONDITIONED: f64 = 1.0 / (255.0 * TURN);
+
+/// A wrong pixel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct WrongPixel {
+    /// Its column.
+    pub x: u32,
+    /// Its row.
+    pub y: u32,
+    /// Its backward error in units in the last place: the first of [`ULPS`] that suffices. `None`
+    /// if none of them does.
+    pub ulps: Option<u32>,
+    /// Its condition number: by how much a channel changes, relative to white, for each radian by
+    /// which the primary ray is turned. The ray differential is a quotient over 8 units in the last
+    /// place, so that it includes edges, at which there is no derivative. It is the largest of
+    /// eight sides and of all channels.
+    pub condition: f64,
 }
 
-/// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel.
+/// The wrong pixels of a picture, row by row.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Explanation {
+    /// The wrong pixels.
+    pub wrong_pixels: Vec<WrongPixel>,
+}
+
+impl Explanation {
+    /// For each of [`ULPS`], the number of wrong pixels with this backward error, and then the
+    /// number of those with a larger one.
+    #[must_use]
+    pub fn by_ulps(&self) -> [u64; ULPS.len() + 1] {
+        let mut counts = [0; ULPS.len() + 1];
+        for pixel in &self.wrong_pixels {
+            let place = ULPS.iter().position(|&ulps| pixel.ulps == Some(ulps));
+            counts[place.unwrap_or(ULPS.len())] += 1;
+        }
+        counts
+    }
+
+    /// The number of wrong pixels with a condition number from `low` to below `high`.
+    #[must_use]
+    pub fn conditioned(&self, low: f64, high: f64) -> u64 {
+        let within = |pixel: &&WrongPixel| (low..high).contains(&pixel.condition);
+        self.wrong_pixels.iter().filter(within).count() as u64
+    }
+}
+
+/// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel. If there are
+/// more than `most`, it explains about so many, evenly spread.
 ///
 /// # Errors
 /// As for [`crate::whitted::trace`]; the sizes differ; the pixels have several samples.
@@ -38,33 +85,49 @@ pub fn explain(
     reference: &Reference,
     scene: &Scene,
     options: &Options,
+    most: usize,
 ) -> Result<Explanation, Error> {
     if options.pixels.samples != Samples::One || options.pixels.corners {
         return Err(Error::Samples);
     }
     let (width, height) = (picture.width(), picture.height());
+    let exact = Probe::new(scene, width, height, options)?;
     let wrong = crate::compare::wrong_pixels(picture, &reference.picture)?;
+    let step = wrong.len().div_ceil(most).max(1);
+    let explained = wrong.into_iter().step_by(step).map(|pixel| {
+        let (x, y) = (pixel as u32 % width, pixel as u32 / width);
+        WrongPixel { x, y, ulps: None, condition: 0.0 }
+    });
+    let mut pixels: Vec<WrongPixel> = explained.collect();
+    rows::each(pixels.iter_mut(), |pixel| {
+        pixel.condition = condition(&exact, options, pixel.x, pixel.y);
+    });
     let scene = rounded_to_singles(scene);
-    let mut left: Vec<(usize, bool)> = wrong.iter().map(|&pixel| (pixel, true)).collect();
-    let mut by_ulps = ULPS.map(|ulps| (ulps, 0));
     let mut probe = Probe::new(&scene, width, height, options)?;
-    for (ulps, count) in &mut by_ulps {
+    for ulps in ULPS {
         for seed in 0..TRIES {
-            probe.set_rounding(Rounding::Perturbed { ulps: *ulps, seed });
-            rows::each(left.iter_mut(), |(pixel, is_left)| {
-                let (x, y) = (*pixel as u32 % width, *pixel as u32 / width);
-                let shown = options.pixels.bytes(probe.light(f64::from(x), f64::from(y)));
-                *is_left = is_wrong(&picture.pixels()[*pixel], &shown);
+            probe.set_rounding(Rounding::Perturbed { ulps, seed });
+            let left = pixels.iter_mut().filter(|pixel| pixel.ulps.is_none());
+            rows::each(left, |pixel| {
+                let shown = options.pixels.bytes(probe.light(pixel.x.into(), pixel.y.into()));
+                let found = &picture.pixels()[(pixel.y * width + pixel.x) as usize];
+                pixel.ulps = (!is_wrong(found, &shown)).then_some(ulps);
             });
-            let before = left.len();
-            left.retain(|&(_, is_left)| is_left);
-            *count += (before - left.len()) as u64;
         }
     }
-    let unexplained = left.iter().map(|&(pixel, _)| (pixel as u32 % width, pixel as u32 / width));
-    Ok(Explanation {
-        wrong_pixels: wrong.len() as u64,
-        by_ulps,
-        unexplained: unexplained.collect(),
-    })
+    Ok(Explanation { wrong_pixels: pixels })
+}
+
+/// The condition number of a pixel.
+fn condition(probe: &Probe<'_>, options: &Options, x: u32, y: u32) -> f64 {
+    let way = probe.direction(x.into(), y.into()).normalize();
+    let (right, up) = way.any_orthonormal_pair();
+    let shown = |way: DVec3| options.pixels.shown(probe.along(way));
+    let exact = shown(way);
+    let moved = (0..TURNS).map(|turn| {
+        let (sine, cosine) =
+            libm::sincos(f64::from(turn) * std::f64::consts::TAU / f64::from(TURNS));
+        (shown(way + TURN * (cosine * right + sine * up)) - exact).abs().max_element()
+    });
+    moved.fold(0.0, f64::max) / TURN
 }

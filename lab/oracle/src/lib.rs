@@ -25,7 +25,7 @@ pub mod whitted;
 
 pub use colour::Colour;
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
-pub use explain::{Explanation, explain};
+pub use explain::{Explanation, ULPS, WELL_CONDITIONED, WrongPixel, explain};
 pub use floor::rounded_to_singles;
 pub use picture::Picture;
 pub use pixels::{Pixels, Samples};

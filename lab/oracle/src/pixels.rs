@@ -72,7 +72,7 @@ impl Pixels {
     };
 
     /// What a pixel shows of light: its channels from 0 to 1.
-    fn shown(&self, light: DVec3) -> DVec3 {
+    pub(crate) fn shown(&self, light: DVec3) -> DVec3 {
         let limited = |light: f64| {
             if self.roll_off && light > 0.75 { 1.0 - 0.0625 / (light - 0.5) } else { light }
         };

@@ -12,7 +12,7 @@ use clap::Args;
 
 use super::Outcome;
 
-/// Measure run time against error of every formulation
+/// Measure run time against error of pictures, and of every formulation
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
@@ -35,17 +35,26 @@ pub struct Arguments {
     /// Use some thousand rays and no pictures or roots, which takes some seconds
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Use sixteen times as many rays, and pictures of 1280x720
+    /// Use sixteen times as many rays, and pictures of 512x384
     #[arg(long)]
     full: bool,
     /// Trace no pictures
     #[arg(long)]
     no_pictures: bool,
+    /// Trace only pictures, and measure no kernels
+    #[arg(long, conflicts_with_all = ["quick", "no_pictures", "only"])]
+    pictures: bool,
+    /// Trace only pictures of these scenes: those of the repository and generated ones, by name
+    #[arg(long, value_name = "SCENE", value_delimiter = ',', requires = "pictures")]
+    scenes: Vec<String>,
+    /// Trace only pictures by these programs: paper, fast, default, exact
+    #[arg(long, value_name = "PROGRAM", value_delimiter = ',', requires = "pictures")]
+    programs: Vec<String>,
     /// Measure only pictures with several samples a pixel: adaptive antialiasing and regular
     /// supersampling
-    #[arg(long, conflicts_with_all = ["quick", "full", "no_pictures", "only", "json", "seed"])]
+    #[arg(long, conflicts_with_all = ["quick", "full", "no_pictures", "pictures", "only", "json", "seed"])]
     antialiasing: bool,
-    /// Measure only these formulations
+    /// Measure only these formulations, and no pictures
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
 }
@@ -53,8 +62,9 @@ pub struct Arguments {
 const EXAMPLES: &str = "\
 Examples:
   cellray-bench accuracy
-  cellray-bench accuracy --only paper,perpendicular --no-pictures
-  cellray-bench accuracy --full --write docs/accuracy.md
+  cellray-bench accuracy --only paper,perpendicular
+  cellray-bench accuracy --pictures --write docs/accuracy.md
+  cellray-bench accuracy --write docs/accuracy.md
   cellray-bench accuracy --antialiasing --write docs/accuracy.md
   cellray-bench accuracy --quick --no-host-time --json -";
 
@@ -71,6 +81,9 @@ pub fn run(arguments: &Arguments) -> Outcome {
         extent,
         seed: arguments.seed,
         only: arguments.only.clone(),
+        kernels: !arguments.pictures,
+        scenes: arguments.scenes.clone(),
+        programs: arguments.programs.clone(),
         pictures: !(arguments.quick || arguments.no_pictures),
         host_time: !arguments.no_host_time,
     };

@@ -4,6 +4,7 @@ mod accuracy;
 mod clock;
 mod compare;
 mod mesh_cache;
+mod search;
 mod stability;
 
 use std::process::ExitCode;
@@ -23,10 +24,13 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Measure run time against error of every formulation
+    /// Measure run time against error of pictures, and of every formulation
     Accuracy(accuracy::Arguments),
     /// Run the stress suite and check the guarantees about scenes
     Stability(stability::Arguments),
+    /// Search for small scenes whose pictures have the most wrong pixels over those that single
+    /// precision must get wrong
+    Search(search::Arguments),
     /// Measure pipelines, memory and interconnect by small SPU programs
     Clock(clock::Arguments),
     /// Compare a console's report with the model, row by row
@@ -37,10 +41,12 @@ enum Command {
 
 pub fn main() -> ExitCode {
     let command = Arguments::parse().command;
-    // The clock's programs are built in, and plots need none. The others need the kernels'
+    // The search's and the clock's programs are built in, and plots need none. The others need the kernels'
     // sources.
-    if !matches!(command, Command::Clock(_) | Command::Compare(_) | Command::MeshCache(_))
-        && let Err(error) = kernels::set::Kernels::here()
+    if !matches!(
+        command,
+        Command::Search(_) | Command::Clock(_) | Command::Compare(_) | Command::MeshCache(_)
+    ) && let Err(error) = kernels::set::Kernels::here()
     {
         messages::print!("cellray-bench: error: {error}");
         return ExitCode::FAILURE;
@@ -48,6 +54,7 @@ pub fn main() -> ExitCode {
     let outcome = match command {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
+        Command::Search(arguments) => search::run(&arguments),
         Command::Clock(arguments) => clock::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::MeshCache(arguments) => mesh_cache::run(&arguments),

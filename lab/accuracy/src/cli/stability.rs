@@ -15,11 +15,12 @@ pub struct Arguments {
     /// Seed of the random inputs
     #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
-    /// Try ten times as many cases
-    #[arg(long)]
-    full: bool,
+    /// Try this many times as many cases
+    #[arg(long, default_value_t = 1, value_name = "N", allow_negative_numbers = true)]
+    #[arg(value_parser = clap::value_parser!(u32).range(1..))]
+    times: u32,
     /// Try a tenth of the cases, for slow hosts
-    #[arg(long, conflicts_with = "full")]
+    #[arg(long, conflicts_with = "times")]
     quick: bool,
     /// Try only this family
     #[arg(long, value_name = "FAMILY", value_parser = family)]
@@ -43,11 +44,7 @@ fn family(name: &str) -> Result<String, String> {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let size = match (arguments.quick, arguments.full) {
-        (true, _) => Size::Quick,
-        (_, true) => Size::Full,
-        _ => Size::Default,
-    };
+    let size = if arguments.quick { Size::Quick } else { Size::Times(arguments.times) };
     let kept = Regressions::kept()?;
     messages::print!("cellray-bench: seed {}", arguments.seed);
     let only = arguments.only.as_deref();

@@ -4,6 +4,7 @@
 //! Invariant: every number in the part comes from the results.
 
 pub mod antialiasing;
+mod pictures;
 mod table;
 #[cfg(test)]
 mod tests;
@@ -18,7 +19,6 @@ use crate::figures::{Figures, WELL_CONDITIONED};
 use crate::file::OutputError;
 use crate::metrics::Summary;
 use crate::output::Document;
-use crate::pictures::{PictureRow, SCENES};
 use crate::plots::{self, Plot, worst_distance, wrong_far_off};
 use crate::run::{KernelRow, Results};
 use crate::spheres::SphereRow;
@@ -36,7 +36,14 @@ const END: &str = "<!-- end of what is written -->";
 ///
 /// Fails if the file can't be read or written.
 pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
-    put("accuracy", &text(document), path)
+    let plots = plots::plots(&document.results);
+    if !document.results.pictures.is_empty() {
+        put("pictures", &pictures::text(document, &plots), path)?;
+    }
+    if !document.results.kernels.is_empty() {
+        put("accuracy", &text(document, &plots), path)?;
+    }
+    Ok(())
 }
 
 /// Replaces the part of this name in a document, or adds it to one that has none.
@@ -58,32 +65,29 @@ fn with_part(document: &str, name: &str, part: &str) -> String {
     format!("{before}{begin}\n\n{}\n\n{END}{after}", part.trim())
 }
 
-/// The text of the results.
-pub fn text(document: &Document) -> String {
+/// The text of the kernels' results.
+fn text(document: &Document, plots: &[Plot]) -> String {
     let results = &document.results;
-    let plots = plots::plots(results);
-    let mut text = head(document);
+    let mut text = origin(document);
     text.push_str(READING);
     text.push_str(&formulations(results));
     for form in Form::ALL {
-        text.push_str(&spheres(results, &plots, form));
+        text.push_str(&spheres(results, plots, form));
     }
     text.push_str(&families(results));
     text.push_str(&flat(results));
-    text.push_str(&roots(results, &plots));
-    text.push_str(&pictures(results, &plots));
+    text.push_str(&roots(results));
     text
 }
 
-fn head(document: &Document) -> String {
-    let results = &document.results;
+/// Where and how the results were measured.
+fn origin(document: &Document) -> String {
     let Some(origin) = &document.origin else {
         return String::new();
     };
-    let rays = results.spheres.first().map_or(0, |row| row.figures.rays);
     format!(
-        "Written by `{}`. Machine: {}. Commit: {}. Seed: {}. Rays of each family: {rays}.\n",
-        origin.command, origin.machine, origin.commit, results.seed
+        "Written by `{}`. Machine: {}. Commit: {}. Seed: {}.\n",
+        origin.command, origin.machine, origin.commit, document.results.seed
     )
 }
 
@@ -191,7 +195,7 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
     let mut text = format!(
         "\n### {title}\n\nEach number is the largest of all well-conditioned families.\n\n{table}"
     );
-    for plot in ["distance", "verdicts", "ratio"] {
+    for plot in ["distance", "ratio"] {
         text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
     }
     text.push_str("\nLargest error of other families, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
@@ -224,7 +228,7 @@ fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
 }
 
 fn families(results: &Results) -> String {
-    let rows = FAMILIES.iter().map(|family| {
+    let rows = FAMILIES.iter().filter(|family| family.ratio.is_none()).map(|family| {
         let condition = Form::ALL.map(|form| {
             let of = |row: &&SphereRow| row.form == form && row.family == family.name;
             results.spheres.iter().find(of).and_then(|row| row.figures.condition)
@@ -243,7 +247,7 @@ fn families(results: &Results) -> String {
         ],
     );
     format!(
-        "\n### Families of spheres\n\nTheir condition. A ratio is distance/radius. Well-conditioned: the mean is at most \
+        "\n### Families of spheres\n\nTheir condition; the plots show the families of a ratio. Well-conditioned: the mean is at most \
          {WELL_CONDITIONED}.\n\n{table}"
     )
 }
@@ -277,7 +281,7 @@ fn flat(results: &Results) -> String {
     text
 }
 
-fn roots(results: &Results, plots: &[Plot]) -> String {
+fn roots(results: &Results) -> String {
     if results.roots.is_empty() {
         return String::new();
     }
@@ -295,49 +299,6 @@ fn roots(results: &Results, plots: &[Plot]) -> String {
         ],
     );
     format!(
-        "\n### Reciprocals and roots\n\nMeasured over every fraction that an operand can have: one octave, or two for roots.\n\n{table}{}",
-        shown(plots, "roots")
+        "\n### Reciprocals and roots\n\nMeasured over every fraction that an operand can have: one octave, or two for roots.\n\n{table}"
     )
-}
-
-fn pictures(results: &Results, plots: &[Plot]) -> String {
-    if results.pictures.is_empty() {
-        return String::new();
-    }
-    let mut text = "\n### Whole pictures\n\nTraced by six SPUs in simulated time, and compared with the reference in \
-                    double precision (`lab/oracle/`).\nA pixel is wrong if a channel is off by more than 1/255.\n"
-        .to_owned();
-    for scene in SCENES {
-        let of = |row: &&PictureRow| row.scene == scene.name;
-        let rows: Vec<&PictureRow> = results.pictures.iter().filter(of).collect();
-        let Some(PictureRow { width, height, .. }) = rows.last() else {
-            continue;
-        };
-        let table = Table::of(
-            rows.iter().copied(),
-            &[
-                ("formulation", |row| row.formulation.clone()),
-                ("frames/s", |row| figure(row.frames_per_second)),
-                ("RMSE, 1/255", |row| figure(row.rmse)),
-                ("largest, 1/255", |row| row.max_error.to_string()),
-                ("off silhouettes", |row| row.max_error_off_silhouette.to_string()),
-                ("wrong pixels", |row| row.wrong_pixels.to_string()),
-                ("off silhouettes", |row| row.wrong_off_silhouette.to_string()),
-            ],
-        );
-        _ = write!(
-            text,
-            "\n#### {}\n\n{}, {width}x{height}.\n\n{table}{}",
-            scene.name,
-            capital(scene.doc),
-            shown(plots, &format!("picture-{}", scene.name))
-        );
-    }
-    text
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_ascii_uppercase());
-    first.into_iter().chain(letters).collect()
 }

@@ -14,7 +14,7 @@ fn document_has_origin_seed_tables_and_front() {
         }),
         results: run(&Order::short(77), |_| ()).unwrap(),
     };
-    let text = text(&document);
+    let text = text(&document, &plots::plots(&document.results));
     for part in ["some machine", "0123456789ab", "Seed: 77", "`cellray-bench accuracy`"] {
         assert!(text.contains(part), "{part}");
     }

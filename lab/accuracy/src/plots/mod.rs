@@ -19,8 +19,7 @@ use crate::file::OutputError;
 
 use crate::antialiasing::Row;
 use crate::mesh_cache;
-use crate::pictures::{PictureRow, SCENES};
-use crate::roots::RootRow;
+use crate::pictures::Total;
 use crate::run::{KernelRow, Results};
 use crate::spheres::SphereRow;
 use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
@@ -44,15 +43,10 @@ pub struct Plot {
 /// All plots for which there are enough results.
 pub fn plots(results: &Results) -> Vec<Plot> {
     let mut charts = Vec::new();
+    charts.push(("pictures".to_owned(), pictures(results)));
     for form in Form::ALL {
         charts.push((format!("distance-{}", form.name()), distance(results, form)));
-        charts.push((format!("verdicts-{}", form.name()), verdicts(results, form)));
         charts.push((format!("ratio-{}", form.name()), ratio(results, form)));
-    }
-    charts.push(("roots".to_owned(), roots(results)));
-    for scene in SCENES {
-        let name = format!("picture-{}", scene.name);
-        charts.push((name, picture(results, scene.name)));
     }
     let charts = charts.into_iter();
     charts
@@ -220,38 +214,25 @@ pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
     sound.reduce(f64::max)
 }
 
-/// The plot of the cost of a form's kernels against a figure of their rows.
-fn against(
-    results: &Results,
-    form: Form,
-    [what, note, axis_label]: [&str; 3],
-    value: fn(&[&SphereRow]) -> Option<f64>,
-) -> Chart {
+/// The plot of the cost of a form's kernels against their largest error.
+fn distance(results: &Results, form: Form) -> Chart {
     let point = |kernel: &KernelRow| {
         Some(Point {
             name: kernel.formulation.clone(),
             x: kernel.cycles_a_ray,
-            y: value(&results.spheres_of(form, &kernel.formulation))?,
+            y: worst_distance(&results.spheres_of(form, &kernel.formulation))?,
             colour: colour(&kernel.formulation),
         })
     };
     let points = results.kernels_of(form.name()).filter_map(point);
     Chart {
-        title: format!("Run time against {what}: {}", whose(form)),
-        note: format!("{note}; ringed and joined: not beaten in both"),
+        title: format!("Run time against error of the distance: {}", whose(form)),
+        note: "Largest error over all well-conditioned families; ringed and joined: not beaten in both"
+            .to_owned(),
         x: axis("cycles a ray and sphere (simulated)", Kind::Log),
-        y: axis(axis_label, Kind::Log),
+        y: axis("largest error of the distance, ulps", Kind::Log),
         groups: vec![Group::Rivals(points.collect())],
     }
-}
-
-fn distance(results: &Results, form: Form) -> Chart {
-    let words = [
-        "error of the distance",
-        "Largest error over all well-conditioned families",
-        "largest error of the distance, ulps",
-    ];
-    against(results, form, words, worst_distance)
 }
 
 /// The share of rays at distance over radius 4096 for which a kernel's verdict is wrong, in per
@@ -259,15 +240,6 @@ fn distance(results: &Results, form: Form) -> Chart {
 pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
     let row = rows.iter().find(|row| row.family == FAR)?;
     Some(row.figures.wrong())
-}
-
-fn verdicts(results: &Results, form: Form) -> Chart {
-    let words = [
-        "wrong hits and misses",
-        "At distance/radius 4096, rays over the disc within 2 radii",
-        "wrong hits and misses, % of the rays",
-    ];
-    against(results, form, words, wrong_far_off)
 }
 
 fn ratio(results: &Results, form: Form) -> Chart {
@@ -292,46 +264,36 @@ fn ratio(results: &Results, form: Form) -> Chart {
     }
 }
 
-fn roots(results: &Results) -> Chart {
-    let quantities = ["1/x", "1/sqrt(x)", "sqrt(x)"];
-    let group = |(colour, quantity): (usize, &str)| {
-        let rows = results.roots.iter().filter(|row| row.quantity == quantity);
-        let point = |row: &RootRow| Point {
-            name: row.kernel.clone(),
-            x: row.cycles_an_operand,
-            y: row.ulps.max,
-            colour: [0, 1, 4][colour],
-        };
-        Group::Rivals(rows.map(point).collect())
+/// The plot of all scenes' pictures: the programs, and the line that none can pass.
+fn pictures(results: &Results) -> Chart {
+    let place = |(name, total): &(&str, Total), pixels: u64, colour| Point {
+        name: (*name).to_owned(),
+        x: total.cycles / 1e6,
+        y: total.percent(pixels),
+        colour,
     };
-    Chart {
-        title: "Run time against error of reciprocals and roots".to_owned(),
-        note:
-            "Largest error over every fraction of an operand; ringed and joined: not beaten in both"
-                .to_owned(),
-        x: axis("cycles an operand (simulated)", Kind::Log),
-        y: axis("largest error, ulps", Kind::Log),
-        groups: quantities.into_iter().enumerate().map(group).collect(),
+    let totals = results.totals();
+    let point = |(number, total): (usize, &(&str, Total))| {
+        place(total, total.1.wrong_pixels, [0, 3, 1, 4][number % 4])
+    };
+    let points: Vec<Point> = totals.iter().enumerate().map(point).collect();
+    let floor = totals
+        .iter()
+        .map(|total| Point { name: "floor".to_owned(), ..place(total, total.1.floor, 7) });
+    let mut floor: Vec<Point> = floor.collect();
+    floor.sort_by(|a, b| a.x.total_cmp(&b.x));
+    // A straight line needs no more than its ends.
+    if floor.len() > 2 {
+        floor.drain(1..floor.len() - 1);
     }
-}
-
-fn picture(results: &Results, scene: &str) -> Chart {
-    let rows = results.pictures.iter().filter(|row| row.scene == scene);
-    let rows: Vec<&PictureRow> = rows.collect();
-    let point = |row: &&PictureRow| Point {
-        name: row.formulation.clone(),
-        x: row.frames_per_second,
-        y: row.rmse,
-        colour: colour(&row.formulation),
-    };
-    let size =
-        rows.first().map_or_else(String::new, |row| format!("{}x{}, ", row.width, row.height));
     Chart {
-        title: format!("Frames a second against the picture's error: {scene}"),
-        note: format!("{size}six SPUs; ringed and joined: not beaten in both"),
-        x: Axis { rising: true, ..axis("frames a second (simulated)", Kind::Linear) },
-        y: axis("root of the mean square error, 1/255", Kind::Log),
-        groups: vec![Group::Rivals(rows.iter().map(point).collect())],
+        title: "Time against error of pictures".to_owned(),
+        note: "All scenes together; lower left is better; the floor is what single precision must \
+               get wrong"
+            .to_owned(),
+        x: axis("million cycles for one picture of each scene (simulated, six SPUs)", Kind::Linear),
+        y: axis("wrong pixels, %", Kind::Log),
+        groups: vec![Group::Rivals(points), Group::Course(floor)],
     }
 }
 

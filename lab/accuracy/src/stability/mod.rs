@@ -8,7 +8,7 @@
 mod family;
 mod guarantees;
 mod product;
-mod random;
+pub(crate) mod random;
 pub mod regressions;
 pub mod report;
 mod statement;
@@ -33,10 +33,8 @@ use statement::StatementError;
 pub enum Size {
     /// A tenth of the default, for slow hosts.
     Quick,
-    /// The default, which the families define.
-    Default,
-    /// Ten times the default.
-    Full,
+    /// This many times the default, which the families define.
+    Times(u32),
 }
 
 /// Why the suite could not be run.
@@ -76,8 +74,7 @@ impl Size {
     fn rounds(self, rounds: u32) -> u32 {
         match self {
             Self::Quick => rounds.div_ceil(10),
-            Self::Default => rounds,
-            Self::Full => rounds * 10,
+            Self::Times(times) => rounds.saturating_mul(times),
         }
     }
 }

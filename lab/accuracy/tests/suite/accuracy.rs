@@ -31,6 +31,8 @@ fn invalid_arguments_are_reported() {
         (&["--out", file], file),
         (&["--quick", "--full"], "--full"),
         (&["--json", "-", "--write", "accuracy.md"], "--write"),
+        (&["--pictures", "--scenes", "no-such-scene", "--json", "-"], "no-such-scene"),
+        (&["--pictures", "--scenes", "far", "--programs", "slow", "--json", "-"], "slow"),
     ] {
         let message = failure(arguments);
         assert!(message.contains(named), "{arguments:?}: {message}");
@@ -51,6 +53,22 @@ fn json_without_host_is_reproducible() {
 }
 
 #[test]
+fn picture_of_one_scene_has_its_plot_and_table() {
+    let place = tempfile::tempdir().unwrap();
+    let at = |name: &str| place.path().join(name).to_str().unwrap().to_owned();
+    let (out, document) = (at("out"), at("accuracy.md"));
+    let arguments = ["--pictures", "--scenes", "mirror-ball", "--programs", "default,fast"];
+    let output = bench(&[&arguments[..], &["--out", &out, "--write", &document]].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = fs::read_to_string(&document).unwrap();
+    assert!(text.contains("| mirror-ball |"), "{text}");
+    assert!(text.contains("](accuracy-pictures.svg)"), "{text}");
+    assert!(fs::read_to_string(at("accuracy-pictures.svg")).unwrap().contains("floor"));
+    let csv = fs::read_to_string(Path::new(&out).join("pictures.csv")).unwrap();
+    assert_eq!(csv.lines().count(), 3, "{csv}");
+}
+
+#[test]
 fn folder_output_has_all_files_and_plots() {
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name).to_str().unwrap().to_owned();
@@ -66,7 +84,7 @@ fn folder_output_has_all_files_and_plots() {
     assert!(text.contains("Seed: 5."));
     let pictures = text.lines().filter_map(|line| line.strip_prefix("![")?.split_once("]("));
     let names: Vec<&str> = pictures.map(|(_, name)| name.trim_end_matches(')')).collect();
-    assert!(names.len() >= 6, "{names:?}");
+    assert!(names.len() >= 4, "{names:?}");
     for name in names {
         let svg = fs::read_to_string(at(name)).unwrap();
         assert!(svg.contains("perpendicular") && svg.contains("</svg>"), "{name}");

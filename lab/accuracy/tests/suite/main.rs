@@ -2,6 +2,7 @@
 //! bounds hold.
 
 mod accuracy;
+mod search;
 mod stability;
 
 use std::process::{Command, Output};

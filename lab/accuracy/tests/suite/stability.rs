@@ -85,7 +85,8 @@ fn invalid_value_is_reported() {
     for (arguments, expected) in [
         (&["--only", "spherical-cows"][..], "spherical-cows"),
         (&["--seed", "seven"], "seven"),
-        (&["--quick", "--full"], "--full"),
+        (&["--quick", "--times", "2"], "--times"),
+        (&["--times", "0"], "'0' for '--times <N>'"),
         (&["--quick", "--only", "mesh-thin", "--json", nowhere], nowhere),
     ] {
         let output = bench(arguments);

@@ -46,7 +46,16 @@ impl<'a> Probe<'a> {
     /// what may be brighter than white.
     #[must_use]
     pub fn light(&self, x: f64, y: f64) -> DVec3 {
-        let direction = self.camera.corner + x * self.camera.right + y * self.camera.down;
+        self.along(self.direction(x, y))
+    }
+
+    /// The direction of the ray through a point of the picture.
+    pub(crate) fn direction(&self, x: f64, y: f64) -> DVec3 {
+        self.camera.corner + x * self.camera.right + y * self.camera.down
+    }
+
+    /// The light that the eye sees in a direction.
+    pub(crate) fn along(&self, direction: DVec3) -> DVec3 {
         self.stage.eye(self.camera.eye, direction, &mut Path::default())
     }
 }

@@ -348,15 +348,44 @@ fn a_reference_has_nothing_to_explain_and_a_wrong_pixel_no_explanation() {
         assert!(done.status.success(), "{}", text(&done.stderr));
         serde_json::from_slice::<serde_json::Value>(&done.stdout).expect("JSON")
     };
-    assert_eq!(explained()["wrong_pixels"], 0);
+    assert_eq!(explained()["wrong_pixels"], serde_json::json!([]));
     let file = folder.path().join("a.png");
     let settings = Settings::of_png(&file).expect("settings");
     let mut picture = Picture::read_png(&file).expect("a PNG");
     picture.pixels_mut()[64 * 2 + 5][1] ^= 0x40;
     picture.write_png_with(&file, &settings).expect("written");
     let found = explained();
-    assert_eq!(found["wrong_pixels"], 1);
-    assert_eq!(found["unexplained"], serde_json::json!([[5, 2]]));
+    let pixels = found["wrong_pixels"].as_array().expect("an array");
+    assert_eq!(pixels.len(), 1);
+    let pixel = &pixels[0];
+    assert_eq!((&pixel["x"], &pixel["y"]), (&5.into(), &2.into()));
+    assert!(pixel["ulps"].is_null(), "{pixel}");
+    // The pixel shows one surface, and its ray is far from every edge.
+    assert!(pixel["condition"].as_f64().expect("a number") < oracle::WELL_CONDITIONED, "{pixel}");
+}
+
+/// The edge of a square passes through the middle of the picture. There the picture has the colour
+/// from the other side of the edge.
+#[test]
+fn wrong_pixel_on_an_edge_is_ill_conditioned() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = "v\nfrom 0 -10 0\nat 0.3 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 65 65\n\
+                 b 0 0 1\nl 0.3 -10 5\nf 1 0 0 1 0 0 0 1\n\
+                 p 4\n0.3 0 -1\n2.3 0 -1\n2.3 0 1\n0.3 0 1\n";
+    fs::write(folder.path().join("edge.nff"), scene).expect("written");
+    let scene = ["edge.nff", "--antialias", "1", "--out", "a.png"];
+    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
+    let file = folder.path().join("a.png");
+    let settings = Settings::of_png(&file).expect("settings");
+    let mut picture = Picture::read_png(&file).expect("a PNG");
+    let [left, middle, right] = [31, 32, 33].map(|x| picture.pixels()[65 * 32 + x]);
+    picture.pixels_mut()[65 * 32 + 32] = if middle == left { right } else { left };
+    picture.write_png_with(&file, &settings).expect("written");
+    let done = oracle(folder.path(), &["explain", "a.png"]);
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    for line in ["wrong pixels   1", "within  1 ulp  1", "condition from 1000000  1"] {
+        assert!(text(&done.stdout).lines().any(|found| found == line), "{}", text(&done.stdout));
+    }
 }
 
 #[test]
