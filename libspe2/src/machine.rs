@@ -262,7 +262,7 @@ impl Machine {
         } else {
             machine::Machine::with_engine(memory, engine)
         };
-        emulated.compile_in_background();
+        emulated.optimize_in_background();
         let programs: Arc<Programs> = Arc::default();
         if let Some(simulation) = emulated.simulation() {
             let programs = Arc::clone(&programs);

@@ -1,5 +1,6 @@
 //! Compiles traces to units, and owns the code cache.
 
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cranelift_codegen::Context;
@@ -19,15 +20,30 @@ use crate::trace::Trace;
 /// The error is boxed because it is large and rare.
 type BuildResult<T> = Result<T, Box<ModuleError>>;
 
-/// The size of the code cache in bytes. Together with the traces and the tables of six SPEs it
-/// takes less than 32 MiB.
-const MAX_CODE_BYTES: usize = 14 << 20;
+/// The size of each tier's part of the code cache in bytes. Together with the traces and the tables
+/// of six SPEs both take less than 32 MiB.
+const MAX_CODE_BYTES: [usize; 2] = [9 << 20, 5 << 20];
 /// The most units. Each takes some 6 KiB in addition to its code.
 const MAX_UNITS: usize = 2048;
 
+/// How much effort the compiler puts into a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Tier {
+    /// Registers are allocated in a single pass, so that code is soon compiled. Such a unit reports
+    /// [`Exit::Hot`] when it has been entered often.
+    Baseline,
+    /// Registers are allocated so that few values are spilled. This takes more than twice as long.
+    Optimized,
+}
+
 /// The code of all units, with the trampoline that enters it and the stub that leaves it.
-pub(crate) struct CodeCache {
-    module: Mutex<Option<JITModule>>,
+pub struct CodeCache {
+    /// By tiers.
+    modules: [Mutex<Option<JITModule>>; 2],
+    estimates: Estimates,
+    options: UnitOptions,
+    /// The number of the next unit.
+    next_unit: AtomicU32,
     trampoline: *const u8,
     exit_stub: *const u8,
 }
@@ -38,25 +54,55 @@ unsafe impl Send for CodeCache {}
 unsafe impl Sync for CodeCache {}
 
 impl CodeCache {
+    /// Creates an empty cache. Returns `None` if the host lacks AVX2 or FMA, or provides no memory
+    /// for code.
+    #[must_use]
+    pub fn new(estimates: Estimates, options: UnitOptions) -> Option<Arc<Self>> {
+        if !host::supported() {
+            return None;
+        }
+        Self::build(estimates, options).ok().map(Arc::new)
+    }
+
+    fn build(estimates: Estimates, options: UnitOptions) -> BuildResult<Self> {
+        let mut baseline = module(Tier::Baseline)?;
+        let optimized = module(Tier::Optimized)?;
+        let mut context = baseline.make_context();
+        let mut functions = FunctionBuilderContext::new();
+        let trampoline = build_trampoline(&mut baseline, &mut context, &mut functions)?;
+        let exit_stub = build_exit_stub(&mut baseline, &mut context, &mut functions)?;
+        let modules = [baseline, optimized].map(|module| Mutex::new(Some(module)));
+        let next_unit = AtomicU32::new(0);
+        Ok(Self { modules, estimates, options, next_unit, trampoline, exit_stub })
+    }
+
+    /// Creates an SPU that can run units of this cache.
+    #[must_use]
+    pub fn new_cpu(self: &Arc<Self>) -> Cpu {
+        Cpu::new(Arc::clone(self), MAX_UNITS, self.options.logs)
+    }
+
     /// A System V function that calls a unit. Its arguments are registers, local store, context,
     /// target.
-    pub fn trampoline(&self) -> *const u8 {
+    pub(crate) fn trampoline(&self) -> *const u8 {
         self.trampoline
     }
 
     /// The code that leaves compiled code. Tables hold it for every address without a unit.
-    pub fn exit_stub(&self) -> *const u8 {
+    pub(crate) fn exit_stub(&self) -> *const u8 {
         self.exit_stub
     }
 }
 
 impl Drop for CodeCache {
     fn drop(&mut self) {
-        let module = self.module.get_mut().unwrap_or_else(PoisonError::into_inner);
-        if let Some(module) = module.take() {
-            // SAFETY: every `Unit` and `Cpu` with a pointer to code also has a reference to this
-            // value, and the last reference is gone.
-            unsafe { module.free_memory() };
+        for module in &mut self.modules {
+            let module = module.get_mut().unwrap_or_else(PoisonError::into_inner);
+            if let Some(module) = module.take() {
+                // SAFETY: every `Unit` and `Cpu` with a pointer to code also has a reference to
+                // this value, and the last reference is gone.
+                unsafe { module.free_memory() };
+            }
         }
     }
 }
@@ -66,6 +112,7 @@ pub struct Unit {
     number: u32,
     trace: Trace,
     mode: FloatMode,
+    tier: Tier,
     /// Whether it contains arithmetic that may fail in singles.
     has_floats: bool,
     entry: *const u8,
@@ -102,6 +149,12 @@ impl Unit {
         self.mode
     }
 
+    /// How much effort went into its code.
+    #[must_use]
+    pub fn tier(&self) -> Tier {
+        self.tier
+    }
+
     /// Whether it contains arithmetic to which the [`FloatMode`] makes a difference.
     #[must_use]
     pub fn has_floats(&self) -> bool {
@@ -127,12 +180,10 @@ pub struct UnitOptions {
     pub watches: bool,
 }
 
-/// Compiles traces to units.
+/// Compiles traces to units of one tier. Compilers of both tiers can work at the same time.
 pub struct Compiler {
     code: Arc<CodeCache>,
-    estimates: Estimates,
-    options: UnitOptions,
-    units: u32,
+    tier: Tier,
     /// Whether the code cache was too full for a unit. Then no other is tried.
     full: bool,
     context: Context,
@@ -140,73 +191,64 @@ pub struct Compiler {
 }
 
 impl Compiler {
-    /// Creates a compiler for this host. Returns `None` if the host lacks AVX2 or FMA, or provides
-    /// no memory for code.
+    /// Creates a compiler that adds units to this cache.
     #[must_use]
-    pub fn new(estimates: Estimates, options: UnitOptions) -> Option<Self> {
-        if !host::supported() {
-            return None;
-        }
-        Self::build(estimates, options).ok()
-    }
-
-    fn build(estimates: Estimates, options: UnitOptions) -> BuildResult<Self> {
-        // No optimisation: the optimiser might move float operations past the reads of their
-        // exception flags.
-        let flags = [
-            ("opt_level", "none"),
-            ("enable_probestack", "false"),
-            // Tail calls require frame pointers.
-            ("preserve_frame_pointers", "true"),
-            ("unwind_info", "false"),
-            ("enable_verifier", "false"),
-        ];
-        let mut builder = JITBuilder::with_flags(&flags, default_libcall_names())?;
-        let arena = ArenaMemoryProvider::new_with_size(MAX_CODE_BYTES)
-            .map_err(|error| ModuleError::Backend(error.into()))?;
-        builder.memory_provider(Box::new(arena));
-        let mut module = JITModule::new(builder);
-        let mut context = module.make_context();
-        let mut functions = FunctionBuilderContext::new();
-        let trampoline = build_trampoline(&mut module, &mut context, &mut functions)?;
-        let exit_stub = build_exit_stub(&mut module, &mut context, &mut functions)?;
-        let code = CodeCache { module: Mutex::new(Some(module)), trampoline, exit_stub };
-        Ok(Self {
-            code: Arc::new(code),
-            estimates,
-            options,
-            units: 0,
-            full: false,
-            context,
-            builder: functions,
-        })
-    }
-
-    /// Creates an SPU that can run units of this compiler.
-    #[must_use]
-    pub fn new_cpu(&self) -> Cpu {
-        Cpu::new(Arc::clone(&self.code), MAX_UNITS, self.options.logs)
+    pub fn new(code: &Arc<CodeCache>, tier: Tier) -> Self {
+        let (context, builder) = (Context::new(), FunctionBuilderContext::new());
+        Self { code: Arc::clone(code), tier, full: false, context, builder }
     }
 
     /// Compiles a trace. Returns `None` if the code cache is full.
     pub fn compile(&mut self, trace: Trace, mode: FloatMode) -> Option<Unit> {
-        if self.full || self.units as usize == MAX_UNITS {
+        if self.full {
             return None;
         }
-        let mut module = self.code.module.lock().unwrap_or_else(PoisonError::into_inner);
+        let code = Arc::clone(&self.code);
+        let unit = self.define(&code, trace, mode);
+        self.full = unit.is_none();
+        unit
+    }
+
+    fn define(&mut self, code: &Arc<CodeCache>, trace: Trace, mode: FloatMode) -> Option<Unit> {
+        let next = |number| Some(number + 1).filter(|&count| count as usize <= MAX_UNITS);
+        let number = code.next_unit.fetch_update(Relaxed, Relaxed, next).ok()?;
+        let tier = self.tier;
+        let mut module = code.modules[tier as usize].lock().unwrap_or_else(PoisonError::into_inner);
         let module = module.as_mut()?;
         self.context.func.signature = emit::unit_signature();
         let function = FunctionBuilder::new(&mut self.context.func, &mut self.builder);
-        let has_floats =
-            Emitter::new(function, &trace, mode, self.estimates, self.units, self.options)
-                .emit(&trace, module.target_config());
-        let entry = define(module, &mut self.context);
-        self.full = entry.is_err();
-        let entry = entry.ok()?;
-        let number = self.units;
-        self.units += 1;
-        Some(Unit { number, trace, mode, has_floats, entry, code: Arc::clone(&self.code) })
+        let way = (mode, tier);
+        let has_floats = Emitter::new(function, &trace, way, code.estimates, number, code.options)
+            .emit(&trace, module.target_config());
+        let entry = define(module, &mut self.context).ok()?;
+        Some(Unit { number, trace, mode, tier, has_floats, entry, code: Arc::clone(code) })
     }
+}
+
+/// An empty module for code of this tier.
+fn module(tier: Tier) -> BuildResult<JITModule> {
+    let flags = [
+        // No optimisation: the optimiser might move float operations past the reads of their
+        // exception flags.
+        ("opt_level", "none"),
+        (
+            "regalloc_algorithm",
+            match tier {
+                Tier::Baseline => "single_pass",
+                Tier::Optimized => "backtracking",
+            },
+        ),
+        ("enable_probestack", "false"),
+        // Tail calls require frame pointers.
+        ("preserve_frame_pointers", "true"),
+        ("unwind_info", "false"),
+        ("enable_verifier", "false"),
+    ];
+    let mut builder = JITBuilder::with_flags(&flags, default_libcall_names())?;
+    let arena = ArenaMemoryProvider::new_with_size(MAX_CODE_BYTES[tier as usize])
+        .map_err(|error| ModuleError::Backend(error.into()))?;
+    builder.memory_provider(Box::new(arena));
+    Ok(JITModule::new(builder))
 }
 
 /// Compiles the function in `context`, and returns its code's address. Clears the context.

@@ -22,6 +22,9 @@ pub enum Exit {
     Watched,
     /// Local store no longer holds the code of the unit with this number. The unit did nothing.
     Stale(u32),
+    /// The [baseline](crate::Tier::Baseline) unit with this number was entered often since it last
+    /// reported so. It did nothing.
+    Hot(u32),
 }
 
 impl Exit {
@@ -30,6 +33,7 @@ impl Exit {
     pub(crate) const FAILED: u32 = 2;
     pub(crate) const STALE: u32 = 3;
     pub(crate) const WATCHED: u32 = 4;
+    pub(crate) const HOT: u32 = 5;
 }
 
 /// A passage through a unit: how many of its instructions ran until it was left, or until its
@@ -116,7 +120,7 @@ impl Cpu {
         Self { context, table, entries, log: Vec::new(), logs, code }
     }
 
-    /// The instructions that the last [`enter`](Self::enter) ran, if the compiler's units log
+    /// The instructions that the last [`enter`](Self::enter) ran, if the code cache's units log
     /// them. Each [`Passage`] takes one word, and the targets of its hints by register follow it.
     #[must_use]
     pub fn log(&self) -> &[u32] {
@@ -134,9 +138,9 @@ impl Cpu {
     ///
     /// # Panics
     ///
-    /// If another compiler made the unit.
+    /// If the unit is in another code cache.
     pub fn install(&mut self, unit: &Unit) {
-        assert!(Arc::ptr_eq(unit.code_owner(), &self.code), "the unit is from another compiler");
+        assert!(Arc::ptr_eq(unit.code_owner(), &self.code), "the unit is from another code cache");
         self.table[unit.start() as usize / 4 % LOCAL_STORE_WORDS] = unit.entry();
     }
 
@@ -178,7 +182,7 @@ impl Cpu {
             self.log.reserve(2 * budget as usize);
             context.log = self.log.as_mut_ptr();
         }
-        // SAFETY: the trampoline and the target belong to this compiler, because the table holds
+        // SAFETY: the trampoline and the target belong to this code cache, because the table holds
         // no other code. The context points to this value's own boxes, and to a log that has
         // capacity for every instruction of the budget. The caller guarantees the storage.
         let status = unsafe {
@@ -203,6 +207,7 @@ impl Cpu {
             Exit::INTERPRET => Exit::Interpret,
             Exit::FAILED => Exit::Failed(context.unit),
             Exit::WATCHED => Exit::Watched,
+            Exit::HOT => Exit::Hot(context.unit),
             _ => Exit::Stale(context.unit),
         };
         let executed = i64::from(budget) - context.budget;

@@ -10,7 +10,7 @@
 //! [`Exit::Failed`]. See docs/emulator.md.
 //!
 //! The compiler needs a host with x86-64, AVX2 and FMA. On an x86-64 host without AVX2 or FMA,
-//! [`Compiler::new`] returns `None`.
+//! [`CodeCache::new`] returns `None`.
 #![cfg_attr(not(target_arch = "x86_64"), doc = "This host is no x86-64, so the crate is empty.")]
 #![cfg(target_arch = "x86_64")]
 
@@ -22,7 +22,7 @@ mod host;
 mod tables;
 mod trace;
 
-pub use compiler::{Compiler, Unit, UnitOptions};
+pub use compiler::{CodeCache, Compiler, Tier, Unit, UnitOptions};
 pub use cpu::{Cpu, Exit, Passage, Storage, WATCH_LOADS, WATCH_STORES};
 pub use float_mode::{FloatMode, Steps};
 pub use tables::Estimates;

@@ -109,18 +109,24 @@ impl Machine {
     }
 
     /// The number of times that an SPU reaches an address before the code there is compiled, by
-    /// default 100. Compiling takes some hundred times as long as interpreting.
-    pub fn compile_after(&self, times: u8) {
+    /// default 200. Compiling takes about a thousand times as long as interpreting.
+    pub fn compile_after(&self, times: u16) {
         if let Some(translations) = &self.translations {
             translations.compile_after(times);
         }
     }
 
-    /// From now on code is compiled by a thread of its own, and interpreted until that is done. So
-    /// a program's first instructions don't wait for the compiler.
-    pub fn compile_in_background(&self) {
+    /// From now on all code is optimized as soon as it is compiled. Tests run all of it in this way.
+    pub fn optimize_at_once(&self) {
         if let Some(translations) = &self.translations {
-            translations.compile_in_background();
+            translations.optimize_at_once();
+        }
+    }
+
+    /// From now on code that runs often is optimized by a thread of its own, beside the SPUs.
+    pub fn optimize_in_background(&self) {
+        if let Some(translations) = &self.translations {
+            translations.optimize_in_background();
         }
     }
 

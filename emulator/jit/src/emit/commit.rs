@@ -97,27 +97,22 @@ impl Emitter<'_> {
 
     /// Exits with the state of the last commit if one of these values isn't 0.
     fn exit_if(&mut self, failures: &[Value], status: u32) {
-        if failures.is_empty() {
-            return;
-        }
-        let fail = self.b.create_block();
-        self.b.set_cold_block(fail);
+        // One branch for all, because each takes the compiler long.
+        let mut any = None;
         for &failure in failures {
-            let continuation = self.b.create_block();
-            self.b.ins().brif(failure, fail, &[], continuation, &[]);
-            self.b.switch_to_block(continuation);
+            let word = match self.b.func.dfg.value_type(failure) {
+                types::I32 => failure,
+                _ => self.b.ins().uextend(types::I32, failure),
+            };
+            any = Some(self.or(any, word));
         }
-        let Some(continuation) = self.b.current_block() else {
-            unreachable!("a block was switched to");
-        };
-        self.b.switch_to_block(fail);
-        let aside = std::mem::replace(&mut self.in_side_exit, true);
-        let changed = std::mem::take(&mut self.committed.changed);
-        self.write(&changed);
-        self.committed.changed = changed;
-        self.exit(status);
-        self.in_side_exit = aside;
-        self.b.switch_to_block(continuation);
+        let Some(any) = any else { return };
+        self.side_exit_if(any, |e| {
+            let changed = std::mem::take(&mut e.committed.changed);
+            e.write(&changed);
+            e.committed.changed = changed;
+            e.exit(status);
+        });
     }
 
     /// Exits with the state of the last commit.

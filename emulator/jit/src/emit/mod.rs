@@ -36,7 +36,7 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
 use cranelift_frontend::FunctionBuilder;
 
-use crate::compiler::UnitOptions;
+use crate::compiler::{Tier, UnitOptions};
 use crate::cpu::Exit;
 use crate::float_mode::FloatMode;
 use crate::tables::Estimates;
@@ -73,10 +73,15 @@ pub(crate) fn unit_signature() -> Signature {
     signature
 }
 
+/// The number of entries after which a baseline unit reports that it is hot, and does so again. It
+/// is a power of two.
+const HOT_ENTRIES: u32 = 1 << 14;
+
 /// Emits the function of one trace.
 pub(crate) struct Emitter<'a> {
     b: FunctionBuilder<'a>,
     mode: FloatMode,
+    tier: Tier,
     /// Whether the current instruction is computed in doubles.
     in_doubles: bool,
     /// Whether the host rounds to nearest here, for double precision.
@@ -119,7 +124,7 @@ impl<'a> Emitter<'a> {
     pub fn new(
         mut b: FunctionBuilder<'a>,
         trace: &Trace,
-        mode: FloatMode,
+        (mode, tier): (FloatMode, Tier),
         estimates: Estimates,
         number: u32,
         options: UnitOptions,
@@ -139,6 +144,7 @@ impl<'a> Emitter<'a> {
         Self {
             b,
             mode,
+            tier,
             in_doubles: false,
             rounds_to_nearest: false,
             loop_rounds_to_nearest: false,
@@ -228,7 +234,7 @@ impl<'a> Emitter<'a> {
     }
 
     /// Emits the start of a unit. The unit exits unless the budget covers all its instructions and
-    /// local store holds its code. Then it counts the entry.
+    /// local store holds its code. Then it counts the entry, and a baseline unit may exit as hot.
     fn enter(&mut self, steps: usize) {
         let longest = self.b.ins().iconst(types::I64, steps as i64);
         let short = self.b.ins().icmp(IntCC::SignedLessThan, self.budget, longest);
@@ -241,6 +247,12 @@ impl<'a> Emitter<'a> {
         let entries = self.b.ins().load(types::I32, flags, at, offset);
         let entries = self.b.ins().iadd_imm_s(entries, 1);
         self.b.ins().store(flags, entries, at, offset);
+        if self.tier == Tier::Baseline {
+            let passed = self.b.ins().band_imm_u(entries, i64::from(HOT_ENTRIES - 1));
+            let zero = self.word(0);
+            let hot = self.b.ins().icmp(IntCC::Equal, passed, zero);
+            self.side_exit_if(hot, |e| e.exit(Exit::HOT));
+        }
     }
 
     /// Emits a side exit, taken if `condition` holds. Code emitted afterwards runs if it doesn't.

@@ -31,12 +31,17 @@ impl Translations {
     }
 
     /// Sets the compile threshold. Without a compiler it is never called.
-    pub fn compile_after(&self, _: u8) {
+    pub fn compile_after(&self, _: u16) {
         match *self {}
     }
 
-    /// Has a thread of its own compile. Without a compiler it is never called.
-    pub fn compile_in_background(&self) {
+    /// Has all code optimized. Without a compiler it is never called.
+    pub fn optimize_at_once(&self) {
+        match *self {}
+    }
+
+    /// Has a thread of its own optimize. Without a compiler it is never called.
+    pub fn optimize_in_background(&self) {
         match *self {}
     }
 

@@ -250,7 +250,7 @@ mod tests {
     use crate::channel::NoChannels;
     use crate::float::estimate::reciprocal_root_words;
     use spu_isa::{Instruction, Op};
-    use spu_jit::{Compiler, Estimates, FloatMode, Step, Trace, UnitOptions};
+    use spu_jit::{CodeCache, Compiler, Estimates, FloatMode, Step, Tier, Trace, UnitOptions};
 
     /// A store by one run alone is found wherever it is. Only the interpreter's stores reach local
     /// store.
@@ -287,8 +287,9 @@ mod tests {
     fn a_difference_is_found_and_told() {
         let estimates =
             Estimates { reciprocal: &[0; 32], reciprocal_root: reciprocal_root_words() };
-        let mut compiler = Compiler::new(estimates, UnitOptions::default())
+        let code = CodeCache::new(estimates, UnitOptions::default())
             .expect("the hosts of the tests have AVX2 and FMA");
+        let mut compiler = Compiler::new(&code, Tier::Baseline);
         let instruction = Instruction {
             op: Op::Frest,
             rt: 5,
@@ -302,7 +303,7 @@ mod tests {
         let step = Step { pc: 0, word, instruction, next: 4 };
         let trace = Trace::new(vec![step]).expect("the instruction can be compiled");
         let unit = compiler.compile(trace, FloatMode::SINGLES).expect("the code cache has space");
-        let mut cpu = compiler.new_cpu();
+        let mut cpu = code.new_cpu();
         cpu.install(&unit);
         let local_store = LocalStore::new();
         local_store.write(0, &word.to_be_bytes());

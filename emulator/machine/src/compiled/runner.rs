@@ -10,7 +10,7 @@ use super::check::{Copies, check};
 use super::dispatch::Dispatch;
 use super::record::{Recorder, record};
 use super::specials::Specials;
-use super::translations::{Added, Translations};
+use super::translations::Translations;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Ended, Observer, Spu};
@@ -19,9 +19,9 @@ use crate::simulated::{Marks, Path, SpuClock};
 use crate::stop::{Stop, Stopped};
 
 /// The number of entries after which the runner looks for a unit that another SPE had compiled.
-const LOOKUP_THRESHOLD: u8 = 8;
+const LOOKUP_THRESHOLD: u16 = 8;
 /// The entry count of an address that is never compiled.
-const NEVER: u8 = u8::MAX;
+const NEVER: u16 = u16::MAX;
 /// The most instructions between two checks for a stop request. They take some microseconds.
 const SLICE: u64 = 20_000;
 /// The same in simulated time. It is smaller because others may wait for this SPU's clock.
@@ -46,7 +46,7 @@ pub struct Runner {
     translations: Arc<Translations>,
     cpu: Cpu,
     /// For each word of local store, how often the SPU entered it without a unit there.
-    entry_counts: Box<[u8]>,
+    entry_counts: Box<[u16]>,
     failures: Vec<Failures>,
     /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,
@@ -198,7 +198,7 @@ impl Runner {
             return false;
         }
         *count = (*count + 1).min(threshold);
-        if *count == LOOKUP_THRESHOLD
+        if (*count == LOOKUP_THRESHOLD || *count == threshold)
             && let Some(unit) = self.translations.find(pc, local_store)
         {
             self.cpu.install(&unit);
@@ -233,10 +233,8 @@ impl Runner {
         let Some(trace) = trace else { return };
         let start = trace.start();
         match self.translations.add(trace, FloatMode::SINGLES) {
-            Added::Ready(unit) => self.cpu.install(&unit),
-            // The entries are counted from 0 again, and then the unit is looked for.
-            Added::Later => {}
-            Added::CacheFull => self.entry_counts[start as usize / 4] = NEVER,
+            Some(unit) => self.cpu.install(&unit),
+            None => self.entry_counts[start as usize / 4] = NEVER,
         }
     }
 
@@ -365,6 +363,12 @@ impl Runner {
                 self.stale(number, local_store);
                 Dispatch::Any
             }
+            Exit::Hot(number) => {
+                if let Some(unit) = self.translations.optimized(number) {
+                    self.cpu.install(&unit);
+                }
+                Dispatch::Any
+            }
         };
         (next, Some(exit))
     }
@@ -418,21 +422,13 @@ impl Runner {
             Some(trace) if !mostly || special == Steps::NONE => Some((trace, unit.mode())),
             _ => slower(&unit, special),
         };
-        let other = other.map(|(trace, mode)| self.translations.add(trace, mode));
-        match other {
-            Some(Added::Ready(unit)) => self.cpu.install(&unit),
-            // Until then the code is interpreted.
-            Some(Added::Later) => {
+        match other.and_then(|(trace, mode)| self.translations.add(trace, mode)) {
+            Some(unit) => self.cpu.install(&unit),
+            None => {
                 self.cpu.remove(unit.start());
-                self.entry_counts[unit.start() as usize / 4] = 0;
+                self.entry_counts[unit.start() as usize / 4] = NEVER;
             }
-            Some(Added::CacheFull) | None => self.give_up(unit.start()),
         }
-    }
-
-    fn give_up(&mut self, pc: u32) {
-        self.cpu.remove(pc);
-        self.entry_counts[pc as usize / 4] = NEVER;
     }
 
     /// A unit's code in local store has changed: replaces it by one that matches, or removes it.

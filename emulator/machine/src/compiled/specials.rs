@@ -1,12 +1,14 @@
 //! Finds the instructions that the host's singles can't compute.
 
+use std::collections::HashSet;
+
 use spu_isa::{Class, Instruction, Op};
 use spu_jit::{Steps, Trace};
 
 use crate::channel::NoChannels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Quad, Spu};
-use crate::local_store::{LocalStore, SIZE};
+use crate::local_store::LocalStore;
 
 const EXPONENT: u32 = 0x7f80_0000;
 const FRACTION: u32 = 0x007f_ffff;
@@ -15,7 +17,6 @@ const FRACTION: u32 = 0x007f_ffff;
 pub(super) struct Specials {
     spu: Spu,
     local_store: LocalStore,
-    bytes: Vec<u8>,
 }
 
 /// Whether a lane holds bits that IEEE reads as a different number, or as no number.
@@ -28,21 +29,29 @@ fn is_special(quad: Quad) -> bool {
 
 impl Specials {
     pub fn new() -> Self {
-        Self { spu: Spu::new(), local_store: LocalStore::new(), bytes: vec![0; SIZE as usize] }
+        Self { spu: Spu::new(), local_store: LocalStore::new() }
     }
 
     /// Replays a trace from the SPU's program counter on, and returns the instructions that
     /// singles can't compute. The replay ends where the SPU leaves the trace. The SPU itself is
     /// unchanged.
     pub fn find(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
-        local_store.read(0, &mut self.bytes);
-        self.local_store.write(0, &self.bytes);
+        // The quadwords that the replay has loaded or stored. They are copied when it needs them,
+        // because copying all of local store would take longer than the replay.
+        let mut copied = HashSet::new();
         self.spu.registers = spu.registers;
         self.spu.set_pc(spu.pc());
         let mut specials = Steps::NONE;
         let steps = trace.steps();
         let start = steps.iter().position(|step| step.pc == spu.pc());
         for step in steps.iter().skip(start.unwrap_or(steps.len())) {
+            let access = self.spu.access(step.instruction).map(|access| access.address);
+            for address in access.into_iter().chain([step.pc & !15]) {
+                if copied.insert(address) {
+                    let quadword = local_store.load_quadword(address);
+                    self.local_store.store_quadword(address, quadword);
+                }
+            }
             let special = self.is_special(step.instruction);
             self.spu.fpscr = Fpscr::default();
             let stopped = self.spu.step(&self.local_store, &mut NoChannels);

@@ -1,13 +1,12 @@
 //! The units that the SPEs of a machine share.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, AtomicU8, Ordering::Relaxed};
-use std::sync::mpsc::{SyncSender, TrySendError, sync_channel};
+use std::sync::atomic::{AtomicBool, AtomicU16, Ordering::Relaxed};
+use std::sync::mpsc::{SyncSender, sync_channel};
 use std::sync::{Arc, Mutex, OnceLock};
 use std::thread;
-use std::time::{Duration, Instant};
 
-use spu_jit::{Compiler, Cpu, Estimates, FloatMode, Trace, Unit, UnitOptions};
+use spu_jit::{CodeCache, Compiler, Cpu, Estimates, FloatMode, Tier, Trace, Unit, UnitOptions};
 
 use super::check::Difference;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
@@ -19,64 +18,39 @@ use crate::simulated::{HelperThread, Path};
 /// worth more.
 const MAX_UNITS_PER_ADDRESS: usize = 16;
 
-/// The number of entries after which code is hot. Compiling code takes some hundred times as long
-/// as interpreting it once.
-const COMPILE_THRESHOLD: u8 = 100;
+/// The number of entries after which code is hot. Compiling code takes about a thousand times as
+/// long as interpreting it once.
+const COMPILE_THRESHOLD: u16 = 200;
 
-/// How long after the first request only the background thread compiles. Later the SPUs' threads
-/// compile, too, because a program that runs longer gains more from compiled code than it loses by
-/// waiting for it.
-const ONLY_IN_BACKGROUND: Duration = Duration::from_millis(250);
-
-/// The most traces that wait for the background thread. Others are recorded again later.
+/// The most units that wait for the background thread. Others ask again later.
 const MAX_REQUESTS: usize = 256;
 
 /// The translations of a machine, which its SPEs share.
 pub struct Translations {
     shared: Arc<Shared>,
-    /// If set, another thread compiles, too.
-    background: OnceLock<Background>,
-    compile_threshold: AtomicU8,
+    /// If set, another thread optimizes. It takes baseline units.
+    background: OnceLock<SyncSender<Arc<Unit>>>,
+    compile_threshold: AtomicU16,
+    optimize_at_once: AtomicBool,
     check: bool,
     difference: Mutex<Option<Difference>>,
 }
 
-/// What the thread that compiles needs, too. Compiling takes milliseconds, so the units have a
+/// What the thread that optimizes needs, too. Compiling takes milliseconds, so the units have a
 /// lock of their own: SPEs can look for a unit while another is compiled.
 struct Shared {
-    /// Locked before `units` by those that need both.
-    compiler: Mutex<Compiler>,
+    code: Arc<CodeCache>,
+    /// By tiers. Locked before `units` by those that need both.
+    compilers: [Mutex<Compiler>; 2],
     units: Mutex<Units>,
-    /// Whether the code cache was too full for a unit.
-    full: AtomicBool,
-}
-
-/// The background thread, which compiles.
-struct Background {
-    requests: SyncSender<Request>,
-    /// The time of the first request.
-    first: OnceLock<Instant>,
-}
-
-/// A trace to be compiled, and how.
-type Request = (Trace, FloatMode);
-
-/// The result of a request for a unit.
-pub(super) enum Added {
-    /// The unit can be used.
-    Ready(Arc<Unit>),
-    /// Another thread compiles it. Later it can be [found](Translations::find).
-    Later,
-    /// The code cache is full.
-    CacheFull,
 }
 
 #[derive(Default)]
 struct Units {
     /// The units by start address. The newest is last, and is tried first.
     by_address: HashMap<u32, Vec<Arc<Unit>>>,
-    by_number: Vec<Arc<Unit>>,
-    paths: Vec<Option<Arc<Path>>>,
+    by_number: HashMap<u32, Arc<Unit>>,
+    paths: HashMap<u32, Arc<Path>>,
 }
 
 impl Translations {
@@ -94,37 +68,39 @@ impl Translations {
         let options = UnitOptions { logs: timed, watches };
         let estimates =
             Estimates { reciprocal: reciprocal_words(), reciprocal_root: reciprocal_root_words() };
-        let compiler = Compiler::new(estimates, options)?;
+        let code = CodeCache::new(estimates, options)?;
+        let compilers = [Tier::Baseline, Tier::Optimized].map(|tier| Compiler::new(&code, tier));
         Some(Arc::new(Self {
             shared: Arc::new(Shared {
-                compiler: Mutex::new(compiler),
+                code,
+                compilers: compilers.map(Mutex::new),
                 units: Mutex::default(),
-                full: AtomicBool::new(false),
             }),
             background: OnceLock::new(),
-            compile_threshold: AtomicU8::new(COMPILE_THRESHOLD),
+            compile_threshold: AtomicU16::new(COMPILE_THRESHOLD),
+            optimize_at_once: AtomicBool::new(false),
             check,
             difference: Mutex::default(),
         }))
     }
 
-    /// From now on a thread of its own compiles, and SPUs interpret until it is done. So the first
-    /// instructions of a program don't wait for the compiler. If the host gives no thread, the
-    /// SPUs' threads compile as before.
-    pub fn compile_in_background(&self) {
-        let (sender, requests) = sync_channel::<Request>(MAX_REQUESTS);
+    /// From now on a thread of its own optimizes units that are entered often, and SPUs run the
+    /// baseline units until it is done. If the host gives no thread, the SPUs' threads optimize as
+    /// before.
+    pub fn optimize_in_background(&self) {
+        let (sender, requests) = sync_channel::<Arc<Unit>>(MAX_REQUESTS);
         let shared = Arc::clone(&self.shared);
         // The thread ends when the translations, and with them the sender, are dropped.
-        let compile = move || {
+        let optimize = move || {
             let _helper = HelperThread::current();
-            for (trace, mode) in requests {
-                shared.compile(trace, mode);
+            for unit in requests {
+                shared.compile(unit.trace().clone(), unit.mode(), Tier::Optimized);
             }
         };
         let thread = thread::Builder::new().name("SPU compiler".into());
-        if self.background.get().is_none() && thread.spawn(compile).is_ok() {
+        if self.background.get().is_none() && thread.spawn(optimize).is_ok() {
             // If another caller was faster, this thread ends at once.
-            self.background.get_or_init(|| Background { requests: sender, first: OnceLock::new() });
+            self.background.get_or_init(|| sender);
         }
     }
 
@@ -145,13 +121,18 @@ impl Translations {
     }
 
     /// The number of entries after which code is compiled.
-    pub(super) fn compile_threshold(&self) -> u8 {
+    pub(super) fn compile_threshold(&self) -> u16 {
         self.compile_threshold.load(Relaxed)
     }
 
     /// Sets the number of entries after which code is compiled.
-    pub fn compile_after(&self, times: u8) {
+    pub fn compile_after(&self, times: u16) {
         self.compile_threshold.store(times, Relaxed);
+    }
+
+    /// From now on all code is optimized as soon as it is compiled.
+    pub fn optimize_at_once(&self) {
+        self.optimize_at_once.store(true, Relaxed);
     }
 
     pub(super) fn checks(&self) -> bool {
@@ -159,23 +140,19 @@ impl Translations {
     }
 
     pub(super) fn new_cpu(&self) -> Cpu {
-        lock(&self.shared.compiler).new_cpu()
+        self.shared.code.new_cpu()
     }
 
     pub(super) fn unit(&self, number: u32) -> Arc<Unit> {
-        Arc::clone(&lock(&self.shared.units).by_number[number as usize])
+        Arc::clone(&lock(&self.shared.units).by_number[&number])
     }
 
     /// The path through the unit with this number.
     pub(super) fn path(&self, number: u32) -> Arc<Path> {
         let units = &mut *lock(&self.shared.units);
-        let at = number as usize;
-        if units.paths.len() <= at {
-            units.paths.resize(at + 1, None);
-        }
-        let steps = units.by_number[at].trace().steps().iter();
+        let steps = units.by_number[&number].trace().steps().iter();
         let path = || Path::new(steps.map(|s| (s.pc, s.word, s.instruction, s.next)));
-        Arc::clone(units.paths[at].get_or_insert_with(|| Arc::new(path())))
+        Arc::clone(units.paths.entry(number).or_insert_with(|| Arc::new(path())))
     }
 
     /// The newest unit that starts at `pc` and whose code is in local store.
@@ -183,67 +160,54 @@ impl Translations {
         lock(&self.shared.units).find(pc, local_store).cloned()
     }
 
-    /// Returns the unit of a trace, or has it compiled if there is none yet.
-    pub(super) fn add(&self, trace: Trace, mode: FloatMode) -> Added {
-        let background = self.background.get();
-        let Some(background) = background.filter(|background| background.compiles_alone()) else {
-            return match self.shared.compile(trace, mode) {
-                Some(unit) => Added::Ready(unit),
-                None => Added::CacheFull,
-            };
-        };
-        {
-            let units = lock(&self.shared.units);
-            if let Some(unit) = units.same(&trace, mode) {
-                return Added::Ready(Arc::clone(unit));
-            }
-            if units.are_full_at(trace.start()) || self.shared.full.load(Relaxed) {
-                return Added::CacheFull;
-            }
-        }
-        match background.requests.try_send((trace, mode)) {
-            Ok(()) | Err(TrySendError::Full(_)) => Added::Later,
-            // The thread has ended, which it does before the sender only by a panic.
-            Err(TrySendError::Disconnected(_)) => Added::CacheFull,
-        }
+    /// Returns the unit of a trace, and compiles it if there is none yet. Returns `None` if the
+    /// code cache is full.
+    pub(super) fn add(&self, trace: Trace, mode: FloatMode) -> Option<Arc<Unit>> {
+        let at_once = self.optimize_at_once.load(Relaxed);
+        let tier = if at_once { Tier::Optimized } else { Tier::Baseline };
+        self.shared.compile(trace, mode, tier)
     }
-}
 
-impl Background {
-    /// Whether only this thread compiles now.
-    fn compiles_alone(&self) -> bool {
-        self.first.get_or_init(Instant::now).elapsed() < ONLY_IN_BACKGROUND
+    /// Returns the optimized unit in place of this one, or has it compiled if there is none yet.
+    pub(super) fn optimized(&self, number: u32) -> Option<Arc<Unit>> {
+        let unit = self.unit(number);
+        let (trace, mode) = (unit.trace(), unit.mode());
+        let Some(background) = self.background.get() else {
+            return self.shared.compile(trace.clone(), mode, Tier::Optimized);
+        };
+        let ready = lock(&self.shared.units).same(trace, mode, Tier::Optimized).cloned();
+        if ready.is_none() {
+            // If too many wait, the unit will report again that it is hot.
+            let _ = background.try_send(unit);
+        }
+        ready
     }
 }
 
 impl Shared {
-    /// Returns the unit of a trace, and compiles it if there is none yet. Returns `None` if
-    /// the code cache is full.
-    fn compile(&self, trace: Trace, mode: FloatMode) -> Option<Arc<Unit>> {
-        let mut compiler = lock(&self.compiler);
+    /// Returns the unit of a trace in this tier or a higher one, and compiles it if there is none
+    /// yet. Returns `None` if the code cache is full.
+    fn compile(&self, trace: Trace, mode: FloatMode, tier: Tier) -> Option<Arc<Unit>> {
+        let mut compiler = lock(&self.compilers[tier as usize]);
         {
             let units = lock(&self.units);
-            if let Some(unit) = units.same(&trace, mode) {
+            if let Some(unit) = units.same(&trace, mode, tier) {
                 return Some(Arc::clone(unit));
             }
-            if units.are_full_at(trace.start()) {
+            if tier == Tier::Baseline && units.are_full_at(trace.start()) {
                 return None;
             }
         }
-        let Some(unit) = compiler.compile(trace, mode).map(Arc::new) else {
-            self.full.store(true, Relaxed);
-            return None;
-        };
-        // The compiler is still locked, so units are added in the order of their numbers.
-        lock(&self.units).push(&unit);
+        let unit = Arc::new(compiler.compile(trace, mode)?);
+        lock(&self.units).add(&unit);
         Some(unit)
     }
 }
 
 impl Units {
-    fn same(&self, trace: &Trace, mode: FloatMode) -> Option<&Arc<Unit>> {
+    fn same(&self, trace: &Trace, mode: FloatMode, tier: Tier) -> Option<&Arc<Unit>> {
         let mut here = self.by_address.get(&trace.start())?.iter();
-        here.find(|unit| unit.mode() == mode && unit.trace() == trace)
+        here.find(|unit| unit.tier() >= tier && unit.mode() == mode && unit.trace() == trace)
     }
 
     fn are_full_at(&self, pc: u32) -> bool {
@@ -251,10 +215,15 @@ impl Units {
         here.is_some_and(|here| here.len() >= MAX_UNITS_PER_ADDRESS)
     }
 
-    fn push(&mut self, unit: &Arc<Unit>) {
+    /// Adds a unit. An optimized one takes the place of its baseline unit.
+    fn add(&mut self, unit: &Arc<Unit>) {
         let here = self.by_address.entry(unit.start()).or_default();
-        here.push(Arc::clone(unit));
-        self.by_number.push(Arc::clone(unit));
+        let same = |old: &&mut Arc<Unit>| old.mode() == unit.mode() && old.trace() == unit.trace();
+        match here.iter_mut().find(same) {
+            Some(old) => *old = Arc::clone(unit),
+            None => here.push(Arc::clone(unit)),
+        }
+        self.by_number.insert(unit.number(), Arc::clone(unit));
     }
 
     fn find(&self, pc: u32, local_store: &LocalStore) -> Option<&Arc<Unit>> {

@@ -271,6 +271,9 @@ fn compiled_share(check: bool) -> f64 {
         }
         let translations = Translations::new(check, false).expect("the hosts of the tests have it");
         translations.compile_after(1);
+        if check {
+            translations.optimize_at_once();
+        }
         let mut runner = Runner::new(&translations);
         let (mut spu, local_store) = (Spu::new(), LocalStore::new());
         for vector in &vectors {

@@ -16,7 +16,7 @@ use spu_isa::{Instruction, Op};
 /// The number of words of code, from address 0.
 const CODE_WORDS: u32 = 96;
 /// The number of entries after which code is compiled.
-const COMPILE_THRESHOLD: u8 = 2;
+const COMPILE_THRESHOLD: u16 = 2;
 /// The number of instructions after which a program ends, over all pieces.
 const INSTRUCTIONS: u64 = 6_000;
 
@@ -247,6 +247,9 @@ pub fn engines(input: &[u8]) -> (u64, u64) {
     let stores = [LocalStore::new(), LocalStore::new()];
     let [mut interpreted, mut compiled] = [0, 1].map(|n| Side::new(input, &stores[n]));
     translations.compile_after(COMPILE_THRESHOLD);
+    if input.len().is_multiple_of(2) {
+        translations.optimize_at_once();
+    }
     let mut runner = Runner::new(&translations);
     let mut pieces = 0u32;
     while interpreted.spu.executed() < INSTRUCTIONS && pieces < 64 {

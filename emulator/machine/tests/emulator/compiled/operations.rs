@@ -1,14 +1,14 @@
 //! Tests every instruction that a trace can contain, alone and after another, on random operands
 //! and on edge cases, in all float modes.
 
-use super::units::{Compiled, State, compiler, trace};
+use super::units::{Compiled, State, code_cache, trace};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::edges::{LARGE, WORDS};
 use spu_emulator::interp::Quad;
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::{Class, Instruction, Machine, Op};
-use spu_jit::{Exit, FloatMode, Steps, can_compile};
+use spu_jit::{Exit, FloatMode, Steps, Tier, can_compile};
 
 /// The fixed modes. The tests add a fourth, random mode: some instructions in doubles, the others
 /// in singles.
@@ -80,15 +80,16 @@ pub(super) fn compare_all(
     states: &[State],
     mut make: impl FnMut(&mut ChaCha8Rng) -> Option<Vec<Instruction>>,
 ) -> [u32; 4] {
-    let mut compiler = compiler();
+    let code_cache = code_cache();
     let mut failures = [0; 4];
     for _ in 0..rounds {
         let Some(code) = make(rng) else { continue };
         let made = rng.random_range(0..states.len());
         let trace = trace(&code, &states[made]);
         let mixed = mixed(rng, code.len());
+        let tier = if rng.random() { Tier::Baseline } else { Tier::Optimized };
         for (mode, failures) in MODES.into_iter().chain([mixed]).zip(&mut failures) {
-            let mut compiled = Compiled::new(&mut compiler, &trace, mode);
+            let mut compiled = Compiled::new(&code_cache, tier, &trace, mode);
             for state in states {
                 let exit = compiled.compare(&code, state);
                 *failures += u32::from(matches!(exit, Exit::Failed(_)));

@@ -6,7 +6,10 @@ use spu_emulator::float::fpscr::Fpscr;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::Instruction;
-use spu_jit::{Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Trace, UnitOptions};
+use spu_jit::{
+    CodeCache, Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Tier, Trace, UnitOptions,
+};
+use std::sync::Arc;
 
 /// The start address of the code in these tests.
 pub const START: u32 = 0x1000;
@@ -47,12 +50,12 @@ fn bytes(local_store: &LocalStore) -> &[u8] {
     unsafe { std::slice::from_raw_parts(local_store.as_ptr(), SIZE as usize) }
 }
 
-pub fn compiler() -> Compiler {
+pub fn code_cache() -> Arc<CodeCache> {
     let estimates = Estimates {
         reciprocal: estimate::reciprocal_words(),
         reciprocal_root: estimate::reciprocal_root_words(),
     };
-    Compiler::new(estimates, UnitOptions::default())
+    CodeCache::new(estimates, UnitOptions::default())
         .expect("the hosts of the tests have AVX2 and FMA")
 }
 
@@ -77,9 +80,9 @@ pub struct Compiled {
 }
 
 impl Compiled {
-    pub fn new(compiler: &mut Compiler, trace: &Trace, mode: FloatMode) -> Self {
-        let mut cpu = compiler.new_cpu();
-        let unit = compiler.compile(trace.clone(), mode).expect("there is space");
+    pub fn new(code: &Arc<CodeCache>, tier: Tier, trace: &Trace, mode: FloatMode) -> Self {
+        let mut cpu = code.new_cpu();
+        let unit = Compiler::new(code, tier).compile(trace.clone(), mode).expect("there is space");
         cpu.install(&unit);
         Self { cpu, mode, length: trace.steps().len() as u32 }
     }

@@ -49,15 +49,19 @@ impl Way {
     }
 
     fn machine(self, memory: Arc<RegisteredMemory>) -> Arc<Machine> {
+        let (Self::Host(engine, _) | Self::Timed(engine)) = self;
         let machine = match self {
-            Self::Host(engine, _) => Machine::with_engine(memory, engine),
-            Self::Timed(engine) => {
+            Self::Host(..) => Machine::with_engine(memory, engine),
+            Self::Timed(_) => {
                 let options = SimulationOptions { engine, ..SimulationOptions::default() };
                 Machine::simulated_with(memory, Timing::default(), options)
             }
         };
         // The programs are short. Their loops must be compiled all the same.
         machine.compile_after(1);
+        if engine == Engine::Check {
+            machine.optimize_at_once();
+        }
         machine
     }
 }

@@ -30,7 +30,7 @@ const REGISTERS: u8 = 12;
 const STOPS: usize = 12;
 const MOST: u64 = 1500;
 /// So often the SPU comes to a place before it is compiled: these programs are short.
-const HOT: u8 = 3;
+const HOT: u16 = 3;
 
 fn word(op: Op, rt: u8, [ra, rb, rc]: [u8; 3], immediate: i32) -> u32 {
     let instruction = Instruction { op, rt, ra, rb, rc, branch_distance: 0, immediate };
