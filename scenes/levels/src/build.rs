@@ -45,7 +45,7 @@ pub struct Level {
     pub surfaces: Vec<Surface>,
     /// The meshes: first what stands still, then what moves.
     pub parts: Vec<Part>,
-    /// What was left out, as sentences.
+    /// Notes about omitted parts, as sentences.
     pub notes: Vec<String>,
 }
 

@@ -13,11 +13,11 @@ use crate::wad::MAX_FILE;
 pub struct Error {
     /// The file.
     pub file: String,
-    /// What is wrong with it.
+    /// The fault.
     pub fault: Fault,
 }
 
-/// What is wrong with a WAD file.
+/// A fault of a WAD file.
 #[derive(Debug, Error)]
 pub enum Fault {
     /// The file could not be opened or read.
@@ -81,7 +81,7 @@ pub enum Fault {
     Lump {
         /// The lump, after the map's name if it is a map's.
         lump: String,
-        /// What is wrong with it.
+        /// The fault.
         what: String,
     },
 }

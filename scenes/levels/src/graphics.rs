@@ -44,13 +44,13 @@ impl Picture {
 
 /// Pictures by their names.
 pub trait Pictures {
-    /// The picture of a wall; `None` if there is none of this name.
+    /// The picture of a wall; `None` if no wall's has this name.
     ///
     /// # Errors
     /// The picture is damaged.
     fn wall(&self, name: Name) -> Result<Option<Picture>, Error>;
 
-    /// The picture of a floor or a ceiling; `None` if there is none of this name.
+    /// The picture of a floor or a ceiling; `None` if no flat has this name.
     ///
     /// # Errors
     /// The picture is damaged.

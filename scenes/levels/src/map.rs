@@ -30,7 +30,7 @@ pub struct Map {
     pub sectors: Vec<Sector>,
     /// The things: where players begin, lamps, keys.
     pub things: Vec<Thing>,
-    /// What was left out, as sentences.
+    /// Notes about omitted parts, as sentences.
     pub notes: Vec<String>,
 }
 
@@ -47,7 +47,7 @@ pub struct Line {
     pub tag: u16,
     /// Its front, which is to the right of who goes from its first vertex to its last one.
     pub front: Side,
-    /// Its back; `None` if nothing is behind it.
+    /// Its back; `None` if it is a wall without an opening.
     pub back: Option<Side>,
 }
 

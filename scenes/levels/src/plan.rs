@@ -4,7 +4,7 @@
 //! their vertices with one another and with the walls, and no gap can show between them. Nodes that
 //! a map has for its game are not read: whatever a file has there, a place is found by triangles.
 //!
-//! A line says on which sectors its sides are. Regions that no line divides may still have lines of
+//! The sides of a line name their sectors. Regions that no line divides may still have lines of
 //! several sectors, in maps that leave a sector open on purpose or by mistake. There the longest
 //! lines decide.
 
@@ -24,7 +24,7 @@ pub struct Plan {
     /// For each line of the map, the places at which other lines cut it into pieces, from its first
     /// end to its last one. A line that is not part of the triangulation has only its ends.
     pub pieces: Vec<Vec<DVec2>>,
-    /// What was left out, as sentences.
+    /// Notes about omitted parts, as sentences.
     pub notes: Vec<String>,
 }
 

@@ -36,8 +36,8 @@ pub enum Action {
     Door {
         /// Whether it stays open.
         stays: bool,
-        /// Whether the sector behind the line is the door, instead of those with the line's tag.
-        behind: bool,
+        /// Whether the sector on the line's back is the door, instead of those with the line's tag.
+        at_back: bool,
     },
     /// Lowers floors to the lowest one beside them, and raises them again.
     Lift,
@@ -73,17 +73,17 @@ const RED: Option<[u16; 2]> = Some([13, 38]);
 pub fn special(number: u16) -> Option<Special> {
     use Target::{Ceiling, Highest, Lowest, Next};
     use Trigger::{Use, Walk};
-    let door = |stays| Action::Door { stays, behind: false };
-    let behind = |stays| Action::Door { stays, behind: true };
+    let door = |stays| Action::Door { stays, at_back: false };
+    let at_back = |stays| Action::Door { stays, at_back: true };
     let (trigger, again, key, action) = match number {
-        1 | 117 => (Use, true, None, behind(false)),
-        26 => (Use, true, BLUE, behind(false)),
-        27 => (Use, true, YELLOW, behind(false)),
-        28 => (Use, true, RED, behind(false)),
-        31 | 118 => (Use, false, None, behind(true)),
-        32 => (Use, false, BLUE, behind(true)),
-        33 => (Use, false, RED, behind(true)),
-        34 => (Use, false, YELLOW, behind(true)),
+        1 | 117 => (Use, true, None, at_back(false)),
+        26 => (Use, true, BLUE, at_back(false)),
+        27 => (Use, true, YELLOW, at_back(false)),
+        28 => (Use, true, RED, at_back(false)),
+        31 | 118 => (Use, false, None, at_back(true)),
+        32 => (Use, false, BLUE, at_back(true)),
+        33 => (Use, false, RED, at_back(true)),
+        34 => (Use, false, YELLOW, at_back(true)),
         2 | 109 => (Walk, false, None, door(true)),
         4 | 108 => (Walk, false, None, door(false)),
         86 | 106 => (Walk, true, None, door(true)),
@@ -163,7 +163,7 @@ pub fn moves(map: &Map, line: &Line) -> Vec<((u32, Plane), f64)> {
         ((number, Plane::Floor), to.unwrap_or(own))
     };
     match action {
-        Action::Door { behind: true, .. } => {
+        Action::Door { at_back: true, .. } => {
             line.back.iter().map(|side| door(side.sector)).collect()
         }
         Action::Door { .. } => tagged().map(door).collect(),
@@ -174,7 +174,7 @@ pub fn moves(map: &Map, line: &Line) -> Vec<((u32, Plane), f64)> {
     }
 }
 
-/// The steps of stairs: each is behind a line of the one before, and has the same picture.
+/// The steps of stairs: each is on the back of a line of the one before, and has the same picture.
 fn stairs(map: &Map, first: u32, step: f64) -> Vec<((u32, Plane), f64)> {
     let mut height = map.sectors[first as usize].floor + step;
     let mut steps = vec![((first, Plane::Floor), height)];

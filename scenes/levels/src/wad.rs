@@ -38,7 +38,7 @@ impl Name {
         self.0.split(|byte| *byte == 0).next().unwrap_or_default()
     }
 
-    /// Whether it is the name by which a map says that there is no texture.
+    /// Whether it is the name that stands for no texture.
     #[must_use]
     pub fn is_nothing(&self) -> bool {
         matches!(self.letters(), b"" | b"-")

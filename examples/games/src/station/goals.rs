@@ -103,7 +103,7 @@ impl Goals {
         goals.chain(self.exits.iter().map(|exit| DVec2::new(exit.x, -exit.z)))
     }
 
-    /// What was found, as a status.
+    /// The status: how many of the things are found.
     #[must_use]
     pub fn status(&self) -> String {
         let found = self.goals.iter().filter(|goal| goal.is_found).count();

@@ -7,7 +7,7 @@
 use cellray::game::{DVec3, Light, LightId, World, WorldError};
 
 use super::ground::Ground;
-use super::things;
+use super::things::{self, Decorations};
 
 /// The number of lamps that shine.
 const SHINING: usize = 3;
@@ -29,15 +29,17 @@ impl Lamps {
     /// Adds the lamps and the decorations of a map.
     pub fn add(ground: &Ground, world: &mut World) -> Result<Self, WorldError> {
         let mut lamps = Vec::new();
+        let mut decorations = Decorations::default();
         for thing in &ground.map.things {
             let Some(kind) = things::decoration(thing.kind) else { continue };
             let Some(sector) = ground.sector(thing.place) else { continue };
             let floor = ground.height(sector, levels::Plane::Floor);
-            let top = things::add(world, Ground::in_space(thing.place, floor), kind)?;
+            let top = decorations.add(Ground::in_space(thing.place, floor), kind);
             if let Some(colour) = kind.light {
                 lamps.push((top, DVec3::from(colour)));
             }
         }
+        decorations.finish(world)?;
         let count = lamps.len().min(SHINING);
         let dark = || Light::at(DVec3::ZERO).coloured(0.0, 0.0, 0.0);
         let lights = (0..count).map(|_| world.add_light(dark()));

@@ -295,7 +295,11 @@ impl Game for Station {
         if let Some(&begin) = BEGINNINGS.iter().find_map(begins) {
             self.put(begin.place, begin.angle);
         }
-        world.set_render_options(RenderOptions { ray_depth: 3, ..RenderOptions::default() });
+        // Doors and lifts move by little. Their tree stays good enough, and a new one takes seconds
+        // in a level with many textures, which are cut again for it.
+        let refit_pictures = u32::MAX;
+        let options = RenderOptions { ray_depth: 3, refit_pictures, ..RenderOptions::default() };
+        world.set_render_options(options);
         world.set_ambient(DVec3::splat(AMBIENT[usize::from(!self.is_own)]))?;
         world.set_background(DVec3::ZERO)?;
         let view = View { angle: ANGLE, ..world.view().clone() };

@@ -168,7 +168,7 @@ pub fn map(chance: &mut Random) -> Map {
         [304, 400],
         [208, 400],
     ];
-    let pool_room = [
+    let basin = [
         [784, 0],
         [784, 144],
         [784, 240],
@@ -196,7 +196,7 @@ pub fn map(chance: &mut Random) -> Map {
     draft.sector([32, 176], ["TILES", SKY], 232.0, &[&box_of([400, 592, 464, 720])]);
     draft.sector([0, 0], tiles, 144.0, &[&door]);
     draft.sector([0, 112], tiles, 128.0, &[&box_of([528, 144, 784, 240])]);
-    draft.sector([0, 224], tiles, 160.0, &[&pool_room, &pool_edge]);
+    draft.sector([0, 224], tiles, 160.0, &[&basin, &pool_edge]);
     draft.sector([-8, 224], ["WATER", "PLATES"], 192.0, &[&pool]);
     draft.sector([96, 224], ["STEEL", "PLATES"], 176.0, &[&box_of([1168, 144, 1264, 240])]);
     draft.sector([96, 224], tiles, 192.0, &[&gallery]);

@@ -1,6 +1,8 @@
 //! The lamps and decorations of a level, as posts with round tops.
 
-use cellray::game::{DVec3, Material, Shape, World, WorldError};
+use std::sync::Arc;
+
+use cellray::game::{DAffine3, DVec3, Material, Mesh, World, WorldError};
 
 /// What a thing looks like.
 #[derive(Clone, Copy, Debug)]
@@ -51,24 +53,69 @@ pub fn decoration(kind: u16) -> Option<Decoration> {
     })
 }
 
-/// Adds a decoration, and returns the place of its light, above its top: its own shadow falls down.
-pub fn add(world: &mut World, foot: DVec3, kind: Decoration) -> Result<DVec3, WorldError> {
-    let Decoration { radius, height, colour, light } = kind;
-    let [red, green, blue] = colour;
-    let post = world.add_material(Material::matte(red, green, blue))?;
-    let top = foot + DVec3::Y * height;
-    let stem =
-        |radius| Shape::Cone { base: foot, base_radius: radius, apex: top, apex_radius: radius };
-    match light {
-        Some([red, green, blue]) => {
-            let glow = world.add_material(Material::flat(red, green, blue))?;
-            world.add(stem(radius * 0.4), post)?;
-            world.add_sphere(top, radius, glow)?;
+/// The decorations of a level as one mesh. Spheres and cones beside a large mesh would be in its
+/// tree, which then can't be refitted when doors move.
+#[derive(Default)]
+pub struct Decorations {
+    mesh: Mesh,
+    materials: Vec<Material>,
+}
+
+/// The sides of posts and their tops.
+const SIDES: u32 = 8;
+
+impl Decorations {
+    /// Adds a decoration, and returns the place of its light, above its top: its own shadow falls
+    /// down.
+    pub fn add(&mut self, foot: DVec3, kind: Decoration) -> DVec3 {
+        let Decoration { radius, height, colour, light } = kind;
+        let [red, green, blue] = colour;
+        let stem = if light.is_some() { 0.4 * radius } else { radius };
+        let post = Material::matte(red, green, blue);
+        let head =
+            light.map_or(post.clone(), |[red, green, blue]| Material::flat(red, green, blue));
+        self.turn(foot, &[[stem, 0.0], [stem, height]], post);
+        let rings = [[0.0, -1.0], [0.7, -0.7], [1.0, 0.0], [0.7, 0.7], [0.0, 1.0]];
+        let rings = rings.map(|[out, up]| [radius * out, height + radius * up]);
+        self.turn(foot, &rings, head);
+        foot + DVec3::Y * (height + radius + 6.0)
+    }
+
+    /// Adds a body of rings around a vertical axis, each with its radius and height.
+    fn turn(&mut self, foot: DVec3, rings: &[[f64; 2]], material: Material) {
+        let known = self.materials.iter().position(|other| *other == material);
+        let number = known.unwrap_or_else(|| {
+            self.materials.push(material);
+            self.materials.len() - 1
+        }) as u32;
+        let first = self.mesh.positions.len() as u32;
+        for [radius, height] in rings {
+            for side in 0..SIDES {
+                let angle = std::f64::consts::TAU * f64::from(side) / f64::from(SIDES);
+                let (sine, cosine) = libm::sincos(angle);
+                let place = foot + DVec3::new(radius * sine, *height, radius * cosine);
+                self.mesh.positions.push(place.as_vec3().to_array());
+            }
         }
-        None => {
-            world.add(stem(radius), post)?;
-            world.add_sphere(top, radius, post)?;
+        for ring in 1..rings.len() as u32 {
+            for side in 0..SIDES {
+                let at = |ring: u32, side: u32| first + ring * SIDES + side % SIDES;
+                let (a, b) = (at(ring - 1, side), at(ring - 1, side + 1));
+                let (c, d) = (at(ring, side + 1), at(ring, side));
+                self.mesh.triangles.extend([[a, b, c], [a, c, d]]);
+                self.mesh.materials.extend([number; 2]);
+            }
         }
     }
-    Ok(top + DVec3::Y * (radius + 6.0))
+
+    /// Puts the mesh into a world.
+    pub fn finish(self, world: &mut World) -> Result<(), WorldError> {
+        if self.mesh.triangles.is_empty() {
+            return Ok(());
+        }
+        let materials = self.materials.into_iter().map(|material| world.add_material(material));
+        let materials = materials.collect::<Result<Vec<_>, _>>()?;
+        world.add_mesh(Arc::new(self.mesh), &materials, DAffine3::IDENTITY)?;
+        Ok(())
+    }
 }

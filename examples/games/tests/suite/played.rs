@@ -1,4 +1,5 @@
-//! Replays a recorded game of eight-ball to its end. `MAKE_REF=1` plays and records another.
+//! Replays a recorded game of eight-ball and recorded walks to their ends. `MAKE_REF=1` plays and
+//! records others.
 
 mod player;
 
@@ -10,24 +11,29 @@ use std::time::Duration;
 
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
-use cellray::game::{FixedSteps, NoInput, Recording, Session};
+use cellray::game::{FixedSteps, Game, NoInput, Recording, Session};
 use games::billiards::Billiards;
+use games::station::Station;
 
+use crate::station::freedoom;
+use crate::walker::Walker;
 use player::Player;
 
 /// The maximum length of a game in frames.
 const LONGEST: u64 = 20_000;
 /// The time between frames of a game that is being recorded.
 const STEP: Duration = Duration::from_millis(250);
+/// The same in a walk.
+const STRIDE: Duration = Duration::from_millis(50);
 
 fn kept(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/played").join(name)
 }
 
-fn session() -> Session<Billiards> {
+fn session<G: Game>(game: G) -> Session<G> {
     let settings = Settings { spus: 1, ..Settings::default() };
     let picture = Memory::new(Geometry::new(16, 8).unwrap()).unwrap();
-    Session::start(Billiards::default(), settings, Box::new(picture)).unwrap()
+    Session::start(game, settings, Box::new(picture)).unwrap()
 }
 
 /// The exact positions of all balls, and the winner.
@@ -46,7 +52,7 @@ fn make(recording: &Path, ended: &Path) {
     fs::create_dir_all(kept("")).unwrap();
     let file = BufWriter::new(File::create(recording).unwrap());
     let mut player = Player::default();
-    let mut session = session()
+    let mut session = session(Billiards::default())
         // Balls of both groups were pocketed, and one is left when the eight falls.
         .with_seed(6)
         .record_to(Box::new(file));
@@ -67,10 +73,52 @@ fn replayed_game_has_same_end() {
     if std::env::var_os("MAKE_REF").is_some() {
         make(&recording, &ended);
     }
-    let mut session = session().replaying(Recording::open(&recording).unwrap()).unwrap();
+    let mut session =
+        session(Billiards::default()).replaying(Recording::open(&recording).unwrap()).unwrap();
     let mut clock = FixedSteps(Duration::ZERO);
     session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
     let game = session.game();
     assert_eq!(end(game), fs::read_to_string(&ended).unwrap());
     assert!(game.rules().winner().is_some(), "nobody has won");
+}
+
+/// The exact place of the walker, and what it has found.
+fn end_of_walk(game: &Station) -> String {
+    let place = [game.place().x, game.place().y, game.feet(), game.turn()].map(f64::to_bits);
+    format!("{place:016x?} {}, at the exit: {}\n", game.status(), game.has_ended())
+}
+
+/// Walks towards what is to be found, and to the exit.
+fn make_walk(game: Station, longest: u64, recording: &Path, ended: &Path) {
+    let file = BufWriter::new(File::create(recording).unwrap());
+    let mut session = session(game).with_seed(0).record_to(Box::new(file));
+    let mut walker = Walker::default();
+    // The first frame sets the game up.
+    let mut events = Vec::new();
+    for _ in 0..longest {
+        if session.step(STRIDE, &mut events, &mut |_| ()).unwrap().is_break() {
+            break;
+        }
+        events = walker.next(session.game());
+    }
+    fs::write(ended, end_of_walk(session.game())).unwrap();
+}
+
+/// The recording of E1M1 is one of the maps of Freedoom 0.12.1, the version of Debian 12.
+#[test]
+fn replayed_walks_have_same_end() {
+    let e1m1 = || Station::open(&freedoom("freedoom1.wad"), Some("E1M1")).unwrap();
+    let own: (&str, fn() -> Station, u64) = ("station", Station::default, LONGEST);
+    for (name, game, longest) in [own, ("e1m1", e1m1, 620)] {
+        let [recording, ended] = ["jsonl", "txt"].map(|it| kept(name).with_extension(it));
+        if std::env::var_os("MAKE_REF").is_some() {
+            make_walk(game(), longest, &recording, &ended);
+        }
+        let recording = Recording::open(&recording).unwrap();
+        let mut session = session(game()).replaying(recording).unwrap();
+        let mut clock = FixedSteps(Duration::ZERO);
+        session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
+        assert_eq!(end_of_walk(session.game()), fs::read_to_string(&ended).unwrap());
+        assert_eq!(session.game().has_ended(), longest == LONGEST, "{name}");
+    }
 }

@@ -106,7 +106,7 @@ fn wander(name: &str, game: Station, minutes: u32) -> usize {
 }
 
 #[test]
-fn nobody_leaves_level_or_gets_stuck() {
+fn random_walks_stay_in_level_and_go_on() {
     let minutes = rounds(1);
     println!("station: {} sectors seen", wander("station", Station::default(), minutes));
     for (file, map) in MAPS {

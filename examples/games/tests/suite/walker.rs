@@ -1,4 +1,4 @@
-//! A simulated player who knows the map and walks to each goal.
+//! A simulated player who walks to each goal by a path on the map.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -11,14 +11,18 @@ use levels::Plane;
 /// The distance between the places of a path.
 const GRID: f64 = 16.0;
 /// How near a place must be to count as reached.
-const REACHED: f64 = 14.0;
+const REACHED: f64 = 12.0;
 /// Radians for a pixel of mouse movement in the game, and the most pixels in a frame.
 const TURN: f64 = 0.006;
 const FASTEST: f64 = 30.0;
 /// How far it turns while it walks, in radians.
 const WALKS: f64 = 0.9;
+/// How far it may be from its path.
+const LOST: f64 = 64.0;
+/// For how many frames it waits for a door or a lift.
+const PATIENCE: u32 = 150;
 /// How many places ahead it looks.
-const AHEAD: usize = 3;
+const AHEAD: usize = 2;
 
 /// Walks by a path, and presses Space where it does not get on.
 #[derive(Default)]
@@ -35,32 +39,31 @@ pub struct Walker {
     begun: bool,
 }
 
-/// The ground with its doors open, and the sectors whose floors move.
-fn opened(ground: &Ground) -> (Ground, Vec<u32>) {
-    let mut open = ground.clone();
-    let mut lifts = Vec::new();
+/// The ground with its doors open: with lifts where they rest, and where they move to.
+fn opened(ground: &Ground) -> [Ground; 2] {
+    let mut open = [ground.clone(), ground.clone()];
     for line in &ground.map.lines {
         for ((sector, plane), to) in levels::moves(&ground.map, line) {
-            match plane {
-                Plane::Ceiling => open.set_height(sector, plane, to),
-                Plane::Floor => lifts.push(sector),
-            }
+            let rest = plane.height(&ground.map.sectors[sector as usize]);
+            open[0].set_height(sector, plane, if plane == Plane::Ceiling { to } else { rest });
+            open[1].set_height(sector, plane, to);
         }
     }
-    (open, lifts)
+    open
 }
 
-type Node = [i32; 2];
+/// A place on the grid, and which of the two grounds somebody is on.
+type Node = ([i32; 2], usize);
 
 fn place_of(node: Node) -> DVec2 {
-    DVec2::from(node.map(f64::from)) * GRID
+    DVec2::from(node.0.map(f64::from)) * GRID
 }
 
 /// The places on the shortest way to the reachable place that is nearest to a goal, the last one
 /// first.
 fn path(game: &Station, goal: DVec2) -> Vec<DVec2> {
-    let (ground, lifts) = opened(game.ground());
-    let begin = (game.place() / GRID).round().to_array().map(|at| at as i32);
+    let grounds = opened(game.ground());
+    let begin = ((game.place() / GRID).round().to_array().map(|at| at as i32), 0);
     let mut from: HashMap<Node, (Node, f64)> = HashMap::from([(begin, (begin, game.feet()))]);
     let mut queue = VecDeque::from([begin]);
     let mut nearest = (begin, f64::INFINITY);
@@ -72,30 +75,32 @@ fn path(game: &Station, goal: DVec2) -> Vec<DVec2> {
         if distance < GRID {
             break;
         }
+        let ([x, y], which) = node;
         let feet = from[&node].1;
-        for [x, y] in [[1, 0], [-1, 0], [0, 1], [0, -1]] {
-            let next = [node[0] + x, node[1] + y];
-            if from.contains_key(&next) {
-                continue;
-            }
-            let place = place_of(next);
-            let on_lift = |place| ground.sector(place).is_some_and(|it| lifts.contains(&it));
-            let step = DVec2::new(f64::from(x), f64::from(y)) * GRID;
-            let is_lift = [-2.0, -1.0, 0.0, 1.0].iter().any(|at| on_lift(place + step * *at));
-            let by_lift = || {
-                if !is_lift {
-                    return None;
-                }
-                let floor = ground.height(ground.sector(place)?, Plane::Floor);
-                // Halfway on a lift, the feet are as high as its higher side.
-                [floor, feet.max(floor), 1e4]
-                    .into_iter()
-                    .find_map(|it| ground.stand(place, it).ok())
-            };
-            if let Some(floor) = ground.stand(place, feet).ok().or_else(by_lift) {
+        let ground = &grounds[which];
+        let steps = [[x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]].map(|to| (to, which));
+        for next in steps {
+            if let Ok(floor) = ground.stand(place_of(next), feet)
+                && !from.contains_key(&next)
+            {
                 from.insert(next, (node, floor));
                 queue.push_back(next);
             }
+        }
+        // Lifts come, and take along whoever is on them.
+        let (other, next) = (&grounds[1 - which], ([x, y], 1 - which));
+        let floors = |ground: &Ground| {
+            let sector = ground.sector(place_of(node));
+            sector.map_or(feet, |sector| ground.height(sector, Plane::Floor))
+        };
+        let is_lift = floors(other) != floors(ground);
+        let moved = if is_lift { floors(other) } else { feet };
+        if let Ok(floor) = other.stand(place_of(node), moved)
+            && !from.contains_key(&next)
+            && (is_lift || floor == feet)
+        {
+            from.insert(next, (node, floor));
+            queue.push_back(next);
         }
     }
     let mut path = vec![goal];
@@ -124,7 +129,8 @@ impl Walker {
         let goal = self.goals.first().copied().or_else(|| game.goals().left().next());
         self.stood = if place.distance(self.last) < 0.5 { self.stood + 1 } else { 0 };
         self.last = place;
-        if goal != self.goal || self.stood > 300 {
+        let is_lost = self.path.last().is_some_and(|next| next.distance(place) > LOST);
+        if goal != self.goal || is_lost && self.path.len() > 1 || self.stood > PATIENCE {
             self.goal = goal;
             self.stood = 0;
             self.path = goal.map(|goal| path(game, goal)).unwrap_or_default();

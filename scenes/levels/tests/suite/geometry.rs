@@ -54,7 +54,7 @@ fn pictures_hang_where_maps_say() {
     let stone = level.surfaces.iter().position(|it| *it == Surface::Wall(Name::new("STONE")));
     let stone = stone.unwrap() as u32;
     let door = &level.parts[1].mesh;
-    // The side of the door towards room 0 ends at its lower edge with its picture's last row.
+    // The side of the door towards sector 0 ends at its lower edge with its picture's last row.
     let rows: Vec<f32> = (0..door.triangles.len())
         .filter(|number| door.materials[*number] == stone)
         .flat_map(|number| door.triangles[number])

@@ -1,4 +1,4 @@
-//! Makes a WAD file: two rooms with a door between them, a lift, and a courtyard.
+//! Makes a WAD file: a hall and a courtyard with a door between them.
 
 use levels::Wad;
 
@@ -56,7 +56,7 @@ fn textures() -> Vec<u8> {
 /// The lumps of the file.
 ///
 /// ```text
-///   0--1--2--3     room 0 from 0 to 1, door 1 from 1 to 2, room 2 from 2 to 3
+///   0--1--2--3     sector 0, the hall; 1, the door; 2, the courtyard
 ///   |  |  |  |
 ///   4--5--6--7
 /// ```

@@ -1,0 +1,74 @@
+//! Recorded walks in levels: frames a second in simulated time, of six SPUs at 1280x720. Every
+//! twelfth frame is measured.
+//!
+//!     cargo bench -p games --bench walks
+
+#![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
+
+use std::error::Error;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::{FixedSteps, NoInput, Recording, Session};
+use cellray::{Engine, Settings};
+use games::station::Station;
+
+const SIZE: (u32, u32) = (1280, 720);
+const TIMING: &str = "LIBSPE2_TIMING";
+const FREEDOOM: &str = "/usr/share/games/doom/freedoom1.wad";
+/// Frames from one that is measured to the next.
+const EVERY: usize = 12;
+/// Ticks a second of the decrementer.
+const TIMEBASE: f64 = 79_800_000.0;
+
+type Outcome<T> = Result<T, Box<dyn Error>>;
+
+/// Measures a walk. Returns its row of the table.
+fn row(name: &str, file: &str, game: Station) -> Outcome<String> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/played").join(file);
+    let small = Memory::new(Geometry::new(16, 8)?)?;
+    let settings = Settings { spus: 1, ..Settings::default() };
+    let session = Session::start(game, settings, Box::new(small))?;
+    let mut session = session.replaying(Recording::open(&path)?)?;
+    let mut clock = FixedSteps(Duration::ZERO);
+    let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+    let settings = Settings { retain: false, ..Settings::default() };
+    let mut engine = Engine::start(settings, Box::new(picture))?;
+    let (mut ticks, mut triangles) = (Vec::new(), 0);
+    for number in 0.. {
+        if session.frame(&mut clock, &mut NoInput)?.is_break() {
+            break;
+        }
+        if number % EVERY == 0 {
+            let scene = session.world().scene(&settings.program)?;
+            ticks.push(engine.render(scene, &mut |_| {})?.ticks());
+            let mesh = session.world().to_nff().mesh;
+            triangles = mesh.map_or(0, |mesh| mesh.triangles.len());
+        }
+    }
+    let sum: u64 = ticks.iter().sum();
+    let slowest = ticks.iter().max().copied().unwrap_or(1);
+    Ok(format!(
+        "| {name} | {triangles} | {} | {:.1} | {:.1} |",
+        ticks.len(),
+        ticks.len() as f64 * TIMEBASE / sum as f64,
+        TIMEBASE / slowest as f64,
+    ))
+}
+
+fn main() -> Outcome<()> {
+    if std::env::var_os(TIMING).is_none() {
+        // The library reads the variable when a program starts.
+        let status = Command::new(std::env::current_exe()?).env(TIMING, "1").status()?;
+        std::process::exit(status.code().unwrap_or(1));
+    }
+    println!("| walk | triangles | frames measured | mean, frames/s | slowest frame, frames/s |");
+    println!("|---|---|---|---|---|");
+    println!("{}", row("the game's own level", "station.jsonl", Station::default())?);
+    let e1m1 = Station::open(Path::new(FREEDOOM), Some("E1M1"));
+    let e1m1 = e1m1.map_err(|error| format!("{error}; ci/setup installs Freedoom"))?;
+    println!("{}", row("Freedoom's E1M1", "e1m1.jsonl", e1m1)?);
+    Ok(())
+}
