@@ -12,7 +12,8 @@ use oracle::whitted::{self, Probe};
 use serde::Serialize;
 
 use crate::parallel;
-use crate::pictures::{PictureError, Subject, Traced, trace};
+use crate::pictures::{PictureError, Subject};
+use crate::traced::{Traced, trace};
 
 /// The reference has this many samples across and down a pixel.
 const REFERENCE: u32 = 8;

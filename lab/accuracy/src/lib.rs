@@ -26,5 +26,7 @@ mod space;
 mod spheres;
 pub mod stability;
 mod subject;
+mod totals;
+mod traced;
 mod triangles;
 mod truth;

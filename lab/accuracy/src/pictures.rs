@@ -8,13 +8,10 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use cellray::scene::{Colour, RenderOptions, Samples};
 use cellray::spe::Program;
-use cellray::{Engine, Report, Scene, Settings};
-use image::RgbImage;
 use oracle::whitted::{self, Rounding};
 use oracle::{Model, Picture, Pixels, Reference, ULPS, WELL_CONDITIONED};
 use protocol::formulation::Formulations;
@@ -24,6 +21,7 @@ use spu_emulator::simulated::CYCLES_PER_SECOND;
 use crate::output::Document;
 use crate::parallel;
 use crate::run::Extent;
+use crate::traced::trace;
 
 /// A picture and its errors.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -167,72 +165,6 @@ impl Subject {
     }
 }
 
-/// The sums of several pictures.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Total {
-    pixels: u64,
-    squares: f64,
-    /// [`PictureRow::cycles`].
-    pub cycles: f64,
-    /// [`PictureRow::wrong_pixels`].
-    pub wrong_pixels: u64,
-    /// [`PictureRow::floor`].
-    pub floor: u64,
-    /// [`PictureRow::by_ulps`].
-    pub by_ulps: [u64; ULPS.len() + 1],
-    /// [`PictureRow::well_conditioned`].
-    pub well_conditioned: u64,
-}
-
-impl Total {
-    /// The smallest floor that an excess is measured against; below it chance decides.
-    pub const LEAST_FLOOR: u64 = 8;
-
-    /// The sums of these pictures.
-    pub fn of<'a>(rows: impl IntoIterator<Item = &'a PictureRow>) -> Self {
-        let mut total = Self::default();
-        for row in rows {
-            let pixels = u64::from(row.width) * u64::from(row.height);
-            total.pixels += pixels;
-            total.squares += pixels as f64 * row.rmse * row.rmse;
-            total.cycles += row.cycles;
-            total.wrong_pixels += row.wrong_pixels;
-            total.floor += row.floor;
-            total.well_conditioned += row.well_conditioned;
-            for (sum, count) in total.by_ulps.iter_mut().zip(row.by_ulps) {
-                *sum += count;
-            }
-        }
-        total
-    }
-
-    /// A number of pixels in per cent of all.
-    pub fn percent(&self, pixels: u64) -> f64 {
-        100.0 * pixels as f64 / self.pixels as f64
-    }
-
-    /// The wrong pixels over the floor, unless the floor is too small.
-    pub fn excess(&self) -> Option<f64> {
-        let measured = self.floor >= Self::LEAST_FLOOR;
-        measured.then(|| self.wrong_pixels as f64 / self.floor as f64)
-    }
-
-    /// The root of the mean square error of all channels, in 1/255.
-    pub fn rmse(&self) -> f64 {
-        (self.squares / self.pixels as f64).sqrt()
-    }
-
-    /// The backward error that 99 % of the explained pixels do not exceed, if it was found.
-    pub fn ulps_of_99_percent(&self) -> Option<u32> {
-        let all: u64 = self.by_ulps.iter().sum();
-        let mut within = 0;
-        ULPS.into_iter().zip(self.by_ulps).find_map(|(ulps, count)| {
-            within += count;
-            (100 * within >= 99 * all).then_some(ulps)
-        })
-    }
-}
-
 /// Traces these scenes with these programs; without names, all.
 ///
 /// Each picture is traced by a process of its own: the emulator runs the first program of a process
@@ -314,14 +246,13 @@ pub fn measure(scene: &str, program: &str, size: (u32, u32)) -> Result<PictureRo
 
 /// The wrong pixels and the floor of a scene's picture by the program that `cellray` takes without
 /// options.
-pub(crate) fn errors(subject: &Subject, size: (u32, u32)) -> Result<Total, PictureError> {
+pub(crate) fn errors(subject: &Subject, size: (u32, u32)) -> Result<(u64, u64), PictureError> {
     let model = subject.model(Pixels::PLAIN);
     let (reference, _) = model.trace(&subject.scene, size)?;
     let options = RenderOptions::default();
     let traced = trace(&subject.name, &subject.scene, options, size, Program::tracer())?;
     let wrong_pixels = oracle::compare(&traced.picture, &reference)?.wrong_pixels;
-    let floor = floor(subject, model, &reference)?;
-    Ok(Total { wrong_pixels, floor, ..Total::default() })
+    Ok((wrong_pixels, floor(subject, model, &reference)?))
 }
 
 /// The number of pixels that are wrong if only the scene and each ray's record lose what singles
@@ -371,44 +302,6 @@ pub fn antialiased(size: (u32, u32)) -> Result<Vec<AntialiasedRow>, PictureError
     ANTIALIASED.into_iter().map(row).collect()
 }
 
-/// What the SPUs made of a scene.
-pub(crate) struct Traced {
-    /// The picture.
-    pub picture: Picture,
-    /// Frames a second in simulated time.
-    pub frames_per_second: f64,
-    /// The number of primary rays.
-    pub primary_rays: u64,
-}
-
-/// Traces a scene twice. The first frame determines the costs of its parts, and only the second
-/// one counts.
-pub(crate) fn trace(
-    name: &str,
-    scene: &scenes::Scene,
-    options: RenderOptions,
-    (width, height): (u32, u32),
-    program: Program,
-) -> Result<Traced, PictureError> {
-    let settings = Settings { retain: false, program, ..Settings::default() };
-    let scene = Scene::new(scene, options, &program)?;
-    let shown = Shown::default();
-    let framebuffer =
-        Kept { memory: Memory::new(Geometry::new(width, height)?)?, shown: Arc::clone(&shown) };
-    let mut report = Report::new(name, (width, height), settings.spus);
-    let mut engine = Engine::start(settings, Box::new(framebuffer))?;
-    engine.render(&scene, &mut |_| ())?;
-    let statistics = engine.render(&scene, &mut |_| ())?;
-    let primary_rays = statistics.spus.iter().map(|spu| spu.rays.eye).sum();
-    report.add(statistics);
-    let mut picture = Picture::black(width, height)?;
-    let shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
-    for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {
-        *to = from.0;
-    }
-    Ok(Traced { picture, frames_per_second: report.frames_per_second, primary_rays })
-}
-
 /// The root of the mean square error of all channels, in 1/255.
 fn rmse(picture: &Picture, reference: &Picture) -> f64 {
     let pairs = picture.pixels().iter().zip(reference.pixels());
@@ -417,37 +310,6 @@ fn rmse(picture: &Picture, reference: &Picture) -> f64 {
     let sum: u64 =
         channels.map(|(found, expected)| u64::from(found.abs_diff(*expected)).pow(2)).sum();
     (sum as f64 / (3 * picture.pixels().len()) as f64).sqrt()
-}
-
-type Shown = Arc<Mutex<RgbImage>>;
-
-/// A framebuffer whose last frame can be read from outside the engine.
-struct Kept {
-    memory: Memory,
-    shown: Shown,
-}
-
-impl Framebuffer for Kept {
-    fn geometry(&self) -> Geometry {
-        self.memory.geometry()
-    }
-
-    fn target(&mut self) -> Target {
-        self.memory.target()
-    }
-
-    fn present(&mut self) -> Result<(), FramebufferError> {
-        *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = self.memory.rgb();
-        Ok(())
-    }
-
-    fn keeps_contents(&self) -> bool {
-        self.memory.keeps_contents()
-    }
-
-    fn describe(&self) -> String {
-        self.memory.describe()
-    }
 }
 
 #[cfg(test)]

@@ -6,15 +6,16 @@ use protocol::formulation::{SPHERES, SphereFormulation, TRIANGLES, TriangleFormu
 use serde::{Deserialize, Serialize};
 
 use crate::families::Form;
-use crate::pictures::{self, AntialiasedRow, PictureError, PictureRow, Total};
+use crate::pictures::{self, AntialiasedRow, PictureError, PictureRow};
 use crate::roots::{self, RootRow, host_time};
 use crate::search::{self, KeptRow};
 use crate::spheres::{self, SphereRow};
 use crate::subject::{self, Subject};
+use crate::totals::Total;
 use crate::triangles::{self, TriangleRow};
 
 /// The size of pictures with several samples a pixel.
-const ANTIALIASED_SIZE: (u32, u32) = (1280, 720);
+const ANTIALIASED_SIZE: (u32, u32) = (640, 360);
 
 /// How much is measured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -230,7 +231,7 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str) + Send) -> Result<Resul
             progress("pictures with sixteen samples a pixel");
             antialiased = pictures::antialiased(ANTIALIASED_SIZE)?;
             progress("kept scenes of the search");
-            kept = search::kept()?.iter().map(KeptRow::from).collect();
+            kept = search::kept()?;
         }
     }
     Ok(Results {

@@ -27,7 +27,7 @@ const TURN: f64 = 8.0 * f32::EPSILON as f64 / 2.0;
 const TURNS: u32 = 8;
 
 /// The condition number below which a pixel is well-conditioned: a ray that is off by 8 units moves
-/// none of its channels by more than 1/255.
+/// no channel by more than 1/255.
 pub const WELL_CONDITIONED: f64 = 1.0 / (255.0 * TURN);
 
 /// A wrong pixel.
@@ -38,7 +38,7 @@ pub struct WrongPixel {
     /// Its row.
     pub y: u32,
     /// Its backward error in units in the last place: the first of [`ULPS`] that suffices. `None`
-    /// if none of them does.
+    /// if even the last does not.
     pub ulps: Option<u32>,
     /// Its condition number: by how much a channel changes, relative to white, for each radian by
     /// which the primary ray is turned. The ray differential is a quotient over 8 units in the last
@@ -76,7 +76,7 @@ impl Explanation {
 }
 
 /// Explains the wrong pixels of a picture in Whitted's model with one sample a pixel. If there are
-/// more than `most`, it explains about so many, evenly spread.
+/// more than `most`, it explains about that number, evenly spread.
 ///
 /// # Errors
 /// As for [`crate::whitted::trace`]; the sizes differ; the pixels have several samples.

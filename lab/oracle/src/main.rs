@@ -394,7 +394,7 @@ fn explanation(result: &Explanation) -> String {
     }
     let well = result.conditioned(0.0, WELL_CONDITIONED);
     let share = 100.0 * well as f64 / wrong.max(1) as f64;
-    text + &format!("below {WELL_CONDITIONED:.0}, wrong without excuse: {well} ({share:.2} %)")
+    text + &format!("well-conditioned, below {WELL_CONDITIONED:.0}: {well} ({share:.2} %)")
 }
 
 /// Prints the errors of the scene that has its numbers, and those of its rays, rounded to singles.

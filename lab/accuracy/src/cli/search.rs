@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use accuracy::run::RunError;
-use accuracy::search;
+use accuracy::search::{self, KeptRow};
 use clap::Args;
 
 use super::Outcome;
@@ -26,19 +26,16 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Outcome {
     let cases = search::search(arguments.seed, arguments.count, |case| {
-        messages::print!("cellray-bench: {}: {:.1}", case.name, case.excess());
+        messages::print!("cellray-bench: {}: {:.1}", case.row.scene, case.row.excess());
     })
     .map_err(RunError::Picture)?;
     if let Some(folder) = &arguments.keep {
         search::keep(&cases, folder)?;
     }
     let line = |case: &search::Case| {
-        let (wrong, floor) = (case.total.wrong_pixels, case.total.floor);
-        format!(
-            "{:24}  {wrong:5} wrong  floor {floor:4}  excess {:5.1}\n",
-            case.name,
-            case.excess()
-        )
+        let KeptRow { scene, wrong_pixels, floor } = &case.row;
+        let excess = case.row.excess();
+        format!("{scene:24}  {wrong_pixels:5} wrong  floor {floor:4}  excess {excess:5.1}\n")
     };
     messages::write_data(cases.iter().map(line).collect::<String>())?;
     Ok(ExitCode::SUCCESS)

@@ -86,7 +86,7 @@ fn origin(document: &Document) -> String {
         return String::new();
     };
     format!(
-        "Written by `{}`. Machine: {}. Commit: {}. Seed: {}.\n",
+        "Written by `{}`.\nMachine: {}. Commit: {}. Seed: {}.\n",
         origin.command, origin.machine, origin.commit, document.results.seed
     )
 }

@@ -7,10 +7,11 @@ use oracle::{ULPS, WELL_CONDITIONED};
 use super::table::{Table, figure};
 use super::{origin, shown};
 use crate::output::Document;
-use crate::pictures::{ANTIALIASED_CONTRAST, PictureRow, STANDARD, Total, programs};
+use crate::pictures::{ANTIALIASED_CONTRAST, PictureRow, STANDARD, programs};
 use crate::plots::Plot;
 use crate::run::Results;
 use crate::search::KeptRow;
+use crate::totals::Total;
 
 /// The goals: the largest excess, and the backward error that 99 % of the wrong pixels do not
 /// exceed.
@@ -57,7 +58,7 @@ pub fn text(document: &Document, plots: &[Plot]) -> String {
          linear light. The floor is {} %.\n\n{table}{READING}\
          - *well-conditioned*: turning the ray from the eye by 8 ulp moves no channel by more than \
          1/255: the condition\n  number, change of a channel over angle, is below \
-         {WELL_CONDITIONED:.0}. Such a pixel has no excuse.\n",
+         {WELL_CONDITIONED:.0}. If such a pixel is wrong, the tracer is at fault.\n",
         size.0,
         size.1,
         figure(floor)

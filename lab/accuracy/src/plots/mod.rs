@@ -19,9 +19,9 @@ use crate::file::OutputError;
 
 use crate::antialiasing::Row;
 use crate::mesh_cache;
-use crate::pictures::Total;
 use crate::run::{KernelRow, Results};
 use crate::spheres::SphereRow;
+use crate::totals::Total;
 use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
 use scale::Kind;
 
