@@ -116,7 +116,7 @@ impl Machine {
         }
     }
 
-    /// From now on all code is optimized as soon as it is compiled. Tests run all of it in this way.
+    /// From now on all code is optimized as soon as it is compiled, as tests want it.
     pub fn optimize_at_once(&self) {
         if let Some(translations) = &self.translations {
             translations.optimize_at_once();
