@@ -27,6 +27,9 @@ use table::{Table, figure, option};
 /// The prefix of the plots' file names, which are next to the document.
 pub const PREFIX: &str = "accuracy-";
 
+/// The longest line of a document.
+const COLUMNS: usize = 120;
+
 /// The line after a part that a command writes, as in `ci/common.sh`.
 const END: &str = "<!-- end of what is written -->";
 
@@ -62,7 +65,29 @@ fn with_part(document: &str, name: &str, part: &str) -> String {
         .split_once(&begin)
         .and_then(|(before, rest)| Some((before, rest.split_once(END)?.1)));
     let (before, after) = lines.unwrap_or((document, "\n"));
-    format!("{before}{begin}\n\n{}\n\n{END}{after}", part.trim())
+    format!("{before}{begin}\n\n{}\n\n{END}{after}", filled(part.trim()))
+}
+
+/// The text with its long lines broken between words, except those of tables and images.
+fn filled(text: &str) -> String {
+    let mut filled = String::new();
+    for line in text.lines() {
+        let mut column = 0;
+        for word in line.split(' ') {
+            let is_long = column + 1 + word.chars().count() > COLUMNS;
+            if column > 0 && is_long && !line.starts_with(['|', '!']) {
+                filled.push('\n');
+                column = 0;
+            } else if column > 0 {
+                filled.push(' ');
+                column += 1;
+            }
+            filled.push_str(word);
+            column += word.chars().count();
+        }
+        filled.push('\n');
+    }
+    filled.trim_end().to_owned()
 }
 
 /// The text of the kernels' results.

@@ -41,4 +41,8 @@ fn a_part_is_replaced_or_added_and_the_rest_stays() {
     let again = with_part(&both, "a", "two\n");
     assert_eq!(again, both.replace("one", "two"));
     assert!(again.contains("more") && again.contains("three"));
+    let long = "| a table stays |\n".to_owned() + &"word ".repeat(40) + "\n  indented";
+    let lines = filled(&long);
+    assert_eq!(lines.replace('\n', " ").split_whitespace().count(), 46);
+    assert!(lines.lines().all(|line| line.len() <= COLUMNS) && lines.lines().count() == 4);
 }
