@@ -51,12 +51,12 @@ fn texel(name: &str, x: usize, y: usize) -> Option<DVec3> {
             grey(if rivet { 0.85 } else { 0.5 }) * grain(0.12, 5) * seam
         }
         "DOOR" => {
-            let bar = if y / 8 % 2 == 0 { 0.95 } else { 0.75 };
+            let bar = if (y / 8).is_multiple_of(2) { 0.95 } else { 0.75 };
             let seam = dark(x % 64 < 2 || x % 64 == 31 || x % 64 == 32, 0.4);
             DVec3::new(0.35, 0.55, 0.7) * bar * grain(0.1, 6) * seam
         }
         "TILES" => {
-            let light = (x / 32 + y / 32) % 2 == 0;
+            let light = (x / 32 + y / 32).is_multiple_of(2);
             let seam = dark(is_seam(x, y, 32, 32), 0.6);
             grey(if light { 0.72 } else { 0.5 }) * grain(0.1, 7) * seam
         }
