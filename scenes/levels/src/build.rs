@@ -99,19 +99,20 @@ impl Level {
 #[derive(Default)]
 struct Growing {
     mesh: Mesh,
-    numbers: HashMap<[u32; 6], u32>,
+    numbers: HashMap<[u32; 8], u32>,
 }
 
 impl Growing {
-    fn vertex(&mut self, place: DVec3, coordinates: DVec2, light: f32) -> u32 {
+    fn vertex(&mut self, place: DVec3, coordinates: DVec2, light: DVec3) -> u32 {
         let position = place.as_vec3().to_array();
         let coordinates = coordinates.as_vec2().to_array();
         let ([x, y, z], [u, v]) = (position, coordinates);
-        let bits = [x, y, z, u, v, light].map(f32::to_bits);
+        let [red, green, blue] = light.as_vec3().to_array();
+        let bits = [x, y, z, u, v, red, green, blue].map(f32::to_bits);
         *self.numbers.entry(bits).or_insert_with(|| {
             self.mesh.positions.push(position);
             self.mesh.texture_coordinates.push(coordinates);
-            self.mesh.colours.push([light; 3]);
+            self.mesh.colours.push([red, green, blue]);
             self.mesh.positions.len() as u32 - 1
         })
     }
@@ -157,7 +158,7 @@ impl<P: Pictures> Builder<'_, P> {
         };
         let shown = self.surfaces.shown(surface)?;
         let height = self.rest(sector, plane);
-        let light = lightness(self.map.sectors[sector as usize].light);
+        let light = shown.colour * lightness(self.map.sectors[sector as usize].light);
         let part = self.parts.entry(self.moving((sector, plane))).or_default();
         let triangle = corners.map(|corner| {
             let coordinates = DVec2::new(corner.x, -corner.y) / shown.size;
@@ -172,7 +173,7 @@ impl<P: Pictures> Builder<'_, P> {
         let shown = self.surfaces.shown(wall.surface)?;
         let part = self.parts.entry(wall.moves_with).or_default();
         let width = wall.ends[0].distance(wall.ends[1]);
-        let light = lightness(wall.light);
+        let light = shown.colour * lightness(wall.light);
         // Whole pictures are left out of the coordinates, because singles hold small ones better.
         let first = (wall.texel / shown.size).rem_euclid(DVec2::ONE);
         let last = first + DVec2::new(width, wall.top - wall.bottom) / shown.size;
@@ -197,6 +198,6 @@ fn in_space(place: DVec2, height: f64) -> DVec3 {
 
 /// A sector's light as the colour of vertices. Doom darkens what is far away; the root is about as
 /// light as it shows what is near.
-fn lightness(light: f64) -> f32 {
-    (light / LIGHTEST).clamp(0.0, 1.0).sqrt() as f32
+fn lightness(light: f64) -> f64 {
+    (light / LIGHTEST).clamp(0.0, 1.0).sqrt()
 }

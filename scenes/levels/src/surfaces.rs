@@ -15,8 +15,8 @@ pub const SKY: &str = "F_SKY1";
 const GRADIENT: &str = "sky";
 /// The pictures of skies, of which the first that exists is taken.
 const SKIES: [&str; 4] = ["SKY1", "SKY2", "SKY3", "SKY4"];
-/// The most textures, which is the SPUs' bound.
-const MAX_TEXTURES: usize = 256;
+/// The most textures: as many as have their records in local store beside those of a level.
+const MAX_TEXTURES: usize = 120;
 
 /// What a material shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -33,6 +33,8 @@ pub enum Surface {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Shown {
     pub material: u32,
+    /// A factor of the light.
+    pub colour: DVec3,
     pub size: DVec2,
     pub has_holes: bool,
 }
@@ -41,6 +43,8 @@ pub(crate) struct Shown {
 pub(crate) struct Surfaces<'a, P> {
     pictures: &'a P,
     known: HashMap<Surface, Shown>,
+    /// The material of those without a texture, which have a colour instead.
+    plain: Option<u32>,
     pub materials: Vec<Material>,
     pub surfaces: Vec<Surface>,
     pub notes: Vec<String>,
@@ -52,6 +56,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         Self {
             pictures,
             known: HashMap::new(),
+            plain: None,
             materials: nothing(),
             surfaces: Vec::new(),
             notes: Vec::new(),
@@ -63,7 +68,6 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         if let Some(known) = self.known.get(&surface) {
             return Ok(*known);
         }
-        let grey = || plain(DVec3::splat(0.5));
         let square = DVec2::splat(FLAT as f64);
         let (picture, what) = match surface {
             Surface::Wall(name) => (self.pictures.wall(name)?, "wall"),
@@ -72,7 +76,8 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         };
         let mut size = square;
         let mut has_holes = false;
-        let mut material = grey();
+        let mut colour = None;
+        let mut material = plain(DVec3::ONE);
         if surface == Surface::Sky {
             material = self.sky()?;
         } else if let Some(picture) = picture {
@@ -84,18 +89,26 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
                 let texture = Texture::new(picture.width as u32, texels, [Wrap::Repeat; 2]);
                 material = Material { texture: texture.map(Arc::new), ..plain(DVec3::ONE) };
             } else {
-                material = plain(mean(&texels));
+                colour = Some(mean(&texels));
                 self.notes.push(format!(
                     "there are more than {MAX_TEXTURES} textures; {surface:?} has only its mean colour"
                 ));
             }
         } else if let Surface::Wall(name) | Surface::Flat(name) = surface {
+            colour = Some(DVec3::splat(0.5));
             self.notes.push(format!("there is no picture of a {what} with the name {name}"));
         }
-        let number = self.materials.len() as u32;
-        let shown = Shown { material: number, size, has_holes };
-        self.materials.push(material);
-        self.surfaces.push(surface);
+        let next = self.materials.len() as u32;
+        let number = match colour {
+            Some(_) => *self.plain.get_or_insert(next),
+            None => next,
+        };
+        if number == next {
+            self.materials.push(material);
+            self.surfaces.push(surface);
+        }
+        let colour = colour.unwrap_or(DVec3::ONE);
+        let shown = Shown { material: number, colour, size, has_holes };
         self.known.insert(surface, shown);
         Ok(shown)
     }
