@@ -205,23 +205,22 @@ impl Snapshot {
         let is_textured_as = new.is_textured_as(old);
         let texture = std::mem::offset_of!(layout::Material, texture);
         let texture = texture..texture + size_of::<u32>();
-        let others: Vec<bool> = (0..count)
-            .map(|number| {
-                let material = self.material(new, number);
-                let is_textured = material.get(texture.clone()).is_none_or(|it| it != [0; 4]);
-                material != before.material(old, number) || (is_textured && !is_textured_as)
-            })
-            .collect();
-        if Arc::ptr_eq(&new.blocks, &old.blocks) && !others.contains(&true) {
+        let is_other = |number: u32| {
+            let material = self.material(new, number);
+            let is_textured = material.get(texture.clone()).is_none_or(|it| it != [0; 4]);
+            material != before.material(old, number) || (is_textured && !is_textured_as)
+        };
+        let any_is_other = (0..count).any(is_other);
+        if Arc::ptr_eq(&new.blocks, &old.blocks) && !any_is_other {
             return true;
         }
-        let is_other = |number: u32| others.get(number as usize).copied().unwrap_or_default();
         let eye = DVec3::from_array([0, 1, 2].map(|axis| f64::from(new.eye[axis].get())));
-        for corners in new.blocks.changes(&old.blocks, is_other) {
+        let is_other = |number| any_is_other && is_other(number);
+        new.blocks.changes(&old.blocks, is_other, |corners| {
             let [low, high] = corners.map(|corner| camera.eye + (corner.as_dvec3() - eye));
             let (centre, radius) = (low.midpoint(high), 0.5 * low.distance(high));
             places.push(BoundingSphere { centre, radius });
-        }
+        });
         true
     }
 

@@ -12,12 +12,17 @@ use super::tree::Bounds;
 use super::{Block, MeshBlocks};
 
 impl MeshBlocks {
-    /// Boxes around all surfaces that only one of two versions has, and around those whose material
-    /// is another: `is_other` tells it of a number. They are relative to the mesh's origin, and
-    /// each has its lower and its upper corner.
+    /// Calls `found` with boxes around all surfaces that only one of two versions has, and around
+    /// those whose material is another: `is_other` tells it of a number. They are relative to the
+    /// mesh's origin, and each has its lower and its upper corner.
     ///
     /// Where nothing has moved, a refitted tree has the blocks that it had before.
-    pub(crate) fn changes(&self, before: &Self, is_other: impl Fn(u32) -> bool) -> Vec<[Vec3; 2]> {
+    pub(crate) fn changes(
+        &self,
+        before: &Self,
+        is_other: impl Fn(u32) -> bool,
+        found: impl FnMut([Vec3; 2]),
+    ) {
         let count = self.blocks.len().max(before.blocks.len());
         let pairs = (0..count).map(|number| (self.blocks.get(number), before.blocks.get(number)));
         let changed = pairs.filter(|pair| match pair {
@@ -27,7 +32,7 @@ impl MeshBlocks {
             _ => true,
         });
         let leaves = changed.flat_map(|(new, old)| new.into_iter().chain(old)).filter_map(Leaf::of);
-        leaves.map(|leaf| leaf.bounds()).collect()
+        leaves.map(|leaf| leaf.bounds()).for_each(found);
     }
 }
 
