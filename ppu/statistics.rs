@@ -143,7 +143,7 @@ pub struct Phases<T> {
 /// Numbers of tiles by the reason for which they were traced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Causes {
-    /// What the framebuffer showed was not known, or nothing was to be retained.
+    /// The framebuffer's contents were not known, or nothing was to be retained.
     pub unknown: u64,
     /// The camera had moved, or a light or an option had changed.
     pub view: u64,

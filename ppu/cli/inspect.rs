@@ -117,7 +117,7 @@ fn statistics_of(report: &Report) -> Vec<Statistic> {
         of(tile, "filled", tiles.filled, "skipped: no object is visible in them"),
         of(tile, "blank", tiles.blank, "filled ones that were not even written"),
         of(tile, "retained", tiles.retained, "skipped: the framebuffer showed them already"),
-        of(tile, "unknown", causes.unknown, "traced: what the framebuffer showed was not known"),
+        of(tile, "unknown", causes.unknown, "traced: the framebuffer's contents were not known"),
         of(tile, "view", causes.view, "traced: the camera, a light or an option had changed"),
         of(tile, "unrecorded", causes.unrecorded, "traced: no record of what their rays crossed"),
         of(tile, "reached", causes.reached, "traced: a ray had crossed a changed object's place"),

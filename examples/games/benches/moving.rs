@@ -153,13 +153,12 @@ fn plot(frames: &[Frame], path: &Path) -> Outcome<()> {
         .y_desc("% of all pixels")
         .label_style((FONT, 14))
         .draw()?;
-    let lines: [(&str, RGBColor, fn(&Frame) -> u64); 2] =
-        [("traced", TRACED, |frame| frame.traced), ("changed", CHANGED, |frame| frame.changed)];
-    for (name, colour, of) in lines {
-        let share = |frame| 100.0 * of(frame) as f64 / f64::from(SIZE.0 * SIZE.1);
-        let steps = frames.iter().enumerate();
-        let steps =
-            steps.flat_map(|(number, frame)| [(number, share(frame)), (number + 1, share(frame))]);
+    for (name, colour) in [("traced", TRACED), ("changed", CHANGED)] {
+        let steps = frames.iter().enumerate().flat_map(|(number, frame)| {
+            let pixels = if colour == TRACED { frame.traced } else { frame.changed };
+            let share = 100.0 * pixels as f64 / f64::from(SIZE.0 * SIZE.1);
+            [(number, share), (number + 1, share)]
+        });
         chart
             .draw_series(LineSeries::new(steps, colour.stroke_width(2)))?
             .label(name)

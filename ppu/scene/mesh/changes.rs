@@ -13,8 +13,8 @@ use super::{Block, MeshBlocks};
 
 impl MeshBlocks {
     /// Calls `found` with boxes around all surfaces that only one of two versions has, and around
-    /// those whose material is another: `is_other` tells it of a number. They are relative to the
-    /// mesh's origin, and each has its lower and its upper corner.
+    /// those whose material's number `is_other`. They are relative to the mesh's origin, and each
+    /// has its lower and its upper corner.
     ///
     /// Where nothing has moved, a refitted tree has the blocks that it had before.
     pub(crate) fn changes(
