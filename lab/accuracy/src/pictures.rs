@@ -87,9 +87,9 @@ const GENERATED: [&str; 12] = [
     "tree",
 ];
 
-/// The scenes with several samples a pixel, and the contrast of pixels that have sixteen.
+/// The scenes with sixteen samples where the contrast is high.
 const ANTIALIASED: [&str; 2] = ["whitted16", "still-life"];
-/// As for [`ANTIALIASED`].
+/// The contrast above which pixels of these have all samples.
 pub const ANTIALIASED_CONTRAST: u8 = 16;
 
 /// Why there is no picture: an error of the scene, an SPU program, the engine or the reference.
