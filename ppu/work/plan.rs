@@ -50,8 +50,7 @@ fn write_changes(eye: DVec3, places: &mut [BoundingSphere], nodes: &mut Vec<Node
 fn causes(contents: Contents, retain: bool, tiles: usize, may_be_reached: usize) -> Causes {
     let (tiles, reached) = (tiles as u64, may_be_reached.min(tiles) as u64);
     let none = Causes::default();
-    match contents {
-        _ if !retain => Causes { unknown: tiles, ..none },
+    match if retain { contents } else { Contents::Unknown } {
         Contents::Unknown => Causes { unknown: tiles, ..none },
         Contents::Other => Causes { view: tiles, ..none },
         Contents::Same => Causes { left: tiles, ..none },

@@ -5,22 +5,18 @@
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
+mod simulated;
+
 use std::error::Error;
-use std::process::Command;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::{Engine, Report, Settings};
 use games::demo::DEMOS;
 
 const SIZE: (u32, u32) = (1280, 720);
-const TIMING: &str = "LIBSPE2_TIMING";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    if std::env::var_os(TIMING).is_none() {
-        // The library reads the variable when a program starts.
-        let status = Command::new(std::env::current_exe()?).env(TIMING, "1").status()?;
-        std::process::exit(status.code().unwrap_or(1));
-    }
+    simulated::restart()?;
     println!("| game | frames/s | million rays: eye, reflected, refracted, shadow | objects |");
     println!("|---|---|---|---|");
     let settings = Settings { retain: false, ..Settings::default() };

@@ -9,9 +9,10 @@
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
+mod simulated;
+
 use std::error::Error;
 use std::path::Path;
-use std::process::Command;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{FixedSteps, NoInput, Recording, Session, World};
@@ -25,7 +26,6 @@ use protocol::layout::{SUBTILE_HEIGHT, SUBTILE_WIDTH};
 use scenes::Camera;
 
 const SIZE: (u32, u32) = (1280, 720);
-const TIMING: &str = "LIBSPE2_TIMING";
 /// Frames of a demonstration.
 const FRAMES: u64 = 24;
 /// Frames of the recorded game of billiards in which something changes, from its beginning on.
@@ -175,13 +175,7 @@ fn plot(frames: &[Frame], path: &Path) -> Outcome<()> {
 }
 
 fn main() -> Outcome<()> {
-    if std::env::var_os(TIMING).is_none() {
-        // The library reads the variable when a program starts.
-        let again = std::env::args_os().skip(1);
-        let status =
-            Command::new(std::env::current_exe()?).args(again).env(TIMING, "1").status()?;
-        std::process::exit(status.code().unwrap_or(1));
-    }
+    simulated::restart()?;
     let mut named: Vec<String> = std::env::args().skip(1).filter(|it| it != "--bench").collect();
     let plot_path = match named.iter().position(|name| name == "--plot") {
         Some(at) => named.drain(at..named.len().min(at + 2)).nth(1),

@@ -5,9 +5,10 @@
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
+mod simulated;
+
 use std::error::Error;
 use std::path::Path;
-use std::process::Command;
 use std::time::Duration;
 
 use cellray::framebuffer::{Geometry, Memory};
@@ -16,7 +17,6 @@ use cellray::{Engine, Settings};
 use games::station::Station;
 
 const SIZE: (u32, u32) = (1280, 720);
-const TIMING: &str = "LIBSPE2_TIMING";
 const FREEDOOM: &str = "/usr/share/games/doom/freedoom1.wad";
 /// Frames from one that is measured to the next.
 const EVERY: usize = 60;
@@ -59,13 +59,7 @@ fn row(name: &str, file: &str, game: Station) -> Outcome<String> {
 }
 
 fn main() -> Outcome<()> {
-    if std::env::var_os(TIMING).is_none() {
-        // The library reads the variable when a program starts.
-        let again = std::env::args_os().skip(1);
-        let status =
-            Command::new(std::env::current_exe()?).args(again).env(TIMING, "1").status()?;
-        std::process::exit(status.code().unwrap_or(1));
-    }
+    simulated::restart()?;
     println!("| walk | triangles | frames measured | mean, frames/s | slowest frame, frames/s |");
     println!("|---|---|---|---|---|");
     let named: Vec<String> = std::env::args().skip(1).filter(|name| name != "--bench").collect();

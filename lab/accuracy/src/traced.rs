@@ -1,12 +1,9 @@
 //! Traces a frame into memory, as `cellray` would trace it to a screen.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use cellray::framebuffer::{Geometry, Memory};
 use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Report, Scene, Settings};
-use image::RgbImage;
 use oracle::Picture;
 
 use crate::pictures::PictureError;
@@ -32,9 +29,7 @@ pub(crate) fn trace(
 ) -> Result<Traced, PictureError> {
     let settings = Settings { retain: false, program, ..Settings::default() };
     let scene = Scene::new(scene, options, &program)?;
-    let shown = Shown::default();
-    let framebuffer =
-        Kept { memory: Memory::new(Geometry::new(width, height)?)?, shown: Arc::clone(&shown) };
+    let framebuffer = Memory::new(Geometry::new(width, height)?)?;
     let mut report = Report::new(name, (width, height), settings.spus);
     let mut engine = Engine::start(settings, Box::new(framebuffer))?;
     engine.render(&scene, &mut |_| ())?;
@@ -42,40 +37,9 @@ pub(crate) fn trace(
     let primary_rays = statistics.spus.iter().map(|spu| spu.rays.eye).sum();
     report.add(statistics);
     let mut picture = Picture::black(width, height)?;
-    let shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+    let shown = engine.picture().ok_or("the frame can't be read back")?;
     for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {
         *to = from.0;
     }
     Ok(Traced { picture, frames_per_second: report.frames_per_second, primary_rays })
-}
-
-type Shown = Arc<Mutex<RgbImage>>;
-
-/// A framebuffer whose last frame can be read from outside the engine.
-struct Kept {
-    memory: Memory,
-    shown: Shown,
-}
-
-impl Framebuffer for Kept {
-    fn geometry(&self) -> Geometry {
-        self.memory.geometry()
-    }
-
-    fn target(&mut self) -> Target {
-        self.memory.target()
-    }
-
-    fn present(&mut self) -> Result<(), FramebufferError> {
-        *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = self.memory.rgb();
-        Ok(())
-    }
-
-    fn keeps_contents(&self) -> bool {
-        self.memory.keeps_contents()
-    }
-
-    fn describe(&self) -> String {
-        self.memory.describe()
-    }
 }

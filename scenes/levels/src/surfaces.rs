@@ -77,7 +77,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         let mut size = square;
         let mut has_holes = false;
         let mut colour = None;
-        let mut material = plain(DVec3::ONE);
+        let mut material = Material::matte(DVec3::ONE);
         if surface == Surface::Sky {
             material = self.sky()?;
         } else if let Some(picture) = picture {
@@ -87,7 +87,8 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
                 picture.texels.iter().map(|texel| texel.unwrap_or_default()).collect();
             if self.surfaces.len() < MAX_TEXTURES {
                 let texture = Texture::new(picture.width as u32, texels, [Wrap::Repeat; 2]);
-                material = Material { texture: texture.map(Arc::new), ..plain(DVec3::ONE) };
+                material =
+                    Material { texture: texture.map(Arc::new), ..Material::matte(DVec3::ONE) };
             } else {
                 colour = Some(mean(&texels));
                 self.notes.push(format!(
@@ -132,7 +133,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
             emission: horizon,
             diffuse: 0.0,
             shader: Shader::Own { name: GRADIENT.to_owned(), parameters: [0.0, 1.0, 0.0, 0.0] },
-            ..plain(zenith)
+            ..Material::matte(zenith)
         })
     }
 }
@@ -141,20 +142,4 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
 fn mean(texels: &[[u8; 3]]) -> DVec3 {
     let sum: DVec3 = texels.iter().map(|texel| DVec3::from(texel.map(f64::from))).sum();
     sum / (255.0 * texels.len().max(1) as f64)
-}
-
-/// A material without reflection.
-fn plain(colour: DVec3) -> Material {
-    Material {
-        line: 0,
-        colour,
-        diffuse: 1.0,
-        specular: 0.0,
-        shine: 1.0,
-        transmittance: 0.0,
-        refraction_index: 1.0,
-        emission: DVec3::ZERO,
-        shader: Shader::Phong,
-        texture: None,
-    }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3};
-use scenes::{Light, Material, Mesh, Scene, Shader, View};
+use scenes::{Light, Material, Mesh, Scene, View};
 
 use crate::framing::{self, Up};
 use crate::mask::{Corner, Mask};
@@ -220,7 +220,7 @@ impl Builder {
             return Err(Fault::NoTriangles);
         }
         if self.materials.is_empty() {
-            self.materials.push(plain(DVec3::splat(0.8)));
+            self.materials.push(Material::matte(DVec3::splat(0.8)));
         }
         let mut vertices = self.vertices;
         vertices.even_out();
@@ -358,20 +358,4 @@ fn join_vertices(mesh: &mut Mesh) {
     mesh.normals = joined.normals;
     mesh.texture_coordinates = joined.texture_coordinates;
     mesh.colours = joined.colours;
-}
-
-/// A material without reflection.
-pub(crate) fn plain(colour: DVec3) -> Material {
-    Material {
-        line: 0,
-        colour,
-        diffuse: 1.0,
-        specular: 0.0,
-        shine: 1.0,
-        transmittance: 0.0,
-        refraction_index: 1.0,
-        emission: DVec3::ZERO,
-        shader: Shader::Phong,
-        texture: None,
-    }
 }

@@ -72,7 +72,6 @@ pub(crate) fn fold(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::builder::plain;
 
     #[test]
     fn product_of_light_is_commutative_and_keeps_white() {
@@ -88,7 +87,7 @@ mod tests {
     fn triangles_of_one_colour_get_a_material_each() {
         let red = [1.0, 0.0, 0.0];
         let colours = [red, red, red, [1.0; 3], [1.0; 3]];
-        let mut materials = vec![plain(DVec3::splat(0.5))];
+        let mut materials = vec![Material::matte(DVec3::splat(0.5))];
         let mut numbers = [0, 0];
         assert!(!fold(&colours, &[[0, 1, 2], [1, 2, 3]], &mut numbers, &mut materials));
         assert_eq!(materials.len(), 1);

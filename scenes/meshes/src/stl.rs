@@ -4,7 +4,7 @@
 use glam::DVec3;
 
 use crate::Fault;
-use crate::builder::{Builder, Vertex, plain};
+use crate::builder::{Builder, Vertex};
 use crate::framing::Up;
 use crate::text::{Lines, number, shown, without_mark, words};
 
@@ -17,7 +17,7 @@ pub(crate) fn read(bytes: &[u8], builder: &mut Builder) -> Result<(), Fault> {
     // Some files show both sides of surfaces, and some have triangles the wrong way round.
     builder.two_sided = true;
     builder.up = Up::Z;
-    let material = builder.material(plain(DVec3::splat(0.8)), None)?;
+    let material = builder.material(scenes::Material::matte(DVec3::splat(0.8)), None)?;
     if is_text(bytes) { text(bytes, material, builder) } else { binary(bytes, material, builder) }
 }
 

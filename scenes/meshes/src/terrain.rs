@@ -5,7 +5,7 @@
 use glam::{DVec2, DVec3, Vec3};
 use scenes::{Light, LightKind, View};
 
-use crate::builder::{Builder, Vertex, plain};
+use crate::builder::{Builder, Vertex};
 use crate::{Fault, MAX_TRIANGLES};
 
 /// The prefix of a generated terrain's name: `terrain:LEVEL`.
@@ -38,7 +38,8 @@ pub(crate) fn generate(level: &str, builder: &mut Builder) -> Result<(), Fault> 
     };
     let side = 1_u32 << level;
     let colours = [[0.30, 0.45, 0.16], [0.44, 0.40, 0.36], [0.93, 0.94, 0.97]];
-    let [grass, rock, snow] = colours.map(|colour| builder.material(plain(colour.into()), None));
+    let [grass, rock, snow] =
+        colours.map(|colour| builder.material(scenes::Material::matte(colour.into()), None));
     let (grass, rock, snow) = (grass?, rock?, snow?);
 
     let coordinate = |step: u32| (2.0 * f64::from(step) / f64::from(side) - 1.0) * HALF;

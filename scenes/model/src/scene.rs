@@ -86,6 +86,25 @@ pub struct Material {
     pub texture: Option<Arc<Texture>>,
 }
 
+impl Material {
+    /// A material without highlight, reflection and transmission.
+    #[must_use]
+    pub fn matte(colour: DVec3) -> Self {
+        Self {
+            line: 0,
+            colour,
+            diffuse: 1.0,
+            specular: 0.0,
+            shine: 1.0,
+            transmittance: 0.0,
+            refraction_index: 1.0,
+            emission: DVec3::ZERO,
+            shader: Shader::Phong,
+            texture: None,
+        }
+    }
+}
+
 /// The shader that computes the colour of a material's surfaces.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Shader {

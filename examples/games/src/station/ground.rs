@@ -140,8 +140,8 @@ impl Ground {
     /// The floor on which a walker with its feet at this height stands at a place.
     ///
     /// # Errors
-    /// It does not fit there. The error is the step away from what is most in the way, or 0 if it is
-    /// outside of the level.
+    /// It does not fit there. The error is the step away from what is most in the way, or 0 if it
+    /// is outside of the level.
     pub fn stand(&self, place: DVec2, feet: f64) -> Result<f64, DVec2> {
         let sector = self.sector(place).ok_or(DVec2::ZERO)?;
         let [mut floor, mut ceiling] = self.heights[sector as usize];

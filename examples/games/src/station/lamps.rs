@@ -13,9 +13,9 @@ use super::things::{self, Decorations};
 const SHINING: usize = 3;
 /// The distance from which on a lamp is out.
 const RANGE: f64 = 700.0;
-/// The most brightness of a lamp, as a share of its colour, and how much nearer than one that is out
-/// it has that, as a share of the range.
+/// The most brightness of a lamp, as a share of its colour.
 const BRIGHTNESS: f64 = 0.8;
+/// A lamp has this brightness if it is nearer than one that is out by this share of the range.
 const NEARER: f64 = 0.25;
 
 /// The lamps.

@@ -52,7 +52,10 @@ pub struct Arguments {
     programs: Vec<String>,
     /// Measure only pictures with several samples a pixel: adaptive antialiasing and regular
     /// supersampling
-    #[arg(long, conflicts_with_all = ["quick", "full", "no_pictures", "pictures", "only", "json", "seed"])]
+    #[arg(
+        long,
+        conflicts_with_all = ["quick", "full", "no_pictures", "pictures", "only", "json", "seed"]
+    )]
     antialiasing: bool,
     /// Measure only these formulations, and no pictures
     #[arg(long, value_name = "NAME", value_delimiter = ',')]

@@ -41,8 +41,8 @@ enum Command {
 
 pub fn main() -> ExitCode {
     let command = Arguments::parse().command;
-    // The search's and the clock's programs are built in, and plots need none. The others need the kernels'
-    // sources.
+    // The search's and the clock's programs are built in, and plots need none. The others need the
+    // kernels' sources.
     if !matches!(
         command,
         Command::Search(_) | Command::Clock(_) | Command::Compare(_) | Command::MeshCache(_)

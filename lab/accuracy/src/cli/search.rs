@@ -14,7 +14,12 @@ use super::Outcome;
 #[derive(Args)]
 pub struct Arguments {
     /// Seed of the random scenes
-    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
+    #[arg(
+        long,
+        default_value_t = kernels::bench::SEED,
+        value_name = "N",
+        allow_negative_numbers = true
+    )]
     seed: u64,
     /// The number of scenes to try
     #[arg(long, default_value_t = 400, value_name = "N", allow_negative_numbers = true)]

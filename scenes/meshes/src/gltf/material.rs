@@ -10,7 +10,6 @@ use glam::DVec3;
 use scenes::{Material, Shader};
 
 use super::json;
-use crate::builder::plain;
 use crate::colours::encoded;
 use crate::notes::Notes;
 
@@ -93,7 +92,7 @@ pub(super) fn of(material: &json::Material, notes: &mut Notes) -> Material {
         refraction_index: index.clamp(1.0, 10.0),
         emission: emission(material, notes),
         shader,
-        ..plain(colour.map(encoded))
+        ..Material::matte(colour.map(encoded))
     }
 }
 

@@ -10,7 +10,7 @@ use scenes::{Material, Wrap};
 use super::library::{Definition, Libraries, Map};
 use super::{FaceMaterial, NONE};
 use crate::Fault;
-use crate::builder::{Builder, plain};
+use crate::builder::Builder;
 use crate::mask::Mask;
 use crate::text::shown;
 use crate::texture::{Decoded, decode, decode_mask};
@@ -60,7 +60,7 @@ impl<'a> Materials<'a> {
                 self.make(definition, has_places, has_colour, file, line, builder)?
             }
             None => FaceMaterial {
-                number: builder.material(plain(DVec3::splat(bare(has_colour))), None)?,
+                number: builder.material(Material::matte(DVec3::splat(bare(has_colour))), None)?,
                 is_textured: false,
                 is_coloured: has_colour,
             },
@@ -177,6 +177,6 @@ fn material(found: &Definition, has_colours: bool) -> Material {
         transmittance: 1.0 - dissolve.map_or(1.0, share),
         refraction_index: found.index.unwrap_or(1.0).clamp(1.0, 10.0),
         emission: found.emission.map_or(DVec3::ZERO, colour),
-        ..plain(found.diffuse.map_or(DVec3::splat(bare(has_colours)), colour))
+        ..Material::matte(found.diffuse.map_or(DVec3::splat(bare(has_colours)), colour))
     }
 }

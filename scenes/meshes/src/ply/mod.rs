@@ -10,7 +10,7 @@ use glam::DVec3;
 use self::data::Values;
 use self::header::{Element, Header, Property};
 use crate::Fault;
-use crate::builder::{Builder, Vertex, plain};
+use crate::builder::{Builder, Vertex};
 use crate::texture::decode;
 
 /// The names that texture coordinates have.
@@ -181,7 +181,7 @@ impl File {
         let faces_have_colours = self.faces.iter().any(|face| face.colour.is_some());
         let has_colours = self.columns.colour.is_some() || faces_have_colours;
         let grey = if has_colours || texture.is_some() { 1.0 } else { 0.8 };
-        let material = scenes::Material { texture, ..plain(DVec3::splat(grey)) };
+        let material = scenes::Material { texture, ..scenes::Material::matte(DVec3::splat(grey)) };
         let is_textured = material.texture.is_some();
         let material = builder.material(material, None)?;
 

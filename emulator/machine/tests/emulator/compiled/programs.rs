@@ -293,43 +293,38 @@ fn spes_share_translations() {
 /// several iterations each.
 const HOT_ROUNDS: u32 = 260_000;
 
-#[test]
-fn a_hot_loop_is_optimized() {
+/// Runs a loop that becomes hot.
+fn run_hot_loop(translations: &Arc<Translations>) {
     let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], HOT_ROUNDS);
     code.push(word(Op::Stop, [0; 3], 7));
-    let translations =
-        Translations::new(false, false).expect("the hosts of the tests have a compiler");
     let local_store = LocalStore::new();
     load(&local_store, 0, &code);
-    let (mut runner, mut spu) = (Runner::new(&translations), Spu::new());
+    let (mut runner, mut spu) = (Runner::new(translations), Spu::new());
     let stopped = runner.run(&mut spu, &local_store, &mut NoChannels, u64::MAX);
     assert_eq!(stopped.map(|stopped| stopped.pc), Some(16));
     assert_eq!(spu.register(3), Quad::splat(3 * HOT_ROUNDS));
+}
+
+#[test]
+fn a_hot_loop_is_optimized() {
+    let translations =
+        Translations::new(false, false).expect("the hosts of the tests have a compiler");
+    run_hot_loop(&translations);
     assert_eq!(translations.units(), 2);
 }
 
 #[test]
 fn a_thread_optimizes_in_the_background() {
-    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], HOT_ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 7));
     let translations =
         Translations::new(false, false).expect("the hosts of the tests have a compiler");
     translations.optimize_in_background();
-    let run = || {
-        let local_store = LocalStore::new();
-        load(&local_store, 0, &code);
-        let (mut runner, mut spu) = (Runner::new(&translations), Spu::new());
-        let stopped = runner.run(&mut spu, &local_store, &mut NoChannels, u64::MAX);
-        assert_eq!(stopped.map(|stopped| stopped.pc), Some(16));
-        assert_eq!(spu.register(3), Quad::splat(3 * HOT_ROUNDS));
-    };
-    run();
+    run_hot_loop(&translations);
     let start = Instant::now();
     while translations.units() < 2 {
         assert!(start.elapsed() < Duration::from_secs(600), "nothing was optimized");
         thread::sleep(Duration::from_millis(1));
     }
-    run();
+    run_hot_loop(&translations);
     assert_eq!(translations.units(), 2);
 }
 
