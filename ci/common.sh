@@ -47,7 +47,7 @@ linux_image() {
 # stays.
 put() {
     local name=$1 table=$2 document
-    document=$(grep -l "^<!-- $name: written by" README.md docs/*.md) || die "no document has lines for the table $name"
+    document=$(grep -l "^<!-- $name: written by" README.md docs/*.md play/browser/README.md) || die "no document has lines for the table $name"
     awk -v name="$name" -v table="$table" '
         index($0, "<!-- " name ": written by") == 1 {
             print; print ""

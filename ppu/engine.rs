@@ -18,7 +18,7 @@ pub use self::silence::{Activity, Silence};
 use self::spus::Spus;
 pub use self::traced::{TracedTile, TracedUnits};
 pub use self::unchecked::Unchecked;
-use crate::framebuffer::{self, Framebuffer};
+use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
 use crate::spe::{Program, ProgramError};
 use crate::statistics::FrameStatistics;
@@ -290,7 +290,8 @@ impl Engine {
     /// Abandons the SPUs, and leaks all memory that they may still write to. The screen is
     /// restored now, because the framebuffer that would restore it later is leaked too.
     fn abandon(&mut self) {
-        framebuffer::restore_screen();
+        #[cfg(unix)]
+        crate::framebuffer::restore_screen();
         std::mem::forget(self.records.take());
         self.spus.abandon();
     }

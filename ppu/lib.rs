@@ -47,23 +47,32 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+// Without worlds that change and without files, nothing uses what the scene and the framebuffer
+// offer them.
+#![cfg_attr(not(unix), allow(dead_code, unused_imports))]
+
 #[cfg(feature = "choices")]
 pub mod choices;
 pub mod engine;
 pub mod framebuffer;
+#[cfg(unix)]
 pub mod game;
+#[cfg(unix)]
 pub mod prelude;
 pub mod quality;
+#[cfg(unix)]
 mod report;
 pub mod scene;
 mod shared;
 pub mod spe;
 pub mod statistics;
+#[cfg(unix)]
 pub mod watch;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};
 pub use quality::Quality;
+#[cfg(unix)]
 pub use report::{LoopTime, Report};
 pub use scene::{Scene, SceneError};
 pub use shared::SharedMemory;

@@ -328,7 +328,7 @@ impl Scene {
     }
 
     /// Moves the eye. Call [`Scene::write`] afterwards.
-    pub(crate) fn set_view(&mut self, view: &scenes::View) {
+    pub fn set_view(&mut self, view: &scenes::View) {
         self.view.clone_from(view);
     }
 
@@ -337,7 +337,7 @@ impl Scene {
     ///
     /// # Errors
     /// The eye is out of range.
-    pub(crate) fn write(&mut self) -> Result<(), SceneError> {
+    pub fn write(&mut self) -> Result<(), SceneError> {
         match &mut self.block {
             Some(block) => Ok(block.write_for(self.view.from)?),
             None => Ok(()),

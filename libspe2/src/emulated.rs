@@ -132,7 +132,7 @@ impl Emulated {
             Stop::Dma(DmaError::Storage { ea, .. }) => {
                 dma(SPE_DMA_STORAGE, FaultSignal::dma_storage(*ea))
             }
-            Stop::Requested => Ended::Return(Outcome::fatal(-1)),
+            Stop::Requested | Stop::Waits => Ended::Return(Outcome::fatal(-1)),
         };
         (npc, ended)
     }

@@ -5,7 +5,9 @@
 //! finishes one, or replies.
 
 use std::fmt;
-use std::time::{Duration, Instant};
+use std::time::Duration;
+
+use crate::spe::Instant;
 
 /// The shortest time between two calls that report progress.
 const LOOK_EVERY: Duration = Duration::from_millis(250);

@@ -1,15 +1,14 @@
-//! The SPUs, each on a thread of its own, and the mail exchanged with them for each frame.
+//! The SPUs, and the mail exchanged with them for each frame.
 
 use std::sync::Arc;
-use std::thread::{self, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::error::EngineError;
 use super::records::Records;
 use super::settings::Settings;
 use super::silence::{Activity, Pause, Silence, Watchdog};
 use super::unchecked::Unchecked;
-use crate::spe::{Context, Ended, Event, Events, SpeError};
+use crate::spe::{Context, Ended, Event, Events, Instant, Running};
 use crate::work::Refusal;
 use protocol::layout::{FEATURE_WHITTED, Frame, MAX_SPUS};
 
@@ -19,7 +18,7 @@ const UNTIL_HALTED: Duration = Duration::from_secs(5);
 
 struct Spu {
     context: Arc<Context>,
-    thread: Option<JoinHandle<Ended>>,
+    running: Option<Running>,
 }
 
 /// SPUs that wait for frames. Dropping this ends their programs.
@@ -31,19 +30,15 @@ pub(super) struct Spus {
 }
 
 impl Spus {
-    /// Creates the SPE contexts, loads the program into each and starts it on a thread of its own.
+    /// Creates the SPE contexts, loads the program into each and starts it.
     pub fn start(settings: &Settings) -> Result<Self, EngineError> {
         let mut started = Self { events: Events::create()?, spus: Vec::new(), pause: Pause::new() };
         for number in 0..settings.spus {
             let context = Arc::new(Context::create()?);
             context.load(&settings.program)?;
             started.events.watch(&context, number)?;
-            let runner = Arc::clone(&context);
-            let thread = thread::Builder::new()
-                .name(format!("spu{number}"))
-                .spawn(move || runner.run(number as usize))
-                .map_err(|source| SpeError { call: "thread for spe_context_run", source })?;
-            started.spus.push(Spu { context, thread: Some(thread) });
+            let running = Running::start(&context, number)?;
+            started.spus.push(Spu { context, running: Some(running) });
         }
         Ok(started)
     }
@@ -57,7 +52,7 @@ impl Spus {
         settings: &Settings,
         progress: &mut dyn FnMut(f64),
     ) -> Result<(), EngineError> {
-        if self.spus.iter().any(|spu| spu.thread.is_none()) {
+        if self.spus.iter().any(|spu| spu.running.is_none()) {
             return Err(EngineError::Lost);
         }
         for spu in &self.spus {
@@ -110,7 +105,7 @@ impl Spus {
                 Event::Stopped => {
                     spu.context.take_stop_record()?;
                     // The thread is about to end: libspe2 wrote the record just before.
-                    let ended = spu.thread.take().and_then(|thread| thread.join().ok());
+                    let ended = spu.running.take().and_then(Running::ended);
                     ended.map(|ended| EngineError::Ended {
                         spu: number,
                         ended,
@@ -175,7 +170,7 @@ impl Spus {
                 continue;
             }
             spu.context.take_stop_record().ok()?;
-            let ended = spu.thread.take().and_then(|thread| thread.join().ok());
+            let ended = spu.running.take().and_then(Running::ended);
             if of as usize == number {
                 return ended;
             }
@@ -195,12 +190,12 @@ impl Spus {
 impl Drop for Spus {
     fn drop(&mut self) {
         for spu in &mut self.spus {
-            let Some(thread) = spu.thread.take() else {
+            let Some(running) = spu.running.take() else {
                 continue;
             };
             // Address 0 ends the program. If it can't be mailed, the program would never end.
             if spu.context.mail([0, 0]).is_ok() {
-                let _ = thread.join();
+                let _ = running.ended();
             }
         }
     }

@@ -8,45 +8,75 @@
 //! Invariant: every [`Target`] follows the DMA rules stated there, whatever the driver offers. If
 //! a driver's memory doesn't follow them, the frame is made in private memory and copied.
 
+#[cfg(unix)]
 mod arming;
 mod buffer;
+#[cfg(unix)]
 mod console;
+#[cfg(unix)]
 mod corners;
+#[cfg(unix)]
 mod device;
+#[cfg(unix)]
 mod display;
+#[cfg(unix)]
 mod driver;
 mod error;
+#[cfg(unix)]
 mod file;
+#[cfg(unix)]
 mod file_limit;
+#[cfg(unix)]
 mod forward;
+#[cfg(unix)]
 mod interrupted;
+#[cfg(unix)]
 mod ioctl;
+#[cfg(unix)]
 mod labels;
+#[cfg(unix)]
 mod last_resort;
 mod memory;
+#[cfg(unix)]
 mod numbered;
+#[cfg(unix)]
 mod open;
 #[cfg(test)]
 mod pattern;
+#[cfg(unix)]
 mod picture_file;
 mod pixel;
 mod raster;
+#[cfg(unix)]
 mod surface;
+#[cfg(unix)]
 mod switching;
+#[cfg(unix)]
 mod video_mode;
 
+#[cfg(unix)]
 pub use corners::Corners;
+#[cfg(unix)]
 pub use device::{Device, Mode};
 pub use error::FramebufferError;
+#[cfg(unix)]
 pub use file::File;
+#[cfg(unix)]
 pub use file_limit::refuse_large_files;
+#[cfg(unix)]
 pub use interrupted::Interrupted;
+#[cfg(unix)]
 pub use labels::Labels;
+#[cfg(unix)]
 pub use last_resort::LastResort;
+#[cfg(unix)]
 pub(crate) use last_resort::restore_screen;
 pub use memory::Memory;
+#[cfg(unix)]
 pub use numbered::NumberedPath;
+#[cfg(unix)]
 pub use open::{open, open_with};
+#[cfg(unix)]
 pub use picture_file::{PictureFile, write_labelled, write_picture};
 pub use pixel::PixelFormat;
 pub use raster::Raster;
@@ -192,6 +222,7 @@ pub trait Framebuffer: Send {
     fn describe(&self) -> String;
 }
 
+#[cfg(unix)]
 /// Options for opening a framebuffer. The defaults suit each kind best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
@@ -211,6 +242,7 @@ pub struct Options {
     pub vsync: bool,
 }
 
+#[cfg(unix)]
 impl Default for Options {
     fn default() -> Options {
         Options { size: None, raster: None, mode: None, two_frames: true, vsync: true }

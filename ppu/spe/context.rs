@@ -1,12 +1,11 @@
 //! One SPE context.
 
 use std::ffi::{CStr, c_int, c_uint, c_void};
-use std::fmt;
 use std::path::PathBuf;
 use std::ptr::{self, NonNull};
 
 use super::sys;
-use super::{Program, SpeError};
+use super::{Ended, Outcome, Program, SpeError};
 
 /// An SPE context, which is destroyed when dropped.
 #[derive(Debug)]
@@ -17,48 +16,6 @@ pub struct Context(NonNull<sys::spe_context>);
 unsafe impl Send for Context {}
 // SAFETY: as above.
 unsafe impl Sync for Context {}
-
-/// How an SPU program ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// The program exited with this code.
-    Exit(i32),
-    /// The program stopped with a code that has no defined meaning.
-    Signal(u32),
-    /// The SPU could not continue; a description of the bits in `SPU_Status`.
-    Fault(&'static str),
-    /// The MFC raised an exception; a description, and the kernel's event word.
-    Dma(&'static str, i32),
-    /// Any other reason of libspe2: stop reason and result.
-    Library(u32, i32),
-}
-
-/// How and where a run ended.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Ended {
-    /// How the run ended.
-    pub outcome: Outcome,
-    /// The local-store address of the next instruction.
-    pub npc: u32,
-    /// The instruction word before it. It caused the stop, unless the stop was imprecise.
-    pub instruction: u32,
-}
-
-impl fmt::Display for Ended {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match &self.outcome {
-            Outcome::Exit(code) => write!(f, "exited with code {code}")?,
-            Outcome::Signal(code) => write!(f, "stopped with the unknown code {code:#06x}")?,
-            Outcome::Fault(what) => write!(f, "stopped: {what}")?,
-            Outcome::Dma(what, word) => write!(f, "stopped: {what} (event {word:#06x})")?,
-            Outcome::Library(reason, result) => {
-                write!(f, "stopped: libspe2's stop reason {reason}, result {result}")?;
-            }
-        }
-        let pc = self.npc.wrapping_sub(4);
-        write!(f, " at {pc:#07x}, instruction {:#010x}", self.instruction)
-    }
-}
 
 /// The number of words that the inbound mailbox holds.
 const MAILBOX_DEPTH: c_int = 4;
@@ -99,7 +56,11 @@ impl Context {
     /// # Errors
     /// libspe2 refuses the program.
     pub fn load(&self, program: &Program) -> Result<(), SpeError> {
-        let mut handle = program.handle();
+        let mut handle = sys::spe_program_handle_t {
+            handle_size: size_of::<sys::spe_program_handle_t>() as u32,
+            elf_image: program.image().as_ptr().cast::<c_void>(),
+            toe_shadow: ptr::null(),
+        };
         // SAFETY: the context lives. The handle points to a complete ELF file that lives forever,
         // and the library keeps no reference to the handle.
         let result = unsafe { sys::spe_program_load(self.as_ptr(), &raw mut handle) };

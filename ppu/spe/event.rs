@@ -5,16 +5,7 @@ use std::ptr::{self, NonNull};
 use std::time::Duration;
 
 use super::sys;
-use super::{Context, SpeError};
-
-/// An event of an SPE.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Event {
-    /// Its outbound interrupt mailbox has a word.
-    Reply,
-    /// Its program ended.
-    Stopped,
-}
+use super::{Context, Event, SpeError};
 
 /// An event handler of libspe2, which is destroyed when dropped.
 #[derive(Debug)]

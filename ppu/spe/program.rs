@@ -1,15 +1,13 @@
 //! SPU programs: ELF images in this program's memory.
 
-use std::ffi::c_void;
+use std::fs;
 use std::ops::Range;
 use std::path::Path;
-use std::{fs, ptr};
 
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout};
 
 use super::elf;
 use super::error::ProgramError;
-use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
 use protocol::layout::{
     BOX_CODE, BOX_CODE_CAPACITY, COLOUR_CODE, COLOUR_CODE_CAPACITY, DEPTH_CODE,
@@ -188,13 +186,5 @@ impl Program {
     #[must_use]
     pub fn image(&self) -> &'static [u8] {
         self.image
-    }
-
-    pub(super) fn handle(&self) -> spe_program_handle_t {
-        spe_program_handle_t {
-            handle_size: size_of::<spe_program_handle_t>() as u32,
-            elf_image: self.image.as_ptr().cast::<c_void>(),
-            toe_shadow: ptr::null(),
-        }
     }
 }

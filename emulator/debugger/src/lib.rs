@@ -53,7 +53,7 @@ pub fn signal_of(reason: &Stop) -> Option<u8> {
         Stop::InvalidInstruction(_) => Some(SIGILL),
         Stop::Dma(_) => Some(SIGBUS),
         Stop::Signal(TRAP) => Some(SIGTRAP),
-        Stop::Signal(_) | Stop::Requested => None,
+        Stop::Signal(_) | Stop::Requested | Stop::Waits => None,
         Stop::Halt | Stop::InvalidChannel(..) => Some(SIGABRT),
     }
 }

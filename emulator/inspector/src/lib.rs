@@ -9,9 +9,11 @@ mod frame;
 mod kernels;
 mod maps;
 mod page;
+#[cfg(unix)]
 mod recording;
 mod timelines;
 
+#[cfg(unix)]
 pub use recording::{Recording, RecordingError};
 
 use spu_reports::ProfileError;

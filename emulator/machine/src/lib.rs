@@ -15,6 +15,7 @@
 //! | find DMA that a program does not wait for | [`simulated::Simulation::on_race`] |
 //! | compute as an SPU computes | [`float`] |
 //! | choose whether code is interpreted or compiled | [`engine::Engine`] |
+//! | run SPEs without threads | [`in_turn`] |
 //! | serve an SPU program's PPE-assisted calls | [`ppe_call`] |
 //!
 //! Without features, this is the SPU alone, which needs neither an operating system nor threads:
@@ -137,6 +138,8 @@ pub mod engine;
 #[cfg(feature = "machine")]
 mod event;
 pub mod float;
+#[cfg(feature = "machine")]
+pub mod in_turn;
 pub mod interp;
 pub mod local_store;
 #[cfg(feature = "machine")]
@@ -148,7 +151,7 @@ pub mod mailbox;
 #[cfg(feature = "machine")]
 pub mod memory;
 pub mod mfc;
-#[cfg(feature = "machine")]
+#[cfg(all(feature = "machine", unix))]
 pub mod ppe_call;
 #[cfg(feature = "machine")]
 pub mod profile;

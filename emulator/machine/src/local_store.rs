@@ -74,8 +74,11 @@ impl LocalStore {
     #[inline]
     #[must_use]
     pub fn load_word(&self, address: u32) -> u32 {
-        let doubleword = u64::from_be(self.doubleword(address).load(Relaxed));
-        if address & 4 == 0 { (doubleword >> 32) as u32 } else { doubleword as u32 }
+        // One word's bytes are swapped, because some hosts have no instruction for it.
+        let doubleword = self.doubleword(address).load(Relaxed);
+        let after = (address & 4) * 8;
+        let shift = if cfg!(target_endian = "big") { 32 - after } else { after };
+        u32::from_be((doubleword >> shift) as u32)
     }
 
     /// Copies bytes out of local store. The address wraps at the limit.

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::compiled::{Difference, Translations};
 use crate::decrementer::{Clock, HostClock};
 use crate::engine::Engine;
+use crate::in_turn::Turns;
 use crate::memory::MainMemory;
 use crate::mfc::interconnect::Interconnect;
 use crate::mfc::timing::InFlight;
@@ -16,6 +17,7 @@ pub struct Machine {
     clock: Arc<dyn Clock>,
     simulation: Option<Arc<Simulation>>,
     translations: Option<Arc<Translations>>,
+    turns: Option<Arc<Turns>>,
 }
 
 fn translations(engine: Engine, timed: bool, watches: bool) -> Option<Arc<Translations>> {
@@ -56,6 +58,7 @@ impl Machine {
             clock,
             simulation: None,
             translations: translations(engine, false, false),
+            turns: None,
         })
     }
 
@@ -99,6 +102,43 @@ impl Machine {
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
             translations: translations(options.engine, true, options.races),
+            turns: None,
+        })
+    }
+
+    /// A machine with this memory and time base whose SPEs run [in turn](crate::in_turn).
+    #[must_use]
+    pub fn in_turn(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
+        Arc::new(Self {
+            interconnect: Interconnect::new(memory, None),
+            clock,
+            simulation: None,
+            translations: None,
+            turns: Some(Arc::default()),
+        })
+    }
+
+    /// As [`simulated_with`](Self::simulated_with), with SPEs that run [in turn](crate::in_turn) and
+    /// are interpreted.
+    ///
+    /// # Panics
+    ///
+    /// As [`simulated`](Self::simulated) does.
+    #[must_use]
+    pub fn simulated_in_turn(
+        memory: Arc<dyn MainMemory>,
+        timing: Timing,
+        options: SimulationOptions,
+    ) -> Arc<Self> {
+        let turns = Arc::<Turns>::default();
+        let simulation = Simulation::in_turn(timing, options, Arc::clone(&turns));
+        let in_flight: Arc<dyn InFlight> = simulation.clone();
+        Arc::new(Self {
+            interconnect: Interconnect::new(memory, Some(in_flight)),
+            clock: Arc::new(HostClock),
+            simulation: Some(simulation),
+            translations: None,
+            turns: Some(turns),
         })
     }
 
@@ -134,6 +174,12 @@ impl Machine {
     #[must_use]
     pub fn difference(&self) -> Option<Difference> {
         self.translations.as_ref()?.difference()
+    }
+
+    /// The SPEs, if they run [in turn](crate::in_turn).
+    #[must_use]
+    pub fn turns(&self) -> Option<&Arc<Turns>> {
+        self.turns.as_ref()
     }
 
     pub(crate) fn translations(&self) -> Option<&Arc<Translations>> {

@@ -28,6 +28,8 @@ pub enum Stop {
     Dma(crate::mfc::DmaError),
     /// Another thread asked the SPU to stop.
     Requested,
+    /// The SPU would sleep, but its thread also runs others ([`in_turn`](crate::in_turn)).
+    Waits,
 }
 
 /// Why and where an SPU stopped.
@@ -61,6 +63,7 @@ impl fmt::Display for Stopped {
             }
             Stop::Dma(error) => write!(f, "{error} (near {pc:#07x})"),
             Stop::Requested => write!(f, "stopped by request at {pc:#07x}"),
+            Stop::Waits => write!(f, "waits for a channel at {pc:#07x}"),
         }
     }
 }

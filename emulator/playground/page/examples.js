@@ -1,6 +1,7 @@
 // The programs that the page offers, from three lines to a kernel of the tracer.
 
 import threeLines from "./examples/three-lines.s";
+import mail from "./examples/mail.s";
 import pairs from "./examples/pairs.s";
 import pack from "./examples/pack.s";
 import main from "../../../examples/spu/main.s";
@@ -12,5 +13,6 @@ export const examples = [
   { name: "pairs", text: pairs },
   { name: "a dot product", text: `${main}\n${dot}` },
   { name: "four sums at once", text: `${main}\n${dot4}` },
+  { name: "mail and the decrementer", text: mail },
   { name: "a kernel of the tracer", text: pack },
 ];

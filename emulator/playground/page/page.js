@@ -2,30 +2,10 @@
 
 import { editor } from "./editor.js";
 import { examples } from "./examples.js";
+import { program } from "./exchange.js";
 
 const $ = (id) => document.getElementById(id);
-const code = await WebAssembly.compile(await (await fetch("playground.wasm")).arrayBuffer());
-let machine;
-
-/** Passes a request and returns the reply. After a fault of the program, it starts again. */
-function ask(request) {
-  try {
-    machine ??= new WebAssembly.Instance(code, {}).exports;
-    const bytes = new TextEncoder().encode(JSON.stringify(request));
-    const buffer = machine.buffer(bytes.length);
-    new Uint8Array(machine.memory.buffer, buffer, bytes.length).set(bytes);
-    const at = machine.reply();
-    return JSON.parse(
-      new TextDecoder().decode(new Uint8Array(machine.memory.buffer, at, machine.reply_bytes())),
-    );
-  } catch (fault) {
-    machine = undefined;
-    return {
-      fault: `The playground's own program failed: ${fault.message}. Please report this text.`,
-    };
-  }
-}
-
+const { ask } = await program("playground.wasm");
 let lines = new Map();
 let addresses = new Map();
 let state = { step: 0 };
@@ -65,7 +45,7 @@ function show(frame, html) {
 
 function assemble(text) {
   $("examples").selectedIndex = examples.findIndex((example) => example.text === text);
-  const reply = ask({ load: { source: text } });
+  const reply = ask({ load: { source: text, mail: mail() ?? [] } });
   scheduled = undefined;
   choose(false);
   $("theirs").disabled = true;
@@ -105,6 +85,7 @@ function look(request) {
   );
   if (!state.stopped) for (const row of rows) row.classList.add("here");
   cycles();
+  mailboxes();
   registers();
   const quadword = state.written.quadword;
   $("store").replaceChildren(
@@ -145,6 +126,26 @@ function cycles() {
         cell,
       );
     }),
+  );
+}
+
+/** The words that the PPE sends, or `undefined` after a message that one is no word. */
+function mail() {
+  const words = $("mail").value.split(/[\s,]+/).filter((word) => word);
+  const bad = words.find((word) => !/^(0x[0-9a-f]{1,8}|-?\d{1,10})$/i.test(word));
+  if (bad) return void say(`The PPE's words: ${bad} is not a number of 32 bits.`, true);
+  return words.map((word) => Number(word) >>> 0);
+}
+
+function mailboxes() {
+  const { inbound, read, outbound, outbound_interrupt } = state.mail;
+  const line = (name, text) => tableRow(false, element("th", name), element("td", text));
+  $("mailboxes").replaceChildren(
+    line("read", inbound.slice(0, read).join(" ")),
+    line("still to read", inbound.slice(read).join(" ")),
+    line("sent", outbound.join(" ")),
+    line("sent with an interrupt", outbound_interrupt.join(" ")),
+    line("decrementer", `${state.decrementer}`),
   );
 }
 
@@ -191,7 +192,7 @@ function choose(theirs) {
 }
 
 function schedule() {
-  const reply = ask({ schedule: { source: source.text } });
+  const reply = ask({ schedule: { source: source.text, mail: mail() ?? [] } });
   if (reply.fault) return say(reply.fault, true);
   if (reply.error) return say(reply.error, true);
   scheduled = reply.text;
@@ -263,6 +264,10 @@ addEventListener("keydown", (event) => {
   if (!action) return;
   event.preventDefault();
   actions[action]();
+});
+$("mail").addEventListener("change", () => {
+  const words = mail();
+  if (words) look({ send: { mail: words } });
 });
 $("format").addEventListener("change", registers);
 $("address").addEventListener("change", () => look({ go: { step: state.step } }));

@@ -93,6 +93,20 @@ await type("again:  br      again\n");
 await chromium.click("#run");
 assert.match(await status(), /^5000000 instructions have run/);
 
+// Mail is read and sent, and a program that waits for more says so.
+await type("again:  rdch    $3,$SPU_RdInMbox\n        wrch    $SPU_WrOutMbox,$3\n        br      again\n");
+await chromium.click("#mail");
+await chromium.type("7 0x10");
+await chromium.key("Enter", 13);
+await value("document.querySelector('#mail').blur()");
+await chromium.click("#run");
+assert.match(await status(), /^waits for a channel at 0x00000; the PPE has sent no more words/);
+assert.equal(
+  await value("document.querySelector('#mailboxes').textContent"),
+  "read7 16still to readsent7 16sent with an interruptdecrementer0",
+);
+await value("document.querySelector('#mail').value = ''");
+
 // Each program gives the registers, the cycles and the schedule that `spu` gives.
 for (const name of readdirSync(expected)
   .filter((file) => file.endsWith(".s") && !file.includes(".scheduled"))

@@ -1,17 +1,16 @@
 //! The program of the playground's page, for WebAssembly: it assembles, schedules and steps through
 //! SPU code.
 //!
-//! The page passes requests as JSON and gets replies as JSON, through three exported functions and
-//! the memory of the program: [`buffer`], [`reply`] and [`reply_bytes`]. So no generator of
-//! bindings is needed. [`Playground`] is the same without the memory.
+//! The page passes requests and gets replies through the functions of [`spu_exchange`].
 
+mod channels;
 mod program;
 mod session;
 
 use std::collections::BTreeSet;
-use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde::{Deserialize, Serialize};
+use spu_exchange::Program;
 use spu_isa::timing::Rules;
 use spu_scheduler::code::Code;
 use spu_scheduler::{Outcome, ScheduleError};
@@ -24,18 +23,29 @@ use session::{Session, View};
 #[derive(Deserialize)]
 #[serde(rename_all = "lowercase")]
 enum Task {
-    /// Assembles a source, and begins at its first instruction.
-    Load { source: String },
+    /// Assembles a source, and begins at its first instruction, with what the PPE sends.
+    Load {
+        source: String,
+        #[serde(default)]
+        mail: Vec<u32>,
+    },
     /// Schedules a source.
-    Schedule { source: String },
+    Schedule {
+        source: String,
+        #[serde(default)]
+        mail: Vec<u32>,
+    },
+    /// Replaces what the PPE sends.
+    Send { mail: Vec<u32> },
     /// Goes to the moment when this many instructions have run.
     Go { step: u64 },
     /// Runs to one of these addresses, or to the end.
     Run { breakpoints: BTreeSet<u32> },
 }
 
+/// A request of the page.
 #[derive(Deserialize)]
-struct Request {
+pub struct Request {
     #[serde(flatten)]
     task: Task,
     /// The first quadword of local store to be shown, and the one after the last.
@@ -44,37 +54,49 @@ struct Request {
 
 /// An error in a source.
 #[derive(Debug, Serialize)]
-struct Problem {
+pub struct Problem {
     line: u32,
     column: u32,
     message: String,
 }
 
+/// The reply to a request.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Reply {
+pub enum Reply {
+    /// The source has errors.
     Errors {
+        /// All of them.
         errors: Vec<Problem>,
     },
+    /// The source is assembled.
     Loaded {
         /// The page of the analyser.
         diagram: String,
         /// Addresses and their source lines.
         lines: Vec<(u32, u32)>,
     },
+    /// The source is scheduled.
     Scheduled {
+        /// The scheduler's version.
         text: String,
+        /// Its page of the analyser.
         diagram: String,
         /// The result for each loop.
         loops: Vec<String>,
         /// The cycles of the program, before and after, if both end.
         cycles: Option<(u64, u64)>,
     },
+    /// The source can't be scheduled.
     NotScheduled {
+        /// The reason.
         error: String,
     },
+    /// The state of the program.
     State(View),
+    /// Nothing can be done.
     Fault {
+        /// The reason.
         fault: String,
     },
 }
@@ -85,21 +107,23 @@ pub struct Playground {
     session: Option<Session>,
 }
 
-impl Playground {
-    /// The reply to a request.
-    pub fn reply(&mut self, request: &[u8]) -> String {
-        let reply = match serde_json::from_slice(request) {
-            Ok(request) => self.carry_out(request),
-            Err(error) => Reply::Fault { fault: format!("not a request: {error}") },
-        };
-        serde_json::to_string(&reply)
-            .unwrap_or_else(|error| format!("{{\"fault\":\"no reply: {error}\"}}"))
+impl Program for Playground {
+    type Request = Request;
+    type Reply = Reply;
+
+    fn fault(fault: String) -> Reply {
+        Reply::Fault { fault }
     }
 
     fn carry_out(&mut self, Request { task, quadwords }: Request) -> Reply {
         match task {
-            Task::Load { source } => return self.load(&source),
-            Task::Schedule { source } => return schedule(&source),
+            Task::Load { source, mail } => return self.load(&source, mail),
+            Task::Schedule { source, mail } => return schedule(&source, &mail),
+            Task::Send { mail } => {
+                if let Some(session) = &mut self.session {
+                    session.send(mail);
+                }
+            }
             Task::Go { step } => self.session.iter_mut().for_each(|session| session.go(step)),
             Task::Run { breakpoints } => {
                 self.session.iter_mut().for_each(|session| session.run(&breakpoints));
@@ -108,11 +132,13 @@ impl Playground {
         let (start, end) = quadwords.unwrap_or_default();
         match &self.session {
             Some(session) => Reply::State(session.view(start..end)),
-            None => Reply::Fault { fault: "the program has errors, so nothing runs".into() },
+            None => Self::fault("the program has errors, so nothing runs".into()),
         }
     }
+}
 
-    fn load(&mut self, source: &str) -> Reply {
+impl Playground {
+    fn load(&mut self, source: &str, mail: Vec<u32>) -> Reply {
         self.session = None;
         let assembled = match Assembled::new(source) {
             Ok(assembled) => assembled,
@@ -120,7 +146,7 @@ impl Playground {
         };
         match diagram(&assembled.object) {
             Ok(diagram) => {
-                self.session = Some(Session::new(assembled.image, assembled.entry));
+                self.session = Some(Session::new(assembled.image, assembled.entry, mail));
                 Reply::Loaded { diagram, lines: assembled.lines }
             }
             Err(fault) => Reply::Fault { fault },
@@ -135,7 +161,7 @@ fn diagram(object: &[u8]) -> Result<String, String> {
     Ok(report.map(|report| report.html(program::FILE)).unwrap_or_default())
 }
 
-fn schedule(source: &str) -> Reply {
+fn schedule(source: &str, mail: &[u32]) -> Reply {
     let assembled = match Assembled::new(source) {
         Ok(assembled) => assembled,
         Err(errors) => return Reply::Errors { errors },
@@ -167,9 +193,9 @@ fn schedule(source: &str) -> Reply {
             format!("Loop {}: {interval} cycles a pass, minimum {minimum}.", found.name)
         }
     };
-    let before = cycles(&assembled);
+    let before = cycles(&assembled, mail);
     let (diagram, after) = match made {
-        Some(made) => (diagram(&made.object), cycles(&made)),
+        Some(made) => (diagram(&made.object), cycles(&made, mail)),
         None => (Err("the scheduler has assembled nothing".into()), None),
     };
     match diagram {
@@ -184,50 +210,10 @@ fn schedule(source: &str) -> Reply {
 }
 
 /// The cycles of a whole run, if it ends.
-fn cycles(assembled: &Assembled) -> Option<u64> {
-    let mut session = Session::new(assembled.image.clone(), assembled.entry);
+fn cycles(assembled: &Assembled, mail: &[u32]) -> Option<u64> {
+    let mut session = Session::new(assembled.image.clone(), assembled.entry, mail.to_vec());
     session.run(&BTreeSet::new());
     session.cycles()
 }
 
-/// The request, the reply, and the state between two requests.
-#[derive(Default)]
-struct Exchange {
-    playground: Playground,
-    request: Vec<u8>,
-    reply: String,
-}
-
-static EXCHANGE: Mutex<Option<Exchange>> = Mutex::new(None);
-
-fn exchange() -> MutexGuard<'static, Option<Exchange>> {
-    EXCHANGE.lock().unwrap_or_else(PoisonError::into_inner)
-}
-
-/// Makes a buffer for a request of this many bytes, and returns its address.
-// SAFETY: no other function of the program has this name.
-#[unsafe(no_mangle)]
-pub extern "C" fn buffer(bytes: usize) -> *mut u8 {
-    let mut exchange = exchange();
-    let request = &mut exchange.get_or_insert_default().request;
-    request.clear();
-    request.resize(bytes, 0);
-    request.as_mut_ptr()
-}
-
-/// Carries out the request, and returns the address of the reply, which stays until the next one.
-// SAFETY: no other function of the program has this name.
-#[unsafe(no_mangle)]
-pub extern "C" fn reply() -> *const u8 {
-    let mut exchange = exchange();
-    let Exchange { playground, request, reply } = exchange.get_or_insert_default();
-    *reply = playground.reply(request);
-    reply.as_ptr()
-}
-
-/// The length of the reply in bytes.
-// SAFETY: no other function of the program has this name.
-#[unsafe(no_mangle)]
-pub extern "C" fn reply_bytes() -> usize {
-    exchange().as_ref().map_or(0, |exchange| exchange.reply.len())
-}
+spu_exchange::exports!(Playground);

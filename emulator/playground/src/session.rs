@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use serde::Serialize;
-use spu_emulator::channel::NoChannels;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
-use spu_emulator::stop::Stopped;
-use spu_emulator::timer::Timer;
+use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::timing::Account;
 use spu_isa::{Instruction, disassemble};
+
+use crate::channels::{Clocked, Mail, PlaygroundChannels};
 
 /// The number of instructions after which [`Session::run`] returns, so that a page with an endless
 /// loop can still be used.
@@ -27,7 +27,8 @@ pub struct Session {
     entry: u32,
     spu: Spu,
     store: LocalStore,
-    timer: Timer,
+    clocked: Clocked,
+    channels: PlaygroundChannels,
     stopped: Option<Stopped>,
     /// The instruction that ran last, and the quadword that it stored.
     last: Option<(Instruction, Option<u32>)>,
@@ -77,19 +78,24 @@ pub struct View {
     /// The 128 registers, in hexadecimal.
     registers: Vec<String>,
     written: Written,
+    mail: Mail,
+    decrementer: u32,
     /// The bytes of local store that were asked for, in hexadecimal, a string for each quadword.
     store: Vec<String>,
 }
 
 impl Session {
-    /// A program at its start. `image` is local store, from address 0.
-    pub fn new(image: Vec<u8>, entry: u32) -> Self {
+    /// A program at its start. `image` is local store, from address 0, and `inbound` what the PPE
+    /// sends.
+    pub fn new(image: Vec<u8>, entry: u32, inbound: Vec<u32>) -> Self {
+        let (channels, clocked) = PlaygroundChannels::new(inbound);
         let mut session = Self {
             image,
             entry,
             spu: Spu::new(),
             store: LocalStore::new(),
-            timer: Timer::default(),
+            clocked,
+            channels,
             stopped: None,
             last: None,
         };
@@ -103,9 +109,19 @@ impl Session {
         self.spu.set_register(1, Quad::scalar(STACK));
         self.store = LocalStore::new();
         self.store.write(0, &self.image);
-        self.timer = Timer::default();
+        let inbound = std::mem::take(&mut self.channels.mail.inbound);
+        (self.channels, self.clocked) = PlaygroundChannels::new(inbound);
         self.stopped = None;
         self.last = None;
+    }
+
+    /// Replaces the words that the PPE sends. The program stays at its step, unless it then comes to
+    /// another.
+    pub fn send(&mut self, inbound: Vec<u32>) {
+        let step = self.spu.executed();
+        self.channels.mail.inbound = inbound;
+        self.restart();
+        self.go(step);
     }
 
     /// Goes to the moment when this many instructions have run, or to the program's end.
@@ -117,8 +133,7 @@ impl Session {
         let alone = step.saturating_sub(1);
         let before = alone.saturating_sub(self.spu.executed());
         if before > 0 && self.stopped.is_none() {
-            let (spu, store, timer) = (&mut self.spu, &self.store, &mut self.timer);
-            self.stopped = spu.run_observed(store, &mut NoChannels, before, timer);
+            self.observe(before);
         }
         if step > self.spu.executed() {
             self.step();
@@ -134,8 +149,25 @@ impl Session {
             let access = self.spu.access(next).filter(|access| access.is_store);
             (next, access.map(|access| access.address))
         });
-        let (spu, store, timer) = (&mut self.spu, &self.store, &mut self.timer);
-        self.stopped = spu.run_observed(store, &mut NoChannels, 1, timer);
+        self.observe(1);
+    }
+
+    fn observe(&mut self, limit: u64) {
+        let Self { spu, store, channels, clocked, .. } = self;
+        self.stopped = spu.run_observed(store, channels, limit, clocked);
+    }
+
+    /// Why the program has stopped.
+    fn reason(&self) -> Option<String> {
+        let stopped = self.stopped.as_ref()?;
+        let more = match stopped.reason {
+            Stop::Waits => "; the PPE has sent no more words",
+            Stop::InvalidChannel(..) => {
+                "; the playground has mailboxes and the decrementer, and no MFC, signals or events"
+            }
+            _ => "",
+        };
+        Some(format!("{stopped}{more}"))
     }
 
     /// Runs to the program's end or to the next of these addresses, or for [`LIMIT`] instructions.
@@ -151,7 +183,7 @@ impl Session {
 
     /// The cycles of the whole program, if it has stopped.
     pub fn cycles(&self) -> Option<u64> {
-        self.stopped.as_ref().map(|_| self.timer.pipeline.account().cycles())
+        self.stopped.as_ref().map(|_| self.clocked.timer.pipeline.account().cycles())
     }
 
     /// The present state, with some quadwords of local store.
@@ -164,13 +196,15 @@ impl Session {
             step: self.spu.executed(),
             pc,
             next: disassemble(self.store.load_word(pc), pc).to_string().replace('\t', " "),
-            stopped: self.stopped.as_ref().map(ToString::to_string),
-            cycles: Cycles::of(self.timer.pipeline.account()),
+            stopped: self.reason(),
+            cycles: Cycles::of(self.clocked.timer.pipeline.account()),
             registers: self.spu.registers.iter().map(|r| hexadecimal(r.0)).collect(),
             written: Written {
                 registers: self.last.iter().flat_map(|(last, _)| last.writes().iter()).collect(),
                 quadword: self.last.and_then(|(_, quadword)| quadword),
             },
+            mail: self.channels.mail.clone(),
+            decrementer: self.channels.decrementer(),
             store: shown.map(|at| hexadecimal(self.store.load_quadword(16 * at))).collect(),
         }
     }

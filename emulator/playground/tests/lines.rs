@@ -43,5 +43,5 @@ fn the_analyser_reads_the_same_from_our_objects() {
             compared += 1;
         }
     }
-    assert_eq!(compared, 6);
+    assert_eq!(compared, 7);
 }

@@ -1,6 +1,7 @@
 //! Tests what the page asks for, without a browser.
 
 use serde_json::{Value, json};
+use spu_exchange::Program as _;
 use spu_playground::Playground;
 
 const LOOP: &str = "\
@@ -100,13 +101,42 @@ fn errors_name_their_places() {
 #[test]
 fn channels_stops_and_invalid_words_stop_the_program() {
     for (source, reason) in [
-        ("        rdch    $3,$ch29\n", "rdch is not possible on channel 29 at 0x00000"),
+        (
+            "        rdch    $3,$ch24\n",
+            "rdch is not possible on channel 24 at 0x00000; the playground has",
+        ),
         ("        .long   0x00000001\n", "stop 0x0001 at 0x00000"),
         ("        .long   0x00a00000\n", "invalid instruction 0x00a00000 at 0x00000"),
     ] {
         let stopped = go(&mut loaded(source), 1)["stopped"].clone();
         assert!(stopped.as_str().is_some_and(|stopped| stopped.starts_with(reason)), "{stopped}");
     }
+}
+
+#[test]
+fn mail_is_read_and_sent_and_the_decrementer_counts() {
+    let mut playground = Playground::default();
+    let source = include_str!("../page/examples/mail.s");
+    ask(&mut playground, json!({ "load": { "source": source, "mail": [100] } }));
+    let run = json!({ "run": { "breakpoints": [] } });
+    let waits = ask(&mut playground, run.clone());
+    let stopped = waits["stopped"].as_str().expect("it waits");
+    assert_eq!(stopped, "waits for a channel at 0x00000; the PPE has sent no more words");
+    assert_eq!(waits["mail"]["read"], 1);
+    let took = waits["mail"]["outbound"][0].as_u64().expect("a word");
+    // A pass of the loop takes 20 cycles and more, for want of a hint, and a tick 40.
+    assert!((50..60).contains(&took), "{took}");
+    assert_eq!(waits["decrementer"].as_u64().map(|now| now <= 0xffff_ffff - took), Some(true));
+
+    // A step back, and forth with more mail.
+    let step = waits["step"].as_u64().expect("a number");
+    assert_eq!(go(&mut playground, 1)["mail"]["outbound"], json!([]));
+    let more = ask(&mut playground, json!({ "send": { "mail": [100, 0] } }));
+    assert_eq!((&more["step"], &more["mail"]["read"]), (&json!(1), &json!(1)));
+    assert_eq!(go(&mut playground, step)["mail"]["outbound"], json!([took]));
+    let end = ask(&mut playground, run);
+    assert!(end["stopped"].as_str().is_some_and(|end| end.starts_with("stop 0x2000")), "{end}");
+    assert_eq!(end["mail"]["read"], 2);
 }
 
 #[test]

@@ -33,6 +33,11 @@ impl Rank {
         Self(number)
     }
 
+    /// The number of the SPE, if it is one.
+    pub fn spe_number(self) -> Option<u64> {
+        (self.0 < FIRST_PPE).then_some(self.0)
+    }
+
     pub fn ppe(number: u64) -> Self {
         Self(FIRST_PPE + number)
     }

@@ -1,7 +1,8 @@
 //! The process's threads, as Linux reports them: which threads are blocked.
 //!
 //! Known weakness: under QEMU, Linux shows the host's system calls, whose numbers may differ.
-//! Then no thread is recognised as blocked, and only time-outs remain.
+//! Then no thread is recognised as blocked, and only time-outs remain. Systems without `/proc` don't
+//! report any thread.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -87,11 +88,17 @@ fn sleep_of(status: &str) -> Option<Sleep> {
 
 /// Whether a thread's `syscall` is a wait for another thread that has no time limit: in a lock, a
 /// condition, a barrier or a join.
+#[cfg(target_os = "linux")]
 fn is_blocked_by_a_thread(syscall: &str) -> bool {
     let mut words = syscall.split_ascii_whitespace();
     let number = words.next().and_then(|number| number.parse().ok());
     const TIME_LIMIT: usize = 3;
     number == Some(libc::SYS_futex) && words.nth(TIME_LIMIT) == Some("0x0")
+}
+
+#[cfg(not(target_os = "linux"))]
+fn is_blocked_by_a_thread(_: &str) -> bool {
+    false
 }
 
 /// The sleeps of threads while the scheduler waits for one of them, the leader.

@@ -11,7 +11,7 @@ use std::time::Duration;
 use super::actor_table::WaitKey;
 use super::scheduler::Actor;
 use super::simulation::Simulation;
-use super::time::cycles;
+use super::time::{NEVER, cycles};
 
 /// This thread as an actor of one machine.
 pub(super) struct Thread {
@@ -117,7 +117,8 @@ impl Simulation {
                 thread.remaining_cycles.set(self.timing().ppe.wake_cycles);
                 return found;
             }
-            if end.is_some_and(|end| now >= end) {
+            // Where SPEs run in turn, all may sleep for ever.
+            if now == NEVER || end.is_some_and(|end| now >= end) {
                 return None;
             }
         }

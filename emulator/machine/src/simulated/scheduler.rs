@@ -21,6 +21,7 @@ use super::arrivals::Arrivals;
 use super::host_threads::{self, Wakers};
 use super::time::NEVER;
 use super::timeout::{Timeout, Verdict};
+use crate::in_turn::Turns;
 use crate::lock::lock;
 
 /// Cycles between two checks of the other actors' clocks: few enough not to delay them, and many
@@ -43,17 +44,25 @@ pub(crate) struct Scheduler {
     local_store_delay: u64,
     /// The data in flight between local stores.
     pub arrivals: Arrivals,
+    /// The SPEs, if they run on the thread of their PPE.
+    turns: Option<Arc<Turns>>,
 }
 
 impl Scheduler {
-    pub fn new(local_store_delay: u64) -> Self {
+    pub fn new(local_store_delay: u64, turns: Option<Arc<Turns>>) -> Self {
         Self {
             table: Mutex::default(),
             first_wait: AtomicU64::default(),
             serial: AtomicBool::default(),
             local_store_delay,
             arrivals: Arrivals::default(),
+            turns,
         }
+    }
+
+    /// The time-out of a PPE thread between two calls. On its own thread, SPEs never wait for it.
+    fn timeout(&self) -> Option<Timeout> {
+        self.turns.is_none().then(Timeout::of_this_thread)
     }
 
     pub fn new_key(&self) -> WaitKey {
@@ -197,6 +206,38 @@ impl Scheduler {
         table
     }
 
+    /// Gives `me`, which is the leader at `clock`, the turn.
+    fn give_turn(&self, table: &mut ActorTable, me: &Actor, clock: u64) {
+        me.runner.clock.store(clock, SeqCst);
+        table.now = clock;
+        table.set(me.rank, Status::Free(me.timeout()));
+        self.notify_next(table);
+        let limit = self.limit(table, me.rank, clock);
+        me.runner.limit.store(limit, SeqCst);
+    }
+
+    /// Lets the SPEs of the PPE's own thread go on until `me`, a PPE thread, has the turn. Returns
+    /// its clock then, or [`NEVER`] if all actors sleep.
+    fn run_others(&self, turns: &Turns, me: &Actor) -> u64 {
+        loop {
+            let mut table = self.proceed(lock(&self.table));
+            match table.leader() {
+                Some((clock, rank)) if rank == me.rank => {
+                    self.give_turn(&mut table, me, clock);
+                    return clock;
+                }
+                Some((_, rank)) => {
+                    drop(table);
+                    match rank.spe_number() {
+                        Some(number) => turns.resume(number),
+                        None => return NEVER,
+                    }
+                }
+                None => return NEVER,
+            }
+        }
+    }
+
     /// Waits for `me`'s turn, or until its acts of the tags `deferred` have been executed. Returns
     /// its clock then.
     fn await_turn<'a>(
@@ -206,6 +247,10 @@ impl Scheduler {
         mut pause: Option<Duration>,
         deferred: Option<u32>,
     ) -> u64 {
+        if let Some(turns) = &self.turns {
+            drop(table);
+            return self.run_others(turns, me);
+        }
         loop {
             table = self.proceed(table);
             if deferred.is_some_and(|tags| !table.is_deferred(me.rank, tags)) {
@@ -224,12 +269,7 @@ impl Scheduler {
                     match pause.take_if(|_| table.sleeps_alone(rank)) {
                         Some(left) => limit = Some(left),
                         None => {
-                            me.runner.clock.store(clock, SeqCst);
-                            table.now = clock;
-                            table.set(rank, Status::Free(me.timeout()));
-                            self.notify_next(&table);
-                            let limit = self.limit(&table, rank, clock);
-                            me.runner.limit.store(limit, SeqCst);
+                            self.give_turn(&mut table, me, clock);
                             return clock;
                         }
                     }
@@ -287,7 +327,7 @@ impl Actor {
         let entry = Entry {
             runner: Arc::clone(&runner),
             status: match from {
-                Some(_) => Status::Free(Some(Timeout::of_this_thread())),
+                Some(_) => Status::Free(scheduler.timeout()),
                 None => Status::Outside,
             },
         };
@@ -323,7 +363,51 @@ impl Actor {
 
     /// The time-out of a PPE thread, which may end without notice. A running SPE has none.
     fn timeout(&self) -> Option<Timeout> {
-        self.is_ppe.then(Timeout::of_this_thread)
+        self.is_ppe.then(|| self.scheduler.timeout()).flatten()
+    }
+
+    /// Whether SPEs run on the thread of their PPE.
+    pub fn is_in_turn(&self) -> bool {
+        self.scheduler.turns.is_some()
+    }
+
+    /// Has the turn at `clock` if no other actor comes before it. Otherwise it waits for it until
+    /// [`resume`](Self::resume).
+    pub fn has_turn(&self, clock: u64) -> bool {
+        let clock = clock.max(self.clock());
+        let table = lock(&self.scheduler.table);
+        self.wait_in_turn(table, Status::Waiting { wanted: clock, since: clock, key: None })
+    }
+
+    /// Sleeps until another actor wakes `key`, or until `limit`, and then
+    /// [`resume`](Self::resume).
+    pub fn fall_asleep(&self, key: WaitKey, limit: Option<u64>) {
+        let since = self.clock();
+        let wanted = limit.map_or(NEVER, |limit| limit.max(since));
+        let table = lock(&self.scheduler.table);
+        self.wait_in_turn(table, Status::Waiting { wanted, since, key: Some(key) });
+    }
+
+    fn wait_in_turn(&self, mut table: MutexGuard<'_, ActorTable>, status: Status) -> bool {
+        let sleeps = matches!(status, Status::Waiting { key: Some(_), .. });
+        table.set(self.rank, status);
+        let mut table = self.scheduler.proceed(table);
+        match table.leader() {
+            Some((clock, rank)) if rank == self.rank && !sleeps => {
+                self.scheduler.give_turn(&mut table, self, clock);
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// The leader goes on. Returns its clock.
+    pub fn resume(&self) -> u64 {
+        let mut table = lock(&self.scheduler.table);
+        let place = table.actors.get(&self.rank).and_then(Entry::place);
+        let clock = place.unwrap_or_else(|| self.clock());
+        self.scheduler.give_turn(&mut table, self, clock);
+        clock
     }
 
     /// Schedules an outside actor again, after everything that has happened in the meantime.
@@ -466,7 +550,8 @@ impl Actor {
             && matches!(entry.status, Status::Outside)
         {
             self.runner.clock.fetch_max(clock, SeqCst);
-            entry.status = Status::Free(Some(Timeout::without_thread()));
+            let timeout = self.scheduler.turns.is_none().then(Timeout::without_thread);
+            entry.status = Status::Free(timeout);
         }
     }
 
@@ -509,7 +594,7 @@ mod tests {
     fn acts_come_one_at_a_time_in_the_order_of_clock_and_rank() {
         const ACTORS: u64 = 5;
         const ACTS: u64 = 200;
-        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay(), None));
         let acts = Mutex::new(Vec::new());
         let acting = AtomicUsize::new(0);
         let actors: Vec<_> = (0..ACTORS).map(|n| free(&scheduler, n, 0)).collect();
@@ -538,7 +623,7 @@ mod tests {
         const ACTORS: u64 = 5;
         const ACTS: u64 = 200;
         const TAG: u32 = 1;
-        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay(), None));
         let acts = Arc::new(Mutex::new(Vec::new()));
         let actors: Vec<_> = (0..ACTORS).map(|n| free(&scheduler, n, 0)).collect();
         thread::scope(|scope| {
@@ -570,7 +655,7 @@ mod tests {
 
     #[test]
     fn sleeper_continues_after_the_waking_act_or_at_its_limit() {
-        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay(), None));
         let key = scheduler.new_key();
         let (early, late) = (free(&scheduler, 0, 0), free(&scheduler, 1, 0));
         let other = free(&scheduler, 2, 0);

@@ -13,6 +13,7 @@ use super::report::Report;
 use super::scheduler::Scheduler;
 use super::time::NEVER;
 use super::timeline::Timeline;
+use crate::in_turn::Turns;
 use crate::local_store::LocalStore;
 use crate::lock::lock;
 use crate::mfc::timing::{InFlight, PendingWrite};
@@ -33,9 +34,22 @@ pub struct Simulation {
 
 impl Simulation {
     pub(crate) fn new(timing: Timing, options: SimulationOptions) -> Arc<Self> {
+        Self::scheduled(timing, options, Scheduler::new(timing.memory.local_store_delay(), None))
+    }
+
+    /// One whose SPEs run in turn.
+    pub(crate) fn in_turn(
+        timing: Timing,
+        options: SimulationOptions,
+        turns: Arc<Turns>,
+    ) -> Arc<Self> {
         let delay = timing.memory.local_store_delay();
+        Self::scheduled(timing, options, Scheduler::new(delay, Some(turns)))
+    }
+
+    fn scheduled(timing: Timing, options: SimulationOptions, scheduler: Scheduler) -> Arc<Self> {
         Arc::new(Self {
-            scheduler: Arc::new(Scheduler::new(delay)),
+            scheduler: Arc::new(scheduler),
             alive: Arc::default(),
             timing,
             memory: Mutex::new(MemorySystem::new(timing.memory)),

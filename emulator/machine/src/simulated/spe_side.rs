@@ -21,6 +21,7 @@ use crate::mfc::interconnect::Interconnect;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::timing::{Movement, Peer, TransferTimes};
 use crate::profile::ProgramId;
+use crate::stop::Stop;
 
 /// The SPE's state for simulated time, except its clock, which belongs to the thread that runs the
 /// SPU.
@@ -37,6 +38,8 @@ pub(crate) struct SpeSide {
     pub moved: Mutex<Vec<Movement>>,
     published: Arc<Mutex<Published>>,
     program: LoadedProgram,
+    /// Where SPEs run in turn: what the SPU sleeps for.
+    sleeps_in: Mutex<Option<Wait>>,
 }
 
 impl SpeSide {
@@ -51,6 +54,7 @@ impl SpeSide {
             moved: Mutex::default(),
             published,
             program: LoadedProgram::default(),
+            sleeps_in: Mutex::default(),
         }
     }
 
@@ -101,7 +105,7 @@ impl SpeSide {
     /// The SPU has stopped. `announce` notifies other threads, and the thread becomes a PPE thread
     /// again.
     pub fn end(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide, announce: impl FnOnce()) {
-        self.turn(clock);
+        self.actor.turn(clock.borrow().now());
         self.publish(clock, mfc);
         clock.borrow_mut().stop();
         if let Some(difference) = clock.borrow().difference() {
@@ -114,16 +118,42 @@ impl SpeSide {
         self.actor.hand_over_to(thread.actor(), back);
     }
 
-    /// Waits for the SPU's turn.
-    pub fn turn(&self, clock: &RefCell<SpuClock>) {
+    /// Begins a program that runs in turn.
+    pub fn begin(&self, clock: &RefCell<SpuClock>) {
+        self.expect();
+        clock.borrow_mut().start(self.actor.clock());
+    }
+
+    /// The SPU goes on, as the leader, after what it waited for.
+    pub fn resume(&self, clock: &RefCell<SpuClock>) {
+        let now = self.actor.resume();
+        if let Some(wait) = lock(&self.sleeps_in).take() {
+            self.sleep_until(clock, now, wait);
+        }
+    }
+
+    /// A program that runs in turn has stopped.
+    pub fn end_in_turn(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide) {
+        self.publish(clock, mfc);
+        clock.borrow_mut().stop();
+        self.actor.leave();
+    }
+
+    /// Waits for the SPU's turn. Where SPEs run in turn, it is an error if others come first.
+    pub fn turn(&self, clock: &RefCell<SpuClock>) -> Result<(), Stop> {
         let now = clock.borrow().now();
-        self.actor.turn(now);
+        if !self.actor.is_in_turn() {
+            self.actor.turn(now);
+        } else if !self.actor.has_turn(now) {
+            return Err(Stop::Waits);
+        }
+        Ok(())
     }
 
     /// Whether puts may be deferred: not if SPUs run one at a time, and not if a timeline records
     /// them in their order.
     pub fn may_defer(&self) -> bool {
-        !self.actor.is_serial() && !self.simulation.options().timeline
+        !self.actor.is_serial() && !self.actor.is_in_turn() && !self.simulation.options().timeline
     }
 
     /// Waits until this SPE's deferred puts of these tags have been carried out.
@@ -133,16 +163,23 @@ impl SpeSide {
         }
     }
 
-    /// Sleeps until another actor changes this SPE, or until `limit`.
+    /// Sleeps until another actor changes this SPE, or until `limit`. Where SPEs run in turn, that
+    /// is an error, and the SPU is run again then.
     pub fn sleep(
         &self,
         clock: &RefCell<SpuClock>,
         wait: Wait,
         limit: Option<u64>,
         pause: Option<Duration>,
-    ) {
+    ) -> Result<(), Stop> {
+        if self.actor.is_in_turn() {
+            *lock(&self.sleeps_in) = Some(wait);
+            self.actor.fall_asleep(self.key, limit);
+            return Err(Stop::Waits);
+        }
         let now = self.actor.sleep(self.key, limit, pause);
         self.sleep_until(clock, now, wait);
+        Ok(())
     }
 
     /// Lets the SPU sleep until `cycle`, whatever other actors do.

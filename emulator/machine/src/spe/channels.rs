@@ -51,11 +51,11 @@ impl Channels for RunningChannels<'_> {
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop> {
         match channel {
             WR_EVENT_MASK => {
-                self.turn();
+                self.turn()?;
                 self.problem_state().with(|state| state.events.set_mask(value));
             }
             WR_EVENT_ACK => {
-                self.turn();
+                self.turn()?;
                 self.acknowledge(value);
             }
             WR_DEC => {
@@ -66,7 +66,7 @@ impl Channels for RunningChannels<'_> {
             // now.
             WR_MS_SYNC_REQ => {
                 if let Some(side) = self.simulated() {
-                    self.turn();
+                    self.turn()?;
                     let own = &self.spe.local_store;
                     let here = |write: &PendingWrite| Arc::ptr_eq(&write.store, own);
                     side.simulation.deliver_early(here);
@@ -99,7 +99,7 @@ impl Channels for RunningChannels<'_> {
                 self.mfc_for(tags, |mfc, path| mfc.request_tag_status(value, path))?;
             }
             WR_LIST_STALL_ACK => {
-                self.turn();
+                self.turn()?;
                 self.mfc(|mfc, path| mfc.resume(value, path))?;
             }
             WR_OUT_MBOX => self.send(|state| state.outbound.write(value))?,
@@ -118,7 +118,8 @@ impl Channels for RunningChannels<'_> {
     }
 
     fn external_condition(&mut self) -> bool {
-        self.event_count()
+        // An SPU that runs in turn and does not have it looks again before its next instruction.
+        self.event_count().unwrap_or(false)
     }
 
     fn stop_requested(&self) -> bool {
@@ -184,10 +185,10 @@ impl RunningChannels<'_> {
             channel,
             RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 | WR_OUT_MBOX | RD_IN_MBOX | WR_OUT_INTR_MBOX
         ) {
-            self.turn();
+            self.turn()?;
         }
         match channel {
-            RD_EVENT_STAT => Ok(u32::from(self.event_count())),
+            RD_EVENT_STAT => self.event_count().map(u32::from),
             RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
                 let at = usize::from(channel - RD_SIG_NOTIFY_1);
                 let now = self.clock.borrow().now();

@@ -56,6 +56,14 @@ struct Engine {
     races: RefCell<Races>,
     /// Runs compiled code, if the machine compiles.
     runner: Option<Runner>,
+    turn: Turn,
+}
+
+/// The program of an SPE that runs in turn.
+enum Turn {
+    NotBegun,
+    Runs,
+    Ended(Stopped),
 }
 
 /// What a run works with.
@@ -102,7 +110,7 @@ impl Spe {
         let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
         machine.interconnect().attach(&unit);
-        Arc::new(Self {
+        let spe = Arc::new(Self {
             local_store: Arc::new(LocalStore::new()),
             machine: Arc::clone(machine),
             problem_state,
@@ -112,10 +120,15 @@ impl Spe {
                 clock: RefCell::new(clock.unwrap_or_default()),
                 races: RefCell::new(races),
                 runner,
+                turn: Turn::NotBegun,
             }),
             proxy: Mutex::new(Proxy::new(policy)),
             simulated,
-        })
+        });
+        if let Some(turns) = machine.turns() {
+            turns.add(&spe);
+        }
+        spe
     }
 
     /// The local store. It may be read and written while the SPU runs.
@@ -218,7 +231,7 @@ impl Spe {
         run: impl FnOnce(Parts<'_, '_>) -> Option<Stopped>,
     ) -> Option<Stopped> {
         let mut engine = lock(&self.engine);
-        let Engine { spu, state, clock, races, runner } = &mut *engine;
+        let Engine { spu, state, clock, races, runner, .. } = &mut *engine;
         let (clock, races): (&RefCell<SpuClock>, &RefCell<Races>) = (clock, races);
         spu.set_pc(entry);
         prepare(spu);
@@ -253,6 +266,70 @@ impl Spe {
             }
         }
         stopped
+    }
+
+    /// Begins to run the SPU from `entry` on a machine whose SPEs run
+    /// [in turn](crate::in_turn). `prepare` can set registers.
+    pub fn begin(&self, entry: u32, prepare: impl FnOnce(&mut Spu)) {
+        let mut engine = lock(&self.engine);
+        engine.spu.set_pc(entry);
+        prepare(&mut engine.spu);
+        engine.turn = Turn::Runs;
+        if let Some(side) = &self.simulated {
+            side.begin(&engine.clock);
+        }
+    }
+
+    /// Why the program that was [begun](Self::begin) has stopped, if it has.
+    #[must_use]
+    pub fn ended(&self) -> Option<Stopped> {
+        match &lock(&self.engine).turn {
+            Turn::Ended(stopped) => Some(stopped.clone()),
+            Turn::NotBegun | Turn::Runs => None,
+        }
+    }
+
+    /// Runs a program that was begun for at most `limit` instructions. Returns whether it ran.
+    pub(crate) fn go_on(&self, limit: u64) -> bool {
+        let mut engine = lock(&self.engine);
+        let Engine { spu, state, clock, races, turn, .. } = &mut *engine;
+        if !matches!(turn, Turn::Runs) {
+            return false;
+        }
+        let (clock, races): (&RefCell<SpuClock>, &RefCell<Races>) = (clock, races);
+        let before = spu.executed();
+        let mut channels = RunningChannels { own: state, spe: self, clock, races };
+        let stopped = match &self.simulated {
+            None => spu.run_limited(&self.local_store, &mut channels, limit),
+            Some(side) => {
+                side.resume(clock);
+                let method = side.simulation.options().method;
+                let mut timed = Timed::new((clock, races), &side.actor, method, None);
+                timed.run(spu, &self.local_store, &mut channels, limit, &mut ())
+            }
+        };
+        let stopped = match stopped {
+            Some(Stopped { reason: Stop::Waits, .. }) => return spu.executed() != before,
+            None => {
+                if let Some(side) = &self.simulated {
+                    side.actor.progress(clock.borrow().now());
+                }
+                return true;
+            }
+            Some(stopped) => stopped,
+        };
+        let fault = match stopped.reason {
+            Stop::Requested => self.problem_state.take_stop_request(),
+            _ => None,
+        };
+        let reason = fault.map_or(stopped.reason, Stop::Dma);
+        *turn = Turn::Ended(Stopped { reason, ..stopped });
+        if let Some(side) = &self.simulated {
+            side.end_in_turn(clock, state.mfc());
+        }
+        drop(engine);
+        self.problem_state.announce();
+        true
     }
 
     /// Gives `look` access to the registers. Sleeps while the SPU runs.

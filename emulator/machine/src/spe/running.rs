@@ -82,10 +82,8 @@ impl<'a> RunningChannels<'a> {
     }
 
     /// Waits for the SPU's turn, before an action that others can see or that depends on them.
-    pub(super) fn turn(&self) {
-        if let Some(side) = self.simulated() {
-            side.turn(self.clock);
-        }
+    pub(super) fn turn(&self) -> Result<(), Stop> {
+        self.simulated().map_or(Ok(()), |side| side.turn(self.clock))
     }
 
     /// Sleeps until `cycle`. Nothing wakes the SPU earlier.
@@ -222,7 +220,7 @@ impl<'a> RunningChannels<'a> {
         wait: Wait,
         mut poll: impl FnMut(&mut Self, &mut State) -> Option<T>,
     ) -> Result<T, Stop> {
-        side.turn(self.clock);
+        side.turn(self.clock)?;
         loop {
             self.advance_transfers();
             if wait == Wait::Event {
@@ -241,7 +239,7 @@ impl<'a> RunningChannels<'a> {
                 (None, None)
             };
             side.publish(self.clock, &self.own.mfc);
-            side.sleep(self.clock, wait, limit, pause);
+            side.sleep(self.clock, wait, limit, pause)?;
         }
     }
 
@@ -260,6 +258,13 @@ impl<'a> RunningChannels<'a> {
             };
             let limit = silent.into_iter().chain(grace).min();
             let problem_state = self.problem_state();
+            if self.spe.machine.turns().is_some() {
+                return match problem_state.with(|state| poll(self, state)) {
+                    Some(value) => Ok(value),
+                    None if problem_state.stop_requested() => Err(Stop::Requested),
+                    None => Err(Stop::Waits),
+                };
+            }
             match problem_state.wait_as_spu(limit, |state| poll(self, state)) {
                 WaitOutcome::Ready(value) => return Ok(value),
                 WaitOutcome::StopRequested => return Err(Stop::Requested),
@@ -314,7 +319,7 @@ impl<'a> RunningChannels<'a> {
     ) -> Result<T, Stop> {
         loop {
             if wait == Wait::Queue {
-                self.turn();
+                self.turn()?;
             }
             let tags = match wait {
                 Wait::Tag => self.own.mfc.tag_mask(),
@@ -407,15 +412,15 @@ impl<'a> RunningChannels<'a> {
         })
     }
 
-    pub(super) fn event_count(&mut self) -> bool {
-        self.turn();
+    pub(super) fn event_count(&mut self) -> Result<bool, Stop> {
+        self.turn()?;
         self.advance_transfers();
         self.watch_line();
         let problem_state = self.problem_state();
-        problem_state.with(|state| {
+        Ok(problem_state.with(|state| {
             self.poll_decrementer(state);
             state.events.count()
-        })
+        }))
     }
 
     pub(super) fn acknowledge(&mut self, events: u32) {

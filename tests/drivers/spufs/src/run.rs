@@ -59,7 +59,7 @@ fn after(context: &Context, stopped: &Stopped) -> Next {
         Stop::Dma(DmaError::Storage { ea, .. }) => {
             fault(0, DMA_STORAGE, FaultSignal::dma_storage(*ea))
         }
-        Stop::Requested => status(0),
+        Stop::Requested | Stop::Waits => status(0),
     }
 }
 

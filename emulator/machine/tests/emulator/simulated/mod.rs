@@ -5,6 +5,7 @@ mod accounts;
 mod deterministic;
 mod figures;
 mod hops;
+mod in_turn;
 mod memoised;
 mod ppe;
 mod races;

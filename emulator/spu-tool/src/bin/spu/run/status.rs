@@ -33,7 +33,7 @@ impl From<&Stop> for Status {
             Stop::InvalidChannel(..) => Self::InvalidChannel,
             Stop::Dma(_) => Self::Dma,
             Stop::Signal(_) => Self::UnknownStop,
-            Stop::Requested => Self::Limit,
+            Stop::Requested | Stop::Waits => Self::Limit,
         }
     }
 }

@@ -1,0 +1,194 @@
+//! SPEs that run in turn on one thread: in simulated time they take the cycles that they take on
+//! threads.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::time::Duration;
+
+use spu_emulator::decrementer::Clock;
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::machine;
+use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
+use spu_emulator::simulated::{SimulationOptions, SpeReport, Timing};
+use spu_emulator::spe::{Config, Spe};
+use spu_emulator::stop::Stop;
+
+use super::support::{self, BASE, MEMORY, assemble};
+use spu_emulator::elf::Image;
+
+/// Each SPE counts in a line that all share, by atomic commands, as SPUs take work units, and puts
+/// what it got into main memory.
+const COUNTERS: &str = "
+        .text
+        .global _start
+_start: il      $20,200
+again:  ila     $10,0x2000
+        wrch    $ch16,$10
+        wrch    $ch17,$2
+        wrch    $ch18,$3
+        il      $11,0xd0
+        wrch    $ch21,$11
+        rdch    $12,$ch27
+        lqd     $13,0($10)
+        ai      $13,$13,1
+        stqd    $13,0($10)
+        wrch    $ch16,$10
+        wrch    $ch17,$2
+        wrch    $ch18,$3
+        il      $11,0xb4
+        wrch    $ch21,$11
+        rdch    $12,$ch27
+        brnz    $12,again
+        shli    $14,$13,7
+        a       $14,$14,$3
+        wrch    $ch16,$10
+        wrch    $ch17,$2
+        wrch    $ch18,$14
+        il      $11,128
+        wrch    $ch19,$11
+        il      $11,0
+        wrch    $ch20,$11
+        il      $11,0x20
+        wrch    $ch21,$11
+        il      $11,1
+        wrch    $ch22,$11
+        il      $11,2
+        wrch    $ch23,$11
+        rdch    $12,$ch24
+        ai      $20,$20,-1
+        brnz    $20,again
+        stop    0x2000
+";
+
+const ECHO: &str = "
+        .text
+        .global _start
+_start: rdch    $10,$ch29
+        brz     $10,done
+        ai      $10,$10,1
+        wrch    $ch30,$10
+        br      _start
+done:   stop    0x2000
+";
+
+/// A machine whose SPEs run in turn, in simulated time or without, and its memory.
+fn in_turn(simulated: bool) -> (Arc<machine::Machine>, Arc<RegisteredMemory>) {
+    /// Ticks at each reading.
+    struct Readings(AtomicU64);
+
+    impl Clock for Readings {
+        fn ticks(&self) -> u64 {
+            self.0.fetch_add(1, Relaxed)
+        }
+
+        fn host_time(&self, _: u64) -> Duration {
+            Duration::ZERO
+        }
+    }
+    let memory = Arc::new(RegisteredMemory::new());
+    memory.register(BASE, vec![0; MEMORY], Access::ReadWrite).unwrap();
+    let machine = match simulated {
+        true => machine::Machine::simulated_in_turn(
+            memory.clone(),
+            Timing::default(),
+            SimulationOptions::default(),
+        ),
+        false => machine::Machine::in_turn(memory.clone(), Arc::new(Readings(AtomicU64::new(0)))),
+    };
+    (machine, memory)
+}
+
+fn begin(machine: &Arc<machine::Machine>, source: &str, number: u32) -> Arc<Spe> {
+    let spe = Spe::new(machine, Config::default());
+    let elf = assemble(source);
+    let image = Image::parse(&elf).unwrap();
+    image.load(spe.local_store(), 0);
+    spe.begin(image.entry(), |spu: &mut Spu| {
+        spu.set_register(2, Quad::scalar((BASE >> 32) as u32));
+        spu.set_register(3, Quad::scalar(BASE as u32));
+        spu.set_register(4, Quad::scalar(number));
+    });
+    spe
+}
+
+fn count(memory: &RegisteredMemory) -> u32 {
+    let mut bytes = [0; 4];
+    memory.read(BASE, &mut bytes).unwrap();
+    u32::from_be_bytes(bytes)
+}
+
+/// The parts of a report that don't depend on when the PPE started the SPEs.
+fn figures(report: &SpeReport) -> impl PartialEq + std::fmt::Debug + use<> {
+    (report.account.clone(), report.waits, report.commands)
+}
+
+#[test]
+fn they_take_the_cycles_of_threads() {
+    const SPES: u32 = 6;
+    let threads = support::Machine::new();
+    let expected = threads.run_all(SPES, COUNTERS);
+    let (machine, memory) = in_turn(true);
+    let spes: Vec<_> = (0..SPES).map(|number| begin(&machine, COUNTERS, number)).collect();
+    // A call that waits for nothing else lets them run to their ends.
+    let simulation = machine.simulation().unwrap();
+    let limit = Some(Duration::from_secs(1));
+    assert_eq!(simulation.wait(simulation.new_key(), limit, || None::<()>), None);
+    for spe in &spes {
+        assert_eq!(spe.ended().unwrap().reason, Stop::Signal(0x2000));
+    }
+    assert_eq!((count(&memory), threads.word(0)), (200 * SPES, 200 * SPES));
+    let (mut taken, mut wanted) = (Vec::new(), Vec::new());
+    taken.extend(simulation.report().spes.iter().map(figures));
+    wanted.extend(expected.iter().map(figures));
+    assert_eq!(taken, wanted);
+}
+
+#[test]
+fn words_go_to_and_fro() {
+    for simulated in [true, false] {
+        let (machine, _) = in_turn(simulated);
+        let spe = begin(&machine, ECHO, 0);
+        let turns = machine.turns().unwrap();
+        let run = || while turns.go_on() {};
+        for word in 1..=50 {
+            assert!(spe.write_inbound(word, None));
+            if !simulated {
+                run();
+            }
+            assert_eq!(spe.read_outbound_interrupt(None), Some(word + 1));
+        }
+        assert!(spe.write_inbound(0, None));
+        match machine.simulation() {
+            Some(simulation) => {
+                let limit = Some(Duration::from_millis(1));
+                simulation.wait(simulation.new_key(), limit, || None::<()>);
+            }
+            None => run(),
+        }
+        assert_eq!(spe.ended().unwrap().reason, Stop::Signal(0x2000));
+    }
+}
+
+#[test]
+fn waiting_for_nothing_ends() {
+    let (machine, _) = in_turn(true);
+    let spe = begin(&machine, ECHO, 0);
+    // The SPU waits for mail, and nobody sends any.
+    assert_eq!(spe.read_outbound_interrupt(None), None);
+    assert!(spe.ended().is_none());
+    spe.request_stop();
+    assert_eq!(spe.read_outbound_interrupt(None), None);
+    assert_eq!(spe.ended().unwrap().reason, Stop::Requested);
+}
+
+#[test]
+fn without_simulated_time_all_get_their_turns() {
+    let (machine, memory) = in_turn(false);
+    let spes: Vec<_> = (0..3).map(|number| begin(&machine, COUNTERS, number)).collect();
+    let turns = machine.turns().unwrap();
+    turns.go_on();
+    assert!(spes.iter().all(|spe| spe.with_spu(Spu::executed) > 0 && spe.ended().is_none()));
+    while turns.go_on() {}
+    assert!(spes.iter().all(|spe| spe.ended().is_some()));
+    assert_eq!(count(&memory), 600);
+}
