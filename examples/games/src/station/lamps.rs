@@ -6,7 +6,7 @@ use super::ground::Ground;
 use super::things::{self, Decorations};
 
 /// How far a lamp's light reaches.
-const RANGE: f64 = 448.0;
+const RANGE: f64 = 352.0;
 /// The brightness of a lamp, as a share of its colour.
 const BRIGHTNESS: f64 = 0.9;
 
