@@ -26,11 +26,11 @@ const STEP: Duration = Duration::from_millis(250);
 /// The same in a walk.
 const STRIDE: Duration = Duration::from_millis(50);
 
-fn kept(name: &str) -> PathBuf {
+pub fn kept(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/played").join(name)
 }
 
-fn session<G: Game>(game: G) -> Session<G> {
+pub fn session<G: Game>(game: G) -> Session<G> {
     let settings = Settings { spus: 1, ..Settings::default() };
     let picture = Memory::new(Geometry::new(16, 8).unwrap()).unwrap();
     Session::start(game, settings, Box::new(picture)).unwrap()
