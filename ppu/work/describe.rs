@@ -11,7 +11,7 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS,
+    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS,
     FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB,
     FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES,
     SPLIT_UNITS, VERSION,
@@ -169,6 +169,10 @@ pub fn describe(order: &Order) -> Frame {
             frame.materials = materials.address().into();
         }
         if let Some(textures) = mesh.textures {
+            // Their tiles have the place of the code for eye rays.
+            let eye_code = EYE_CODE_CAPACITY.min(addresses.mesh_code_bytes);
+            frame.code = (addresses.mesh_code + u64::from(eye_code)).into();
+            frame.code_bytes = (addresses.mesh_code_bytes - eye_code).into();
             frame.textures = textures.address().into();
             frame.texture_code = addresses.texture_code.into();
             frame.texture_code_bytes = addresses.texture_code_bytes.into();

@@ -151,13 +151,6 @@ next_chunk:
         ai      $shift,$shift,-16
         rotqmby $more_faces,$more_faces,$shift
         or      $faces,$faces,$more_faces
-        # The lanes of the run. What follows its faces in the block may be anything, so the other
-        # lanes have the first vertex.
-        rotmi   $length,$candidate,-14                  # 4 times it
-        sf      $left,$at,$length
-        splat   $left,$left,$m_splat
-        cgt     $left,$left,$k_lanes
-        and     $faces,$faces,$left
         # The address of a quadword ignores the last four bits.
         rotmi   $t_index,$faces,-20
         load_vertices $xa,$ya,$za
@@ -196,7 +189,11 @@ next_chunk:
         or      $outside,$outside,$row
     .endr
         andc    $outside,$outside,$crosses
-        # The run's lanes, with their indices.
+        # The lanes of the run, with their indices.
+        rotmi   $length,$candidate,-14                  # 4 times it
+        sf      $left,$at,$length
+        splat   $left,$left,$m_splat
+        cgt     $left,$left,$k_lanes
         andi    $left,$left,15
         andc    $outside,$left,$outside                 # now inside
         cntb    $word,$outside

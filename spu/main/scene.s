@@ -41,7 +41,12 @@ function scene_fetch
         brsl    $lr,dma_get
         lqa     $quad,streamed
         brz     $quad,started
-        ila     $3,EYE_CODE
+        # Without textures, the code for eye rays is in front of the rest.
+        andi    $quad,$quad,FEATURE_TEXTURES
+        ceqi    $quad,$quad,0
+        ila     $3,MESH_CODE
+        ila     $4,EYE_CODE
+        selb    $3,$3,$4,$quad
         load_word $4,FRAME_code,$a_frame
         load_word $5,FRAME_code+4,$a_frame
         load_word $6,FRAME_code_bytes,$a_frame

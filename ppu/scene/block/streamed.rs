@@ -7,7 +7,7 @@ use std::sync::Arc;
 use glam::DVec3;
 use protocol::layout::{
     self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
-    SCENE_CAPACITY, TEXTURE_CACHE,
+    SCENE_CAPACITY, TEXTURE_CODE,
 };
 use scenes::{Material, Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
@@ -28,8 +28,6 @@ use crate::scene::texture::Textures;
 
 /// The minimum capacity of the cache, in blocks.
 const MIN_SLOTS: usize = 8;
-/// The same beside the tiles and the records of textures, which take more memory.
-const MIN_TEXTURED_SLOTS: usize = 5;
 
 /// The kinds of a scene's objects that are in main memory beside its mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -234,11 +232,11 @@ impl Streamed {
         LEAVE * (taxicab(farthest) + taxicab(high - low))
     }
 
-    /// Where the mesh's cache ends: before the code and the tiles of textures that it needs.
+    /// Where the mesh's cache ends: before the code that it needs.
     fn end(&self) -> u32 {
         match &self.textures {
-            Some(_) => TEXTURE_CACHE,
-            None if self.blocks.is_coloured() => COLOUR_CODE,
+            _ if self.blocks.is_coloured() => COLOUR_CODE,
+            Some(_) => TEXTURE_CODE,
             None => EYE_CODE,
         }
     }
@@ -246,8 +244,7 @@ impl Streamed {
     /// The minimum number of bytes that the mesh takes from the space of a scene and its queue.
     pub fn minimum_size(&self) -> usize {
         let code = SCENE_ADDRESS + SCENE_CAPACITY - self.end();
-        let slots = if self.textures.is_some() { MIN_TEXTURED_SLOTS } else { MIN_SLOTS };
-        code as usize + slots * MESH_BLOCK as usize
+        code as usize + MIN_SLOTS * MESH_BLOCK as usize
     }
 
     /// The address of a texture's record, if it is one of the mesh's.

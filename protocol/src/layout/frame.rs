@@ -96,7 +96,7 @@ record! {
         mesh: U64,
         /// Effective address of the code that other scenes may have overwritten; a multiple of 128.
         /// Depth shading needs what the program has at `DEPTH_CODE`, and a mesh what it has from
-        /// `EYE_CODE` on.
+        /// `EYE_CODE` on, or with textures from `MESH_CODE` on.
         code: U64,
         /// Blocks of the mesh.
         mesh_blocks: U32,

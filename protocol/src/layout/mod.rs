@@ -257,7 +257,7 @@ constants! {
     MESH_CODE_CAPACITY = 31232;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_CAPACITY - MESH_CODE_CAPACITY;
-    /// Bytes in front of it for the code that traces eye rays through meshes.
+    /// Bytes in front of it for the code that traces eye rays through meshes without textures.
     EYE_CODE_CAPACITY = 7424;
     /// Address in local store of that code.
     EYE_CODE = MESH_CODE - EYE_CODE_CAPACITY;
@@ -292,8 +292,8 @@ constants! {
     COLOUR_CODE_CAPACITY = 2048;
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
-    /// Address in local store of the tiles, in front of the code for colours and textures.
-    TEXTURE_CACHE = COLOUR_CODE - TEXTURE_SLOTS * TEXTURE_TILE;
+    /// Address in local store of the tiles, which are in the place of the code for eye rays.
+    TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
     WRAP_ACROSS = 8;
     /// In `wraps`: with `WRAP_ACROSS`, it is mirrored each second time.
@@ -473,7 +473,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, and 38656 for a mesh.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, and 31232 for one with textures.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
@@ -516,7 +516,7 @@ const _: () = {
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
     assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
-    assert!(COLOUR_CODE.is_multiple_of(LINE) && TEXTURE_CACHE.is_multiple_of(LINE));
+    assert!(COLOUR_CODE.is_multiple_of(LINE));
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<Paths>() + MAX_PATHS as usize * size_of::<Path>() <= PATHS_CAPACITY as usize);
     assert!(size_of::<UnitCounter>() == LINE as usize);

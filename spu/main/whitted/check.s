@@ -46,6 +46,12 @@ function whitted_check
         brz     $batch,no_mesh
         require_aligned code,LINE,Code
         require_at_most code_bytes,EYE_CODE_CAPACITY+MESH_CODE_CAPACITY,Code
+        load_constant $limit,MESH_CODE_CAPACITY
+        clgt    $bad,$value,$limit
+        andi    $batch,$batch,FEATURE_TEXTURES
+        ceqi    $batch,$batch,0
+        andc    $bad,$bad,$batch
+        refuse_if $bad,Code
         andi    $bad,$value,15
         refuse_if $bad,Code
 no_mesh:
@@ -101,7 +107,7 @@ small:  load_constant $limit,SCENE_CAPACITY
         ila     $limit,EYE_CODE-SCENE_ADDRESS
         andi    $batch,$batch,FEATURE_TEXTURES
         brz     $batch,resident
-        ila     $limit,TEXTURE_CACHE-SCENE_ADDRESS
+        ila     $limit,TEXTURE_CODE-SCENE_ADDRESS
 resident:
         clgt    $bad,$value,$limit
         refuse_if $bad,SceneBytes

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use cellray::EngineError;
 use image::RgbImage;
 use protocol::layout::{
-    Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CACHE,
+    EYE_CODE_CAPACITY, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -92,7 +92,7 @@ fn invalid_texture_fields_are_refused() {
             frame.texture_records = (frame.texture_records.get() + 16).into()
         }),
         ("mesh_cache", "before the code", |frame| {
-            frame.mesh_cache = (TEXTURE_CACHE - 3 * MESH_BLOCK).into();
+            frame.mesh_cache = (TEXTURE_CODE - 3 * MESH_BLOCK).into();
             frame.mesh_slots = 4.into();
         }),
     ];
@@ -103,7 +103,7 @@ fn invalid_texture_fields_are_refused() {
 fn scene_without_memory_for_tiles_is_refused() {
     let leaves: Spoil = |frame: &mut Frame| {
         // Whole lines up to the tiles, without space for the queued rays.
-        frame.scene_bytes = (TEXTURE_CACHE - SCENE_ADDRESS).into();
+        frame.scene_bytes = (TEXTURE_CODE - SCENE_ADDRESS).into();
     };
     Fixture::of(&scene(), 1).refuses(&[("scene_bytes", "leave space", leaves)]);
 }
@@ -205,6 +205,9 @@ fn blocks_with_texture_coordinates() {
     assert!(sides & protocol::layout::SIDES_TEXTURED != 0);
     let mut plain = frame;
     plain.features = (frame.features.get() & !protocol::layout::FEATURE_TEXTURES).into();
+    // Such a frame has the code for eye rays, which is in front of the rest.
+    plain.code = (frame.code.get() - u64::from(EYE_CODE_CAPACITY)).into();
+    plain.code_bytes = (frame.code_bytes.get() + EYE_CODE_CAPACITY).into();
     let refused = fixture.refused(&plain).to_string();
     assert!(refused.contains(&format!("block {leaf} of the mesh")), "{refused}");
     fixture.mesh.read(at + 24, &mut word);

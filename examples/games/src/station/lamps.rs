@@ -1,4 +1,4 @@
-//! The lamps of a level. Each has a range, so those of other rooms cost nothing.
+//! The lamps of a level. Each has a range, so those far away cost nothing.
 
 use cellray::game::{DVec3, Light, LightId, World, WorldError};
 

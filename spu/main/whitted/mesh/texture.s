@@ -2,7 +2,7 @@
 # textures are fetched into a cache, in which the oldest one leaves.
 #
 # This file and its kernels are in local store only in frames with FEATURE_TEXTURES, at
-# TEXTURE_CODE, and the tiles in front of them, at TEXTURE_CACHE.
+# TEXTURE_CODE, and the tiles after them, at TEXTURE_CACHE.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -47,12 +47,12 @@ function texture_begin
         stqa    $value,surface_way
         require_aligned textures,LINE,Textures
         require_from_one texture_tiles,TEXTURE_TILES,Textures
-        # The mesh's cache ends before the tiles.
+        # The mesh's cache ends before this code.
         load_word $value,FRAME_mesh_slots,$a_frame
         shli    $value,$value,MESH_BLOCK_LOG2
         load_word $limit,FRAME_mesh_cache,$a_frame
         a       $value,$value,$limit
-        ila     $limit,TEXTURE_CACHE
+        ila     $limit,TEXTURE_CODE
         clgt    $bad,$value,$limit
         refuse_if $bad,MeshCache
 

@@ -116,6 +116,10 @@ in_packets:
         ila     $5,arena+BATCH_BOUNDS
         ila     $6,arena+BATCH_SHEARS
         lqa     $mask,of_eye
+        lqa     $c_end,streamed
+        andi    $c_end,$c_end,FEATURE_TEXTURES
+        ceqi    $c_end,$c_end,0
+        and     $mask,$mask,$c_end
         stqa    $mask,eye_way
         brnz    $mask,eye_bounds
 bounds_call:
