@@ -132,8 +132,7 @@ impl<P: Pictures> Builder<'_, P> {
             match self.surfaces.holes(surface) {
                 None => walls.iter().try_for_each(|wall| self.add_quad(wall))?,
                 Some(Some(rectangles)) => {
-                    let parts =
-                        walls.iter().flat_map(|wall| wall.parts(&rectangles, shown.size.x));
+                    let parts = walls.iter().flat_map(|wall| wall.parts(&rectangles, shown.size.x));
                     let parts: Vec<Wall> = parts.take(self.spare_parts + 1).collect();
                     match self.spare_parts.checked_sub(parts.len()) {
                         Some(left) => self.spare_parts = left,
