@@ -523,7 +523,7 @@ mod tests {
         let mut player = Player::of(scene(), true);
         player.play(&[key(Key::Right, true)], 20);
         let id = player.world.lights().next().expect("a light");
-        let place = LightKind::Point { position: DVec3::new(5.0, -5.0, 5.0) };
+        let place = LightKind::Point { position: DVec3::new(5.0, -5.0, 5.0), range: f64::INFINITY };
         assert_eq!(player.world.light(id).unwrap().kind, place);
     }
 

@@ -5,12 +5,12 @@
 #           sites' packets of shadow rays, consecutive; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
-#   Uses    $3-$4, $6-$26   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $6-$27, $58-$59   Saves  -   Stack  0   Calls  -
 #   Domain  N.L >= 0 where there is a shadow ray; shares from 0 to 1
 #   Error   4 ulp of the brightness
 #   Twin    lab/twins/src/light.rs
 #
-#   lit += brightness diffuse (N.L) colour
+#   lit += brightness fade diffuse (N.L) colour, with light_r16's fade
 # The result has the same bits as that of light_r16 with a highlight of 0.
 
         .include "light_tmpl.inc"

@@ -11,7 +11,8 @@
 #   Error   0.6 thousandths of the brightness, exponents to 1000; 1.5 to 4096
 #   Twin    lab/twins/src/light.rs
 #
-#   lit += brightness (diffuse (N.L) colour + highlight (N.H)^exponent)
+#   lit += brightness fade (diffuse (N.L) colour + highlight (N.H)^exponent)
+#   fade = (1 - falloff t^2)^2
 # For H = L - d, without a root or a unit vector:
 #   q = (N.H)^2 / |H|^2                      the square of the cosine: N.H is at least 0
 #   q = 2^k m, sqrt(1/2) <= m <= sqrt(2)     log2(q) = k + u p(u), u = m - 1
@@ -25,7 +26,6 @@
         .include "light_tmpl.inc"
 
         # constants
-        .set    k_one,27
         .set    m_fraction,28
         .set    k_root2,29
         .set    k_none,30
@@ -115,7 +115,6 @@
 
 function light_r16
         light_begin
-        ilhu    $k_one,0x3f80
         load_constant $m_fraction,0x007fffff
         load_constant $k_root2,0x3fb504f3
         ilhu    $k_none,0x3f00                          # 126: 2^-n is 0
@@ -132,6 +131,7 @@ next_site:
         exp2_of_product
         lqd     $highlight,SURFACES_highlight+16*\row($a_surfaces)
         fm      $highlight,$highlight,$result
+        fm      $highlight,$highlight,$fade
         and     $highlight,$highlight,$reached
         light_add \row,$highlight
     .endr

@@ -8,16 +8,17 @@
 #   Out     a packet for each site in which some lane has a ray, in order: origin, direction, t,
 #           object; and these sites, as they are; anything may follow these. $3 the end
 #           of the listed sites, number of rays, how many bytes of the listed sites shine
-#   Uses    $3-$4, $6-$7, $10-$66   Saves  -   Stack  0   Calls  -
-#   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
-#           the direction then of length 1
+#   Uses    $3-$4, $6-$7, $10-$68   Saves  -   Stack  0   Calls  -
+#   Domain  distance to the light below 2^62; shares not below 0; a direction of
+#           length 1 if the light is infinitely far
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    lab/twins/src/shadow_rays.rs
 #
 #   to = position - point, L = to / |to|, t = |to|
-#   for a directional light: to = position, t = FARTHEST
+#   fade = 1 - falloff |to|^2
+#   for a directional light: to = position, t = FARTHEST, fade = 1
 #   a ray exists if neither N.L nor plane.L is below 0, one of them is above 0, and
-#   |weight (most diffuse (N.L) + highlight)| > minimum; otherwise t = -1
+#   fade weight (most diffuse (N.L) + highlight) > minimum; otherwise t = -1
 #   origin = point + ahead L + rest plane, which is `leave` off the surface: ahead is
 #   leave / (plane.L), at most 8 leave, or 2 where light passes; rest is 0 unless the ray grazes
 #   t counts from point
@@ -55,6 +56,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         registers k_half,k_one,k_minus_one
         registers k_near                                # 0 for a directional light, else 1
         registers k_beyond                              # FARTHEST for a directional light, else 0
+        registers k_falloff                             # 0 for a directional light
         registers light_x,light_y,light_z
         registers a_steps
         registers m_seen                                # takes 1 instead if every ray counts
@@ -68,7 +70,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         # a row
         registers point_x,point_y,point_z,to_x,to_y,to_z,normal_x,normal_y,normal_z,plane_x
         registers plane_y,plane_z,leave,diffuse,squared,inverse,t,facing,facing_plane,there
-        registers most,other,weight,share,there_next
+        registers most,other,weight,share,there_next,fade
         registers k_farthest,k_inside,ahead,farthest,grazes,rest
         # temporaries
         registers light,m_lane,t_y,t_e
@@ -88,6 +90,7 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         dot_f4  $squared,to,to
         rsqrt_f4 $inverse,$squared,$t_y,$t_e,$k_half,$k_one
         fma     $t,$squared,$inverse,$k_beyond
+        fnms    $fade,$squared,$k_falloff,$k_one
     .irp axis, x,y,z
         lqd     $normal_\axis,SURFACES_normal_\axis+\at($here)
         lqd     $plane_\axis,SURFACES_plane_\axis+\at($here)
@@ -125,9 +128,10 @@ steps:  .int    0,0,0,0,0,0,0,0,RAYS16_SIZE,SITE_SIZE,0,0
         shufb   $weight,$weight,$k_one,$m_seen
         lqd     $share,SURFACES_highlight+\at($here)
         fma     $share,$most,$diffuse,$share
+        fm      $weight,$weight,$fade
         fm      $share,$weight,$share
         or      $facing,$facing,$facing_plane
-        fcmgt   $\there,$share,$min_share
+        fcgt    $\there,$share,$min_share
         cgti    $facing,$facing,0
         and     $\there,$\there,$facing
         sf      $rays,$\there,$rays                    # true is -1
@@ -148,9 +152,11 @@ function shadow_rays_r16
         splat_word $light_x,0x00010203
         splat_word $light_y,0x04050607
         splat_word $light_z,0x08090a0b
-        splat_word $there,0x0c0d0e0f
+        splat_word $k_falloff,0x0c0d0e0f
+        rotmai  $there,$k_falloff,-31
         andc    $k_near,$k_one,$there
         and     $k_beyond,$k_beyond,$there
+        andc    $k_falloff,$k_falloff,$there
         splat_mask $m_lane
         splat   $background,$background,$m_lane
         splat   $min_share,$min_share,$m_lane

@@ -36,7 +36,10 @@ pub fn rounded_to_singles(scene: &Scene) -> Scene {
     }
     for light in &mut rounded.lights {
         match &mut light.kind {
-            LightKind::Point { position: place } => position(place),
+            LightKind::Point { position: place, range } => {
+                position(place);
+                *range = single(*range);
+            }
             LightKind::Directional { to_light } => *to_light = vector(*to_light),
         }
     }
@@ -97,7 +100,8 @@ mod tests {
             panic!("the cone became another shape")
         };
         assert_eq!((base.z, base_radius), (nearest(0.2), nearest(0.7)));
-        let light = LightKind::Point { position: DVec3::new(nearest(0.1), 0.0, 0.0) };
+        let light =
+            LightKind::Point { position: DVec3::new(nearest(0.1), 0.0, 0.0), range: f64::INFINITY };
         assert_eq!(rounded.lights[0].kind, light);
     }
 }

@@ -5,7 +5,8 @@ use spu_emulator::float::convert::{cfltu, csflt};
 use spu_emulator::float::single::{fm, fma, fnms, fs};
 
 use super::math::reciprocal;
-use super::surfaces::{Surface, dot};
+use super::shadow_rays::Place;
+use super::surfaces::{Ray, Surface, dot};
 use super::{ONE, Single, select};
 
 /// A single's fraction.
@@ -55,23 +56,26 @@ pub fn highlight(
     exp2_of_minus(cfltu(n, FRACTION_BITS as i32))
 }
 
-/// The light that a surface of this normal sends back from a light of this brightness;
-/// `blocked` if it does not reach it. `direction` is of the ray that sees the surface; without it
-/// there is no highlight.
+/// The light that a surface of this normal sends back from a light of this brightness, to which a
+/// shadow ray goes; `blocked` if it does not reach it. `direction` is of the ray that sees the
+/// surface; without it there is no highlight.
 #[must_use]
 pub fn light(
     surface: &Surface,
     normal: [Single; 3],
     direction: Option<[Single; 3]>,
-    to_light: [Single; 3],
-    blocked: bool,
+    (shadow, blocked): (&Ray, bool),
+    source: &Place,
     brightness: [Single; 3],
 ) -> [Single; 3] {
     let reaches = |value| select(value, 0, blocked);
-    let diffuse = reaches(fm(surface.diffuse, dot(normal, to_light)));
+    let fade = source.fade(fm(shadow.t, shadow.t));
+    let fade = fm(fade, fade);
+    let lambert = fm(surface.diffuse, dot(normal, shadow.direction));
+    let diffuse = reaches(fm(lambert, fade));
     let shine = direction.map(|direction| {
-        let power = highlight(normal, direction, to_light, surface.exponent);
-        reaches(fm(surface.highlight, power))
+        let power = highlight(normal, direction, shadow.direction, surface.exponent);
+        reaches(fm(fm(surface.highlight, power), fade))
     });
     std::array::from_fn(|k| {
         let colour = match shine {

@@ -207,7 +207,15 @@ pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldErrorKind> {
 
 pub(super) fn light(light: &Light) -> Result<(), WorldErrorKind> {
     match light.kind {
-        LightKind::Point { position } => vector("light", position)?,
+        LightKind::Point { position, range } => {
+            vector("light", position)?;
+            if range != f64::INFINITY {
+                size("range", range)?;
+            }
+            if range < 0.0 {
+                return Err(out_of_range("range", range, " and above 0"));
+            }
+        }
         LightKind::Directional { to_light } => {
             vector("direction to the light", to_light)?;
             if to_light == DVec3::ZERO {

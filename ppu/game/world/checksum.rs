@@ -84,9 +84,12 @@ impl Checksum {
 
     pub fn light(&mut self, light: &Light) {
         match light.kind {
-            LightKind::Point { position } => {
-                self.word(0);
+            LightKind::Point { position, range } => {
+                self.word(if range == f64::INFINITY { 0 } else { 2 });
                 self.vector(position);
+                if range != f64::INFINITY {
+                    self.float(range);
+                }
             }
             LightKind::Directional { to_light } => {
                 self.word(1);

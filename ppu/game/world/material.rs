@@ -138,7 +138,7 @@ impl Light {
     #[must_use]
     pub fn at(position: impl Into<DVec3>) -> Self {
         let position = position.into();
-        Self { kind: LightKind::Point { position }, colour: None }
+        Self { kind: LightKind::Point { position, range: f64::INFINITY }, colour: None }
     }
 
     /// A directional light, infinitely far away in the direction `to_light`.
@@ -146,6 +146,18 @@ impl Light {
     pub fn sun(to_light: impl Into<DVec3>) -> Self {
         let to_light = to_light.into();
         Self { kind: LightKind::Directional { to_light }, colour: None }
+    }
+
+    /// The same light, which fades towards a distance and lights nothing beyond it. A light that is
+    /// infinitely far stays as it is.
+    #[must_use]
+    pub fn within(self, range: f64) -> Self {
+        match self.kind {
+            LightKind::Point { position, .. } => {
+                Self { kind: LightKind::Point { position, range }, ..self }
+            }
+            LightKind::Directional { .. } => self,
+        }
     }
 
     /// The same light with a colour.

@@ -102,6 +102,9 @@ impl World {
         self.materials.keys()
     }
 
+    /// The most lights of a world.
+    pub const MAX_LIGHTS: usize = protocol::layout::MAX_LIGHTS as usize;
+
     /// Adds a light.
     ///
     /// # Errors

@@ -213,6 +213,17 @@ pub(super) fn record(
     })
 }
 
+/// Checks that a point light's position and range are in range.
+fn check_light(kind: LightKind, place: SourceLocation<'_>) -> Result<(), BlockError> {
+    if let LightKind::Point { position, range } = kind {
+        place.vector("light", position)?;
+        if range != f64::INFINITY {
+            place.size("range", range)?;
+        }
+    }
+    Ok(())
+}
+
 /// A light in the scene's coordinates, with its record except for the position.
 #[derive(Clone, Debug)]
 pub(crate) struct Light {
@@ -227,9 +238,7 @@ impl Light {
         brightness: DVec3,
         place: SourceLocation<'_>,
     ) -> Result<Self, BlockError> {
-        if let LightKind::Point { position } = kind {
-            place.vector("light", position)?;
-        }
+        check_light(kind, place)?;
         place.vector("brightness", brightness)?;
         let record =
             layout::Light { brightness: singles(brightness), ..layout::Light::new_zeroed() };
@@ -242,9 +251,7 @@ impl Light {
         kind: LightKind,
         place: SourceLocation<'_>,
     ) -> Result<Self, BlockError> {
-        if let LightKind::Point { position } = kind {
-            place.vector("light", position)?;
-        }
+        check_light(kind, place)?;
         Ok(Self { kind, record: self.record })
     }
 
@@ -266,14 +273,16 @@ impl Light {
     /// That is at most twice `leave` more, and a quarter of the slack of 2^-18 that `cull_nodes`
     /// allows relative to the light's coordinates.
     pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
-        let (position, directional) = match self.kind {
-            LightKind::Point { position } => (position - eye, 0),
+        let (position, falloff) = match self.kind {
+            LightKind::Point { position, range } => {
+                (position - eye, (range.powi(-2) as f32).to_bits())
+            }
             // A direction of 0 lights nothing; files with one are refused.
             LightKind::Directional { to_light } => (unit(to_light).unwrap_or_default(), u32::MAX),
         };
         layout::Light {
             position: singles(position),
-            directional: directional.into(),
+            falloff: falloff.into(),
             near: single(SLACK * taxicab(position) + 8.0 * leave),
             ..self.record
         }

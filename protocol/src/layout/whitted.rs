@@ -133,10 +133,11 @@ record! {
 record! {
     /// A light.
     Light as "LIGHT" {
-        /// Position, or with `directional` the unit direction to the light: x, y, z.
+        /// Position, or the unit direction to a light that is infinitely far: x, y, z.
         position: [F32; 3],
-        /// All ones if it is infinitely far, else 0.
-        directional: U32,
+        /// All ones if it is infinitely far. Else one over the square of its range, as a single's
+        /// bits, which are 0 if it has none.
+        falloff: U32,
         /// Brightness: red, green, blue.
         brightness: [F32; 3],
         /// Distance from the light at which shadow rays end, and its slack: see `bound_fan_r16`.

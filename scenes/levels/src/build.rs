@@ -12,6 +12,8 @@ use crate::{Error, Map, Name, Pictures, Plan, SKY, Sector};
 
 /// The most light that a sector has.
 const LIGHTEST: f64 = 255.0;
+/// The most parts of all walls with holes: many times as many as a map of Freedoom has.
+const MOST_PARTS: usize = 1 << 18;
 
 /// A floor or a ceiling.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -69,7 +71,8 @@ impl Level {
             ranges: ranges(map),
             surfaces: Surfaces::new(pictures),
             parts: BTreeMap::new(),
-            masked: 0,
+            spare_parts: MOST_PARTS,
+            left_out: 0,
         };
         for region in &plan.regions {
             let sector = &map.sectors[region.sector as usize];
@@ -81,9 +84,9 @@ impl Level {
             builder.add_line(line, pieces)?;
         }
         let mut notes = [map.notes.clone(), plan.notes.clone(), builder.surfaces.notes].concat();
-        if builder.masked > 0 {
-            let count = builder.masked;
-            notes.push(format!("walls with holes between two sectors are left out: {count}"));
+        if builder.left_out > 0 {
+            let count = builder.left_out;
+            notes.push(format!("walls with too many holes are left out: {count}"));
         }
         let part = |(moves_with, part): (_, Growing)| Part { mesh: part.mesh, moves_with };
         Ok(Self {
@@ -124,8 +127,10 @@ pub(crate) struct Builder<'a, P> {
     ranges: BTreeMap<PlaneId, [f64; 2]>,
     pub surfaces: Surfaces<'a, P>,
     parts: BTreeMap<Option<PlaneId>, Growing>,
-    /// The number of walls that are left out because they have holes.
-    pub masked: usize,
+    /// How many parts walls with holes may still have.
+    pub spare_parts: usize,
+    /// The number of walls that are left out because they have too many holes.
+    pub left_out: usize,
 }
 
 impl<P: Pictures> Builder<'_, P> {

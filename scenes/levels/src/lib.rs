@@ -10,6 +10,7 @@
 mod build;
 mod error;
 mod graphics;
+mod holes;
 mod map;
 mod plan;
 mod specials;

@@ -7,6 +7,7 @@ use glam::{DVec2, DVec3};
 use scenes::{Material, Shader, Texture, Wrap};
 
 use crate::graphics::FLAT;
+use crate::holes::{Rectangle, rectangles};
 use crate::{Error, Name, Pictures};
 
 /// The flat of sectors that are open to the sky.
@@ -36,13 +37,14 @@ pub(crate) struct Shown {
     /// A factor of the light.
     pub colour: DVec3,
     pub size: DVec2,
-    pub has_holes: bool,
 }
 
 /// The materials that a level has so far.
 pub(crate) struct Surfaces<'a, P> {
     pictures: &'a P,
     known: HashMap<Surface, Shown>,
+    /// The parts of pictures with holes, unless they have too many.
+    holes: HashMap<Surface, Option<Arc<[Rectangle]>>>,
     /// The material of those without a texture, which have a colour instead.
     plain: Option<u32>,
     pub materials: Vec<Material>,
@@ -56,6 +58,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         Self {
             pictures,
             known: HashMap::new(),
+            holes: HashMap::new(),
             plain: None,
             materials: nothing(),
             surfaces: Vec::new(),
@@ -75,16 +78,21 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
             Surface::Sky => (None, "sky"),
         };
         let mut size = square;
-        let mut has_holes = false;
         let mut colour = None;
         let mut material = Material::matte(DVec3::ONE);
         if surface == Surface::Sky {
             material = self.sky()?;
         } else if let Some(picture) = picture {
             size = DVec2::new(picture.width as f64, picture.height() as f64);
-            has_holes = picture.has_holes();
+            let mut around = [0; 3];
+            if picture.has_holes() {
+                self.holes.insert(surface, rectangles(&picture).map(Arc::from));
+                // Texels beside holes are mixed with those in them.
+                let texels: Vec<[u8; 3]> = picture.texels.iter().flatten().copied().collect();
+                around = (255.0 * mean(&texels)).to_array().map(|channel| channel as u8);
+            }
             let texels: Vec<[u8; 3]> =
-                picture.texels.iter().map(|texel| texel.unwrap_or_default()).collect();
+                picture.texels.iter().map(|texel| texel.unwrap_or(around)).collect();
             if self.surfaces.len() < MAX_TEXTURES {
                 let texture = Texture::new(picture.width as u32, texels, [Wrap::Repeat; 2]);
                 material =
@@ -109,9 +117,15 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
             self.surfaces.push(surface);
         }
         let colour = colour.unwrap_or(DVec3::ONE);
-        let shown = Shown { material: number, colour, size, has_holes };
+        let shown = Shown { material: number, colour, size };
         self.known.insert(surface, shown);
         Ok(shown)
+    }
+
+    /// The rectangles of texels of a known picture with holes, or none if they are too many; `None`
+    /// if it has no holes.
+    pub fn holes(&self, surface: Surface) -> Option<Option<Arc<[Rectangle]>>> {
+        self.holes.get(&surface).cloned()
     }
 
     /// The sky: a gradient of the colours at the bottom and at the top of its picture, because what

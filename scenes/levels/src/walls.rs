@@ -11,6 +11,7 @@ use crate::{Error, Line, Name, Pictures, Plane, SKY, Side, flags};
 const CONTRAST: f64 = 16.0;
 
 /// A wall between two heights, and how its picture is put there.
+#[derive(Clone, Copy)]
 pub(crate) struct Wall {
     /// Its ends on the map: whoever sees it has the first one to the left.
     pub ends: [DVec2; 2],
@@ -102,7 +103,7 @@ impl<P: Pictures> Builder<'_, P> {
         self.add_middle(line, side, other, along)
     }
 
-    /// What hangs or stands in the opening, if it has no holes.
+    /// What hangs or stands in the opening.
     fn add_middle(
         &mut self,
         line: &Line,
@@ -112,10 +113,6 @@ impl<P: Pictures> Builder<'_, P> {
     ) -> Result<(), Error> {
         let Some(surface) = wall(side.middle) else { return Ok(()) };
         let shown = self.surfaces.shown(surface)?;
-        if shown.has_holes {
-            self.masked += 1;
-            return Ok(());
-        }
         let both = |builder: &Self, plane| {
             [side.sector, other.sector].map(|sector| builder.rest(sector, plane))
         };
@@ -131,7 +128,23 @@ impl<P: Pictures> Builder<'_, P> {
         if low < high {
             // The offset is in the place already.
             let row = top - high - side.offset.y;
-            self.add_wall(side, along, [low, high], surface, row, None)?;
+            let walls = self.walls(side, along, [low, high], surface, row, None);
+            match self.surfaces.holes(surface) {
+                None => walls.iter().try_for_each(|wall| self.add_quad(wall))?,
+                Some(Some(rectangles)) => {
+                    let parts = walls.iter().flat_map(|wall| wall.parts(&rectangles, shown.size.x));
+                    let parts: Vec<Wall> = parts.take(self.spare_parts + 1).collect();
+                    match self.spare_parts.checked_sub(parts.len()) {
+                        Some(left) => self.spare_parts = left,
+                        None => {
+                            self.left_out += 1;
+                            return Ok(());
+                        }
+                    }
+                    parts.iter().try_for_each(|part| self.add_quad(part))?;
+                }
+                Some(None) => self.left_out += 1,
+            }
         }
         Ok(())
     }
@@ -145,8 +158,21 @@ impl<P: Pictures> Builder<'_, P> {
         row: f64,
         moves_with: Option<PlaneId>,
     ) -> Result<(), Error> {
+        let walls = self.walls(side, along, [bottom, top], surface, row, moves_with);
+        walls.iter().try_for_each(|wall| self.add_quad(wall))
+    }
+
+    fn walls(
+        &self,
+        side: &Side,
+        along: &[[DVec2; 2]],
+        [bottom, top]: [f64; 2],
+        surface: Surface,
+        row: f64,
+        moves_with: Option<PlaneId>,
+    ) -> Vec<Wall> {
         let mut column = side.offset.x;
-        for &ends in along {
+        let wall = |&ends: &[DVec2; 2]| {
             let way = ends[1] - ends[0];
             let contrast = match (way.x == 0.0, way.y == 0.0) {
                 (true, _) => CONTRAST,
@@ -155,10 +181,10 @@ impl<P: Pictures> Builder<'_, P> {
             };
             let light = self.map.sectors[side.sector as usize].light + contrast;
             let texel = DVec2::new(column, row + side.offset.y);
-            self.add_quad(&Wall { ends, bottom, top, surface, texel, light, moves_with })?;
             column += way.length();
-        }
-        Ok(())
+            Wall { ends, bottom, top, surface, texel, light, moves_with }
+        };
+        along.iter().map(wall).collect()
     }
 }
 

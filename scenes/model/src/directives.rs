@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::error::Excerpt;
 use crate::lines::LineError;
 use crate::words::Words;
-use crate::{Fault, Shader};
+use crate::{Fault, LightKind, Shader};
 
 pub(crate) enum Directive {
     /// The ambient light.
@@ -19,8 +19,8 @@ pub(crate) enum Directive {
     Sky { zenith: DVec3, up: Option<DVec3> },
     /// The light and the background of a day.
     Daylight,
-    /// A light infinitely far away.
-    Sun { to_light: DVec3, colour: Option<DVec3> },
+    /// A light with a range, or infinitely far away.
+    Light { kind: LightKind, colour: Option<DVec3> },
     /// The shader of the material before it.
     Shader(Shader),
 }
@@ -49,6 +49,16 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
             words.end("daylight")?;
             Ok(Directive::Daylight)
         }
+        "lamp" => {
+            let position = words.point(["lamp x", "lamp y", "lamp z"])?;
+            let (field, range) = ("lamp range", words.real("lamp range")?);
+            if range <= 0.0 {
+                return Err(Fault::NotPositive { field, value: range }.into());
+            }
+            let colour = words.light_colour()?;
+            words.end("lamp")?;
+            Ok(Directive::Light { kind: LightKind::Point { position, range }, colour })
+        }
         "sun" => {
             let to_light = words.point(["sun x", "sun y", "sun z"])?;
             let colour = words.light_colour()?;
@@ -56,7 +66,7 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
             if to_light == DVec3::ZERO {
                 return Err(Fault::NoDirection("the direction to the sun").into());
             }
-            Ok(Directive::Sun { to_light, colour })
+            Ok(Directive::Light { kind: LightKind::Directional { to_light }, colour })
         }
         "shader" => {
             let shader = shader(words)?;

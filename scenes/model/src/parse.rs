@@ -202,9 +202,9 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 self.ambient = Some((self.words.start(), colour));
                 Ok(())
             }
-            Directive::Sun { to_light, colour } => {
+            Directive::Light { kind, colour } => {
                 self.check_light_count()?;
-                self.light((LightKind::Directional { to_light }, colour));
+                self.light((kind, colour));
                 Ok(())
             }
             Directive::Sky { zenith, up } => {

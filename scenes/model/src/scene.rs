@@ -34,7 +34,7 @@ pub struct Scene {
     pub mesh: Option<Arc<Mesh>>,
 }
 
-/// A light (`l`, `#cellray sun`).
+/// A light (`l`, `#cellray lamp`, `#cellray sun`).
 #[derive(Debug, Clone)]
 pub struct Light {
     /// Line of the file, from 1.
@@ -48,10 +48,12 @@ pub struct Light {
 /// A light's position or direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LightKind {
-    /// A point light (`l`).
+    /// A point light (`l`, `#cellray lamp`).
     Point {
         /// The position.
         position: DVec3,
+        /// The distance from which on it lights nothing; infinite if it reaches everywhere.
+        range: f64,
     },
     /// A light infinitely far away (`#cellray sun`).
     Directional {

@@ -129,7 +129,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
             .zip(9..)
             .map(|(position, line)| Light {
                 line,
-                kind: LightKind::Point { position },
+                kind: LightKind::Point { position, range: f64::INFINITY },
                 colour: None,
             })
             .collect(),

@@ -91,7 +91,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         ambient: DVec3::ZERO,
         lights: vec![Light {
             line: 9,
-            kind: LightKind::Point { position: DVec3::new(2.0, -18.0, -5.0) },
+            kind: LightKind::Point { position: DVec3::new(2.0, -18.0, -5.0), range: f64::INFINITY },
             colour: None,
         }],
         materials: vec![Material {

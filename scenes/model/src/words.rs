@@ -188,7 +188,7 @@ impl<R: BufRead> Words<R> {
     pub(crate) fn light(&mut self) -> Result<(LightKind, Option<DVec3>), LineError> {
         let position = self.point(["light x", "light y", "light z"])?;
         let colour = self.light_colour()?;
-        Ok((LightKind::Point { position }, colour))
+        Ok((LightKind::Point { position, range: f64::INFINITY }, colour))
     }
 
     /// Reads a light's colour, if there is one.

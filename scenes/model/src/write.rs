@@ -67,7 +67,10 @@ impl fmt::Display for View {
 impl fmt::Display for Light {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.kind {
-            LightKind::Point { position } => write!(f, "l {}", Triple(position))?,
+            LightKind::Point { position, range } if range.is_finite() => {
+                write!(f, "{DIRECTIVE} lamp {} {range}", Triple(position))?;
+            }
+            LightKind::Point { position, .. } => write!(f, "l {}", Triple(position))?,
             LightKind::Directional { to_light } => {
                 write!(f, "{DIRECTIVE} sun {}", Triple(to_light))?;
             }

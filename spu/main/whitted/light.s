@@ -82,8 +82,9 @@ function batch_light
         lqa     $value,generation
         ai      $value,$value,GENERATION_SIZE           # these rays' shadow rays
         stqa    $value,generation
-        # Surfaces with highlights come first; the others have a shorter kernel.
         il      $w_shining,0
+        stqa    $w_shining,reach_known
+        # Surfaces with highlights come first; the others have a shorter kernel.
         lqa     $a_site,sites_at
         il      $mask,MATERIAL_LIT|MATERIAL_SHINES
         lqa     $value,batch_flags
@@ -128,6 +129,10 @@ next_light:
         ori     $4,$w_sites,0
         fi      $inverse,$bright,$inverse
         brnz    $end,lit
+        load_word $5,LIGHT_falloff,$w_light
+        cgti    $5,$5,0
+        brnz    $5,has_range
+in_reach:
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
         lqa     $8,shadow_rays_at
@@ -155,9 +160,10 @@ rays_call:
         ori     $6,$w_here,0
         lqa     $3,shadow_rays_at
         ori     $4,$w_traced,0
-        load_word $5,LIGHT_directional,$w_light
+        load_word $5,LIGHT_falloff,$w_light
+        rotmai  $5,$5,-31                               # -1 if it is infinitely far
         andc    $lights,$w_light,$5
-        or      $5,$lights,$5                           # -1 if the light is infinitely far away
+        or      $5,$lights,$5
 trace_call:
         brsl    $lr,packets_trace
         lqa     $3,keeps_paths
@@ -198,6 +204,11 @@ lambert_call:
         brsl    $lr,lambert_r16
 dark:   ai      $w_light,$w_light,LIGHT_SIZE
         br      next_light
+has_range:
+        brsl    $lr,light_reaches
+        hbrr    rays_call,shadow_rays_r16
+        brz     $3,dark
+        br      in_reach
 lit:
         phase_ends $g_ticks_shade,$amount
         leave

@@ -48,8 +48,10 @@ fn whitted_pixels_are_traced_again_where_changed() {
         ("a share", |scene| scene.materials[3].diffuse = 0.5),
         ("a shader", |scene| scene.materials[4].shader = scenes::Shader::Flat),
         ("a light's place", |scene| {
-            scene.lights[1].kind =
-                scenes::LightKind::Point { position: DVec3::new(30.0, -30.0, 24.0) }
+            scene.lights[1].kind = scenes::LightKind::Point {
+                position: DVec3::new(30.0, -30.0, 24.0),
+                range: f64::INFINITY,
+            }
         }),
         ("a light's colour", |scene| scene.lights[0].colour = Some(DVec3::ONE)),
         ("a light less", |scene| scene.lights.truncate(1)),

@@ -82,7 +82,7 @@ pub fn material(random: &mut ChaCha8Rng, goes_on: bool) -> Material {
 
 pub fn light(random: &mut ChaCha8Rng) -> Light {
     let place = vector(random, 1.0) + DVec3::new(1.0, 6.0, 4.0);
-    let light = if random.random() { Light::at(place) } else { Light::sun(place) };
+    let light = if random.random() { Light::at(place).within(20.0) } else { Light::sun(place) };
     if random.random() {
         let [red, green, blue] = colour(random).to_array();
         light.coloured(red, green, blue)

@@ -151,6 +151,7 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
             world.look_from(place, DVec3::ZERO),
             world.add_light(Light::at(place)).map(drop),
             world.add_light(Light::at(DVec3::ONE).coloured(bad, 0.0, 0.0)).map(drop),
+            world.add_light(Light::at(DVec3::ONE).within(-bad.abs().min(1e9))).map(drop),
             world.add_sphere(place, 1.0, red).map(drop),
             world.add_sphere(DVec3::ZERO, bad, red).map(drop),
             world.set_material(red, glass),

@@ -99,7 +99,7 @@ fn moved(scene: &scenes::Scene, by: DVec3) -> scenes::Scene {
     moved.view.from += by;
     moved.view.at += by;
     for light in &mut moved.lights {
-        if let scenes::LightKind::Point { position } = &mut light.kind {
+        if let scenes::LightKind::Point { position, .. } = &mut light.kind {
             *position += by;
         }
     }

@@ -8,6 +8,7 @@ mod colours;
 mod counts;
 mod frame;
 mod invariance;
+mod lamps;
 mod materials;
 mod meshes;
 mod on_surface;

@@ -9,8 +9,9 @@ pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {
     to(&mut scene.view.from);
     to(&mut scene.view.at);
     for light in &mut scene.lights {
-        if let LightKind::Point { position } = &mut light.kind {
+        if let LightKind::Point { position, range } = &mut light.kind {
             to(position);
+            *range *= scale;
         }
     }
     for material in &mut scene.materials {

@@ -79,7 +79,9 @@ fn light(random: &mut ChaCha8Rng) -> Light {
     let kind = if random.random_bool(0.3) {
         LightKind::Directional { to_light: vector(random, 1.0) }
     } else {
-        LightKind::Point { position: vector(random, 8.0) }
+        let position = vector(random, 8.0);
+        let range = if position.x > 0.0 { 9.0 } else { f64::INFINITY };
+        LightKind::Point { position, range }
     };
     Light { line: 0, kind, colour }
 }

@@ -3,6 +3,7 @@
 mod headless;
 mod orrery;
 mod physics;
+mod places;
 mod played;
 mod station;
 mod walker;

@@ -26,11 +26,11 @@ const STEP: Duration = Duration::from_millis(250);
 /// The same in a walk.
 const STRIDE: Duration = Duration::from_millis(50);
 
-fn kept(name: &str) -> PathBuf {
+pub fn kept(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/played").join(name)
 }
 
-fn session<G: Game>(game: G) -> Session<G> {
+pub fn session<G: Game>(game: G) -> Session<G> {
     let settings = Settings { spus: 1, ..Settings::default() };
     let picture = Memory::new(Geometry::new(16, 8).unwrap()).unwrap();
     Session::start(game, settings, Box::new(picture)).unwrap()
@@ -88,18 +88,22 @@ fn end_of_walk(game: &Station) -> String {
     format!("{place:016x?} {}, at the exit: {}\n", game.status(), game.has_ended())
 }
 
-/// Walks towards what is to be found, and to the exit.
+/// Walks towards what is to be found and to the exit, or to whatever lies in a map.
 fn make_walk(game: Station, longest: u64, recording: &Path, ended: &Path) {
     let file = BufWriter::new(File::create(recording).unwrap());
     let mut session = session(game).with_seed(0).record_to(Box::new(file));
-    let mut walker = Walker::default();
+    let mut walker = None;
     // The first frame sets the game up.
     let mut events = Vec::new();
     for _ in 0..longest {
         if session.step(STRIDE, &mut events, &mut |_| ()).unwrap().is_break() {
             break;
         }
-        events = walker.next(session.game());
+        let game = session.game();
+        let has_all = longest == LONGEST;
+        let walker = walker
+            .get_or_insert_with(|| if has_all { Walker::default() } else { Walker::tour(game) });
+        events = walker.next(game);
     }
     fs::write(ended, end_of_walk(session.game())).unwrap();
 }

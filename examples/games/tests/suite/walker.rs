@@ -23,6 +23,8 @@ const LOST: f64 = 64.0;
 const PATIENCE: u32 = 150;
 /// How many places ahead it looks.
 const AHEAD: usize = 2;
+/// The kinds of things that lie somewhere to be taken.
+const ITEMS: std::ops::RangeInclusive<u16> = 2001..=2049;
 
 /// Walks by a path, and presses Space where it does not get on.
 #[derive(Default)]
@@ -113,9 +115,26 @@ fn path(game: &Station, goal: DVec2) -> Vec<DVec2> {
 }
 
 impl Walker {
-    /// A walker with goals of its own.
+    /// A walker with goals of its own. It goes to one after the other, except those to which there
+    /// is no way, and stays at the last.
     pub fn to(goals: Vec<DVec2>) -> Self {
         Self { goals, ..Self::default() }
+    }
+
+    /// A walker that visits what lies in a map: always what is nearest to the last place.
+    pub fn tour(game: &Station) -> Self {
+        let things = game.ground().map.things.iter();
+        let mut left: Vec<DVec2> =
+            things.filter(|thing| ITEMS.contains(&thing.kind)).map(|thing| thing.place).collect();
+        let mut place = game.place();
+        let mut goals = Vec::new();
+        while !left.is_empty() {
+            let nearness = |at: &usize| place.distance_squared(left[*at]);
+            let next = (0..left.len()).min_by(|a, b| nearness(a).total_cmp(&nearness(b)));
+            place = left.swap_remove(next.unwrap_or_default());
+            goals.push(place);
+        }
+        Self::to(goals)
     }
 
     /// The events of the next frame.
@@ -126,6 +145,11 @@ impl Walker {
             self.begun = true;
             events.push(InputEvent::MouseButton { button: MouseButton::Left, down: true });
         }
+        let is_there = |goal: &DVec2| goal.distance(place) < 2.0 * GRID;
+        let is_done = self.stood > PATIENCE / 4 || self.goals.first().is_some_and(is_there);
+        if self.goals.len() > 1 && is_done {
+            self.goals.remove(0);
+        }
         let goal = self.goals.first().copied().or_else(|| game.goals().left().next());
         self.stood = if place.distance(self.last) < 0.5 { self.stood + 1 } else { 0 };
         self.last = place;
@@ -134,6 +158,13 @@ impl Walker {
             self.goal = goal;
             self.stood = 0;
             self.path = goal.map(|goal| path(game, goal)).unwrap_or_default();
+            let nearest = self.path.get(1).copied().unwrap_or(place);
+            if self.goals.len() > 1 && goal.is_some_and(|goal| goal.distance(nearest) > 2.0 * GRID)
+            {
+                self.goals.remove(0);
+                events.extend(self.next(game));
+                return events;
+            }
         }
         // Corners are cut a little, so a place may be passed without being reached.
         let near = self.path.len().saturating_sub(AHEAD + 1)..self.path.len();

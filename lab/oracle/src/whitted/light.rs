@@ -39,6 +39,11 @@ pub(super) fn schlick(ratio: f64, near: f64, beyond: f64) -> f64 {
     head_on + (1.0 - head_on) * (1.0 - cosine).clamp(0.0, 1.0).powi(5)
 }
 
+/// The share of a light with a range that is left at a distance.
+pub(super) fn fade(distance: f64, range: f64) -> f64 {
+    (1.0 - (distance / range).powi(2)).max(0.0).powi(2)
+}
+
 /// A bound of [`shine`]'s channels, by the cosine of the light's angle to the normal.
 pub(super) fn bound(finish: &Finish, facing: f64) -> f64 {
     finish.diffuse * facing * weight::most(finish.colour) + finish.highlight

@@ -237,29 +237,30 @@ impl<'a> Stage<'a> {
     ) -> DVec3 {
         let finish = &hit.finish;
         for &(kind, brightness) in &self.lights {
-            let (way, distance) = match kind {
-                LightKind::Point { position } => {
-                    (position - hit.point, hit.point.distance(position))
+            let (way, distance, fade) = match kind {
+                LightKind::Point { position, range } => {
+                    let distance = hit.point.distance(position);
+                    (position - hit.point, distance, light::fade(distance, range))
                 }
-                LightKind::Directional { to_light } => (to_light, f64::INFINITY),
+                LightKind::Directional { to_light } => (to_light, f64::INFINITY, 1.0),
             };
             let Some(to_light) = scenes::unit(way) else {
                 continue;
             };
             let is_facing = hit.smooth.dot(to_light) > 0.0;
-            if !is_facing || hit.normal.dot(to_light) <= 0.0 {
-                path.counts.shadow_behind += u64::from(is_facing);
+            if !is_facing || hit.normal.dot(to_light) <= 0.0 || fade == 0.0 {
+                path.counts.shadow_behind += u64::from(is_facing && fade > 0.0);
                 path.note(0);
                 continue;
             }
             let share = light::bound(finish, hit.smooth.dot(to_light));
-            let shown = weight * share * weight::most(brightness);
+            let shown = weight * share * fade.sqrt() * weight::most(brightness);
             let counts = self.min_weight == 0.0 || shown > weight::MIN_LIGHT;
             path.counts.shadow += u64::from(counts && self.options.shadows);
             let hidden = self.options.shadows && self.tree.any(&self.sent(hit, to_light), distance);
             path.note(1 + u64::from(hidden));
             if !hidden {
-                sum += brightness * light::shine(finish, hit.smooth, direction, to_light);
+                sum += fade * brightness * light::shine(finish, hit.smooth, direction, to_light);
             }
         }
         sum

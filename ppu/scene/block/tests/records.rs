@@ -368,13 +368,13 @@ fn lights() {
     };
     let first = light(&block, 0);
     assert_eq!(wide(first.position), DVec3::new(0.0, 1.0, 2.0));
-    assert_eq!(first.directional.get(), 0);
+    assert_eq!(first.falloff.get(), 0);
     assert_eq!(first.near.get(), 24.0 / (1 << 20) as f32);
     let grey = 3f64.sqrt() / 6.0;
     assert!(wide(first.brightness).distance(DVec3::splat(grey)) < 1e-7);
     let sun = light(&block, 1);
     assert!(wide(sun.position).distance(DVec3::new(0.0, 0.6, 0.8)) < 1e-7);
-    assert_eq!(sun.directional.get(), u32::MAX);
+    assert_eq!(sun.falloff.get(), u32::MAX);
     let second = light(&block, 2);
     assert_eq!(wide(second.position), DVec3::new(3.0, 4.0, 5.0));
     assert_eq!(wide(second.brightness), DVec3::new(0.25, 0.5, 1.0));

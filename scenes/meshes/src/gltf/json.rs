@@ -54,11 +54,12 @@ pub(super) struct Light {
     pub kind: String,
     pub color: [f64; 3],
     pub intensity: f64,
+    pub range: Option<f64>,
 }
 
 impl Default for Light {
     fn default() -> Self {
-        Self { kind: String::new(), color: [1.0; 3], intensity: 1.0 }
+        Self { kind: String::new(), color: [1.0; 3], intensity: 1.0, range: None }
     }
 }
 

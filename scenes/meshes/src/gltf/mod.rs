@@ -463,7 +463,7 @@ impl File<'_> {
 
     /// Adds a light. glTF states luminous intensities, which need a camera's exposure to become
     /// colours, and they fall with the distance. Here a light has its colour's brightness
-    /// everywhere.
+    /// everywhere, unless it has a range.
     fn light(&mut self, index: usize, place: DMat4) -> Result<(), Fault> {
         let lights = &self.root.extensions.lights.lights;
         let light = lights.get(index);
@@ -472,13 +472,19 @@ impl File<'_> {
             return Ok(());
         }
         let position = place.transform_point3(DVec3::ZERO);
+        let range = light.range.unwrap_or(f64::INFINITY);
+        if range <= 0.0 {
+            return Err(wrong(format!(
+                "light {index}: the range is {range}, which is not above 0"
+            )));
+        }
         let kind = match light.kind.as_str() {
             "directional" => LightKind::Directional { to_light: place.transform_vector3(DVec3::Z) },
-            "point" => LightKind::Point { position },
+            "point" => LightKind::Point { position, range },
             "spot" => {
                 let note = "spot lights shine in all directions";
                 self.builder.notes.add(note);
-                LightKind::Point { position }
+                LightKind::Point { position, range }
             }
             other => {
                 let note = format!("lights of the type {} are ignored", scenes::Excerpt::of(other));

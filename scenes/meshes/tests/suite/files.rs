@@ -98,7 +98,7 @@ pub fn container(json: &[u8], blob: &[u8]) -> Vec<u8> {
 
 pub const JSON: &str = r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],
 "extensionsUsed":["KHR_lights_punctual"],
-"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","color":[1,0.5,0.25]}]}},
+"extensions":{"KHR_lights_punctual":{"lights":[{"type":"point","color":[1,0.5,0.25],"range":7}]}},
 "nodes":[{"mesh":0,"translation":[10,0,0],"scale":[-1,2,1]},
 {"camera":0,"translation":[0,0,5]},
 {"translation":[0,4,0],"extensions":{"KHR_lights_punctual":{"light":0}}}],

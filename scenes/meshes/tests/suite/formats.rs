@@ -59,7 +59,7 @@ fn glb_file_has_transforms_camera_and_light() {
     assert_eq!(view.resolution, (1024, 512));
     let light = &loaded.scene.lights[0];
     let position = DVec3::new(0.0, 4.0, 0.0);
-    assert_eq!(light.kind, LightKind::Point { position });
+    assert_eq!(light.kind, LightKind::Point { position, range: 7.0 });
     assert_eq!(light.colour, Some(DVec3::new(1.0, 0.5, 0.25)));
     let material = &loaded.scene.materials[0];
     assert!((material.colour - DVec3::X).length() < 1e-9);

@@ -58,7 +58,7 @@ impl Builder {
             .zip(LINES_BEFORE + 1..)
             .map(|(&position, line)| Light {
                 line,
-                kind: LightKind::Point { position },
+                kind: LightKind::Point { position, range: f64::INFINITY },
                 colour: None,
             })
             .collect();

@@ -25,7 +25,7 @@ fn lights_in_the_order_of_the_file() {
     ));
     assert_eq!(scene.ambient, DVec3::new(0.1, 0.2, 0.3));
     let lights: Vec<_> = scene.lights.iter().map(|it| (it.line, it.kind)).collect();
-    let point = |x, y, z| LightKind::Point { position: DVec3::new(x, y, z) };
+    let point = |x, y, z| LightKind::Point { position: DVec3::new(x, y, z), range: f64::INFINITY };
     let sun = |to_light| LightKind::Directional { to_light };
     assert_eq!(
         lights,
@@ -38,6 +38,10 @@ fn lights_in_the_order_of_the_file() {
     );
     assert_eq!(scene.lights[1].colour, None);
     assert_eq!(scene.lights[2].colour, Some(DVec3::new(0.5, 0.25, 1.0)));
+    let lamp = &parsed(&scene_text("#cellray lamp 1 2 3 8 0.5 0.25 1")).lights[0];
+    let position = DVec3::new(1.0, 2.0, 3.0);
+    assert_eq!(lamp.kind, LightKind::Point { position, range: 8.0 });
+    assert_eq!(lamp.colour, Some(DVec3::new(0.5, 0.25, 1.0)));
     // Suns count among the lights that share the brightness.
     assert_eq!(scene.brightness(&scene.lights[0]), DVec3::splat(0.25));
 }
@@ -116,8 +120,10 @@ fn faults_name_file_and_line() {
         ("#cellray", "9: directive is missing"),
         (
             "\n #cellray fog 1",
-            "10: unknown directive `fog` (known: ambient daylight shader sky sun)",
+            "10: unknown directive `fog` (known: ambient daylight lamp shader sky sun)",
         ),
+        ("#cellray lamp 1 2 3", "9: lamp range is missing"),
+        ("#cellray lamp 1 2 3 0", "9: lamp range 0 is not above 0"),
         ("#cellray ambient 1 1", "9: ambient blue is missing"),
         ("#cellray ambient 1 -1 1", "9: ambient green -1 is negative"),
         (

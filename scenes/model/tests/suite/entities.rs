@@ -51,7 +51,7 @@ fn every_entity_is_read() {
     assert_eq!(scene.lights.len(), 2);
     assert_eq!((scene.lights[0].line, scene.lights[0].colour), (12, None));
     let position = DVec3::new(1.0, -4.0, 4.0);
-    assert_eq!(scene.lights[1].kind, LightKind::Point { position });
+    assert_eq!(scene.lights[1].kind, LightKind::Point { position, range: f64::INFINITY });
     assert_eq!(scene.lights[1].colour, Some(DVec3::new(0.5, 0.25, 1.0)));
 
     let floor = &scene.materials[0];

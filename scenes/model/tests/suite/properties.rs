@@ -58,7 +58,10 @@ fn shader() -> impl Strategy<Value = Shader> {
 fn light() -> impl Strategy<Value = LightKind> {
     let sun = point().prop_filter("a direction", |to_light| *to_light != DVec3::ZERO);
     prop_oneof![
-        point().prop_map(|position| LightKind::Point { position }),
+        point().prop_map(|position| LightKind::Point { position, range: f64::INFINITY }),
+        (point(), number())
+            .prop_filter("a range", |(_, range)| *range != 0.0)
+            .prop_map(|(position, range)| LightKind::Point { position, range: range.abs() }),
         sun.prop_map(|to_light| LightKind::Directional { to_light }),
     ]
 }

@@ -179,7 +179,7 @@ fn blocked<B: Blocker>(
     let packets: Vec<_> = lights
         .iter()
         .map(|light| {
-            let light = Place { position: *light, directional: false };
+            let light = Place { position: *light, falloff: 0 };
             let rays = Shadows { sites: vec![site.clone()], light, min_share: 0 }.call(bench);
             let rays = rays.packets.first().map(|packet| {
                 packet.map(|ray| Ray {

@@ -12,7 +12,7 @@ use spu_emulator::float::single::from_f64;
 use twins::accumulate::Share;
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
-use twins::{ONE, Single};
+use twins::{ONE, Single, ZERO};
 
 use crate::bench::Bench;
 use crate::catalogue::{Case, Kernel, Objects};
@@ -132,7 +132,7 @@ fn same_objects(bench: &mut Bench, count: u32) -> Vec<u32> {
 
 /// A light next to the eye.
 fn near_light() -> Place {
-    Place { position: [1.0, 1.0, 0.0].map(from_f64), directional: false }
+    Place { position: [1.0, 1.0, 0.0].map(from_f64), falloff: ZERO }
 }
 
 /// Hits on a sphere that this light reaches.
@@ -171,7 +171,8 @@ fn shadow_rays(bench: &mut Bench, count: u32) -> Vec<u32> {
 }
 
 fn lit<const WAY: usize>(bench: &mut Bench, count: u32) -> Vec<u32> {
-    Lit::<WAY> { sites: sites(count), brightness: [from_f64(0.5); 3] }.place(bench).1
+    let (sites, light) = (sites(count), near_light());
+    Lit::<WAY> { sites, light, brightness: [from_f64(0.5); 3] }.place(bench).1
 }
 
 fn accumulate(bench: &mut Bench, count: u32) -> Vec<u32> {

@@ -1,13 +1,13 @@
 //! `shadow_rays_r16`, `lambert_r16` and `light_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::shade::error::{any_shining_site, light_up_to};
+use kernels::cases::whitted::shade::error::{any_light, any_shining_site, light_up_to};
 use kernels::cases::whitted::shade::light::{HIGHLIGHT, LAMBERT, Lit};
 use kernels::description::Description as _;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::light::highlight;
-use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
+use twins::shadow_rays::{DIRECTIONAL, NOT_THERE, Place, shadow_ray};
 use twins::surfaces::Surface;
 use twins::{FARTHEST, ONE};
 
@@ -35,7 +35,7 @@ fn facing() -> Surface {
 fn shadow_rays_go_only_to_lights_ahead() {
     let surface = facing();
     let normal = surface.plane;
-    let at = |position: [f64; 3]| Place { position: position.map(from_f64), directional: false };
+    let at = |position: [f64; 3]| Place { position: position.map(from_f64), falloff: 0 };
     let there = |surface: &Surface, normal, place: &Place| {
         shadow_ray(surface, normal, ONE, place, 0).t != NOT_THERE
     };
@@ -53,7 +53,9 @@ fn shadow_rays_go_only_to_lights_ahead() {
     for share in [Surface { diffuse: 0, ..surface }, Surface { highlight: 0, ..surface }] {
         assert!(there(&share, normal, &at([0.0; 3])));
     }
-    let sun = Place { position: [0.0, 0.6, 0.8].map(from_f64), directional: true };
+    let lamp = |range: f64| Place { falloff: from_f64(range.powi(-2)), ..at([0.0; 3]) };
+    assert!(there(&surface, normal, &lamp(4.001)) && !there(&surface, normal, &lamp(3.999)));
+    let sun = Place { position: [0.0, 0.6, 0.8].map(from_f64), falloff: DIRECTIONAL };
     let ray = shadow_ray(&surface, normal, ONE, &sun, 0);
     assert_eq!(ray.t, FARTHEST);
     for (found, exact) in ray.direction.into_iter().zip(sun.position) {
@@ -67,7 +69,7 @@ fn shadow_rays_go_only_to_lights_ahead() {
 fn light_at(cosine: f64) -> Place {
     Place {
         position: [(1.0 - cosine * cosine).sqrt(), 0.0, cosine].map(from_f64),
-        directional: true,
+        falloff: DIRECTIONAL,
     }
 }
 
@@ -108,14 +110,15 @@ fn light_kernels_agree_without_highlight() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..100 {
-        let mut site = any_shining_site(&mut random, 100.0);
+        let light = any_light(&mut random);
+        let mut site = any_shining_site(&mut random, &light, 100.0);
         for surface in &mut site.surfaces {
             surface.highlight = 0;
         }
         let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
         let sites = vec![site];
-        let with = Lit::<HIGHLIGHT> { sites: sites.clone(), brightness }.call(&mut bench);
-        let without = Lit::<LAMBERT> { sites, brightness }.call(&mut bench);
+        let with = Lit::<HIGHLIGHT> { sites: sites.clone(), light, brightness }.call(&mut bench);
+        let without = Lit::<LAMBERT> { sites, light, brightness }.call(&mut bench);
         assert_eq!(with, without);
     }
 }

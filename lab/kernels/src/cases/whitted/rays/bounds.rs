@@ -79,7 +79,7 @@ impl Description for Fans {
         let bounds = put(bench, &vec![layout::Bound::new_zeroed(); packets.len()]);
         let light = layout::Light {
             position: point.place.map(single),
-            directional: ANYTHING.into(),
+            falloff: ANYTHING.into(),
             brightness: [ANYTHING; 3].map(single),
             near: single(point.near),
         };

@@ -3,9 +3,9 @@
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::shadow_rays::{Place, shadow_ray};
+use twins::shadow_rays::{DIRECTIONAL, Place, shadow_ray};
 use twins::surfaces::{Material, Object, Surface, surface};
-use twins::{ONE, Single};
+use twins::{ONE, Single, ZERO};
 
 use super::display::Values;
 use super::gather::{Hit, Hits};
@@ -72,11 +72,16 @@ pub fn surfaces(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// A light that is near, far, or infinitely far.
+/// A light that is near, far, or infinitely far, and that may have a range.
 pub fn any_light(random: &mut ChaCha8Rng) -> Place {
     let directional = random.random_ratio(1, 4);
     let distance = if directional { 1.0 } else { magnitude(1.0..1000.0, random) };
-    Place { position: any_direction(random).map(|x| from_f64(distance * x)), directional }
+    let falloff = match random.random_range(0..2) {
+        _ if directional => DIRECTIONAL,
+        0 => ZERO,
+        _ => from_f64(magnitude(0.1..10.0, random) / (distance * distance)),
+    };
+    Place { position: any_direction(random).map(|x| from_f64(distance * x)), falloff }
 }
 
 /// Hits on random shapes, with shading normals that differ from the surfaces' normals, and their
@@ -113,9 +118,8 @@ pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
 
 /// The same, but half of the highlights are as bright as possible: the light is almost in the
 /// direction of reflection.
-pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
-    let light = any_light(random);
-    let mut site = any_site(random, &light, exponent);
+pub fn any_shining_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
+    let mut site = any_site(random, light, exponent);
     for lane in 0..16 {
         if random.random() {
             let normal = site.normals[lane].map(to_f64);
@@ -128,7 +132,7 @@ pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
             let to = unit(to);
             if dot(normal, to) > 0.0 {
                 let (ray, _) = &mut site.shadow[lane];
-                (ray.direction, ray.t) = (to.map(from_f64), from_f64(1.0));
+                (ray.direction, ray.t) = (to.map(from_f64), from_f64(0.25));
             }
         }
     }
@@ -148,14 +152,17 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         for (ray, surface) in found.packets.iter().flatten().zip(&sites[0].surfaces) {
             let point = surface.point.map(to_f64);
             let position = light.position.map(to_f64);
-            let to = if light.directional { position } else { sub(position, point) };
+            let to = if light.is_directional() { position } else { sub(position, point) };
             let distance = dot(to, to).sqrt();
             let exact = to.map(|component| component / distance);
             for (found, exact) in ray.direction.iter().zip(exact) {
                 worst = worst.max((to_f64(*found) - exact).abs() * 2_f64.powi(23));
             }
             let t = to_f64(ray.t);
-            if t >= 0.0 && !light.directional && (t - distance).abs() > distance * 2_f64.powi(-21) {
+            if t >= 0.0
+                && !light.is_directional()
+                && (t - distance).abs() > distance * 2_f64.powi(-21)
+            {
                 worst = f64::INFINITY;
             }
         }
@@ -163,8 +170,9 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// The light that a surface sends back, in f64, from the formula of the shading model.
-fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> [f64; 3] {
+/// The light that a surface sends back of a brightness of 1, in f64, from the formula of the
+/// shading model.
+fn exact_light(site: &Site, lane: usize, light: &Place, shines: bool) -> [f64; 3] {
     let surface = &site.surfaces[lane];
     let (ray, blocked) = &site.shadow[lane];
     let lit = surface.lit.map(to_f64);
@@ -181,7 +189,9 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
         0.0
     };
     let diffuse = to_f64(surface.diffuse) * dot(normal, to);
-    std::array::from_fn(|k| lit[k] + brightness[k] * (diffuse * to_f64(surface.colour[k]) + shine))
+    let falloff = if light.is_directional() { 0.0 } else { to_f64(light.falloff) };
+    let fade = (1.0 - falloff * to_f64(ray.t) * to_f64(ray.t)).powi(2);
+    std::array::from_fn(|k| lit[k] + fade * (diffuse * to_f64(surface.colour[k]) + shine))
 }
 
 /// The largest error of a channel after adding a light of brightness 1, with exponents up to the
@@ -193,11 +203,12 @@ pub fn light_up_to<const WAY: usize>(
 ) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        let sites = vec![any_shining_site(random, exponent)];
-        let lit = Lit::<WAY> { sites, brightness: [ONE; 3] };
+        let light = any_light(random);
+        let sites = vec![any_shining_site(random, &light, exponent)];
+        let lit = Lit::<WAY> { sites, light, brightness: [ONE; 3] };
         let Bits(found) = lit.call(bench)[0];
         for (lane, found) in records::lit(&found).into_iter().enumerate() {
-            let exact = exact_light(&lit.sites[0], lane, [1.0; 3], WAY == HIGHLIGHT);
+            let exact = exact_light(&lit.sites[0], lane, &lit.light, WAY == HIGHLIGHT);
             for (found, exact) in found.into_iter().zip(exact) {
                 worst = worst.max((to_f64(found) - exact).abs());
             }
@@ -222,7 +233,7 @@ pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..PACKETS {
         let light = any_light(random);
         let sites = vec![any_site(random, &light, 100.0)];
-        let lit = Lit::<AMBIENT> { sites, brightness: [ONE; 3] };
+        let lit = Lit::<AMBIENT> { sites, light, brightness: [ONE; 3] };
         let Bits(found) = lit.call(bench)[0];
         for (found, surface) in records::lit(&found).iter().zip(&lit.sites[0].surfaces) {
             for (k, found) in found.iter().enumerate() {

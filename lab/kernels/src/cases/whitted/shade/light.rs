@@ -98,7 +98,7 @@ fn put_sites(bench: &mut Bench, sites: &[Site]) -> ([bench::Place; 2], Vec<bench
 fn put_light(bench: &mut Bench, place: &Place, brightness: [Single; 3]) -> bench::Place {
     let light = layout::Light {
         position: place.position.map(single),
-        directional: if place.directional { u32::MAX } else { 0 }.into(),
+        falloff: place.falloff.into(),
         brightness: brightness.map(single),
         near: single(ANYTHING),
     };
@@ -158,7 +158,7 @@ impl Description for Shadows {
 
     fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
         let sites = (0..count).map(|_| Site::any_bits(random)).collect();
-        let light = Place { position: random.random(), directional: random.random() };
+        let light = Place { position: random.random(), falloff: random.random() };
         Self { sites, light, min_share: if random.random() { random.random() } else { ZERO } }
     }
 
@@ -235,7 +235,9 @@ pub const HIGHLIGHT: usize = 2;
 pub struct Lit<const WAY: usize> {
     /// The sites.
     pub sites: Vec<Site>,
-    /// The brightness of the light.
+    /// The light, which the shadow rays go to.
+    pub light: Place,
+    /// Its brightness.
     pub brightness: [Single; 3],
 }
 
@@ -248,18 +250,20 @@ impl<const WAY: usize> Description for Lit<WAY> {
     type Found = Vec<Bits<Surfaces>>;
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
-        let sites = (0..count).map(|_| any_shining_site(random, EXPONENT)).collect();
+        let light = any_light(random);
+        let sites = (0..count).map(|_| any_shining_site(random, &light, EXPONENT)).collect();
         let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
-        Self { sites, brightness }
+        Self { sites, light, brightness }
     }
 
     fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
         let sites = (0..count).map(|_| Site::any_bits(random)).collect();
-        Self { sites, brightness: random.random() }
+        let light = Place { position: random.random(), falloff: random.random() };
+        Self { sites, light, brightness: random.random() }
     }
 
     fn place(&self, bench: &mut Bench) -> (Vec<bench::Place>, Vec<u32>) {
-        let Self { sites, brightness } = self;
+        let Self { sites, light, brightness } = self;
         let count = sites.len() as u32;
         if WAY == AMBIENT {
             let surfaces: Vec<Surfaces> = sites.iter().map(Site::unlit).collect();
@@ -269,8 +273,7 @@ impl<const WAY: usize> Description for Lit<WAY> {
             return (vec![surfaces], vec![surfaces.address, count, brightness]);
         }
         let ([list, background], surfaces) = put_sites(bench, sites);
-        let nowhere = Place { position: [ANYTHING; 3], directional: false };
-        let light = put_light(bench, &nowhere, *brightness).address;
+        let light = put_light(bench, light, *brightness).address;
         let background = background.address;
         let shadow = |(ray, blocked)| packet_ray(ray, background + u32::from(blocked));
         let packets = sites.iter().map(|site| records::rays(&site.shadow.map(shadow)));
@@ -290,7 +293,8 @@ impl<const WAY: usize> Description for Lit<WAY> {
             }
             let direction = (WAY == HIGHLIGHT).then_some(site.directions[lane]);
             let blocked = *blocked || ray.t >> 31 != 0;
-            light(surface, site.normals[lane], direction, ray.direction, blocked, self.brightness)
+            let shadow = (ray, blocked);
+            light(surface, site.normals[lane], direction, shadow, &self.light, self.brightness)
         };
         self.sites.iter().map(|site| Bits(site.record(|lane| lit(site, lane)))).collect()
     }
