@@ -24,6 +24,8 @@ pub struct Addresses {
     pub spheres: u64,
     /// The block of Whitted's model.
     pub scene: u64,
+    /// The first block of the scene's mesh.
+    pub mesh: u64,
     /// The program's code for depth shading.
     pub depth_code: u64,
     /// The number of its bytes.
@@ -154,7 +156,7 @@ pub fn describe(order: &Order) -> Frame {
     }
     if let Some(mesh) = scene.block().and_then(SceneBlock::mesh) {
         frame.mesh_eye = mesh.eye;
-        frame.mesh = mesh.blocks.address().into();
+        frame.mesh = addresses.mesh.into();
         frame.mesh_blocks = mesh.blocks.count().into();
         frame.code = addresses.mesh_code.into();
         frame.code_bytes = addresses.mesh_code_bytes.into();

@@ -93,12 +93,34 @@ pub(super) fn blocks(
             sources: writer.sources,
             cost: writer.cost,
             cost_when_built: writer.cost,
+            vertices: mesh.positions.len(),
+            flat: flat(mesh).collect(),
+            without_area: Vec::new(),
+            uses_all: uses_all(mesh),
             blocks,
             materials,
             width,
             is_coloured: !content.colours.is_empty(),
         }),
     }
+}
+
+/// The vertices with a normal of 0, in their order.
+pub(super) fn flat(mesh: &Mesh) -> impl Iterator<Item = u32> {
+    let numbered = mesh.normals.iter().zip(0..);
+    numbered.filter(|(normal, _)| **normal == [0.0; 3]).map(|(_, vertex)| vertex)
+}
+
+fn uses_all(mesh: &Mesh) -> bool {
+    let mut is_used = vec![false; mesh.positions.len()];
+    mesh.triangles.iter().flatten().for_each(|&vertex| is_used[vertex as usize] = true);
+    is_used.into_iter().all(|is_used| is_used)
+}
+
+/// A coordinate in a block. A 0 has no sign, and there are no denormals, which SPUs take for 0: so
+/// of equal numbers a box has the same bits, whoever compares them.
+pub(super) fn coordinate(number: f32) -> F32 {
+    F32::new(if number.abs() < f32::MIN_POSITIVE { 0.0 } else { number })
 }
 
 struct Writer<'a> {
@@ -172,7 +194,7 @@ impl Writer<'_> {
                         colours.push(MeshColour { packed });
                     }
                     vertices.push(MeshVertex {
-                        position: mesh.positions[vertex as usize].map(F32::new),
+                        position: mesh.positions[vertex as usize].map(coordinate),
                         normal: normal.into(),
                     });
                 }
@@ -346,12 +368,12 @@ fn boxes(children: &[Child]) -> Boxes {
         child: [U32::ZERO; 4],
     };
     for (lane, &(Bounds { low, high }, word)) in children.iter().enumerate() {
-        boxes.lo_x[lane] = low.x.into();
-        boxes.lo_y[lane] = low.y.into();
-        boxes.lo_z[lane] = low.z.into();
-        boxes.hi_x[lane] = high.x.into();
-        boxes.hi_y[lane] = high.y.into();
-        boxes.hi_z[lane] = high.z.into();
+        boxes.lo_x[lane] = coordinate(low.x);
+        boxes.lo_y[lane] = coordinate(low.y);
+        boxes.lo_z[lane] = coordinate(low.z);
+        boxes.hi_x[lane] = coordinate(high.x);
+        boxes.hi_y[lane] = coordinate(high.y);
+        boxes.hi_z[lane] = coordinate(high.z);
         boxes.child[lane] = word.into();
     }
     boxes
