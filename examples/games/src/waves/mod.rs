@@ -339,14 +339,14 @@ impl Game for Waves {
         self.orbit.steer(frame.input, frame.delta);
         self.steer(frame.input);
         let pad = |button| frame.input.pad().is_some_and(|pad| pad.pressed(button));
-        if frame.input.pressed(Key::Space) || pad(Button::Cross) {
+        if frame.input.key_pressed(Key::Space) || pad(Button::Cross) {
             self.drop();
         }
         let current = GRIDS.iter().position(|&grid| grid == self.water.count()).unwrap_or_default();
         let wanted = match frame.input {
-            input if input.pressed(Key::Digit1) => 0,
-            input if input.pressed(Key::Digit2) => 1,
-            input if input.pressed(Key::Digit3) => 2,
+            input if input.key_pressed(Key::Digit1) => 0,
+            input if input.key_pressed(Key::Digit2) => 1,
+            input if input.key_pressed(Key::Digit3) => 2,
             _ if pad(Button::Square) => current.saturating_sub(1),
             _ if pad(Button::Triangle) => (current + 1).min(GRIDS.len() - 1),
             _ => current,
