@@ -205,7 +205,7 @@ impl Snapshot {
             _ => return false,
         };
         if new.moved != old.moved {
-            // Only the SPUs know where.
+            // The PPU has no new blocks to compare.
             return false;
         }
         let count = new.material_count.max(old.material_count);

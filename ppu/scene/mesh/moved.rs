@@ -29,7 +29,7 @@ pub struct MovedVertices {
     lines: Vec<Line>,
     count: u32,
     version: u64,
-    /// What the blocks cost with these vertices.
+    /// The cost of the blocks with these vertices.
     cost: OnceLock<f64>,
 }
 
@@ -48,15 +48,15 @@ impl MovedVertices {
         self.count
     }
 
-    /// Notes what the refitted blocks cost, as [`MeshBlocks::refit_inner`] returns it.
+    /// Notes the cost of the refitted blocks, as [`MeshBlocks::refit_inner`] returns it.
     pub(crate) fn set_cost(&self, cost: f64) {
         // Every engine finds the same.
         let _ = self.cost.set(cost);
     }
 }
 
-/// Empty memory for lines, none of which is in another segment of 4 GB than the first: the elements
-/// of a DMA list share the upper word of their addresses.
+/// Empty memory for lines, all in one segment of 4 GB: the elements of a DMA list share the upper
+/// word of their addresses.
 fn memory(lines: usize) -> Vec<Line> {
     let memory: Vec<Line> = Vec::with_capacity(lines);
     let first = memory.as_ptr().addr();

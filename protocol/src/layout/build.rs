@@ -1,6 +1,6 @@
 //! Records in main memory by which SPUs refit a mesh whose vertices have moved.
 //!
-//! The blocks as they were built say which triangles a leaf has. The SPUs fetch each leaf block,
+//! A leaf keeps the triangles that it has in the blocks as they were built. The SPUs fetch each leaf block,
 //! replace its vertices and its boxes, and store it among the new blocks. They leave the inner
 //! blocks to the PPU, which finds the boxes of the leaves in the `BUILD_BOUNDS`.
 

@@ -195,7 +195,7 @@ fn blocks_are_the_same_by_any_number_of_spus() {
 }
 
 #[test]
-fn nothing_is_refitted_without_units() {
+fn no_block_is_written_without_units() {
     let mut refit = Refit::new(2);
     let made = refit.with(|frame| frame.unit_count = 0.into()).unwrap();
     assert!(made.chunks(SIZE).all(|block| block == GUARD));

@@ -67,7 +67,7 @@ const HALF: f64 = 0.5 * SIDE;
 const WALL: f64 = 0.35;
 const WALL_HEIGHT: f64 = 0.5;
 const DEPTH: f64 = 0.9;
-const DROP: f64 = 0.34;
+const DROP: f64 = 0.45;
 /// Steps of the water between two drops that fall by themselves, at most.
 const PAUSE: u32 = 150;
 
@@ -107,9 +107,9 @@ impl Default for Waves {
             push: DVec3::ZERO,
             pause: 0,
             orbit: OrbitCamera {
-                turn: 0.5,
-                rise: 0.34,
-                distance: 10.5,
+                turn: 0.6,
+                rise: 0.4,
+                distance: 8.4,
                 distances: (5.0, 16.0),
                 rises: (0.16, 1.4),
             },
@@ -133,6 +133,12 @@ impl Waves {
     #[must_use]
     pub fn bodies(&self) -> &[Body] {
         &self.bodies
+    }
+
+    /// The distance of the walls from the middle.
+    #[must_use]
+    pub fn wall(&self) -> f64 {
+        HALF
     }
 
     /// The height of the water at a point.
@@ -249,7 +255,7 @@ impl Waves {
     fn drop(&mut self) {
         let place = HALF - DROP;
         let [x, z] = [(); 2].map(|()| self.chance.random_range(-place..place));
-        self.water.raise(x, z, DROP, -0.22);
+        self.water.raise(x, z, DROP, -0.34);
         self.pause = self.chance.random_range(PAUSE / 3..PAUSE);
     }
 
@@ -321,8 +327,9 @@ impl Game for Waves {
         });
         world.set_background(DVec3::new(0.62, 0.72, 0.82))?;
         world.set_sky(Some(Sky { zenith: DVec3::new(0.1, 0.24, 0.52), up: DVec3::Y }))?;
-        world.set_ambient(DVec3::splat(0.14))?;
+        world.set_ambient(DVec3::splat(0.2))?;
         world.add_light(Light::at(DVec3::new(-6.0, 9.0, 4.0)).coloured(0.8, 0.76, 0.68))?;
+        world.add_light(Light::at(DVec3::new(7.0, 6.0, -3.0)).coloured(0.3, 0.34, 0.42))?;
         self.surface = world.add_material(Material {
             diffuse: 0.3,
             specular: 0.62,
