@@ -1,8 +1,8 @@
 # Refits a mesh, a unit of leaf blocks after the other. This code is there only in frames with
 # FEATURE_BUILD.
 #
-# Three blocks are in work at a time: one is fetched, the vertices of the one before it are fetched,
-# and the one before that is refitted. A block and its bounds are sent from where they were made.
+# Three blocks are in work at a time: one is fetched, the vertices of the one before it are fetched
+# by a list, and the one before that is refitted. A block and its bounds are sent from where they were made.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -35,14 +35,14 @@
         .set    g_first,103                             # the unit's first block
         .set    g_count,104                             # its blocks
         .set    g_step,105                              # the one that is fetched, of these
-        .set    g_source,106                            # where the next block's indices are
+        .set    g_source,106                            # where the list of the next block's vertices is
         .set    g_sources_end,107
         .set    g_blocks,110                            # blocks of the mesh
         .set    g_slot,111
         .set    g_vertices_low,112
         .set    g_vertex_count,113
 
-        .set    NEXT,20
+        .set    NEXT,28
         registers bad,value,limit,a_build,a_frame,nodes,vertices,a_block,number
         registers offset,high,low,size,tag,command,t_carry
 
@@ -108,7 +108,8 @@ function build_blocks
         # The elements of a list have only the low word of an address.
         load_word $g_vertices_low,BUILD_vertices+4,$a_build
         load_word $g_vertex_count,BUILD_vertex_count,$a_build
-        rotmi   $bad,$g_vertex_count,-28
+        ilhu    $limit,1<<(24-16)
+        clgt    $bad,$g_vertex_count,$limit
         refuse_build_if $bad
         shli    $value,$g_vertex_count,4
         ai      $value,$value,-1
@@ -155,7 +156,7 @@ function build_unit
         load_word $limit,BUILD_source_count,$a_build
         clgt    $offset,$value,$limit
         or      $bad,$bad,$offset
-        sf      $limit,$value,$limit                    # indices from there on
+        sf      $limit,$value,$limit                    # words from there on
         clgt    $limit,$size,$limit
         or      $bad,$bad,$limit
         or      $limit,$value,$size
@@ -252,10 +253,10 @@ endfunction build_unit
 # build_vertices   checks the header of a block, and starts to fetch the block's vertices
 #   In      g_slot; the block has arrived
 #   Out     $3 0, or something else if the block is damaged
-#   Uses    $3-$7, $10-$35
+#   Uses    $3-$8, $10-$43
 function build_vertices
         enter
-        # The indices arrive with the unit's first block.
+        # The list arrives with the unit's first block.
         il      $3,1
         shli    $3,$3,TAG_SOURCES
         brsl    $lr,dma_wait
@@ -282,7 +283,7 @@ function build_vertices
         ai      $value,$limit,-1
         clgti   $value,$value,MESH_FACES-1
         or      $bad,$bad,$value
-        # The vertices and faces must be within the block, and the indices among the unit's.
+        # The vertices and faces must be within the block, and the list of vertices within the unit's.
         mpyi    $nodes,$nodes,BOXES_SIZE
         ai      $nodes,$nodes,MESH_HEADER_SIZE
         shli    $value,$vertices,4
@@ -292,23 +293,26 @@ function build_vertices
         il      $value,MESH_BLOCK
         clgt    $limit,$limit,$value
         or      $bad,$bad,$limit
-        shli    $value,$vertices,2
-        a       $value,$value,$g_source
-        clgt    $limit,$value,$g_sources_end
+        load_word $value,0,$g_source                    # runs
+        clgti   $limit,$value,MESH_VERTICES
+        or      $bad,$bad,$limit
+        ai      $value,$value,4                         # with their number, and filled up
+        rotmi   $4,$value,-2
+        shli    $size,$4,4
+        ori     $3,$g_source,0
+        a       $g_source,$g_source,$size
+        clgt    $limit,$g_source,$g_sources_end
         or      $bad,$bad,$limit
         brnz    $bad,wrong
-        ori     $3,$g_source,0
-        ai      $g_source,$value,15
-        andi    $g_source,$g_source,-16
-        ori     $4,$vertices,0
         andi    $5,$g_slot,LISTS-1
         shli    $5,$5,11
         ila     $value,A_LISTS
         a       $5,$5,$value
         ori     $6,$g_vertices_low,0
         ori     $7,$g_vertex_count,0
+        ori     $8,$vertices,0
         a       $a_block,$a_block,$nodes
-        shli    $size,$vertices,3
+        shli    $size,$size,1
         ori     $low,$5,0
         brsl    $lr,build_list
         brnz    $3,wrong

@@ -14,17 +14,15 @@ const RUN: usize = 8;
 /// A corner, and what is in the fourth lane beside it.
 type Corner = [Single; 4];
 
-/// The elements of the list that fetches the vertices of these indices, in fours; `None` if one of
-/// them does not exist.
+/// The elements of the list that fetches these runs of vertices, in fours; `None` if one of them
+/// does not exist, or if there are not `count`.
 #[must_use]
-pub fn list(sources: &[[u32; 4]], low: u32, vertices: u32) -> Option<Vec<[u32; 2]>> {
-    let sources = sources.as_flattened();
-    let last = vertices.wrapping_sub(1);
-    let element = |index: u32| [16, (index << 4).wrapping_add(low)];
-    sources
-        .iter()
-        .all(|&index| index <= last)
-        .then(|| sources.iter().copied().map(element).collect())
+pub fn list(sources: &[[u32; 4]], low: u32, vertices: u32, count: u32) -> Option<Vec<[u32; 2]>> {
+    let runs = sources.as_flattened().iter().map(|word| [word & 0x00ff_ffff, word >> 24]);
+    let exist = runs.clone().all(|[first, length]| first + length <= vertices);
+    let total: u32 = runs.clone().map(|[_, length]| length).sum();
+    let element = |[first, length]: [u32; 2]| [length << 4, (first << 4).wrapping_add(low)];
+    (exist && total == count).then(|| runs.map(element).collect())
 }
 
 /// A box: its lower and its upper corner.

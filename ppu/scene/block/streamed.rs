@@ -216,15 +216,16 @@ impl Streamed {
     /// Moves the triangles, or leaves that to SPUs; `false` if a new tree is needed.
     pub fn refit(&mut self, mesh: &Mesh, by: RefitBy) -> bool {
         // An engine that has refitted the blocks no longer has the vertices.
-        let mut moved =
-            self.moved.take().filter(|it| Arc::strong_count(it) == 1).unwrap_or_default();
-        if by == RefitBy::Spus
-            && let Some(vertices) = Arc::get_mut(&mut moved)
-            && let Some(bounds) = self.blocks.move_vertices(mesh, vertices)
-        {
-            self.moved = Some(moved);
-            self.bounds = bounds;
-            return true;
+        let moved = self.moved.take().filter(|it| Arc::strong_count(it) == 1);
+        if by == RefitBy::Spus {
+            let mut moved = moved.unwrap_or_default();
+            let vertices = Arc::get_mut(&mut moved);
+            let bounds = vertices.and_then(|vertices| self.blocks.move_vertices(mesh, vertices));
+            if let Some(bounds) = bounds {
+                self.moved = Some(moved);
+                self.bounds = bounds;
+                return true;
+            }
         }
         let (Some(blocks), Some((low, high))) = (self.blocks.refitted(mesh), mesh.bounds()) else {
             return false;

@@ -13,6 +13,8 @@ use super::normal::packed;
 use super::tree::Bounds;
 use super::write::coordinate;
 
+/// The most vertices of a mesh that SPUs refit.
+const MOST_VERTICES: usize = 1 << 24;
 /// The most blocks of a mesh that SPUs refit: a frame has no more work units.
 const MOST_BLOCKS: u32 = MAX_SIDE / TILE_WIDTH * (MAX_SIDE / TILE_HEIGHT);
 
@@ -82,6 +84,7 @@ impl MeshBlocks {
         if self.vertices != vertices.len()
             || self.statistics.spheres + self.statistics.cones > 0
             || self.count() > MOST_BLOCKS
+            || vertices.len() > MOST_VERTICES
         {
             return None;
         }

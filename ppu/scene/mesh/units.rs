@@ -10,13 +10,13 @@ use super::MeshBlocks;
 const FEWEST: usize = 4;
 
 impl MeshBlocks {
-    /// The units, of which each SPU gets about four if there are `spus`, and the indices of the
-    /// leaf blocks' vertices. Each block's are filled to a whole quadword.
+    /// The units, of which each SPU gets about four if there are `spus`, and the words that list the
+    /// leaf blocks' vertices.
     pub(crate) fn units(&self, spus: u32) -> (Vec<BuildUnit>, Vec<U32>) {
         let most = self.statistics.leaves.div_ceil(4 * spus as usize);
         let most = most.clamp(FEWEST, BUILD_LEAVES as usize) as u32;
         let mut units: Vec<BuildUnit> = Vec::new();
-        let mut filled = Vec::with_capacity(self.sources.len() + 4 * self.blocks.len());
+        let mut words: Vec<U32> = Vec::new();
         let mut rest = &self.sources[..];
         for (number, block) in self.blocks.iter().enumerate() {
             let Ok((header, _)) = MeshHeader::ref_from_prefix(&block.0) else { continue };
@@ -25,10 +25,13 @@ impl MeshBlocks {
             }
             let (own, others) = rest.split_at(header.vertices.get() as usize);
             rest = others;
-            let first = filled.len();
-            filled.extend(own.iter().copied().map(U32::new));
-            let last = own.last().copied().unwrap_or_default();
-            filled.resize(filled.len().next_multiple_of(4), last.into());
+            let first = words.len();
+            words.push(U32::ZERO);
+            for run in own.chunk_by(|vertex, next| vertex + 1 == *next) {
+                words.push(((run.len() as u32) << 24 | run[0]).into());
+            }
+            words[first] = ((words.len() - first - 1) as u32).into();
+            words.resize(words.len().next_multiple_of(4), U32::ZERO);
             let number = number as u32;
             let follows = |unit: &&mut BuildUnit| {
                 let count = unit.count.get();
@@ -48,8 +51,8 @@ impl MeshBlocks {
                 }
             };
             unit.count += 1;
-            unit.source_count += (filled.len() - first) as u32;
+            unit.source_count += (words.len() - first) as u32;
         }
-        (units, filled)
+        (units, words)
     }
 }

@@ -17,15 +17,16 @@ record! {
         /// Effective address of the mesh's vertices, `MESH_VERTEX` records. All of their normals
         /// are there; the SPUs leave out those of blocks without `SIDES_SMOOTH`.
         vertices: U64,
-        /// Effective address of the indices of the leaf blocks' vertices, a word each. Each block's
-        /// begin at a quadword.
+        /// Effective address of the words that list the leaf blocks' vertices. Each block's begin at a
+        /// quadword: the number of its runs, then for each run of vertices that follow one another
+        /// in the mesh their number times 2^24, plus the index of the first one, then zeros.
         sources: U64,
         /// Effective address of the `BUILD_BOUNDS` of all blocks, of which those of leaves are
         /// written.
         bounds: U64,
-        /// Vertices of the mesh.
+        /// Vertices of the mesh, at most 2^24.
         vertex_count: U32,
-        /// Indices, including those that fill quadwords.
+        /// Words that list vertices.
         source_count: U32,
         /// 0.
         reserved: [U32; 22],
@@ -39,9 +40,9 @@ record! {
         first: U32,
         /// Blocks, 1 to `BUILD_LEAVES`.
         count: U32,
-        /// The first of their indices of vertices; a multiple of 4.
+        /// The first of the words that list their vertices; a multiple of 4.
         source: U32,
-        /// These indices: a multiple of 4, at most 256 for each of `BUILD_LEAVES`.
+        /// These words: a multiple of 4, at most 256 for each of `BUILD_LEAVES`.
         source_count: U32,
         /// 0.
         reserved: [U32; 28],

@@ -518,7 +518,7 @@ statuses! {
     Paths = 42, "paths";
     /// Must be a multiple of 16, with at most 9 nodes.
     Changes = 43, "changes, change_count";
-    /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with as many of its indices of vertices.
+    /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with a list of as many vertices of the mesh.
     Build = 44, "scene, units";
 }
 

@@ -64,8 +64,15 @@ impl Refit {
         let mut good = Vec::new();
         for block in (0..count).filter(|&block| word(block, 2) == MESH_LEAF) {
             let first = sources.len() as u32;
-            let own = (0..word(block, 6).next_multiple_of(4)).map(|it| (7 * it + block) % VERTICES);
-            sources.extend(own.map(U32::new));
+            // Runs of three vertices, and of what is left.
+            let vertices = word(block, 6);
+            let runs = (0..vertices).step_by(3);
+            sources.push(U32::new(runs.len() as u32));
+            sources.extend(runs.map(|it| {
+                let run = (7 * it + block) % (VERTICES - 2);
+                U32::new((vertices - it).min(3) << 24 | run)
+            }));
+            sources.resize(sources.len().next_multiple_of(4), U32::ZERO);
             good.push(BuildUnit {
                 first: block.into(),
                 count: 1.into(),
@@ -223,13 +230,13 @@ fn damaged_records_are_refused() {
     refit.refused_build("vertices beside a line", |it| {
         it.vertices = (it.vertices.get() + 16).into()
     });
-    refit.refused_build("indices beside a line", |it| it.sources = (it.sources.get() + 4).into());
+    refit.refused_build("words beside a line", |it| it.sources = (it.sources.get() + 4).into());
     refit.refused_build("bounds beside a line", |it| it.bounds = (it.bounds.get() + 32).into());
     refit.refused_build("fewer vertices", |it| it.vertex_count = 7.into());
     refit.refused_build("no vertices", |it| it.vertex_count = 0.into());
     refit.refused_build("vertices across 4 GB", |it| it.vertices = 0xffff_ff80.into());
     refit.refused_build("very many vertices", |it| it.vertex_count = u32::MAX.into());
-    refit.refused_build("fewer indices", |it| it.source_count = (it.source_count.get() / 2).into());
+    refit.refused_build("fewer words", |it| it.source_count = (it.source_count.get() / 2).into());
 }
 
 #[test]
@@ -245,11 +252,11 @@ fn damaged_units_are_refused() {
     });
     refit.refused_unit("a number beyond any", |unit| unit.first = u32::MAX.into());
     refit.refused_unit("the root", |unit| unit.first = 0.into());
-    refit.refused_unit("indices between quadwords", |unit| unit.source += 2);
-    refit.refused_unit("too few indices", |unit| unit.source_count -= 4);
-    refit.refused_unit("too many indices", |unit| unit.source_count = 4100.into());
-    refit.refused_unit("indices beyond the last", |unit| unit.source = 0x4000_0000.into());
-    refit.refused_unit("indices far beyond the last", |unit| unit.source = 0xffff_fffc.into());
+    refit.refused_unit("a list between quadwords", |unit| unit.source += 2);
+    refit.refused_unit("too short a list", |unit| unit.source_count -= 4);
+    refit.refused_unit("too long a list", |unit| unit.source_count = 4100.into());
+    refit.refused_unit("a list beyond the last", |unit| unit.source = 0x4000_0000.into());
+    refit.refused_unit("a list far beyond the last", |unit| unit.source = 0xffff_fffc.into());
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Meshes that SPUs refit: the same blocks as the PPU makes, by any number of SPUs, and pictures
 //! like those of new scenes.
 
+use std::env;
+use std::process::Command;
 use std::sync::Arc;
 
 use cellray::framebuffer::Memory;
@@ -97,6 +99,20 @@ fn blocks_are_those_of_the_ppu() {
             assert!(picture(&mut engines[2], &fresh.unwrap()) == shown);
         }
     }
+}
+
+/// The same tests with transfers that are carried out as late as the SPUs allow.
+#[test]
+fn late_transfers_make_the_same_blocks() {
+    let tests = ["game::refit::blocks_are_those_of_the_ppu", "frames::build::blocks_are_the_same"];
+    let outcome = Command::new(env::current_exe().unwrap())
+        .args(tests)
+        .env("LIBSPE2_MFC", "at-last")
+        .env_remove("LIBSPE2_TIMING")
+        .output()
+        .unwrap();
+    let text = String::from_utf8_lossy(&outcome.stdout);
+    assert!(outcome.status.success() && text.contains("2 passed"), "{text}");
 }
 
 /// All triangles in one point have no area; nor has one of them alone. A tree that was built without

@@ -61,11 +61,11 @@ pub const KERNELS: &[Kernel] = &[
     Kernel {
         rays: 1,
         cases: &[Case {
-            name: "vertices in fours",
+            name: "runs in fours",
             objects: Objects::List(4, 16),
             place: |bench, count| {
                 let sources = vec![[0; 4]; count as usize];
-                Sources { sources, low: 0, vertices: 1 }.place(bench).1
+                Sources { sources, low: 0, vertices: 1, count: 0 }.place(bench).1
             },
         }],
         ..Kernel::of::<Sources>()

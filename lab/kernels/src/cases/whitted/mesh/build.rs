@@ -90,15 +90,17 @@ impl Description for Leaf {
     }
 }
 
-/// Indices of vertices for a list.
+/// Runs of vertices for a list.
 #[derive(Clone, Debug)]
 pub struct Sources {
-    /// The indices, in fours.
+    /// The runs, in fours.
     pub sources: Vec<[u32; 4]>,
     /// Low word of the address of the vertices.
     pub low: u32,
     /// How many these are.
     pub vertices: u32,
+    /// How many of them the runs have.
+    pub count: u32,
 }
 
 impl Description for Sources {
@@ -109,21 +111,27 @@ impl Description for Sources {
     /// The list, if all vertices exist.
     type Found = Option<Vec<[u32; 2]>>;
 
-    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
-        let vertices = random.random_range(1..1 << 24);
-        let sources =
-            (0..count).map(|_| [(); 4].map(|()| random.random_range(0..vertices))).collect();
-        Self { sources, low: random.random::<u32>() & !127, vertices }
+    fn sensible(quads: usize, random: &mut ChaCha8Rng) -> Self {
+        let vertices = random.random_range(300..1 << 24);
+        let mut count = 0;
+        let mut run = || {
+            let length = random.random_range(0..256);
+            count += length;
+            length << 24 | random.random_range(0..=vertices - length)
+        };
+        let sources = (0..quads).map(|_| [(); 4].map(|()| run())).collect();
+        Self { sources, low: random.random::<u32>() & !127, vertices, count }
     }
 
-    /// One index, or the number of vertices, may be anything.
-    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
-        let mut inputs = Self::sensible(count, random);
-        match random.random_range(0..3) {
+    /// One run, or a number of vertices, may be anything.
+    fn any(quads: usize, random: &mut ChaCha8Rng) -> Self {
+        let mut inputs = Self::sensible(quads, random);
+        match random.random_range(0..4) {
             0 => inputs.vertices = random.random(),
-            1 => {
-                inputs.sources[random.random_range(0..count)][random.random_range(0..4)] =
-                    random.random()
+            1 => inputs.count ^= 1 << random.random_range(0..32),
+            2 => {
+                let run = &mut inputs.sources[random.random_range(0..quads)];
+                run[random.random_range(0..4)] = random.random();
             }
             _ => {}
         }
@@ -131,11 +139,12 @@ impl Description for Sources {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
+        let Self { low, vertices, count, .. } = *self;
         let sources: Vec<_> = self.sources.iter().map(|four| four.map(U32::new)).collect();
         let sources = put(bench, &sources).address;
-        let list = put(bench, &vec![[U32::ZERO; 8]; self.sources.len()]);
-        let count = 4 * self.sources.len() as u32 - self.low / 128 % 4;
-        (list, vec![sources, count, list.address, self.low, self.vertices])
+        let list = put(bench, &vec![[U32::ZERO; 2]; 4 * self.sources.len()]);
+        let quads = self.sources.len() as u32;
+        (list, vec![sources, quads, list.address, low, vertices, count])
     }
 
     fn found(&self, bench: &Bench, list: &Place, damaged: u32) -> Self::Found {
@@ -144,7 +153,7 @@ impl Description for Sources {
     }
 
     fn twin(&self, _: &Place) -> Self::Found {
-        list(&self.sources, self.low, self.vertices)
+        list(&self.sources, self.low, self.vertices, self.count)
     }
 
     fn part(&self, found: &Self::Found) -> [usize; 2] {
