@@ -126,50 +126,56 @@ impl Motion {
     }
 }
 
-/// Rings that turn: the time of six SPUs to refit them, and the host's times for a scene that SPUs
-/// refit and for one that the PPU refits. The host's are the shortest of ten.
+/// Rings and squares that turn: the time of six SPUs to refit them.
 fn spus() -> Result<(), Box<dyn Error>> {
-    println!(
-        "| triangles | leaf blocks | six SPUs, ms | cycles of an SPU a triangle | \
-         then the host's scene, ms | refitted by the host, ms |"
-    );
-    println!("|---|---|---|---|---|---|");
+    println!("| mesh | triangles | leaf blocks | six SPUs, ms | cycles of an SPU a triangle |");
+    println!("|---|---|---|---|---|");
     let settings = Settings { spus: 6, ..Settings::default() };
-    for (along, around) in [(40, 25), (100, 50), (250, 200), (500, 400)] {
-        let mesh = Arc::new(ring(along, around, 0.3));
-        let mut scenes = [0.0; 2];
-        let mut row = String::new();
-        for (by, scene) in [RefitBy::Ppu, RefitBy::Spus].into_iter().zip(&mut scenes) {
-            let mut world = World::new();
-            world.set_render_options(RenderOptions {
-                refit_by: Some(by),
-                ..RenderOptions::default()
-            });
-            world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-            world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-            let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-            let id = world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY)?;
-            host(&mut world)?;
-            let mut engine =
-                Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
-            *scene = f64::INFINITY;
-            for picture in 1..=10 {
-                world.place_mesh(id, turned(f64::from(picture) / 100.0))?;
-                *scene = scene.min(host(&mut world)?);
-                let scene = world.scene(&settings.program)?;
-                let ticks = engine.render(scene, &mut |_| {})?.refit as f64;
-                let mesh = scene.block().and_then(SceneBlock::mesh);
-                let statistics = mesh.ok_or("the scene has no mesh")?.blocks.statistics();
-                let (triangles, leaves) = (statistics.triangles, statistics.leaves);
-                let cycles = ticks * CYCLES_A_TICK * f64::from(settings.spus) / triangles as f64;
-                let ms = 1e3 * ticks / TIMEBASE;
-                row = format!("| {triangles} | {leaves} | {ms:.3} | {cycles:.0} |");
-            }
-        }
-        let [ppu, spus] = scenes;
-        println!("{row} {spus:.2} | {ppu:.2} |");
+    let rings = [(40, 25), (100, 50), (250, 200), (500, 400)];
+    let rings = rings.map(|(along, around)| ("ring", ring(along, around, 0.3)));
+    let squares = [64, 128, 256].map(|side| ("square", square(side)));
+    for (name, mesh) in rings.into_iter().chain(squares) {
+        let mut world = World::new();
+        world.set_render_options(RenderOptions {
+            refit_by: Some(RefitBy::Spus),
+            ..RenderOptions::default()
+        });
+        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+        let id = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)?;
+        world.scene(&settings.program)?;
+        world.place_mesh(id, turned(0.01))?;
+        let scene = world.scene(&settings.program)?;
+        let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
+        let ticks = engine.render(scene, &mut |_| {})?.refit as f64;
+        let mesh = scene.block().and_then(SceneBlock::mesh);
+        let statistics = mesh.ok_or("the scene has no mesh")?.blocks.statistics();
+        let (triangles, leaves) = (statistics.triangles, statistics.leaves);
+        let cycles = ticks * CYCLES_A_TICK * f64::from(settings.spus) / triangles as f64;
+        println!(
+            "| {name} | {triangles} | {leaves} | {:.3} | {cycles:.0} |",
+            1e3 * ticks / TIMEBASE
+        );
     }
     Ok(())
+}
+
+/// A flat square with smooth normals, of as many squares along each side.
+fn square(side: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let along = |number: u32| 4.0 * (number as f32 / side as f32 - 0.5);
+    for (row, column) in (0..=side).flat_map(|row| (0..=side).map(move |column| (row, column))) {
+        mesh.positions.push([along(column), 0.0, along(row)]);
+        mesh.normals.push([0.0, 1.0, 0.0]);
+        if row < side && column < side {
+            let at = row * (side + 1) + column;
+            let below = at + side + 1;
+            mesh.triangles.extend([[at, below, at + 1], [at + 1, below, below + 1]]);
+            mesh.materials.extend([0, 0]);
+        }
+    }
+    mesh
 }
 
 /// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds
