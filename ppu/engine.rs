@@ -180,7 +180,8 @@ impl Engine {
         } else {
             self.number = self.number.wrapping_add(1);
             if let Some(frame) = records.refit(scene, self.number, spus) {
-                // SAFETY: as below.
+                // SAFETY: its addresses are those of records, of blocks and of vertices that
+                // `records` keeps as long as the SPUs run, and the counts match them.
                 unsafe { self.exchange_frame(&frame, &mut |_| ())? };
                 let times = self.lines.iter().map(|line| line.busy.get() + line.dma_wait.get());
                 refit = times.max().unwrap_or(0);

@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use protocol::layout::{
-    self, BuildBounds, BuildUnit, FEATURE_BUILD, Frame, MAGIC, MAX_SIDE, MESH_BLOCK, SPLIT_UNITS,
-    VERSION,
+    self, BuildBounds, FEATURE_BUILD, Frame, MAGIC, MAX_SIDE, MESH_BLOCK, SPLIT_UNITS, VERSION,
 };
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
@@ -127,5 +126,3 @@ impl Build {
         self.version = Some(moved.version());
     }
 }
-
-const _: () = assert!(size_of::<BuildUnit>() == 128);
