@@ -1,5 +1,6 @@
 //! The engine starts the SPUs once, and mails every frame to them.
 
+mod build;
 mod error;
 mod records;
 mod settings;
@@ -98,6 +99,12 @@ impl Engine {
         self.records.as_ref()?.framebuffer.picture()
     }
 
+    /// The blocks of the last frame's mesh that the SPUs have refitted; `None` if they have not.
+    #[must_use]
+    pub fn refitted_blocks(&self) -> Option<Vec<u8>> {
+        Some(self.records.as_ref()?.refitted()?.bytes())
+    }
+
     /// Shows frames on another framebuffer from now on, and returns the previous one.
     ///
     /// # Errors
@@ -167,11 +174,21 @@ impl Engine {
         };
         self.plan.make(scene, &camera, &target, policy);
         let size = self.plan.size();
+        let mut refit = 0;
         if size.pixels == 0 {
             self.lines.fill(Statistics::new_zeroed());
         } else {
-            records.write(scene, &self.plan, &mut self.costs);
             self.number = self.number.wrapping_add(1);
+            if let Some(frame) = records.refit(scene, self.number, spus) {
+                // SAFETY: its addresses are those of records, of blocks and of vertices that
+                // `records` keeps as long as the SPUs run, and the counts match them.
+                unsafe { self.exchange_frame(&frame, &mut |_| ())? };
+                let times = self.lines.iter().map(|line| line.busy.get() + line.dma_wait.get());
+                refit = times.max().unwrap_or(0);
+                self.records.as_mut().ok_or(EngineError::Lost)?.mesh_is_refitted();
+            }
+            let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+            records.write(scene, &self.plan, &mut self.costs);
             let frame = work::describe(&Order {
                 scene,
                 camera: &camera,
@@ -191,6 +208,7 @@ impl Engine {
             unsafe { self.exchange_frame(&frame, progress)? };
         }
         self.statistics.read(&self.lines, size);
+        self.statistics.refit = refit;
         let traced = self.statistics.primary_rays() + self.statistics.pixels_kept();
         if traced != size.pixels {
             return Err(EngineError::Incomplete {

@@ -21,7 +21,9 @@ use self::block::ShaderEntries;
 pub use self::block::{BlockError, MaterialTable, MeshPlace, SceneBlock};
 pub use self::colour::Colour;
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics, NumberWidth};
-pub use self::render_options::{CONTRAST, Look, Model, NodeVolumes, RenderOptions, Samples};
+pub use self::render_options::{
+    CONTRAST, Look, Model, NodeVolumes, RefitBy, RenderOptions, Samples,
+};
 use self::single::{LARGEST, SMALLEST};
 pub use self::texture::Textures;
 use crate::spe::Program;

@@ -160,6 +160,8 @@ pub struct Causes {
 pub struct FrameStatistics {
     /// The SPUs, in the order of their numbers.
     pub spus: Vec<SpuStatistics>,
+    /// Ticks from the mail to the slowest SPU's reply when a mesh was refitted before the frame.
+    pub refit: u64,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
     /// Why the others were traced.
@@ -175,6 +177,7 @@ impl FrameStatistics {
     /// Reads the SPUs' lines of statistics. `size` is the size of the planned frame.
     pub(crate) fn read(&mut self, lines: &[Statistics], size: Size) {
         self.spus.clear();
+        self.refit = 0;
         let unseen = size.spheres_unseen;
         self.spus.extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         let kept: u64 = self.spus.iter().map(|spu| spu.tiles_kept).sum();
@@ -215,10 +218,11 @@ impl FrameStatistics {
         })
     }
 
-    /// Ticks from the mail to the slowest SPU's reply.
+    /// Ticks from the mail to the slowest SPU's reply, and those of `refit`.
     #[must_use]
     pub fn ticks(&self) -> u64 {
-        self.spus.iter().map(|spu| spu.busy + spu.dma_wait).max().unwrap_or(0)
+        let traced = self.spus.iter().map(|spu| spu.busy + spu.dma_wait).max().unwrap_or(0);
+        traced + self.refit
     }
 }
 

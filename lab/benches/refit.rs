@@ -1,8 +1,8 @@
 //! What it costs to refit the blocks of meshes that have moved instead of building new ones:
-//! frames in simulated time, and the host's time for the scene. And the host's time for scenes of
-//! objects that move.
+//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them. And the
+//! host's time for scenes of objects that move.
 //!
-//!     cargo bench --bench refit [-- meshes|objects]
+//!     cargo bench --bench refit [-- meshes|spus|objects]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -14,11 +14,14 @@ use std::time::Instant;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, World, WorldError};
-use cellray::scene::{RenderOptions, SceneBlock};
+use cellray::scene::{RefitBy, RenderOptions, SceneBlock};
 use cellray::{Engine, Report, Settings};
 
 const TIMING: &str = "LIBSPE2_TIMING";
 const SIZE: (u32, u32) = (640, 360);
+/// Ticks a second of the decrementer, and an SPU's cycles in one.
+const TIMEBASE: f64 = 79_800_000.0;
+const CYCLES_A_TICK: f64 = 40.0;
 
 struct Motion {
     name: &'static str,
@@ -56,11 +59,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::process::exit(status.code().unwrap_or(1));
     }
     let wanted = |name: &str| {
-        let mut names = std::env::args().filter(|it| it == "meshes" || it == "objects");
+        let mut names =
+            std::env::args().filter(|it| ["meshes", "spus", "objects"].contains(&it.as_str()));
         names.next().is_none_or(|first| first == name)
     };
     if wanted("meshes") {
         meshes()?;
+    }
+    if wanted("spus") {
+        spus()?;
     }
     if wanted("objects") {
         objects()?;
@@ -107,6 +114,7 @@ impl Motion {
         let mut world = World::new();
         world.set_render_options(RenderOptions {
             refit_pictures: u32::MAX,
+            refit_by: Some(RefitBy::Ppu),
             ..RenderOptions::default()
         });
         world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
@@ -116,6 +124,58 @@ impl Motion {
         let meshes = (0..self.count).map(add).collect::<Result<_, _>>()?;
         Ok((world, meshes))
     }
+}
+
+/// Rings and squares that turn: the time of six SPUs to refit them.
+fn spus() -> Result<(), Box<dyn Error>> {
+    println!("| mesh | triangles | leaf blocks | six SPUs, ms | cycles of an SPU a triangle |");
+    println!("|---|---|---|---|---|");
+    let settings = Settings { spus: 6, ..Settings::default() };
+    let rings = [(40, 25), (100, 50), (250, 200), (500, 400)];
+    let rings = rings.map(|(along, around)| ("ring", ring(along, around, 0.3)));
+    let squares = [64, 128, 256].map(|side| ("square", square(side)));
+    for (name, mesh) in rings.into_iter().chain(squares) {
+        let mut world = World::new();
+        world.set_render_options(RenderOptions {
+            refit_by: Some(RefitBy::Spus),
+            ..RenderOptions::default()
+        });
+        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+        let id = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)?;
+        world.scene(&settings.program)?;
+        world.place_mesh(id, turned(0.01))?;
+        let scene = world.scene(&settings.program)?;
+        let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
+        let ticks = engine.render(scene, &mut |_| {})?.refit as f64;
+        let mesh = scene.block().and_then(SceneBlock::mesh);
+        let statistics = mesh.ok_or("the scene has no mesh")?.blocks.statistics();
+        let (triangles, leaves) = (statistics.triangles, statistics.leaves);
+        let cycles = ticks * CYCLES_A_TICK * f64::from(settings.spus) / triangles as f64;
+        println!(
+            "| {name} | {triangles} | {leaves} | {:.3} | {cycles:.0} |",
+            1e3 * ticks / TIMEBASE
+        );
+    }
+    Ok(())
+}
+
+/// A flat square with smooth normals, of as many squares along each side.
+fn square(side: u32) -> Mesh {
+    let mut mesh = Mesh::default();
+    let along = |number: u32| 4.0 * (number as f32 / side as f32 - 0.5);
+    for (row, column) in (0..=side).flat_map(|row| (0..=side).map(move |column| (row, column))) {
+        mesh.positions.push([along(column), 0.0, along(row)]);
+        mesh.normals.push([0.0, 1.0, 0.0]);
+        if row < side && column < side {
+            let at = row * (side + 1) + column;
+            let below = at + side + 1;
+            mesh.triangles.extend([[at, below, at + 1], [at + 1, below, below + 1]]);
+            mesh.materials.extend([0, 0]);
+        }
+    }
+    mesh
 }
 
 /// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds

@@ -9,7 +9,7 @@ use protocol::formulation::Formulations;
 use crate::{Error, Image, Tools, file_error, write};
 
 /// Folders below `spu/` that hold kernels.
-const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
+const KERNELS: [&str; 5] = ["build", "isect", "shade", "shaders", "trace"];
 
 /// The tracer's program: its driver, its kernels, and its own shaders. It uses the
 /// standard formulations, unless [`Image::formulations`] chooses others.

@@ -4,9 +4,10 @@ use std::sync::Arc;
 
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
+use super::build::Build;
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
-use crate::scene::block::MaterialTable;
+use crate::scene::block::{MaterialTable, SceneBlock};
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
@@ -34,6 +35,12 @@ pub(super) struct Records {
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
+    build_code: SharedMemory,
+    build_code_bytes: u32,
+    /// Whether the last scene's mesh is the one that SPUs have refitted.
+    is_moved: bool,
+    /// The mesh that SPUs have refitted last.
+    build: Option<Build>,
     textures: Option<Arc<Textures>>,
     /// The mesh's materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,
@@ -62,7 +69,14 @@ impl Records {
             (depth_code, depth_code_bytes),
             (mesh_code, mesh_code_bytes),
             (texture_code, texture_code_bytes),
-        ] = [program.depth_code(), program.mesh_code(), program.texture_code()].map(|code| {
+            (build_code, build_code_bytes),
+        ] = [
+            program.depth_code(),
+            program.mesh_code(),
+            program.texture_code(),
+            program.build_code(),
+        ]
+        .map(|code| {
             let mut memory = SharedMemory::new(code.len());
             memory.write(0, &code);
             (memory, code.len() as u32)
@@ -82,6 +96,10 @@ impl Records {
             texture_code_bytes,
             colour_code,
             mesh: None,
+            build_code,
+            build_code_bytes,
+            is_moved: false,
+            build: None,
             textures: None,
             materials: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
@@ -108,6 +126,7 @@ impl Records {
         Addresses {
             spheres: self.spheres.address(),
             scene: self.scene.address(),
+            mesh: self.mesh_address(),
             depth_code: self.depth_code.address(),
             depth_code_bytes: self.depth_code_bytes,
             mesh_code: self.mesh_code.address(),
@@ -125,6 +144,46 @@ impl Records {
         }
     }
 
+    /// Describes the frame in which the SPUs refit the scene's mesh, if they must. After it, call
+    /// [`Records::mesh_is_refitted`].
+    pub fn refit(&mut self, scene: &Scene, number: u32, spus: u32) -> Option<Frame> {
+        let mesh = scene.block().and_then(SceneBlock::mesh)?;
+        let moved = mesh.moved?;
+        let build = self.build.take().filter(|build| build.is_of(mesh.blocks));
+        let build = build.unwrap_or_else(|| Build::new(mesh.blocks, spus));
+        let build = self.build.insert(build);
+        if build.has(moved) {
+            return None;
+        }
+        Some(Frame {
+            number: number.into(),
+            spus: spus.into(),
+            unit_counter: self.unit_counter.address().into(),
+            statistics: self.statistics.address().into(),
+            code: self.build_code.address().into(),
+            code_bytes: self.build_code_bytes.into(),
+            ..build.describe(moved)
+        })
+    }
+
+    /// Does the PPU's part of refitting, after the SPUs' replies.
+    pub fn mesh_is_refitted(&mut self) {
+        if let Some(build) = &mut self.build {
+            build.finish();
+        }
+    }
+
+    /// The mesh that the SPUs have refitted, if the last scene has it.
+    pub fn refitted(&self) -> Option<&Build> {
+        self.build.as_ref().filter(|_| self.is_moved)
+    }
+
+    /// The address of the first block of the last scene's mesh; 0 if it has none.
+    fn mesh_address(&self) -> u64 {
+        let built = self.mesh.as_ref().map_or(0, |mesh| mesh.address());
+        self.refitted().map_or(built, Build::address)
+    }
+
     /// Writes the records of a planned frame. All units' costs are set to 0: a finished unit's
     /// cost is never 0, so a cost other than 0 shows that the unit is finished. `costs` is a
     /// buffer.
@@ -138,6 +197,7 @@ impl Records {
             }
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
+            self.is_moved = mesh.is_some_and(|mesh| mesh.moved.is_some());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
             self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }

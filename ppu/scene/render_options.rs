@@ -17,6 +17,15 @@ pub enum Model {
     Whitted,
 }
 
+/// Who refits the blocks of a mesh that has moved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RefitBy {
+    /// This program.
+    Ppu,
+    /// The SPUs, before they trace the next frame.
+    Spus,
+}
+
 /// The volumes of the nodes of a scene's trees, in Whitted's model. All give the same picture,
 /// except where a ray meets several surfaces at equal distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -89,6 +98,8 @@ pub struct RenderOptions {
     /// one is built when rays have made as many more tests for it as they make in this many
     /// pictures with a new tree. With 0, one is built whenever a mesh has moved.
     pub refit_pictures: u32,
+    /// Who refits it; without a choice, the SPUs if most of many vertices have moved.
+    pub refit_by: Option<RefitBy>,
     /// The volumes of the trees' nodes.
     pub volumes: NodeVolumes,
 }
@@ -108,6 +119,7 @@ impl Default for RenderOptions {
             corners: false,
             mesh_cache: MESH_MAX_SLOTS,
             refit_pictures: REFIT_PICTURES,
+            refit_by: None,
             volumes: NodeVolumes::Best,
         }
     }

@@ -10,9 +10,9 @@ use super::elf;
 use super::error::ProgramError;
 use protocol::formulation::Formulations;
 use protocol::layout::{
-    BOX_CODE, BOX_CODE_CAPACITY, COLOUR_CODE, COLOUR_CODE_CAPACITY, DEPTH_CODE,
-    DEPTH_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY, MESH_CODE_CAPACITY, TEXTURE_CODE,
-    TEXTURE_CODE_CAPACITY,
+    BOX_CODE, BOX_CODE_CAPACITY, BUILD_CODE, BUILD_CODE_CAPACITY, COLOUR_CODE,
+    COLOUR_CODE_CAPACITY, DEPTH_CODE, DEPTH_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY,
+    MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -163,6 +163,14 @@ impl Program {
     #[must_use]
     pub fn box_code(&self) -> Vec<u8> {
         let addresses = BOX_CODE..BOX_CODE + BOX_CODE_CAPACITY;
+        elf::loaded(self.image, addresses).unwrap_or_default()
+    }
+
+    /// The code that refits meshes: what is loaded from `BUILD_CODE` on. It is empty if the program
+    /// has none.
+    #[must_use]
+    pub fn build_code(&self) -> Vec<u8> {
+        let addresses = BUILD_CODE..BUILD_CODE + BUILD_CODE_CAPACITY;
         elf::loaded(self.image, addresses).unwrap_or_default()
     }
 

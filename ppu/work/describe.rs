@@ -24,6 +24,8 @@ pub struct Addresses {
     pub spheres: u64,
     /// The block of Whitted's model.
     pub scene: u64,
+    /// The first block of the scene's mesh.
+    pub mesh: u64,
     /// The program's code for depth shading.
     pub depth_code: u64,
     /// The number of its bytes.
@@ -154,7 +156,7 @@ pub fn describe(order: &Order) -> Frame {
     }
     if let Some(mesh) = scene.block().and_then(SceneBlock::mesh) {
         frame.mesh_eye = mesh.eye;
-        frame.mesh = mesh.blocks.address().into();
+        frame.mesh = addresses.mesh.into();
         frame.mesh_blocks = mesh.blocks.count().into();
         frame.code = addresses.mesh_code.into();
         frame.code_bytes = addresses.mesh_code_bytes.into();
@@ -200,7 +202,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
-        | flag(frame.mesh.get() != 0, FEATURE_MESH)
+        | flag(mesh.is_some(), FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(is_coloured, FEATURE_COLOURS)

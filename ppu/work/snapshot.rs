@@ -51,6 +51,8 @@ pub struct Snapshot {
 /// in place.
 struct MeshContent {
     blocks: Arc<MeshBlocks>,
+    /// The version of the vertices that SPUs have refitted the blocks with.
+    moved: Option<u64>,
     table: Option<Arc<MaterialTable>>,
     textures: Option<Arc<Textures>>,
     /// The address of the first material, unless `table` has the materials.
@@ -64,6 +66,7 @@ impl MeshContent {
     fn of(mesh: &MeshPlace) -> Self {
         Self {
             blocks: mesh.blocks.clone(),
+            moved: mesh.moved.map(|moved| moved.version()),
             table: mesh.table.cloned(),
             textures: mesh.textures.cloned(),
             materials: mesh.materials,
@@ -201,6 +204,10 @@ impl Snapshot {
             (Some(new), Some(old), Some(global)) if new.eye == old.eye => (new, old, global.camera),
             _ => return false,
         };
+        if new.moved != old.moved {
+            // The PPU has no new blocks to compare.
+            return false;
+        }
         let count = new.material_count.max(old.material_count);
         let is_textured_as = new.is_textured_as(old);
         let texture = std::mem::offset_of!(layout::Material, texture);

@@ -45,9 +45,14 @@ next_mail:
         ori     $5,$low,0
         brsl    $lr,frame_fetch
         brnz    $3,report
+        lqa     $either,frame
+        rotqbyi $either,$either,FRAME_features
+        il      $high,FEATURE_BUILD
+        and     $either,$either,$high
+        brnz    $either,build
         brsl    $lr,scene_fetch
         brsl    $lr,units_trace
-        brnz    $3,report
+done:   brnz    $3,report
         brsl    $lr,statistics_put
         il      $3,STATUS_Done
 report:
@@ -55,6 +60,8 @@ report:
         br      next_mail
 exit:
         stop    0x2000
+build:  brsl    $lr,refit_fetch
+        br      done
 
 # Any code may jump here: reports $3, and skips the rest of the frame.
         .global give_up

@@ -3,6 +3,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "checks.inc"
 
         # spheres and background, a record in their format of which only the colour is used, are
         # placed by linker/spu.ld.
@@ -84,3 +85,31 @@ present:
 started:
         leave
 endfunction scene_fetch
+
+# refit_fetch   fetches the code that refits meshes, and runs it
+#   Out     $3 STATUS_ value
+#   Uses    $3-$79, the units' and tiles' driver registers
+        .set    status,3
+        .set    bad,16
+        .set    value,17
+        .set    limit,18
+
+function refit_fetch
+        ila     $a_frame,frame
+        # frame_fetch has checked the rest of these fields.
+        require_from_one code_bytes,BUILD_CODE_CAPACITY,Code
+        enter
+        load_constant $3,BUILD_CODE
+        load_word $4,FRAME_code,$a_frame
+        load_word $5,FRAME_code+4,$a_frame
+        ori     $6,$value,0
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        sync
+        brsl    $lr,build_blocks
+        leave
+refused:
+        bi      $lr
+endfunction refit_fetch

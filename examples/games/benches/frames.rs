@@ -1,7 +1,7 @@
 //! The speed of each game in simulated time, in frames a second: six SPUs at 1280x720, at the
 //! moments that the demonstrations show.
 //!
-//!     cargo bench -p games
+//!     cargo bench -p games --bench frames [-- NAME ...]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -20,7 +20,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("| game | frames/s | million rays: eye, reflected, refracted, shadow | objects |");
     println!("|---|---|---|---|");
     let settings = Settings { retain: false, ..Settings::default() };
-    for demo in DEMOS {
+    let names: Vec<String> = std::env::args().skip(1).filter(|it| !it.starts_with('-')).collect();
+    for demo in
+        DEMOS.iter().filter(|demo| names.is_empty() || names.iter().any(|it| it == demo.name))
+    {
         let mut report = Report::new(demo.name, SIZE, settings.spus);
         let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
         let mut engine = Engine::start(settings, Box::new(picture))?;

@@ -3,7 +3,7 @@
 
 use cellray::game::{Entry, Frame, Input, InputEvent, Key, Start, World, WorldError};
 
-use crate::{billiards, marbles, orrery, screensaver};
+use crate::{billiards, marbles, orrery, screensaver, waves};
 
 /// Frames a second in a demonstration.
 const RATE: u32 = 30;
@@ -49,6 +49,12 @@ pub const DEMOS: &[Demo] = &[
         game: &screensaver::ENTRY,
         keys: &[(Key::Space, 2, 4)],
         frame: 130,
+    },
+    Demo {
+        name: "waves",
+        game: &waves::ENTRY,
+        keys: &[(Key::Right, 5, 40), (Key::Up, 20, 60), (Key::Space, 70, 71)],
+        frame: 100,
     },
 ];
 

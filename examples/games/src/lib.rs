@@ -16,12 +16,19 @@ pub mod orrery;
 pub mod screensaver;
 pub mod station;
 pub mod steps;
+pub mod waves;
 
 use cellray::game::Entry;
 
 /// All games.
-pub const GAMES: &[Entry] =
-    &[billiards::ENTRY, marbles::ENTRY, orrery::ENTRY, screensaver::ENTRY, station::ENTRY];
+pub const GAMES: &[Entry] = &[
+    billiards::ENTRY,
+    marbles::ENTRY,
+    orrery::ENTRY,
+    screensaver::ENTRY,
+    station::ENTRY,
+    waves::ENTRY,
+];
 
 /// The game with this name.
 #[must_use]

@@ -6,8 +6,9 @@
 _start:
         stop    0x1ffd
 
-# The kernels for depth shading and boxes are directly in front of those for colours, so that the
-# bench has all the memory in front of them.
-        .global depth_place, boxes_place
+# The kernels for depth shading, boxes and refitted meshes are directly in front of those for
+# colours, so that the bench has all the memory in front of them.
+        .global build_place, depth_place, boxes_place
+        .set    build_place,0x27500
         .set    depth_place,0x28300
         .set    boxes_place,0x32e00

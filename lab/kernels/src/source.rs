@@ -7,8 +7,15 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The folders of kernels: those for `cellray`'s programs, and those for the laboratory.
-const FOLDERS: [&str; 6] =
-    ["spu/isect", "lab/spu/isect", "lab/spu/math", "spu/shade", "spu/shaders", "spu/trace"];
+const FOLDERS: [&str; 7] = [
+    "spu/build",
+    "spu/isect",
+    "lab/spu/isect",
+    "lab/spu/math",
+    "spu/shade",
+    "spu/shaders",
+    "spu/trace",
+];
 
 /// A kernel's hand-written source.
 #[derive(Clone, Copy, Debug)]

@@ -8,6 +8,7 @@
 pub mod accumulate;
 pub mod bounce;
 pub mod bound;
+pub mod build;
 pub mod colour;
 pub mod cone;
 pub mod cull;

@@ -4,7 +4,7 @@
 //! The exceptions are numbers that are computed from others, such as the growth of a very flat
 //! cone.
 
-use glam::{DAffine3, DMat3, DVec3};
+use glam::{DAffine3, DMat3, DVec3, Vec3};
 use scenes::{LightKind, Mesh, Shader, Shape};
 
 use super::error::WorldErrorKind;
@@ -138,11 +138,45 @@ pub(super) fn mesh(mesh: &Mesh, materials: usize) -> Result<Vec<usize>, WorldErr
     Ok(used.filter_map(|(number, used)| used.then_some(number)).collect())
 }
 
-/// Whether a mesh has a volume, or an area, and is in range at a place.
-pub(super) fn place(mesh: &Mesh, place: DAffine3) -> Result<(), WorldErrorKind> {
-    for corner in corners(mesh) {
-        vector("transformed vertex", place.transform_point3(corner))?;
+/// Checks new positions and normals of a mesh's vertices at a place. Returns the corners of the box
+/// around them.
+pub(super) fn vertices(
+    mesh: &Mesh,
+    positions: &[[f32; 3]],
+    normals: &[[f32; 3]],
+    place: DAffine3,
+) -> Result<(DVec3, DVec3), WorldErrorKind> {
+    let bad = |message: String| Err(WorldErrorKind::BadMesh(message));
+    for (what, old, new) in
+        [("positions", &mesh.positions, positions), ("normals", &mesh.normals, normals)]
+    {
+        if old.len() != new.len() {
+            return bad(format!("it has {} {what}, not {}", old.len(), new.len()));
+        }
+        let is_wrong =
+            |vector: &[f32; 3]| vector.iter().any(|it| number("", f64::from(*it)).is_err());
+        if let Some(vertex) = new.iter().position(is_wrong) {
+            let vector = new[vertex];
+            return bad(format!("{what} of vertex {vertex}: {vector:?} is not at most 2^62"));
+        }
     }
+    let points = positions.iter().map(|&position| Vec3::from(position));
+    let first = Vec3::from(positions.first().copied().unwrap_or_default());
+    let (low, high) =
+        points.fold((first, first), |(low, high), point| (low.min(point), high.max(point)));
+    let bounds = (mesh.origin + low.as_dvec3(), mesh.origin + high.as_dvec3());
+    in_range(bounds, place)?;
+    Ok(bounds)
+}
+
+fn in_range(bounds: (DVec3, DVec3), place: DAffine3) -> Result<(), WorldErrorKind> {
+    corners(bounds)
+        .try_for_each(|corner| vector("transformed vertex", place.transform_point3(corner)))
+}
+
+/// Whether a mesh has a volume, or an area, and is in range at a place.
+pub(super) fn place(bounds: (DVec3, DVec3), place: DAffine3) -> Result<(), WorldErrorKind> {
+    in_range(bounds, place)?;
     let DMat3 { x_axis, y_axis, z_axis } = place.matrix3;
     for axis in [x_axis, y_axis, z_axis] {
         vector("axis of the place", axis)?;

@@ -19,6 +19,8 @@ pub(super) struct Traced {
     pub mesh: Option<Arc<Mesh>>,
     /// Whether there are such polygons.
     pub has_gathered: bool,
+    /// Whether the program's SPUs can refit meshes.
+    pub can_refit: bool,
 }
 
 /// Where an object, light or material is in the traced scene.

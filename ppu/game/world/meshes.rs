@@ -4,7 +4,7 @@
 //! the mesh's place. The picture shows one mesh that is made of all of them, so several places of
 //! one [`Mesh`] share its memory here, but each has triangles of its own in the SPUs' blocks.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use glam::{DAffine3, DMat3, DVec3, Vec3};
 use scenes::{Mesh, unit};
@@ -27,14 +27,20 @@ pub(super) struct WorldMesh {
     visible: bool,
     /// Whether its place has changed since the world was traced.
     has_moved: bool,
-    /// A checksum of all but the place and the materials.
-    sum: u64,
+    /// Whether its vertices have moved in its own coordinates since a tree was built.
+    has_other_shape: bool,
+    /// A checksum of all but the place and the materials, once it is asked for.
+    sum: OnceLock<u64>,
 }
 
 impl WorldMesh {
     /// Adds the mesh to the world's checksum.
     pub fn sum(&self, sum: &mut Checksum) {
-        sum.word(self.sum);
+        sum.word(*self.sum.get_or_init(|| {
+            let mut sum = Checksum::new();
+            sum.mesh(&self.mesh);
+            sum.number()
+        }));
         sum.word(u64::from(self.visible));
         let DAffine3 { matrix3, translation } = self.place;
         for vector in [matrix3.x_axis, matrix3.y_axis, matrix3.z_axis, translation] {
@@ -123,7 +129,8 @@ impl World {
         place: DAffine3,
     ) -> Result<MeshId, WorldError> {
         let used = check::mesh(&mesh, materials.len())?;
-        check::place(&mesh, place)?;
+        let bounds = mesh.bounds().unwrap_or_default();
+        check::place(bounds, place)?;
         let used: Vec<MaterialId> = used.into_iter().map(|number| materials[number]).collect();
         if !used.iter().all(|&id| self.materials.contains_key(id)) {
             return Err(WorldErrorKind::NoMaterial.into());
@@ -133,18 +140,17 @@ impl World {
                 entry.users += 1;
             }
         }
-        let mut sum = Checksum::new();
-        sum.mesh(&mesh);
         self.edits.rebuild = true;
         Ok(self.meshes.insert(WorldMesh {
-            bounds: mesh.bounds().unwrap_or_default(),
+            bounds,
             mesh,
             materials: materials.to_vec(),
             used,
             place,
             visible: true,
             has_moved: false,
-            sum: sum.number(),
+            has_other_shape: false,
+            sum: OnceLock::new(),
         }))
     }
 
@@ -187,7 +193,7 @@ impl World {
         if entry.place == place {
             return Ok(());
         }
-        check::place(&entry.mesh, place)?;
+        check::place(entry.bounds, place)?;
         let was_mirrored = entry.is_mirrored();
         entry.place = place;
         if entry.visible {
@@ -195,6 +201,49 @@ impl World {
             self.edits.moved_meshes = true;
             // Mirrored triangles have their vertices in another order.
             self.edits.rebuild |= was_mirrored != entry.is_mirrored();
+        }
+        Ok(())
+    }
+
+    /// Moves the vertices of a mesh in its own coordinates, and gives them other normals. Both are
+    /// as many as before. A mesh that is at several places is changed only at this one.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use cellray::game::{DAffine3, Material, Mesh, World};
+    /// # let flag = Arc::new(Mesh {
+    /// #     positions: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    /// #     triangles: vec![[0, 1, 2]],
+    /// #     materials: vec![0],
+    /// #     ..Mesh::default()
+    /// # });
+    /// # let mut world = World::new();
+    /// # let red = world.add_material(Material::matte(0.9, 0.2, 0.1))?;
+    /// let id = world.add_mesh(flag, &[red], DAffine3::IDENTITY)?;
+    /// world.shape_mesh(id, &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.3], [0.0, 1.0, 0.0]], &[])?;
+    /// # Ok::<(), cellray::game::WorldError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// There is no such mesh, there are too few or too many positions or normals, or a number is out
+    /// of range. Then no vertex has moved.
+    #[track_caller]
+    pub fn shape_mesh(
+        &mut self,
+        id: MeshId,
+        positions: &[[f32; 3]],
+        normals: &[[f32; 3]],
+    ) -> Result<(), WorldError> {
+        let entry = self.meshes.get_mut(id).ok_or(WorldErrorKind::NoMesh)?;
+        entry.bounds = check::vertices(&entry.mesh, positions, normals, entry.place)?;
+        let mesh = Arc::make_mut(&mut entry.mesh);
+        mesh.positions.copy_from_slice(positions);
+        mesh.normals.copy_from_slice(normals);
+        entry.sum.take();
+        entry.has_other_shape = true;
+        if entry.visible {
+            entry.has_moved = true;
+            self.edits.moved_meshes = true;
         }
         Ok(())
     }
@@ -320,17 +369,25 @@ impl World {
         })
     }
 
-    /// Writes the vertices of the meshes that have moved into the joined mesh.
-    pub(super) fn write_moved(&self, joined: &mut Mesh) {
+    /// Writes the vertices of the meshes that have moved into the joined mesh. Returns their number.
+    pub(super) fn write_moved(&self, joined: &mut Mesh) -> usize {
         let mut first = 0;
+        let mut moved = 0;
         for entry in self.meshes.values().filter(|entry| entry.visible) {
             let range = first..first + entry.mesh.positions.len();
             first = range.end;
             if entry.has_moved {
+                moved += range.len();
                 let normals = joined.normals.get_mut(range.clone()).unwrap_or_default();
                 entry.write(joined.origin, &mut joined.positions[range], normals);
             }
         }
+        moved
+    }
+
+    /// Whether triangles may have got an area since the tree was built.
+    pub(super) fn have_other_shapes(&self) -> bool {
+        self.meshes.values().any(|entry| entry.visible && entry.has_other_shape)
     }
 
     /// Notes that the scene has all meshes at their places.
@@ -341,9 +398,8 @@ impl World {
     }
 }
 
-/// The corners of the box around a mesh.
-pub(super) fn corners(mesh: &Mesh) -> impl Iterator<Item = DVec3> {
-    let bounds = mesh.bounds().unwrap_or_default();
+/// The corners of a box.
+pub(super) fn corners(bounds: (DVec3, DVec3)) -> impl Iterator<Item = DVec3> {
     (0..8).map(move |corner| {
         let (low, high) = bounds;
         let pick = |axis: usize| if corner >> axis & 1 == 0 { low } else { high }[axis];

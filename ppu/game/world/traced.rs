@@ -14,9 +14,12 @@ use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
 use crate::scene::mesh::{are_many, gathered, gathered_all};
-use crate::scene::{Scene, SceneBlock, SceneError, Sphere};
+use crate::scene::{RefitBy, Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
+
+/// From this number of moved vertices on, it is quicker that SPUs refit a mesh.
+const SPUS_REFIT: usize = 1000;
 
 impl WorldMaterial {
     /// Sets the material's number in the scene, which error messages use if it has no line.
@@ -146,19 +149,21 @@ impl World {
         if !is_whitted {
             self.set_spheres(&mut scene)?;
         }
-        Ok(Traced { scene, shaders, program: *program, mesh: content.mesh.clone(), has_gathered })
+        let can_refit = !program.build_code().is_empty();
+        let mesh = content.mesh.clone();
+        Ok(Traced { scene, shaders, program: *program, mesh, has_gathered, can_refit })
     }
 
     /// Brings the world's changes into a scene; `false` if they don't fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
-        let Traced { scene, shaders, mesh, has_gathered, .. } = traced;
+        let Traced { scene, shaders, mesh, has_gathered, can_refit, .. } = traced;
         let has_other_view = *scene.view() != self.view;
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
         scene.set_background(background, sky, shaders)?;
         if scene.block().is_some() {
             return Ok(self.keeps_polygons(*has_gathered)
-                && self.move_meshes(scene, mesh, has_other_view)
+                && self.move_meshes(scene, mesh, *can_refit, has_other_view)
                 && self.change_whitted(scene, shaders)?);
         }
         self.set_spheres(scene)?;
@@ -183,6 +188,7 @@ impl World {
         &self,
         scene: &mut Scene,
         mesh: &mut Option<Arc<Mesh>>,
+        can_refit: bool,
         has_other_view: bool,
     ) -> bool {
         let block = scene.block_mut();
@@ -197,8 +203,19 @@ impl World {
             return false;
         }
         let mesh = Arc::make_mut(mesh);
-        self.write_moved(mesh);
-        block.refit_mesh(mesh)
+        let moved = self.write_moved(mesh);
+        if self.have_other_shapes() && block.lacks_triangles(mesh) {
+            return false;
+        }
+        // Where few vertices move, the PPU finds the parts of the picture that stay as they are.
+        let is_worth_it = moved >= SPUS_REFIT && 2 * moved >= mesh.positions.len();
+        let by = match self.render_options.refit_by {
+            _ if !can_refit => RefitBy::Ppu,
+            Some(by) => by,
+            None if is_worth_it => RefitBy::Spus,
+            None => RefitBy::Ppu,
+        };
+        block.refit_mesh(mesh, by)
     }
 
     fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {

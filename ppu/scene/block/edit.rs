@@ -18,8 +18,9 @@ use super::objects::{self, Object, has_on_surface, sides_seen_from};
 use super::primitive::{PrimitiveId, PrimitiveKind};
 use super::shaders::ShaderEntries;
 use super::source_location::SourceLocation;
-use super::streamed::InMainMemory;
+use super::streamed::{InMainMemory, Streamed};
 use super::{SceneBlock, Surface};
+use crate::scene::RefitBy;
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS, SIDES_BOTH};
 
 /// The most objects or materials. It includes removed ones, because their numbers are not reused.
@@ -28,16 +29,28 @@ const MAX_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 impl SceneBlock {
     /// Moves the triangles of the scene's mesh: it has the same ones, with other positions and
     /// normals. `false` if a new tree is needed.
-    pub(crate) fn refit_mesh(&mut self, mesh: &Mesh) -> bool {
+    pub(crate) fn refit_mesh(&mut self, mesh: &Mesh, by: RefitBy) -> bool {
         let most = self.options.refit_pictures;
         let streamed = self.streamed.as_mut();
-        streamed.is_some_and(|streamed| streamed.refit(mesh) && streamed.is_worth_keeping(most))
+        streamed.is_some_and(|streamed| streamed.refit(mesh, by) && streamed.is_worth_keeping(most))
+    }
+
+    /// How many times the tests rays make that they made when the mesh's tree was built, as far as
+    /// that is known: of vertices that no SPU has got yet, it is not.
+    #[must_use]
+    pub fn wear(&self) -> Option<f64> {
+        self.streamed.as_ref().map(Streamed::wear)
+    }
+
+    /// Whether the mesh's tree lacks a triangle that had no area and has one now.
+    pub(crate) fn lacks_triangles(&self, mesh: &Mesh) -> bool {
+        self.streamed.as_ref().is_some_and(|it| it.blocks.lacks_triangles(mesh))
     }
 
     /// Counts a picture in which the mesh has not moved. `false` if a new tree is needed.
     pub(crate) fn keep_mesh(&mut self) -> bool {
         let most = self.options.refit_pictures;
-        let worn = self.streamed.as_mut().filter(|it| it.blocks.wear() > 1.0);
+        let worn = self.streamed.as_mut().filter(|it| it.wear() > 1.0);
         worn.is_none_or(|streamed| streamed.is_worth_keeping(most))
     }
 

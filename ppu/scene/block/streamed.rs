@@ -21,8 +21,9 @@ use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::colour::Colour;
 use crate::scene::mesh::{
-    MeshBlocks, MeshCone, MeshObjects, MeshSphere, NumberWidth, Numbers, RESIDENT,
+    MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers, RESIDENT,
 };
+use crate::scene::render_options::RefitBy;
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
@@ -79,6 +80,8 @@ impl InMainMemory {
 #[derive(Clone, Debug)]
 pub(super) struct Streamed {
     pub blocks: Arc<MeshBlocks>,
+    /// Its vertices, if SPUs are to refit the blocks with them.
+    moved: Option<Arc<MovedVertices>>,
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
@@ -103,6 +106,8 @@ pub(super) struct Streamed {
 pub struct MeshPlace<'a> {
     /// The blocks in main memory.
     pub blocks: &'a Arc<MeshBlocks>,
+    /// The vertices with which SPUs refit the blocks before they trace them, if they do.
+    pub moved: Option<&'a Arc<MovedVertices>>,
     /// The local-store address of the first material, if they are there.
     pub materials: u32,
     /// The materials, if they are in main memory.
@@ -162,6 +167,7 @@ impl Streamed {
             kinds,
             textures: textures(scene, &blocks, colour)?,
             blocks: Arc::new(blocks),
+            moved: None,
             materials: SCENE_ADDRESS,
             table: None,
             texture_records: SCENE_ADDRESS,
@@ -207,8 +213,20 @@ impl Streamed {
         }
     }
 
-    /// Moves the triangles; `false` if a new tree is needed.
-    pub fn refit(&mut self, mesh: &Mesh) -> bool {
+    /// Moves the triangles, or leaves that to SPUs; `false` if a new tree is needed.
+    pub fn refit(&mut self, mesh: &Mesh, by: RefitBy) -> bool {
+        // An engine that has refitted the blocks no longer has the vertices.
+        let moved = self.moved.take().filter(|it| Arc::strong_count(it) == 1);
+        if by == RefitBy::Spus {
+            let mut moved = moved.unwrap_or_default();
+            let vertices = Arc::get_mut(&mut moved);
+            let bounds = vertices.and_then(|vertices| self.blocks.move_vertices(mesh, vertices));
+            if let Some(bounds) = bounds {
+                self.moved = Some(moved);
+                self.bounds = bounds;
+                return true;
+            }
+        }
         let (Some(blocks), Some((low, high))) = (self.blocks.refitted(mesh), mesh.bounds()) else {
             return false;
         };
@@ -217,11 +235,19 @@ impl Streamed {
         true
     }
 
+    /// [`SceneBlock::wear`](super::SceneBlock::wear).
+    pub fn wear(&self) -> f64 {
+        match &self.moved {
+            Some(moved) => self.blocks.wear_of(moved).unwrap_or(1.0),
+            None => self.blocks.wear(),
+        }
+    }
+
     /// Counts a picture, and returns whether rays have wasted fewer tests than they make in `most`
     /// pictures with a new tree. So what refitting has cost is never much more than a new tree
     /// would have, whether a tree is worn a little for long or much at once.
     pub fn is_worth_keeping(&mut self, most: u32) -> bool {
-        self.wasted_pictures += (self.blocks.wear() - 1.0).max(0.0);
+        self.wasted_pictures += (self.wear() - 1.0).max(0.0);
         self.wasted_pictures < f64::from(most)
     }
 
@@ -262,6 +288,7 @@ impl Streamed {
         let [x, y, z] = singles(eye - self.origin);
         MeshPlace {
             blocks: &self.blocks,
+            moved: self.moved.as_ref(),
             materials: self.materials,
             table: self.table.as_ref(),
             material_count: self

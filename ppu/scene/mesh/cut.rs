@@ -9,7 +9,8 @@ use super::leaf::WIDTH;
 use super::tree::Node;
 
 /// The most nodes of an inner block.
-const NODES: usize = (MESH_BLOCK as usize - size_of::<MeshHeader>()) / size_of::<Boxes>();
+pub(super) const NODES: usize =
+    (MESH_BLOCK as usize - size_of::<MeshHeader>()) / size_of::<Boxes>();
 /// The most nodes of the third level.
 const THIRD: usize = NODES - 1 - WIDTH;
 /// Children of the largest block.

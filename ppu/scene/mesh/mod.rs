@@ -17,6 +17,7 @@ mod cone;
 mod cut;
 mod gather;
 mod leaf;
+mod moved;
 mod normal;
 mod objects;
 mod refit;
@@ -26,6 +27,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 mod tree;
+mod units;
 mod write;
 
 use glam::DVec3;
@@ -44,6 +46,7 @@ pub use self::cone::MeshCone;
 pub(crate) use self::cone::Slant;
 pub use self::gather::gathered;
 pub(crate) use self::gather::{RESIDENT, are_many, gathered_all};
+pub use self::moved::MovedVertices;
 pub use self::objects::MeshObjects;
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
@@ -120,10 +123,23 @@ pub struct MeshBlocks {
     is_coloured: bool,
     /// The mesh's vertices that leaf blocks have, block after block.
     sources: Vec<u32>,
+    /// How many vertices the mesh has.
+    vertices: usize,
+    /// The vertices with a normal of 0, in their order.
+    flat: Vec<u32>,
+    /// The triangles that were left out, because they had no area.
+    without_area: Vec<u32>,
+    /// Whether the triangles have all vertices.
+    uses_all: bool,
     /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
     cost: f64,
     cost_when_built: f64,
     statistics: MeshStatistics,
+}
+
+fn has_area(mesh: &Mesh, triangle: usize) -> bool {
+    let [a, b, c] = mesh.corners(triangle).map(|corner| corner.as_dvec3());
+    (b - a).cross(c - a) != DVec3::ZERO
 }
 
 impl MeshBlocks {
@@ -170,6 +186,7 @@ impl MeshBlocks {
             .iter()
             .map(|material| mesh.two_sided || material.transmittance > 0.0)
             .collect();
+        let mut without_area = Vec::new();
         let mut kinds: [Vec<Piece>; KINDS.len()] = Default::default();
         let mut numbers = vec![None; materials.len()];
         let mut used = Vec::new();
@@ -186,9 +203,8 @@ impl MeshBlocks {
         kinds[SPHERES] = objects.sphere_pieces();
         kinds[CONES] = objects.cone_pieces();
         for (triangle, &material) in mesh.materials.iter().enumerate() {
-            let corners = mesh.corners(triangle);
-            let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-            if (b - a).cross(c - a) == DVec3::ZERO {
+            if !has_area(mesh, triangle) {
+                without_area.push(triangle as u32);
                 continue;
             }
             let material = material as usize;
@@ -198,6 +214,7 @@ impl MeshBlocks {
                 && mesh.corner_coordinates(triangle).is_some();
             let kind =
                 usize::from(both[material]) + 2 * usize::from(smooth) + 4 * usize::from(textured);
+            let corners = mesh.corners(triangle);
             kinds[kind].push(Piece {
                 bounds: Bounds {
                     low: corners[0].min(corners[1]).min(corners[2]),
@@ -238,7 +255,13 @@ impl MeshBlocks {
         let numbers: Vec<u32> = firsts.iter().map(number).collect();
         let colours: Vec<u32> = mesh.colours.iter().map(|it| packed(*it, colour)).collect();
         let content = write::Content { mesh, objects, numbers: &numbers, colours: &colours };
-        write::blocks(content, tree, root, &ends, used)
+        let blocks = write::blocks(content, tree, root, &ends, used)?;
+        Ok(Self { without_area, ..blocks })
+    }
+
+    /// Whether a triangle that was left out has an area now.
+    pub(crate) fn lacks_triangles(&self, mesh: &Mesh) -> bool {
+        self.without_area.iter().any(|&triangle| has_area(mesh, triangle as usize))
     }
 
     /// The number of blocks.

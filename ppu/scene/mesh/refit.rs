@@ -1,27 +1,31 @@
 //! Blocks of a mesh whose vertices have moved: the tree keeps its form, and its boxes are made
 //! around the new positions.
 
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 use protocol::layout::{
-    Boxes, MESH_CONES, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX,
-    SIDES_SMOOTH,
+    Boxes, BuildBounds, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader,
+    MeshVertex, NO_BOX, SIDES_SMOOTH,
 };
 use scenes::Mesh;
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
 
+use super::cut::NODES;
 use super::normal::packed;
 use super::tree::Bounds;
-use super::write::RUN_SHIFT;
+use super::write::{RUN_SHIFT, coordinate, flat};
 use super::{Block, MeshBlocks};
 
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
-    /// `None` if a new tree is needed: the mesh has other vertices, or the blocks have spheres or
-    /// cones, too.
+    /// `None` if a new tree is needed: the mesh has other vertices or, at one of them, a normal that
+    /// it had not or no longer has, or the blocks have spheres or cones, too.
     #[must_use]
     pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
+        if !self.flat.iter().copied().eq(flat(mesh)) {
+            return None;
+        }
         let mut refitted = self.clone();
         let mut bounds = vec![Bounds::EMPTY; self.blocks.len()];
         let mut sources = &self.sources[..];
@@ -29,10 +33,45 @@ impl MeshBlocks {
         // Children have greater numbers than their parents.
         for number in (0..self.blocks.len()).rev() {
             let block = &mut refitted.blocks[number];
-            bounds[number] = refit(block, &mut sources, mesh, &bounds, &mut cost)?;
+            bounds[number] = {
+                let below = |number: usize| bounds.get(number).copied();
+                refit(block, &mut sources, mesh, &below, &mut cost)?
+            };
         }
         refitted.cost = cost;
         Some(refitted)
+    }
+
+    /// Refits the inner blocks after the leaves, which have these bounds, and calls `store` with the
+    /// number and the bytes of each. Its own bounds are written. Returns what all blocks cost.
+    pub(crate) fn refit_inner(
+        &self,
+        bounds: &mut [BuildBounds],
+        mut store: impl FnMut(usize, &[u8]),
+    ) -> f64 {
+        let mut cost = 0.0;
+        let no_vertices = Mesh::default();
+        for (number, block) in self.blocks.iter().enumerate().rev() {
+            let is_inner = MeshHeader::ref_from_prefix(&block.0)
+                .is_ok_and(|(header, _)| header.kind.get() == MESH_INNER);
+            if !is_inner {
+                // An SPU's largest numbers are none for the PPU.
+                cost += f64::from(bounds[number].cost.get()).min(f64::MAX);
+                continue;
+            }
+            let mut block = block.clone();
+            let below = |number: usize| {
+                let BuildBounds { low, high, .. } = bounds.get(number)?;
+                let [low, high] = [low, high].map(|it| Vec3::from(it.map(F32::get)));
+                Some(Bounds { low, high })
+            };
+            let around = refit(&mut block, &mut &[][..], &no_vertices, &below, &mut cost);
+            let Bounds { low, high } = around.unwrap_or(Bounds::EMPTY);
+            bounds[number].low = low.to_array().map(F32::new);
+            bounds[number].high = high.to_array().map(F32::new);
+            store(number, &block.0);
+        }
+        cost
     }
 
     /// How many times the tests rays make that they made when the tree was built: the surfaces of
@@ -49,7 +88,7 @@ fn refit(
     block: &mut Block,
     sources: &mut &[u32],
     mesh: &Mesh,
-    blocks: &[Bounds],
+    blocks: &dyn Fn(usize) -> Option<Bounds>,
     cost: &mut f64,
 ) -> Option<Bounds> {
     let (header, rest) = block.0.split_at_mut(size_of::<MeshHeader>());
@@ -69,18 +108,16 @@ fn refit(
     *sources = before;
     let is_smooth = header.sides.get() & SIDES_SMOOTH != 0;
     for (vertex, &source) in vertices.iter_mut().zip(own) {
-        vertex.position = mesh.positions.get(source as usize)?.map(F32::new);
+        vertex.position = mesh.positions.get(source as usize)?.map(coordinate);
         if is_smooth {
             let normal = Vec3::from(*mesh.normals.get(source as usize)?).as_dvec3();
-            if normal == DVec3::ZERO {
-                return None;
-            }
             vertex.normal = packed(normal).into();
         }
     }
 
     let lowest = lowest(nodes, header.levels.get());
-    let mut around = vec![Bounds::EMPTY; nodes.len()];
+    let mut around = [Bounds::EMPTY; NODES];
+    let around = around.get_mut(..nodes.len())?;
     for (index, node) in nodes.iter_mut().enumerate().rev() {
         for lane in 0..node.child.len() {
             if node.lo_x[lane].get().to_bits() == NO_BOX {
@@ -95,7 +132,7 @@ fn refit(
                 let run = faces.get(first..first + length)?;
                 (around_faces(run, vertices)?, length)
             } else {
-                (*blocks.get(word as usize)?, 1)
+                (blocks(word as usize)?, 1)
             };
             *cost += bounds.area() * tests as f64;
             put(node, lane, bounds);
@@ -129,10 +166,10 @@ fn around_faces(faces: &[MeshFace], vertices: &[MeshVertex]) -> Option<Bounds> {
 }
 
 fn put(node: &mut Boxes, lane: usize, Bounds { low, high }: Bounds) {
-    node.lo_x[lane] = low.x.into();
-    node.lo_y[lane] = low.y.into();
-    node.lo_z[lane] = low.z.into();
-    node.hi_x[lane] = high.x.into();
-    node.hi_y[lane] = high.y.into();
-    node.hi_z[lane] = high.z.into();
+    node.lo_x[lane] = coordinate(low.x);
+    node.lo_y[lane] = coordinate(low.y);
+    node.lo_z[lane] = coordinate(low.z);
+    node.hi_x[lane] = coordinate(high.x);
+    node.hi_y[lane] = coordinate(high.y);
+    node.hi_z[lane] = coordinate(high.z);
 }

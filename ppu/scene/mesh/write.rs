@@ -52,7 +52,7 @@ pub(super) fn blocks(
         width,
         // Boxes without a surface, of flat meshes along an axis, have edges at least.
         whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
-        local: vec![(0, 0); mesh.positions.len()],
+        local: vec![0; mesh.positions.len()],
         sources: Vec::new(),
         cost: 0.0,
         statistics: MeshStatistics {
@@ -93,6 +93,10 @@ pub(super) fn blocks(
             sources: writer.sources,
             cost: writer.cost,
             cost_when_built: writer.cost,
+            vertices: mesh.positions.len(),
+            flat: flat(mesh).collect(),
+            without_area: Vec::new(),
+            uses_all: uses_all(mesh),
             blocks,
             materials,
             width,
@@ -101,14 +105,32 @@ pub(super) fn blocks(
     }
 }
 
+/// The vertices with a normal of 0, in their order.
+pub(super) fn flat(mesh: &Mesh) -> impl Iterator<Item = u32> {
+    let numbered = mesh.normals.iter().zip(0..);
+    numbered.filter(|(normal, _)| **normal == [0.0; 3]).map(|(_, vertex)| vertex)
+}
+
+fn uses_all(mesh: &Mesh) -> bool {
+    let mut is_used = vec![false; mesh.positions.len()];
+    mesh.triangles.iter().flatten().for_each(|&vertex| is_used[vertex as usize] = true);
+    is_used.into_iter().all(|is_used| is_used)
+}
+
+/// A coordinate in a block. A 0 has no sign, and there are no denormals, which SPUs take for 0: so
+/// of equal numbers a box has the same bits, whoever compares them.
+pub(super) fn coordinate(number: f32) -> F32 {
+    F32::new(if number.abs() < f32::MIN_POSITIVE { 0.0 } else { number })
+}
+
 struct Writer<'a> {
     nodes: &'a [Node],
     content: Content<'a>,
     width: NumberWidth,
     /// The surface of the whole mesh's box.
     whole: f64,
-    /// For each vertex the last leaf block that has it, counted from 1, and its index there.
-    local: Vec<(u32, u8)>,
+    /// For each vertex its index in the last leaf block that has it.
+    local: Vec<u8>,
     /// The vertices of all leaf blocks, block after block.
     sources: Vec<u32>,
     /// The surfaces of all boxes, each times the tests that a ray makes that meets it.
@@ -144,40 +166,42 @@ impl Writer<'_> {
         self.statistics.leaves += 1;
         let (nodes, levels) = under_a_root(lowest);
 
-        let mut vertices = Vec::new();
+        let Content { mesh, numbers, colours: packed_colours, .. } = self.content;
+        // In the mesh's order, so that many follow one another there.
+        let corners = pieces.iter().flat_map(|piece| mesh.triangles[piece.index as usize]);
+        let mut own: Vec<u32> = corners.collect();
+        own.sort_unstable();
+        own.dedup();
+        self.sources.extend_from_slice(&own);
+        let mut vertices = Vec::with_capacity(own.len());
         let mut coordinates = Vec::new();
         let mut colours = Vec::new();
-        let Content { mesh, numbers, colours: packed_colours, .. } = self.content;
+        for (&vertex, index) in own.iter().zip(0..) {
+            let vertex = vertex as usize;
+            self.local[vertex] = index;
+            let normal = if sides & SIDES_SMOOTH != 0 {
+                let [x, y, z] = mesh.normals[vertex].map(f64::from);
+                packed(glam::DVec3::new(x, y, z))
+            } else {
+                0
+            };
+            if sides & SIDES_TEXTURED != 0 {
+                let [u, v] = mesh.texture_coordinates[vertex].map(F32::new);
+                coordinates.push(MeshCoordinates { u, v });
+            }
+            if let Some(&packed) = packed_colours.get(vertex) {
+                colours.push(MeshColour { packed: packed.into() });
+            }
+            vertices.push(MeshVertex {
+                position: mesh.positions[vertex].map(coordinate),
+                normal: normal.into(),
+            });
+        }
         let mut faces = Vec::with_capacity(pieces.len());
         let mut upper = Vec::with_capacity(pieces.len());
         for piece in &*pieces {
             let triangle = piece.index as usize;
-            let vertex = mesh.triangles[triangle].map(|vertex| {
-                let place = &mut self.local[vertex as usize];
-                if place.0 != number + 1 {
-                    *place = (number + 1, vertices.len() as u8);
-                    let normal = if sides & SIDES_SMOOTH != 0 {
-                        let [x, y, z] = mesh.normals[vertex as usize].map(f64::from);
-                        packed(glam::DVec3::new(x, y, z))
-                    } else {
-                        0
-                    };
-                    self.sources.push(vertex);
-                    if sides & SIDES_TEXTURED != 0 {
-                        let [u, v] = mesh.texture_coordinates[vertex as usize].map(F32::new);
-                        coordinates.push(MeshCoordinates { u, v });
-                    }
-                    if let Some(&packed) = packed_colours.get(vertex as usize) {
-                        let packed = packed.into();
-                        colours.push(MeshColour { packed });
-                    }
-                    vertices.push(MeshVertex {
-                        position: mesh.positions[vertex as usize].map(F32::new),
-                        normal: normal.into(),
-                    });
-                }
-                place.1
-            });
+            let vertex = mesh.triangles[triangle].map(|vertex| self.local[vertex as usize]);
             let number = numbers[mesh.materials[triangle] as usize];
             faces.push(MeshFace { vertex, material: number as u8 });
             upper.push((number >> 8) as u8);
@@ -346,12 +370,12 @@ fn boxes(children: &[Child]) -> Boxes {
         child: [U32::ZERO; 4],
     };
     for (lane, &(Bounds { low, high }, word)) in children.iter().enumerate() {
-        boxes.lo_x[lane] = low.x.into();
-        boxes.lo_y[lane] = low.y.into();
-        boxes.lo_z[lane] = low.z.into();
-        boxes.hi_x[lane] = high.x.into();
-        boxes.hi_y[lane] = high.y.into();
-        boxes.hi_z[lane] = high.z.into();
+        boxes.lo_x[lane] = coordinate(low.x);
+        boxes.lo_y[lane] = coordinate(low.y);
+        boxes.lo_z[lane] = coordinate(low.z);
+        boxes.hi_x[lane] = coordinate(high.x);
+        boxes.hi_y[lane] = coordinate(high.y);
+        boxes.hi_z[lane] = coordinate(high.z);
         boxes.child[lane] = word.into();
     }
     boxes

@@ -104,8 +104,11 @@ constants! {
     FEATURE_COLOURS = 512;
     /// Feature bit: a ray may send more than one ray on.
     FEATURE_BRANCHES = 1024;
+    /// Feature bit: no picture is traced. The work units are `BUILD_UNIT`s, by which the SPUs refit
+    /// the mesh as the `BUILD` at `scene` describes.
+    FEATURE_BUILD = 2048;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 2047;
+    FEATURES_KNOWN = 4095;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -173,6 +176,13 @@ constants! {
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
     DEPTH_CODE_CAPACITY = 22528;
+    /// Address in local store of the code that refits meshes, in the memory of scenes. Each frame
+    /// with `FEATURE_BUILD` brings it in.
+    BUILD_CODE = 0x2bd00;
+    /// Bytes for that code.
+    BUILD_CODE_CAPACITY = 5120;
+    /// Most leaf blocks of a `BUILD_UNIT`.
+    BUILD_LEAVES = 16;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -329,11 +339,13 @@ constants! {
     RULE_LANES = 4;
 }
 
+mod build;
 mod frame;
 mod local;
 mod mesh;
 mod whitted;
 
+pub use build::*;
 pub use frame::*;
 pub use local::*;
 pub use mesh::*;
@@ -390,6 +402,9 @@ pub const RECORDS: &[Record] = &[
     MeshVisit::RECORD,
     MeshCoordinates::RECORD,
     MeshColour::RECORD,
+    Build::RECORD,
+    BuildUnit::RECORD,
+    BuildBounds::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
@@ -473,7 +488,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, and 31232 for one with textures.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
@@ -503,6 +518,8 @@ statuses! {
     Paths = 42, "paths";
     /// Must be a multiple of 16, with at most 9 nodes.
     Changes = 43, "changes, change_count";
+    /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with a list of as many vertices of the mesh.
+    Build = 44, "scene, units";
 }
 
 const _: () = {
@@ -520,6 +537,7 @@ const _: () = {
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<Paths>() + MAX_PATHS as usize * size_of::<Path>() <= PATHS_CAPACITY as usize);
     assert!(size_of::<UnitCounter>() == LINE as usize);
+    assert!(size_of::<BuildUnit>() == size_of::<WorkUnit>());
     assert!(size_of::<WorkUnit>() == LINE as usize);
     assert!(size_of::<UnitCost>() == LINE as usize);
     assert!(size_of::<Statistics>() == 5 * LINE as usize);

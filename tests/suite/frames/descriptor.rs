@@ -59,6 +59,7 @@ impl Descriptor {
                 scene: 0,
                 depth_code: 0,
                 depth_code_bytes: depth_code.len() as u32,
+                mesh: 0,
                 mesh_code: 0,
                 mesh_code_bytes: mesh_code.len() as u32,
                 texture_code: 0,

@@ -28,7 +28,7 @@ const FIRST: usize = 8;
 const CHILDREN: usize = FIRST + 24;
 
 /// A ball of 1,800 smooth triangles that reflects, on a floor.
-fn scene() -> scenes::Scene {
+pub fn scene() -> scenes::Scene {
     let text = "v\nfrom 1 2.5 6\nat 0 -0.1 0\nup 0 1 0\nangle 30\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 4 6 3 0.9 0.9 0.9\n\
         f 0.9 0.3 0.2 0.7 0.3 30 0 1\n\

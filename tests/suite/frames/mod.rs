@@ -1,6 +1,7 @@
 //! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that fail, and
 //! shaders of games.
 
+mod build;
 mod colours;
 mod descriptor;
 mod faults;

@@ -25,6 +25,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     corners: false,
     mesh_cache: MESH_MAX_SLOTS,
     refit_pictures: 50,
+    refit_by: None,
     volumes: NodeVolumes::Best,
 };
 

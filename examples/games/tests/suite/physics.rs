@@ -7,6 +7,7 @@ use games::billiards::table::{CUSHION, HALF, HEAD, POCKETS, RADIUS};
 use games::bodies::Body;
 use games::marbles::Marbles;
 use games::screensaver::Screensaver;
+use games::waves::Waves;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -210,4 +211,26 @@ fn marbles_stay_in_tray_and_stop() {
     });
     assert!(fastest > 1.0, "{fastest}");
     assert!(game.won() > 0);
+}
+
+/// The golden ball is pushed to and fro for ten seconds, and drops fall.
+#[test]
+fn waves_and_balls_stay_in_pool() {
+    let mut rng = Xoshiro256PlusPlus::seed_from_u64(4);
+    let keys = [Key::Left, Key::Right, Key::Up, Key::Down, Key::Space];
+    let mut game = Waves::default();
+    let pressed = |frame: u64| match frame {
+        frame if frame.is_multiple_of(5) => vec![(keys[rng.random_range(0..5)], rng.random())],
+        _ => Vec::new(),
+    };
+    let mut highest = 0.0_f64;
+    play(&mut game, 300, 1, pressed, |game| {
+        for body in game.bodies() {
+            let DVec3 { x, y, z } = body.centre;
+            let wall = game.wall() - body.radius + 1e-12;
+            assert!(x.abs() <= wall && z.abs() <= wall && (-1.0..3.0).contains(&y), "{body:?}");
+            highest = highest.max(game.height(x, z).abs());
+        }
+    });
+    assert!((0.02..0.6).contains(&highest), "{highest}");
 }

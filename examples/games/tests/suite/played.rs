@@ -1,5 +1,5 @@
-//! Replays a recorded game of eight-ball and recorded walks to their ends. `MAKE_REF=1` plays and
-//! records others.
+//! Replays a recorded game of eight-ball, recorded walks and waves to their ends. `MAKE_REF=1` plays
+//! and records others.
 
 mod player;
 
@@ -11,9 +11,10 @@ use std::time::Duration;
 
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
-use cellray::game::{FixedSteps, Game, NoInput, Recording, Session};
+use cellray::game::{FixedSteps, Game, InputEvent, Key, NoInput, Recording, Session};
 use games::billiards::Billiards;
 use games::station::Station;
+use games::waves::Waves;
 
 use crate::station::freedoom;
 use crate::walker::Walker;
@@ -125,4 +126,54 @@ fn replayed_walks_have_same_end() {
         assert_eq!(end_of_walk(session.game()), fs::read_to_string(&ended).unwrap());
         assert_eq!(session.game().has_ended(), longest == LONGEST, "{name}");
     }
+}
+
+/// Frames of waves, and the time between them.
+const FRAMES: u64 = 100;
+const WAVE: Duration = Duration::from_millis(40);
+/// The keys that the player of waves presses and releases, by the frame.
+const KEYS: [(u64, Key, bool); 9] = [
+    (2, Key::Right, true),
+    (14, Key::Up, true),
+    (25, Key::Right, false),
+    (30, Key::Space, true),
+    (31, Key::Space, false),
+    (40, Key::Up, false),
+    (45, Key::Digit1, true),
+    (46, Key::Digit1, false),
+    (47, Key::Left, true),
+];
+
+/// The exact places of the balls, and the water's height at each.
+fn end_of_waves(game: &Waves) -> String {
+    let mut text = String::new();
+    for body in game.bodies() {
+        let height = game.height(body.centre.x, body.centre.z).to_bits();
+        let place = body.centre.to_array().map(f64::to_bits);
+        writeln!(text, "{place:016x?} {height:016x}").unwrap();
+    }
+    text
+}
+
+/// The checksums in the recording are those of worlds whose mesh has other vertices in each frame.
+#[test]
+fn replayed_waves_have_same_end() {
+    let [recording, ended] = ["jsonl", "txt"].map(|it| kept("waves").with_extension(it));
+    if std::env::var_os("MAKE_REF").is_some() {
+        let file = BufWriter::new(File::create(&recording).unwrap());
+        let mut session = session(Waves::default()).with_seed(3).record_to(Box::new(file));
+        for frame in 0..FRAMES {
+            let pressed = KEYS.iter().filter(|(number, ..)| *number == frame);
+            let mut events = pressed.map(|&(_, key, down)| InputEvent::Key { key, down }).collect();
+            let flow = session.step(WAVE, &mut events, &mut |_| ());
+            assert!(flow.unwrap().is_continue());
+        }
+        fs::write(&ended, end_of_waves(session.game())).unwrap();
+    }
+    let recording = Recording::open(&recording).unwrap();
+    let mut session = session(Waves::default()).replaying(recording).unwrap();
+    let mut clock = FixedSteps(Duration::ZERO);
+    session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
+    assert_eq!(end_of_waves(session.game()), fs::read_to_string(&ended).unwrap());
+    assert!(session.engine().refitted_blocks().is_some(), "no SPU has refitted the water");
 }

@@ -3,6 +3,7 @@
 pub mod block;
 pub mod bounds;
 pub mod boxes;
+pub mod build;
 pub mod call;
 pub mod patches;
 pub mod rays;
@@ -30,6 +31,7 @@ use crate::vector::{cross, dot, sub, unit};
 use block::Prepare;
 use bounds::{Bounds, EyeBounds, Farthest};
 use boxes::Boxed;
+use build::{Leaf, Sources};
 use call::Node;
 use patches::{FlatPatches, ListHits};
 use protocol::layout::MESH_HIT;
@@ -47,6 +49,27 @@ const TESTED: u32 = 600;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "78 triangles",
+            objects: Objects::Fixed(1),
+            place: |bench, _| Leaf::full().place(bench).1,
+        }],
+        ..Kernel::of::<Leaf>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "runs in fours",
+            objects: Objects::List(4, 16),
+            place: |bench, count| {
+                let sources = vec![[0; 4]; count as usize];
+                Sources { sources, low: 0, vertices: 1, count: 0 }.place(bench).1
+            },
+        }],
+        ..Kernel::of::<Sources>()
+    },
     Kernel {
         cases: &[Case {
             name: "packets",

@@ -1,0 +1,132 @@
+//! The vertices of a mesh that has moved, from which SPUs refit its blocks.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use glam::{DVec3, Vec3};
+use protocol::layout::{MAX_SIDE, MeshVertex, TILE_HEIGHT, TILE_WIDTH};
+use scenes::Mesh;
+use zerocopy::FromZeros as _;
+
+use super::MeshBlocks;
+use super::normal::packed;
+use super::tree::Bounds;
+use super::write::coordinate;
+
+/// The most vertices of a mesh that SPUs refit.
+const MOST_VERTICES: usize = 1 << 24;
+/// The most blocks of a mesh that SPUs refit: a frame has no more work units.
+const MOST_BLOCKS: u32 = MAX_SIDE / TILE_WIDTH * (MAX_SIDE / TILE_HEIGHT);
+
+static VERSIONS: AtomicU64 = AtomicU64::new(1);
+
+/// As many vertices as fill a line.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(128))]
+struct Line([MeshVertex; 8]);
+
+/// New vertices of a mesh. An engine that renders the scene has its SPUs refit the blocks.
+#[derive(Debug, Default)]
+pub struct MovedVertices {
+    lines: Vec<Line>,
+    count: u32,
+    version: u64,
+    /// The cost of the blocks with these vertices.
+    cost: OnceLock<f64>,
+}
+
+impl MovedVertices {
+    /// A number that no other vertices of this process have.
+    pub(crate) fn version(&self) -> u64 {
+        self.version
+    }
+
+    /// The address of the first `MESH_VERTEX`. All have the same upper word in their addresses.
+    pub(crate) fn address(&self) -> u64 {
+        self.lines.as_ptr().expose_provenance() as u64
+    }
+
+    pub(crate) fn count(&self) -> u32 {
+        self.count
+    }
+
+    /// Notes the cost of the refitted blocks, as [`MeshBlocks::refit_inner`] returns it.
+    pub(crate) fn set_cost(&self, cost: f64) {
+        // Every engine finds the same.
+        let _ = self.cost.set(cost);
+    }
+}
+
+/// Empty memory for lines, all in one segment of 4 GB: the elements of a DMA list share the upper
+/// word of their addresses.
+fn memory(lines: usize) -> Vec<Line> {
+    let memory: Vec<Line> = Vec::with_capacity(lines);
+    let first = memory.as_ptr().addr();
+    let last = first + memory.capacity() * size_of::<Line>() - 1;
+    // As long as this memory is kept, other memory is elsewhere.
+    if first as u64 >> 32 == last as u64 >> 32 { memory } else { self::memory(lines) }
+}
+
+impl MeshBlocks {
+    /// Writes the vertices of the same triangles with other positions and normals for SPUs. Returns
+    /// the corners of the box around the triangles. In memory for as many vertices nothing is
+    /// allocated.
+    ///
+    /// `None` if the PPU must look at the triangles: the mesh has other vertices or, at one of
+    /// them, a normal that it had not or no longer has, the blocks have spheres or cones, too, or
+    /// there are too many.
+    pub(crate) fn move_vertices(
+        &self,
+        mesh: &Mesh,
+        moved: &mut MovedVertices,
+    ) -> Option<[DVec3; 2]> {
+        let vertices = &mesh.positions;
+        if self.vertices != vertices.len()
+            || self.statistics.spheres + self.statistics.cones > 0
+            || self.count() > MOST_BLOCKS
+            || vertices.len() > MOST_VERTICES
+        {
+            return None;
+        }
+        let count = vertices.len().div_ceil(8);
+        moved.lines.clear();
+        if moved.lines.capacity() < count {
+            moved.lines = memory(count);
+        }
+        moved.count = vertices.len() as u32;
+        moved.version = VERSIONS.fetch_add(1, Ordering::Relaxed);
+        moved.cost = OnceLock::new();
+        let mut around = Bounds::EMPTY;
+        let mut flat = self.flat.iter();
+        for (line, positions) in vertices.chunks(8).enumerate() {
+            let mut records = [MeshVertex::new_zeroed(); 8];
+            for (index, &position) in positions.iter().enumerate() {
+                let point = Vec3::from(position);
+                around = around.with(Bounds { low: point, high: point });
+                records[index].position = position.map(coordinate);
+                let vertex = 8 * line + index;
+                let Some(&normal) = mesh.normals.get(vertex) else { continue };
+                let normal = Vec3::from(normal).as_dvec3();
+                if normal != DVec3::ZERO {
+                    records[index].normal = packed(normal).into();
+                } else if flat.next() != Some(&(vertex as u32)) {
+                    return None;
+                }
+            }
+            moved.lines.push(Line(records));
+        }
+        if flat.next().is_some() {
+            return None;
+        }
+        match self.uses_all {
+            true => Some([around.low, around.high].map(|corner| mesh.origin + corner.as_dvec3())),
+            false => mesh.bounds().map(|(low, high)| [low, high]),
+        }
+    }
+
+    /// [`MeshBlocks::wear`] with these vertices; `None` before an engine's SPUs have refitted the
+    /// blocks.
+    pub(crate) fn wear_of(&self, moved: &MovedVertices) -> Option<f64> {
+        moved.cost.get().map(|cost| cost / self.cost_when_built)
+    }
+}
