@@ -7,6 +7,7 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
 use crate::scene::block::MaterialTable;
+use crate::scene::height::HeightView;
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
@@ -31,10 +32,12 @@ pub(super) struct Records {
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
     colour_code: SharedMemory,
+    height_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
     textures: Option<Arc<Textures>>,
+    heights: Option<Arc<HeightView>>,
     /// The mesh's materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
@@ -69,6 +72,9 @@ impl Records {
         });
         let mut colour_code = SharedMemory::new(COLOUR_CODE_CAPACITY as usize);
         colour_code.write(0, &program.colour_code());
+        let height_code = program.height_code();
+        let mut height_memory = SharedMemory::new(height_code.len());
+        height_memory.write(0, &height_code);
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
@@ -81,7 +87,9 @@ impl Records {
             texture_code,
             texture_code_bytes,
             colour_code,
+            height_code: height_memory,
             mesh: None,
+            heights: None,
             textures: None,
             materials: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
@@ -115,6 +123,7 @@ impl Records {
             texture_code: self.texture_code.address(),
             texture_code_bytes: self.texture_code_bytes,
             colour_code: self.colour_code.address(),
+            height_code: self.height_code.address(),
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             waiting: self.waiting.address(),
@@ -139,6 +148,7 @@ impl Records {
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
+            self.heights = mesh.and_then(|mesh| mesh.heights.cloned());
             self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }
         self.changes.write(0, plan.changes().as_bytes());

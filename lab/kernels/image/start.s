@@ -9,5 +9,5 @@ _start:
 # The kernels for depth shading and boxes are directly in front of those for colours, so that the
 # bench has all the memory in front of them.
         .global depth_place, boxes_place
-        .set    depth_place,0x28300
-        .set    boxes_place,0x32e00
+        .set    depth_place,0x26800
+        .set    boxes_place,0x30e80

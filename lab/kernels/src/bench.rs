@@ -30,8 +30,8 @@ const LOST: u16 = 0x1ffe;
 /// The top of the stack. Nothing is above it.
 const STACK: u32 = 0x3f000;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
-/// shading, boxes, colours, textures and meshes.
-const ARENA_END: u32 = 0x28300;
+/// shading, boxes, height fields, colours, textures and meshes.
+const ARENA_END: u32 = 0x26800;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.

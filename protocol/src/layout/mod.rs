@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 15;
+    VERSION = 16;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -104,8 +104,11 @@ constants! {
     FEATURE_COLOURS = 512;
     /// Feature bit: a ray may send more than one ray on.
     FEATURE_BRANCHES = 1024;
+    /// Feature bit: the scene has a height field. Its triangles have colours, so
+    /// `FEATURE_COLOURS` is set, too.
+    FEATURE_HEIGHTS = 2048;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 2047;
+    FEATURES_KNOWN = 4095;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -172,7 +175,7 @@ constants! {
     /// Whitted's model overwrite.
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
-    DEPTH_CODE_CAPACITY = 22528;
+    DEPTH_CODE_CAPACITY = 20480;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
@@ -292,6 +295,31 @@ constants! {
     COLOUR_CODE_CAPACITY = 2048;
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
+    /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
+    HEIGHT_CODE_CAPACITY = 8064;
+    /// Address in local store of that code.
+    HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
+    /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
+    /// are the level times 2^19, the block's row times 2^9, and its column.
+    HEIGHT_BLOCK = 0x0080_0000;
+    /// In a block's number: an inner block above those of a height field. Its index is added.
+    HEIGHT_TREE = 0x0040_0000;
+    /// Squares across a block of a height field.
+    HEIGHT_COLUMNS = 8;
+    /// Squares down a block.
+    HEIGHT_ROWS = 4;
+    /// Most squares across and down a height field.
+    MAX_HEIGHT_SIDE = 4096;
+    /// Most levels of a height field whose triangles are traced. There is one level of samples
+    /// more, which the last of these fades to.
+    HEIGHT_LEVELS = 10;
+    /// Offset in a block where its samples arrive: rows of `HEIGHT_PITCH` bytes of its own level,
+    /// then rows of `COARSE_PITCH` bytes of the next.
+    HEIGHT_SAMPLES = 1360;
+    /// Bytes of a row of samples: those of its vertices, four in front and three behind.
+    HEIGHT_PITCH = 64;
+    /// Bytes of a row of samples of the next level: as many in front, and three behind.
+    COARSE_PITCH = 48;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
@@ -330,11 +358,13 @@ constants! {
 }
 
 mod frame;
+mod height;
 mod local;
 mod mesh;
 mod whitted;
 
 pub use frame::*;
+pub use height::*;
 pub use local::*;
 pub use mesh::*;
 pub use whitted::*;
@@ -393,6 +423,8 @@ pub const RECORDS: &[Record] = &[
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
+    HeightField::RECORD,
+    HeightLevel::RECORD,
 ];
 
 macro_rules! statuses {
@@ -503,6 +535,8 @@ statuses! {
     Paths = 42, "paths";
     /// Must be a multiple of 16, with at most 9 nodes.
     Changes = 43, "changes, change_count";
+    /// Must be a multiple of 128, with 1 to 10 levels.
+    Heights = 44, "heights";
 }
 
 const _: () = {
@@ -516,7 +550,11 @@ const _: () = {
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
     assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
-    assert!(COLOUR_CODE.is_multiple_of(LINE));
+    assert!(COLOUR_CODE.is_multiple_of(LINE) && HEIGHT_CODE.is_multiple_of(LINE));
+    assert!(HEIGHT_BLOCK * 2 == MESH_BLOCKS && HEIGHT_TREE * 2 == HEIGHT_BLOCK);
+    assert!(HEIGHT_LEVELS <= 1 << 4 && MAX_HEIGHT_SIDE / HEIGHT_COLUMNS == 1 << 9);
+    assert!(MAX_HEIGHT_SIDE / HEIGHT_ROWS == 1 << 10);
+    assert!(HEIGHT_SAMPLES + 7 * HEIGHT_PITCH + 5 * COARSE_PITCH == MESH_BLOCK);
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<Paths>() + MAX_PATHS as usize * size_of::<Path>() <= PATHS_CAPACITY as usize);
     assert!(size_of::<UnitCounter>() == LINE as usize);

@@ -76,6 +76,14 @@ pub enum Fault {
         /// The largest level.
         most: u32,
     },
+    /// Mountains can't be generated.
+    #[error("the level is not a whole number from {least} to {most}")]
+    Mountains {
+        /// The smallest level.
+        least: u32,
+        /// The largest level.
+        most: u32,
+    },
     /// The file has no triangles.
     #[error("the file has no triangles")]
     NoTriangles,

@@ -119,6 +119,7 @@ prop_compose! {
             materials,
             objects,
             mesh: None,
+            heights: None,
         }
     }
 }
