@@ -1,5 +1,6 @@
 //! The blocks of a height field for an eye, and the tree above them.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use glam::{DVec2, DVec3, Vec3};
@@ -40,8 +41,32 @@ struct Child {
 }
 
 impl Child {
+    const NONE: Self = Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, number: 0 };
+
     fn with(self, other: &Self) -> Self {
         Self { low: self.low.min(other.low), high: self.high.max(other.high), ..self }
+    }
+}
+
+/// The inner blocks above the chosen ones: the children of each, those of the lowest ones first. A
+/// child that is such a block has its index as its number.
+#[derive(Default)]
+struct Wrapped {
+    children: Vec<Child>,
+    blocks: Vec<Range<usize>>,
+}
+
+impl Wrapped {
+    /// Puts children from an index on under an inner block, if they are `many`.
+    fn wrap(&mut self, found: &mut Vec<Child>, start: usize, many: usize) {
+        if found.len() - start < many {
+            return;
+        }
+        let around = found[start..].iter().fold(Child::NONE, |around, child| around.with(child));
+        let first = self.children.len();
+        self.children.extend(found.drain(start..));
+        found.push(Child { number: self.blocks.len() as u32, ..around });
+        self.blocks.push(first..self.children.len());
     }
 }
 
@@ -51,13 +76,16 @@ pub(crate) struct HeightView {
     samples: Arc<HeightSamples>,
     record: SharedMemory,
     tree: Vec<Block>,
-    /// The blocks of samples; then inner blocks, from below.
-    children: Vec<Child>,
+    /// Buffers.
+    found: Vec<Child>,
+    wrapped: Wrapped,
+    /// The blocks of samples.
+    blocks: usize,
 }
 
 impl std::fmt::Debug for HeightView {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        formatter.debug_struct("HeightView").field("children", &self.children.len()).finish()
+        formatter.debug_struct("HeightView").field("blocks", &self.blocks).finish()
     }
 }
 
@@ -67,7 +95,9 @@ impl HeightView {
             samples: samples.clone(),
             record: SharedMemory::new(size_of::<Record>()),
             tree: Vec::new(),
-            children: Vec::new(),
+            found: Vec::new(),
+            wrapped: Wrapped::default(),
+            blocks: 0,
         }
     }
 
@@ -81,31 +111,31 @@ impl HeightView {
         &self.samples
     }
 
-    /// The blocks of samples.
-    pub fn blocks(&self) -> usize {
-        self.children.iter().filter(|child| child.number >= HEIGHT_BLOCK).count()
+    /// The blocks of samples, and the inner ones.
+    pub fn blocks(&self) -> [usize; 2] {
+        [self.blocks, self.tree.len()]
     }
 
     /// Chooses the blocks for an eye and builds the tree, in coordinates relative to `origin`.
     fn look(&mut self, field: &HeightField, eye: DVec3, origin: DVec3) {
         let samples = self.samples.clone();
         let chooser = Chooser::new(field, &samples, eye, origin);
-        self.children.clear();
-        let top = samples.count() - 1;
-        let [across, down] = samples.levels[top].blocks;
-        for row in 0..down / 2 {
-            for column in 0..across {
-                chooser.choose(top, [column, row], &mut self.children);
-            }
-        }
-        let leaves = self.children.len();
-        self.build();
+        let mut wrapped = std::mem::take(&mut self.wrapped);
+        wrapped.children.clear();
+        wrapped.blocks.clear();
+        self.found.clear();
+        chooser.choose(samples.count() - 1, [0, 0], &mut self.found, &mut wrapped);
+        wrapped.wrap(&mut self.found, 0, 1);
+        self.write_tree(&wrapped);
+        let of_samples = wrapped.children.iter().filter(|child| child.number >= HEIGHT_TREE);
+        self.blocks = of_samples.count();
+        self.wrapped = wrapped;
         let mut record = Record::new_zeroed();
         record.samples = samples.address().into();
         record.tree = (self.tree.as_ptr().expose_provenance() as u64).into();
         record.tree_blocks = (self.tree.len() as u32).into();
         record.levels = (samples.count() as u32).into();
-        record.blocks = ((self.tree.len() + leaves) as u32).into();
+        record.blocks = ((self.tree.len() + self.blocks) as u32).into();
         record.corner = singles(field.corner - eye);
         record.above = single(chooser.above);
         record.step = [field.step(), field.unit(), field.step()].map(single);
@@ -117,38 +147,28 @@ impl HeightView {
         self.record.write(0, record.as_bytes());
     }
 
-    /// Makes inner blocks above the children, the root first.
-    fn build(&mut self) {
-        // The number of blocks of each level, from the lowest on.
-        let mut below = self.children.len();
-        let mut total = 0_usize;
-        loop {
-            below = below.div_ceil(CHILDREN);
-            total += below;
-            if below == 1 {
-                break;
+    /// Writes the inner blocks. The last one that was wrapped is the root, which comes first: a
+    /// child has a greater number than its parent.
+    fn write_tree(&mut self, wrapped: &Wrapped) {
+        let count = wrapped.blocks.len();
+        let number = |index: usize| HEIGHT_TREE + (count - 1 - index) as u32;
+        self.tree.resize(count, Block([0; MESH_BLOCK as usize]));
+        for (index, (block, own)) in self.tree.iter_mut().rev().zip(&wrapped.blocks).enumerate() {
+            let own = wrapped.children[own.clone()].iter();
+            let mut children: [Child; CHILDREN] = [Child::NONE; CHILDREN];
+            let mut length = 0;
+            for (to, from) in children.iter_mut().zip(own) {
+                let of_tree = from.number < HEIGHT_TREE;
+                *to = Child { number: if of_tree { number(from.number as usize) } else { from.number }, ..*from };
+                length += 1;
             }
-        }
-        self.tree.resize(total, Block([0; MESH_BLOCK as usize]));
-        let (mut start, mut end) = (0, self.children.len());
-        let mut last = total;
-        while last > 0 {
-            let count = (end - start).div_ceil(CHILDREN);
-            last -= count;
-            for index in 0..count {
-                let first = start + index * CHILDREN;
-                let own = first..end.min(first + CHILDREN);
-                let number = HEIGHT_TREE + (last + index) as u32;
-                let around = write(&mut self.tree[last + index], number, &self.children[own]);
-                self.children.push(Child { number, ..around });
-            }
-            (start, end) = (end, self.children.len());
+            write(block, number(index), &children[..length]);
         }
     }
 }
 
-/// Writes an inner block with up to three levels of nodes, and returns the box around it.
-fn write(block: &mut Block, number: u32, children: &[Child]) -> Child {
+/// Writes an inner block with up to three levels of nodes.
+fn write(block: &mut Block, number: u32, children: &[Child]) {
     let lowest = children.len().div_ceil(WIDTH);
     let middle = if lowest > WIDTH { lowest.div_ceil(WIDTH) } else { 0 };
     let levels = 1 + u32::from(lowest > 1) + u32::from(middle > 0);
@@ -158,7 +178,7 @@ fn write(block: &mut Block, number: u32, children: &[Child]) -> Child {
     let (to_header, rest) = block.0.split_at_mut(size_of::<MeshHeader>());
     to_header.copy_from_slice(header.as_bytes());
     let Ok((records, _)) = <[Boxes]>::mut_from_prefix_with_elems(rest, nodes) else {
-        return children[0];
+        return;
     };
     let mut level: [Child; LOWEST] = [children[0]; LOWEST];
     let mut count = 0_usize;
@@ -179,7 +199,6 @@ fn write(block: &mut Block, number: u32, children: &[Child]) -> Child {
         }
         count = above;
     }
-    level[0]
 }
 
 /// Writes a node, and returns the box around it.
@@ -258,7 +277,15 @@ impl<'a> Chooser<'a> {
     }
 
     /// Chooses the blocks of a square of eight by eight samples of a level, or of the ones in it.
-    fn choose(&self, level: usize, [column, row]: [u32; 2], found: &mut Vec<Child>) {
+    /// They are put under inner blocks as soon as there are so many that four times as many would
+    /// be too many for one.
+    fn choose(
+        &self,
+        level: usize,
+        [column, row]: [u32; 2],
+        found: &mut Vec<Child>,
+        wrapped: &mut Wrapped,
+    ) {
         let side = self.step * f64::from(HEIGHT_COLUMNS << level);
         let [start, end] = self.ends;
         let low = start + DVec2::new(f64::from(column), f64::from(row)) * side;
@@ -267,12 +294,14 @@ impl<'a> Chooser<'a> {
         let distance = away.length_squared() + self.above;
         if level > 0 && distance < self.range(level - 1).powi(2) {
             let [across, down] = self.samples.levels[level - 1].blocks;
+            let start = found.len();
             for below in 0..4 {
                 let [column, row] = [2 * column + (below & 1), 2 * row + (below >> 1)];
                 if column < across && row < down / 2 {
-                    self.choose(level - 1, [column, row], found);
+                    self.choose(level - 1, [column, row], found, wrapped);
                 }
             }
+            wrapped.wrap(found, start, CHILDREN / 4 + 1);
             return;
         }
         let of_level = &self.samples.levels[level];

@@ -27,9 +27,9 @@ const UNIT: f64 = 0.05;
 /// The side of the largest mountains, in samples.
 const LARGEST: f64 = 420.0;
 /// The height of the highest summits.
-const SUMMITS: f64 = 2600.0;
+const SUMMITS: f64 = 2000.0;
 /// The height of the lakes.
-pub const LAKES: f64 = 560.0;
+pub const LAKES: f64 = 480.0;
 /// Octaves of noise, the last one about two samples large.
 const OCTAVES: u32 = 9;
 /// What an octave's place is turned and scaled by, so that lattices don't coincide.
@@ -46,13 +46,13 @@ pub(crate) fn generate(name: &str, level: &str) -> Result<Loaded, Fault> {
             .map(|(x, z)| DVec3::new(x, LAKES, z))
             .to_vec(),
     };
-    let from = DVec3::new(-0.05 * high.x, 0.0, 0.3 * high.z);
-    let from = DVec3::new(from.x, field.ground(from).max(LAKES) + 260.0, from.z);
+    let from = DVec3::new(-0.2 * high.x, 0.0, 0.6 * high.z);
+    let from = DVec3::new(from.x, field.ground(from).max(LAKES) + 700.0, from.z);
     let scene = Scene {
         name: name.to_owned(),
         view: View {
             from,
-            at: from + DVec3::new(350.0, -190.0, -1000.0),
+            at: from + DVec3::new(300.0, -330.0, -1000.0),
             up: DVec3::Y,
             angle: 42.0,
             hither: 0.0,
@@ -131,10 +131,10 @@ fn colour(height: f64, slope: f64, grain: f64) -> [u8; 3] {
     let rock = DVec3::new(0.47, 0.43, 0.40);
     let snow = DVec3::new(0.95, 0.96, 0.98);
     let mut colour = sand.lerp(wood, ease(LAKES + 5.0, LAKES + 50.0, height));
-    colour = colour.lerp(meadow, ease(900.0, 1250.0, height));
-    colour = colour.lerp(rock, ease(1350.0, 1650.0, height));
+    colour = colour.lerp(meadow, ease(700.0, 950.0, height));
+    colour = colour.lerp(rock, ease(1050.0, 1300.0, height));
     colour = colour.lerp(rock * 0.9, ease(0.65, 1.0, slope));
-    colour = colour.lerp(snow, ease(1500.0, 1800.0, height) * (1.0 - ease(0.8, 1.25, slope)));
+    colour = colour.lerp(snow, ease(1200.0, 1450.0, height) * (1.0 - ease(0.8, 1.25, slope)));
     (255.0 * colour * (0.93 + 0.1 * grain)).to_array().map(|part| part.clamp(0.0, 255.0) as u8)
 }
 
