@@ -11,10 +11,10 @@
 #   Twin    lab/twins/src/height.rs
 #
 # A vertex has the height, the slopes and the colour of its own level near the eye, those of the
-# next level far from it, and in between a part of either that depends on its distance alone. In
-# the next level, every second vertex is missing: there it has the mean of its two neighbours on
-# an edge of the next level's triangles. So a block that has faded completely has the surface of
-# the next level, and where blocks of two levels meet, they meet exactly.
+# next level far from it, and in between a part of either that depends on its distance alone.
+# Every second vertex is missing in the next level, so it moves to the one before it. A block that
+# has faded completely has the next level's triangles and others without an area, so where blocks
+# of two levels meet they have the same vertices, and no vertex is on another triangle's edge.
 #
 # A row of vertices has 12 places for 9 vertices, in three quadwords of each number.
 
@@ -28,7 +28,7 @@
         registers a_block,a_field,number,a_scratch
         .set    NEXT,7
         # constants
-        registers m_left,m_right,m_low,m_high,k_lanes,k_one,k_half,k_sign,level,level_1
+        registers m_left,m_right,m_low,m_high,k_lanes,k_one,k_sign,level,level_1
         registers step_x,step_y,step_z,corner_x,corner_y,corner_z,last_x,last_z
         registers above,from,fade,up
         # loops
@@ -37,7 +37,7 @@
         registers quad_left,quad_right,quad_up,quad_down,mid
         registers height,slope_x,slope_z,red,green,blue
         # four vertices
-        registers index,x,z,part,m_first,m_second,one,two,t,share,y,column
+        registers index,x,z,part,m_first,one,two,t,share,y,column
         registers sum,t_y,t_e,u,v
     .if NEXT > 80
         .error  "too many registers"
@@ -61,13 +61,10 @@ low_and_high:
         .int    0x00010203,0x10111213,0x04050607,0x14151617
         .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
 lanes:  .int    0,1,2,3
-# Of five samples of the next level, in two quadwords: those before four vertices, and behind.
-neighbours:
+# Of five samples of the next level, in two quadwords, those that four vertices move to.
+targets:
         .int    0x00010203,0x00010203,0x04050607,0x04050607
-        .int    0x00010203,0x04050607,0x04050607,0x08090a0b
         .int    0x08090a0b,0x08090a0b,0x0c0d0e0f,0x0c0d0e0f
-        .int    0x08090a0b,0x0c0d0e0f,0x0c0d0e0f,0x10111213
-        .int    0x10111213,0x10111213,0x10111213,0x10111213
         .int    0x10111213,0x10111213,0x10111213,0x10111213
 # Every second one of eight words, from the first or from the second one on; three words behind
 # the first, and another one.
@@ -126,22 +123,12 @@ faces:
         csflt   $blue,$blue,0
 .endm
 
-# out = a number of the next level for the four vertices, between those of its two rows.
-.macro  coarse out:req, attribute:req
-        lqd     $one,32*\attribute($a_coarse)
-        lqd     $t,32*\attribute+16($a_coarse)
-        lqd     $two,32*\attribute($a_other)
-        shufb   $one,$one,$t,$m_first
-        lqd     $t,32*\attribute+16($a_other)
-        shufb   $two,$two,$t,$m_second
-        fa      $one,$one,$two
-        fm      \out,$one,$k_half
-.endm
-
 # Fades a number to that of the next level.
 .macro  faded number:req, attribute:req
-        coarse  $t_y,\attribute
-        fs      $t_y,$t_y,\number
+        lqd     $one,32*\attribute($a_coarse)
+        lqd     $t,32*\attribute+16($a_coarse)
+        shufb   $one,$one,$t,$m_first
+        fs      $t_y,$one,\number
         fma     \number,$part,$t_y,\number
 .endm
 
@@ -152,15 +139,10 @@ faces:
         minimum_f4 \out,\last,$t
 .endm
 
-# Fades a place to that in the next level: between the samples before and behind.
+# Fades a place to that in the next level.
 .macro  faded_place place:req, index:req, last:req
-        rotmai  $two,\index,-1
+        rotmi   $two,\index,-1
         placed  $one,$two,$level_1,\last
-        ai      $two,\index,1
-        rotmai  $two,$two,-1
-        placed  $t_y,$two,$level_1,\last
-        fa      $one,$one,$t_y
-        fm      $one,$one,$k_half
         fs      $one,$one,\place
         fma     \place,$part,$one,\place
 .endm
@@ -184,17 +166,30 @@ function height_block
         lqa     $m_high,low_and_high+16
         lqa     $k_lanes,lanes
         ilhu    $k_one,0x3f80
-        ilhu    $k_half,0x3f00
         ilhu    $k_sign,0x8000
         # The samples make space for the block.
         il      $t,HEIGHT_SAMPLES
         a       $a_samples,$a_block,$t
         ori     $a_out,$a_scratch,0
-        il      $left,-HEIGHT_SAMPLE_BYTES/16
-copy:   lqd     $t,0($a_samples)
-        ai      $a_samples,$a_samples,16
-        stqd    $t,0($a_out)
-        ai      $a_out,$a_out,16
+        .set    left_over,HEIGHT_SAMPLE_BYTES/16%8
+        il      $left,-(HEIGHT_SAMPLE_BYTES/16/8)
+    .set    quad,0
+    .rept   left_over
+        lqd     $height,16*quad($a_samples)
+        stqd    $height,16*quad($a_out)
+    .set    quad,quad+1
+    .endr
+        ai      $a_samples,$a_samples,16*left_over
+        ai      $a_out,$a_out,16*left_over
+copy:
+    .irp quad, 0,1,2,3,4,5,6,7
+        lqd     $height+\quad,16*\quad($a_samples)
+    .endr
+    .irp quad, 0,1,2,3,4,5,6,7
+        stqd    $height+\quad,16*\quad($a_out)
+    .endr
+        ai      $a_samples,$a_samples,128
+        ai      $a_out,$a_out,128
         ai      $left,$left,1
         brnz    $left,copy
         # The number's parts.
@@ -248,7 +243,6 @@ coarse_row:
         ai      $a_samples,$a_scratch,HEIGHT_PITCH+16
         il      $t,COARSE_AT
         a       $a_coarse,$a_scratch,$t
-        ori     $a_other,$a_coarse,0
         il      $t,PLACES_AT
         a       $a_out,$a_scratch,$t
         ai      $a_vertex,$a_block,HEIGHT_VERTICES_AT
@@ -256,13 +250,12 @@ coarse_row:
         a       $a_colour,$a_block,$t
         il      $a_end,-5
 next_row:
-        ila     $a_pattern,neighbours
+        ila     $a_pattern,targets
         ori     $index,$column,0
         il      $left,-3
 next_four:
         attributes HEIGHT_PITCH
         lqd     $m_first,0($a_pattern)
-        lqd     $m_second,16($a_pattern)
         placed  $x,$index,$level,$last_x
         placed  $z,$row,$level,$last_z
         # How far it has faded.
@@ -349,23 +342,20 @@ next_four:
         or      $red,$red,$blue
         stqd    $red,0($a_colour)
         ai      $a_samples,$a_samples,16
-        ai      $a_pattern,$a_pattern,32
+        ai      $a_pattern,$a_pattern,16
         ai      $index,$index,4
         ai      $a_out,$a_out,16
         ai      $a_vertex,$a_vertex,64
         ai      $a_colour,$a_colour,16
         ai      $left,$left,1
         brnz    $left,next_four
-        # Even rows are on a row of the next level, odd ones between two.
+        # Two rows move to each row of the next level.
         ai      $a_samples,$a_samples,HEIGHT_PITCH-48
         ai      $row,$row,1
         andi    $t,$row,1
-        sfi     $t,$t,0
-        il      $one,COARSE_ROW
-        andc    $two,$one,$t
-        and     $one,$one,$t
-        a       $a_coarse,$a_coarse,$two
-        a       $a_other,$a_other,$one
+        ai      $t,$t,-1
+        andi    $t,$t,COARSE_ROW
+        a       $a_coarse,$a_coarse,$t
         ai      $a_end,$a_end,1
         brnz    $a_end,next_row
 
@@ -377,12 +367,16 @@ next_four:
         stqd    $one,0($a_block)
         stqd    $two,16($a_block)
         ila     $a_samples,faces
-        il      $left,-16
+        il      $left,-4
 copy_faces:
-        lqd     $t,0($a_samples)
-        ai      $a_samples,$a_samples,16
-        stqd    $t,0($a_vertex)
-        ai      $a_vertex,$a_vertex,16
+    .irp quad, 0,1,2,3
+        lqd     $height+\quad,16*\quad($a_samples)
+    .endr
+    .irp quad, 0,1,2,3
+        stqd    $height+\quad,16*\quad($a_vertex)
+    .endr
+        ai      $a_samples,$a_samples,64
+        ai      $a_vertex,$a_vertex,64
         ai      $left,$left,1
         brnz    $left,copy_faces
 

@@ -7,7 +7,7 @@ use super::flat::SIGN;
 use super::math::reciprocal;
 use super::mesh::{SLACK, maximum, minimum};
 use super::mesh_prepare::{HEADER, LEAF, MAGIC, NO_BOX, NODE, WORDS};
-use super::{HALF, ONE, Single, ZERO, select};
+use super::{ONE, Single, ZERO, select};
 
 /// Where the samples are in a block that has arrived, in words.
 const SAMPLES: usize = 340;
@@ -63,10 +63,6 @@ fn attributes(words: &[u32], at: usize, pitch: usize) -> Attributes {
     ]
 }
 
-fn mean(one: Single, other: Single) -> Single {
-    fm(fa(one, other), HALF)
-}
-
 /// A sample's place, in samples of the first level.
 fn placed(index: u32, level: u32, last: Single) -> Single {
     minimum(csflt(index << level, 0), last)
@@ -104,8 +100,7 @@ pub fn block(block: &mut [u32; WORDS], field: &Field, number: u32) {
             let mut own = attributes(&samples, PITCH * (down + 1) + 4 + across, PITCH);
             let [x, z] =
                 [(column, field.last[0]), (row, field.last[1])].map(|(index, last)| {
-                    let next = |index: u32| placed(index, level + 1, last);
-                    (placed(index, level, last), mean(next(index >> 1), next((index + 1) >> 1)))
+                    (placed(index, level, last), placed(index >> 1, level + 1, last))
                 });
             let [to_x, to_z] = [
                 fma(x.0, field.step[0], field.corner[0]),
@@ -118,11 +113,9 @@ pub fn block(block: &mut [u32; WORDS], field: &Field, number: u32) {
             let [x, z] = [x, z].map(|(own, other)| faded(own, other));
             own[1] = fa(own[1], own[1]);
             own[2] = fa(own[2], own[2]);
-            // Vertices that are not used have the last one's neighbours.
-            let before = below(down / 2, across.min(8) / 2);
-            let behind = below(down.div_ceil(2), across.min(8).div_ceil(2));
-            for (own, (before, behind)) in own.iter_mut().zip(before.into_iter().zip(behind)) {
-                *own = faded(*own, mean(before, behind));
+            // Vertices that are not used move to where the last one does.
+            for (own, next) in own.iter_mut().zip(below(down / 2, across.min(8) / 2)) {
+                *own = faded(*own, next);
             }
             let [height, slope_x, slope_z, red, green, blue] = own;
             *place = [(x, 0), (height, 1), (z, 2)]

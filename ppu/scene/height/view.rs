@@ -262,6 +262,8 @@ impl<'a> Chooser<'a> {
     fn record(&self, number: usize, level: &Level) -> HeightLevel {
         let to = self.range(number).powi(2);
         let from = to * FADES_FROM.powi(2);
+        // Singles are rounded, and what is that far away must have faded completely.
+        let to = to * (1.0 - MARGIN);
         let is_last = number + 1 >= self.samples.count();
         let mut record = HeightLevel::new_zeroed();
         record.offset = level.offset.into();

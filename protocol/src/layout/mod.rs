@@ -505,7 +505,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, and 31232 for one with textures.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 20480 for depth shading, 38656 for a mesh, and 31232 for one with textures.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

@@ -16,5 +16,6 @@ mod placed;
 mod polygons;
 mod random;
 mod scale;
+mod terrain;
 mod textures;
 mod tolerance;
