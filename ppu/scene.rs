@@ -6,7 +6,7 @@
 pub(crate) mod block;
 mod colour;
 pub(crate) mod eye_side;
-pub mod height;
+pub(crate) mod height;
 pub mod mesh;
 #[cfg(test)]
 pub(crate) mod random;

@@ -15,5 +15,4 @@ mod samples;
 mod tests;
 mod view;
 
-pub use samples::HeightSamples;
 pub(crate) use view::{HeightView, HeightViews};

@@ -134,7 +134,7 @@ impl HeightSamples {
     }
 
     /// The bytes of all levels.
-    #[must_use]
+    #[cfg(test)]
     pub fn bytes(&self) -> usize {
         let ranges = self.levels.iter().map(|level| size_of_val(&*level.ranges));
         size_of_val(&*self.memory) + ranges.sum::<usize>()

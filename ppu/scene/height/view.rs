@@ -28,6 +28,9 @@ const WIDTH: usize = 4;
 const LOWEST: usize = 12;
 /// The children of an inner block.
 const CHILDREN: usize = WIDTH * LOWEST;
+/// Blocks for which there is space from the start, so that a frame of a game allocates none. Near
+/// the middle of the largest field there are about as many.
+const BLOCKS: usize = 8192;
 /// What boxes are larger on each side, as a part of the largest coordinate: more than singles
 /// lose when the SPUs compute a vertex in another way.
 const MARGIN: f64 = 1.0 / (1 << 20) as f64;
@@ -94,9 +97,12 @@ impl HeightView {
         Self {
             samples: samples.clone(),
             record: SharedMemory::new(size_of::<Record>()),
-            tree: Vec::new(),
-            found: Vec::new(),
-            wrapped: Wrapped::default(),
+            tree: Vec::with_capacity(BLOCKS / CHILDREN * 4),
+            found: Vec::with_capacity(BLOCKS),
+            wrapped: Wrapped {
+                children: Vec::with_capacity(BLOCKS),
+                blocks: Vec::with_capacity(BLOCKS / CHILDREN * 4),
+            },
             blocks: 0,
         }
     }
@@ -107,13 +113,16 @@ impl HeightView {
     }
 
     /// The samples.
+    #[cfg(test)]
     pub fn samples(&self) -> &Arc<HeightSamples> {
         &self.samples
     }
 
-    /// The blocks of samples, and the inner ones.
-    pub fn blocks(&self) -> [usize; 2] {
-        [self.blocks, self.tree.len()]
+    /// The numbers of the blocks of samples.
+    #[cfg(test)]
+    pub fn numbers(&self) -> impl Iterator<Item = u32> {
+        let all = self.wrapped.children.iter().map(|child| child.number);
+        all.filter(|number| *number >= HEIGHT_TREE)
     }
 
     /// Chooses the blocks for an eye and builds the tree, in coordinates relative to `origin`.
@@ -377,6 +386,12 @@ impl HeightViews {
         if let Some(view) = Arc::get_mut(&mut self.views[0]) {
             view.look(&self.field, eye, self.origin);
         }
+    }
+
+    /// How many views there are.
+    #[cfg(test)]
+    pub fn count(&self) -> usize {
+        self.views.len()
     }
 
     /// The current view.
