@@ -17,7 +17,7 @@ use cellray::game::{
     Axis, Button, DVec3, Entry, Frame, Game, HeightField, Input, Key, Light, Material, Model,
     MouseButton, ObjectId, RenderOptions, Shape, Sky, Start, View, World, WorldError,
 };
-use cellray_meshes::mountains;
+use meshes::mountains;
 
 use crate::steps::{STEP, Steps};
 
