@@ -14,9 +14,9 @@ mod ids;
 mod material;
 mod materials;
 mod meshes;
-mod terrain;
 mod objects;
 mod pick;
+mod terrain;
 mod traced;
 
 pub use error::{WorldError, WorldErrorKind};

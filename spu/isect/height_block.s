@@ -66,7 +66,7 @@ targets:
         .int    0x00010203,0x00010203,0x04050607,0x04050607
         .int    0x08090a0b,0x08090a0b,0x0c0d0e0f,0x0c0d0e0f
         .int    0x10111213,0x10111213,0x10111213,0x10111213
-# Every second one of eight words, from the first or from the second one on; three words behind
+# Every second one of eight words, from the first or from the second one on; three words after
 # the first, and another one.
 evens:  .int    0x00010203,0x08090a0b,0x10111213,0x18191a1b
 odds:   .int    0x04050607,0x0c0d0e0f,0x14151617,0x1c1d1e1f

@@ -51,7 +51,7 @@ const RING_HEIGHT: f64 = 170.0;
 /// Metres a second initially, at least and at most.
 const SPEED: f64 = 130.0;
 const SPEEDS: (f64, f64) = (60.0, 260.0);
-/// The least height above ground and water.
+/// The minimum height above ground and water.
 const LOWEST: f64 = 35.0;
 /// The largest angles of roll and pitch, and the shares of a change that a second makes.
 const ROLL: f64 = 1.0;
@@ -213,7 +213,10 @@ impl Flight {
             libm::atan2(rise, away)
         });
         let climb = ahead.fold(libm::atan2(way.y, across), f64::max);
-        [(2.0 * turn).clamp(-1.0, 1.0), ((climb / PITCH) - self.pitch / PITCH * 0.2).clamp(-1.0, 1.0)]
+        [
+            (2.0 * turn).clamp(-1.0, 1.0),
+            ((climb / PITCH) - self.pitch / PITCH * 0.2).clamp(-1.0, 1.0),
+        ]
     }
 
     fn step(&mut self) {

@@ -21,15 +21,14 @@ pub mod steps;
 use cellray::game::Entry;
 
 /// All games.
-pub const GAMES: &[Entry] =
-    &[
-        billiards::ENTRY,
-        flight::ENTRY,
-        marbles::ENTRY,
-        orrery::ENTRY,
-        screensaver::ENTRY,
-        station::ENTRY,
-    ];
+pub const GAMES: &[Entry] = &[
+    billiards::ENTRY,
+    flight::ENTRY,
+    marbles::ENTRY,
+    orrery::ENTRY,
+    screensaver::ENTRY,
+    station::ENTRY,
+];
 
 /// The game with this name.
 #[must_use]

@@ -23,7 +23,7 @@ const ACROSS: usize = 12;
 const VERTICES: usize = 5 * ACROSS;
 /// `sides`: normals and colours at vertices.
 const SIDES: u32 = 0x2400_0000;
-/// What is multiplied with a normal's parts, 32767.
+/// The factor of a normal's parts, 32767.
 const HALVES: Single = 0x46ff_fe00;
 /// From five bits to ten.
 const FIVE: Single = 0x4204_0000;
@@ -37,7 +37,7 @@ pub struct Field {
     pub corner: [Single; 3],
     /// The square of the eye's height above the ground.
     pub above: Single,
-    /// What is between samples.
+    /// The distances between samples, and the length of a height of 1.
     pub step: [Single; 3],
     /// The last sample's column and row.
     pub last: [Single; 2],
@@ -98,10 +98,9 @@ pub fn block(block: &mut [u32; WORDS], field: &Field, number: u32) {
             let column = first_column + across as u32;
             let row = first_row + down as u32;
             let mut own = attributes(&samples, PITCH * (down + 1) + 4 + across, PITCH);
-            let [x, z] =
-                [(column, field.last[0]), (row, field.last[1])].map(|(index, last)| {
-                    (placed(index, level, last), placed(index >> 1, level + 1, last))
-                });
+            let [x, z] = [(column, field.last[0]), (row, field.last[1])].map(|(index, last)| {
+                (placed(index, level, last), placed(index >> 1, level + 1, last))
+            });
             let [to_x, to_z] = [
                 fma(x.0, field.step[0], field.corner[0]),
                 fma(z.0, field.step[2], field.corner[2]),
@@ -160,7 +159,8 @@ fn nodes(words: &mut [u32], places: &[[[Single; 3]; ACROSS]; 5]) {
     }
     let slack = fm(size, SLACK);
     for plane in 0..6 {
-        let (moved, none) = if plane < 3 { (fs as fn(_, _) -> _, NO_BOX) } else { (fa as _, NO_BOX | SIGN) };
+        let (moved, none) =
+            if plane < 3 { (fs as fn(_, _) -> _, NO_BOX) } else { (fa as _, NO_BOX | SIGN) };
         let [first, second] = root[plane];
         let lanes = [[first, second, none, none], boxes[0][plane], boxes[1][plane]];
         for (node, lanes) in lanes.iter().enumerate() {

@@ -29,7 +29,7 @@ impl Terrain {
 }
 
 impl World {
-    /// Adds the ground: a height field, of which a world has one at most. Its corner says where it
+    /// Adds the ground: a height field, of which a world has one at most. Its corner is where it
     /// is; its rows go along x and z, and y is up. The colours of its samples are multiplied by the
     /// material's.
     ///

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use protocol::layout::{
-    self, COLOUR_CODE, EYE_CODE, HEIGHT_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
-    SCENE_CAPACITY, TEXTURE_CODE,
+    self, COLOUR_CODE, EYE_CODE, HEIGHT_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES,
+    SCENE_ADDRESS, SCENE_CAPACITY, TEXTURE_CODE,
 };
 use scenes::{Material, Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
@@ -150,7 +150,8 @@ impl Streamed {
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
         let heights = scene.heights.as_ref();
-        let heights = heights.map(|field| (HeightViews::new(field, origin, colour), field.material));
+        let heights =
+            heights.map(|field| (HeightViews::new(field, origin, colour), field.material));
         let ground = heights.as_ref().map(|(heights, material)| {
             Ground::new(heights.bounds().map(|corner| corner - origin), *material)
         });

@@ -12,7 +12,7 @@ use crate::scene::colour::Colour;
 const BEFORE: usize = 4;
 /// All of those beside the squares of a row's blocks.
 const BESIDE: usize = 8;
-/// Rows beside those of a level's blocks: one in front, and two more behind.
+/// Rows beside those of a level's blocks: one in front, and two more after them.
 const ROWS_BESIDE: usize = 3;
 /// The largest part of a colour, as light or as its square root.
 const FULL: f64 = 65535.0;
@@ -40,7 +40,7 @@ pub(super) struct Level {
     pub offset: u32,
     /// Bytes from one row to the next.
     pub stride: u32,
-    /// The least and the greatest height of each block, and of what it fades to.
+    /// The minimum and the maximum height of each block and of the next level there.
     pub ranges: Vec<[u16; 2]>,
 }
 
@@ -97,9 +97,9 @@ impl HeightSamples {
         let [columns, rows] = field.size();
         let places = (0..i64::from(rows))
             .flat_map(|row| (0..i64::from(columns)).map(move |column| (column, row)));
-        let colours = places.clone().map(|(column, row)| {
-            field.colour(column, row).map(|part| light[usize::from(part)])
-        });
+        let colours = places
+            .clone()
+            .map(|(column, row)| field.colour(column, row).map(|part| light[usize::from(part)]));
         let mut grid = Grid {
             columns: columns as usize,
             rows: rows as usize,
@@ -127,7 +127,7 @@ impl HeightSamples {
         self.levels.len() - 1
     }
 
-    /// The least and the greatest height of all levels.
+    /// The minimum and the maximum height of all levels.
     pub(super) fn range(&self) -> [u16; 2] {
         let all = self.levels[0].ranges.iter();
         all.fold([u16::MAX, 0], |[low, high], it| [low.min(it[0]), high.max(it[1])])

@@ -31,7 +31,7 @@ const CHILDREN: usize = WIDTH * LOWEST;
 /// Blocks for which there is space from the start, so that a frame of a game allocates none. Near
 /// the middle of the largest field there are about as many.
 const BLOCKS: usize = 8192;
-/// What boxes are larger on each side, as a part of the largest coordinate: more than singles
+/// The margin of boxes on each side, as a part of the largest coordinate: more than singles
 /// lose when the SPUs compute a vertex in another way.
 const MARGIN: f64 = 1.0 / (1 << 20) as f64;
 
@@ -168,7 +168,10 @@ impl HeightView {
             let mut length = 0;
             for (to, from) in children.iter_mut().zip(own) {
                 let of_tree = from.number < HEIGHT_TREE;
-                *to = Child { number: if of_tree { number(from.number as usize) } else { from.number }, ..*from };
+                *to = Child {
+                    number: if of_tree { number(from.number as usize) } else { from.number },
+                    ..*from
+                };
                 length += 1;
             }
             write(block, number(index), &children[..length]);
@@ -288,7 +291,7 @@ impl<'a> Chooser<'a> {
     }
 
     /// Chooses the blocks of a square of eight by eight samples of a level, or of the ones in it.
-    /// They are put under inner blocks as soon as there are so many that four times as many would
+    /// They are put under inner blocks as soon as there are such a number that four times it would
     /// be too many for one.
     fn choose(
         &self,
@@ -326,7 +329,7 @@ impl<'a> Chooser<'a> {
 
     fn block(&self, level: usize, of_level: &Level, [column, row]: [u32; 2]) -> Child {
         let [across, _] = of_level.blocks;
-        let [least, most] = of_level.ranges[(row * across + column) as usize];
+        let [low, high] = of_level.ranges[(row * across + column) as usize];
         let side = self.step * f64::from(1_u32 << level);
         let last = self.ends[1] - self.ends[0];
         let corner = |columns: u32, rows: u32, height: u16, way: f64| {
@@ -337,8 +340,8 @@ impl<'a> Chooser<'a> {
         };
         let [columns, rows] = [HEIGHT_COLUMNS, HEIGHT_ROWS];
         Child {
-            low: corner(column * columns, row * rows, least, -1.0),
-            high: corner((column + 1) * columns, (row + 1) * rows, most, 1.0),
+            low: corner(column * columns, row * rows, low, -1.0),
+            high: corner((column + 1) * columns, (row + 1) * rows, high, 1.0),
             number: HEIGHT_BLOCK | (level as u32) << 19 | row << 9 | column,
         }
     }
@@ -350,7 +353,7 @@ impl<'a> Chooser<'a> {
 pub(crate) struct HeightViews {
     field: Arc<HeightField>,
     samples: Arc<HeightSamples>,
-    /// What the boxes are relative to.
+    /// The origin of the boxes' coordinates.
     origin: DVec3,
     views: Vec<Arc<HeightView>>,
     /// The eye of the current view, the first one.

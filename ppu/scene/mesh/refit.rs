@@ -3,8 +3,8 @@
 
 use glam::{DVec3, Vec3};
 use protocol::layout::{
-    Boxes, HEIGHT_TREE, MESH_CONES, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex, NO_BOX,
-    SIDES_SMOOTH,
+    Boxes, HEIGHT_TREE, MESH_CONES, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader, MeshVertex,
+    NO_BOX, SIDES_SMOOTH,
 };
 use scenes::Mesh;
 use zerocopy::FromBytes as _;

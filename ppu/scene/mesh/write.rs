@@ -4,9 +4,10 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use protocol::layout::{
-    Boxes, Cone, HEIGHT_TREE, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
-    NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
+    Boxes, Cone, HEIGHT_TREE, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF,
+    MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace,
+    MeshHeader, MeshVertex, NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
+    SIDES_WIDE,
 };
 use scenes::Mesh;
 use zerocopy::big_endian::{F32, U32};
@@ -68,9 +69,8 @@ pub(super) fn blocks(
     let mut waiting = VecDeque::from([root]);
     let mut next = 1;
     let kind_of = |node: &Node| ends.iter().find(|(end, _)| node.pieces.start < *end);
-    let is_ground = |node: &Node| {
-        node.halves.is_none() && matches!(kind_of(node), Some((_, Kind::Heights)))
-    };
+    let is_ground =
+        |node: &Node| node.halves.is_none() && matches!(kind_of(node), Some((_, Kind::Heights)));
     while let Some(at) = waiting.pop_front() {
         let number = blocks.len() as u32;
         let node = &nodes[at];

@@ -2,8 +2,8 @@
 //!
 //! The samples of a level are rows from north to south, and a row has them from west to east. A
 //! sample is a word: its height in the upper half, its colour in the lower one, red and blue in
-//! five bits and green in six. Four more samples are in front of a row, at least seven behind it,
-//! a row is in front of the first one and two or more are behind the last: there the samples at
+//! five bits and green in six. Four more samples are in front of a row, at least seven after it,
+//! a row is in front of the first one and two or more are after the last: there the samples at
 //! the edge are repeated. A sample of a level is two of the one before apart.
 
 use zerocopy::big_endian::{F32, U32, U64};
@@ -30,7 +30,7 @@ record! {
         corner: [F32; 3],
         /// The square of the eye's height above the ground.
         above: F32,
-        /// What is between samples of the first level: x; the length of a height of 1; z.
+        /// The distance between samples of the first level, x; the length of a height of 1; z.
         step: [F32; 3],
         /// 0.
         reserved_2: F32,

@@ -77,12 +77,12 @@ pub enum Fault {
         most: u32,
     },
     /// Mountains can't be generated.
-    #[error("the level is not a whole number from {least} to {most}")]
+    #[error("the level is not a whole number from {minimum} to {maximum}")]
     Mountains {
         /// The smallest level.
-        least: u32,
+        minimum: u32,
         /// The largest level.
-        most: u32,
+        maximum: u32,
     },
     /// The file has no triangles.
     #[error("the file has no triangles")]

@@ -7,9 +7,7 @@ use std::sync::Arc;
 
 use glam::{DMat2, DVec2, DVec3};
 use scenes::daylight::{AMBIENT, HORIZON, SUN};
-use scenes::{
-    HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View,
-};
+use scenes::{HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View};
 
 use crate::terrain::lattice;
 use crate::{Fault, Loaded};
@@ -38,7 +36,7 @@ const TURNED: DMat2 = DMat2::from_cols_array(&[1.6, 1.2, -1.2, 1.6]);
 /// Mountains of 2^level by 2^level squares, with a lake, a sun and a sky.
 pub(crate) fn generate(name: &str, level: &str) -> Result<Loaded, Fault> {
     let level = level.parse().ok().filter(|level| (MIN_LEVEL..=MAX_LEVEL).contains(level));
-    let level: u32 = level.ok_or(Fault::Mountains { least: MIN_LEVEL, most: MAX_LEVEL })?;
+    let level: u32 = level.ok_or(Fault::Mountains { minimum: MIN_LEVEL, maximum: MAX_LEVEL })?;
     let field = field(1 << level);
     let (low, high) = field.bounds();
     let water = Shape::Polygon {
@@ -99,9 +97,8 @@ pub fn field(squares: u32) -> HeightField {
             metres.push(height(DVec2::new(f64::from(column) - half, f64::from(row) - half)));
         }
     }
-    let at = |column: u32, row: u32| {
-        metres[(row.min(squares) * side + column.min(squares)) as usize]
-    };
+    let at =
+        |column: u32, row: u32| metres[(row.min(squares) * side + column.min(squares)) as usize];
     let mut colours = Vec::with_capacity(metres.len());
     for row in 0..side {
         for column in 0..side {

@@ -27,7 +27,7 @@ pub enum HeightError {
     /// The numbers of samples and of heights or colours differ.
     #[error("{found} {what} for {columns} x {rows} samples of a height field")]
     Count {
-        /// What there is another number of.
+        /// The part with another number.
         what: &'static str,
         /// How many there are.
         found: usize,

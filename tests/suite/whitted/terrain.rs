@@ -45,8 +45,7 @@ fn scene(field: HeightField, from: DVec3, at: DVec3) -> Scene {
 #[test]
 fn near_ground_is_as_the_reference_has_it() {
     // Colours of five bits are exact where they are light.
-    for (size, colour, most) in
-        [([40, 33], WHITTED, 2), ([65, 65], SRGB, 6), ([2, 9], WHITTED, 2)]
+    for (size, colour, most) in [([40, 33], WHITTED, 2), ([65, 65], SRGB, 6), ([2, 9], WHITTED, 2)]
     {
         let [columns, rows] = size.map(f64::from);
         let from = DVec3::new(-0.6 * columns, 9.0, 0.7 * rows);
@@ -76,10 +75,7 @@ fn levels_meet_without_cracks() {
     let field = hills([1025, 1025], 4.0);
     for from in [DVec3::new(0.3, 60.0, 0.7), DVec3::new(-111.0, 30.0, 90.3)] {
         let scene = scene(field.clone(), from, from + DVec3::new(0.2, -1.0, 0.1));
-        let wide = Scene {
-            view: scenes::View { angle: 130.0, ..scene.view.clone() },
-            ..scene
-        };
+        let wide = Scene { view: scenes::View { angle: 130.0, ..scene.view.clone() }, ..scene };
         let options = RenderOptions { shadows: false, ..WHITTED };
         let rays = Frame::of(&wide, options, (480, 480), Settings::default()).rays();
         assert_eq!((rays.eye, rays.eye_hit), (480 * 480, 480 * 480), "{from}");
@@ -109,8 +105,8 @@ fn levels_do_not_pop() {
     // Squares of eight samples begin at multiples of 8 less the corner's 512, and change their
     // level when the eye is 160, 320 or 640 samples away: multiples of 8, too.
     let moved = |x: f64| {
-        let [before, behind] = [-0.0005, 0.0005].map(|away| look(x + away));
-        different(&before, &behind)
+        let [one, other] = [-0.0005, 0.0005].map(|away| look(x + away));
+        different(&one, &other)
     };
     let places = [0.0, 8.0, 16.0, 32.0];
     let [at, elsewhere] = [0.0, 4.0].map(|by| places.map(|x| moved(x + by)));

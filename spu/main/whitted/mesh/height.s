@@ -67,7 +67,7 @@ endfunction height_begin
         .set    slot,4
         .set    tag,5
 
-# height_fetch   starts to fetch a block that is none of the mesh
+# height_fetch   starts to fetch a block of the height field
 #   In      $3 number, $4 address of its slot, $5 tag
 #   Uses    $10-$25
 #

@@ -96,8 +96,7 @@ impl Description for HeightBlock {
         record.last = [last[0], 0, last[1]].map(single);
         let [fades_from, fade, up] = fading.map(single);
         let level = (self.number >> 19 & 15) as usize;
-        record.levels_of[level] =
-            HeightLevel { fades_from, fade, up, ..HeightLevel::new_zeroed() };
+        record.levels_of[level] = HeightLevel { fades_from, fade, up, ..HeightLevel::new_zeroed() };
         let place = put(bench, &self.block.map(U32::new));
         let field = put(bench, &[record]).address;
         let scratch = put(bench, &[U32::ZERO; SCRATCH]).address;
