@@ -17,7 +17,7 @@ pub struct SceneChoices {
     /// Scene file, or a generated scene such as sphereflake:4
     ///
     /// Files are NFF scenes and meshes in the formats OBJ, PLY, STL and glTF. Generated scenes are
-    /// sphereflake:LEVEL, tetra:LEVEL and terrain:LEVEL, and gears, mount, rings, teapot, tree,
+    /// sphereflake:LEVEL, tetra:LEVEL, terrain:LEVEL and mountains:LEVEL, and gears, mount, rings, teapot, tree,
     /// lattice, jacks, shells and sombrero. The latter have the size of the Standard Procedural
     /// Databases unless :SIZE follows the name.
     pub scene: PathBuf,

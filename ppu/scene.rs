@@ -6,6 +6,7 @@
 pub(crate) mod block;
 mod colour;
 pub(crate) mod eye_side;
+pub(crate) mod height;
 pub mod mesh;
 #[cfg(test)]
 pub(crate) mod random;
@@ -69,6 +70,12 @@ pub enum SceneError {
         "{file}: the mesh has colours at its vertices, and the SPU program can't interpolate them"
     )]
     NoColours {
+        /// Name of the scene's file.
+        file: String,
+    },
+    /// The SPU program has no code for height fields.
+    #[error("{file}: the scene has a height field, and the SPU program can't trace it")]
+    NoHeights {
         /// Name of the scene's file.
         file: String,
     },
@@ -162,6 +169,9 @@ impl Scene {
                 file: self.file.clone(),
                 objects: mesh.blocks.statistics().objects(),
             }),
+            Some(mesh) if mesh.heights.is_some() && program.height_code().is_empty() => {
+                Err(SceneError::NoHeights { file: self.file.clone() })
+            }
             Some(mesh) if mesh.textures.is_some() && program.texture_code().is_empty() => {
                 Err(SceneError::NoTextures { file: self.file.clone() })
             }

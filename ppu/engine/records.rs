@@ -8,6 +8,7 @@ use super::build::Build;
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
 use crate::scene::block::{MaterialTable, SceneBlock};
+use crate::scene::height::HeightView;
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::shared::SharedMemory;
@@ -32,6 +33,7 @@ pub(super) struct Records {
     mesh_code_bytes: u32,
     texture_code: SharedMemory,
     colour_code: SharedMemory,
+    height_code: SharedMemory,
     texture_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
@@ -42,6 +44,7 @@ pub(super) struct Records {
     /// The mesh that SPUs have refitted last.
     build: Option<Build>,
     textures: Option<Arc<Textures>>,
+    heights: Option<Arc<HeightView>>,
     /// The mesh's materials, if they are not in the scene.
     materials: Option<Arc<MaterialTable>>,
     unit_counter: SharedMemory,
@@ -83,6 +86,9 @@ impl Records {
         });
         let mut colour_code = SharedMemory::new(COLOUR_CODE_CAPACITY as usize);
         colour_code.write(0, &program.colour_code());
+        let height_code = program.height_code();
+        let mut height_memory = SharedMemory::new(height_code.len());
+        height_memory.write(0, &height_code);
         Self {
             frame: SharedMemory::new(size_of::<Frame>()),
             spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
@@ -95,11 +101,13 @@ impl Records {
             texture_code,
             texture_code_bytes,
             colour_code,
+            height_code: height_memory,
             mesh: None,
             build_code,
             build_code_bytes,
             is_moved: false,
             build: None,
+            heights: None,
             textures: None,
             materials: None,
             unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
@@ -134,6 +142,7 @@ impl Records {
             texture_code: self.texture_code.address(),
             texture_code_bytes: self.texture_code_bytes,
             colour_code: self.colour_code.address(),
+            height_code: self.height_code.address(),
             unit_counter: self.unit_counter.address(),
             statistics: self.statistics.address(),
             waiting: self.waiting.address(),
@@ -199,6 +208,7 @@ impl Records {
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.is_moved = mesh.is_some_and(|mesh| mesh.moved.is_some());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
+            self.heights = mesh.and_then(|mesh| mesh.heights.cloned());
             self.materials = mesh.and_then(|mesh| mesh.table.cloned());
         }
         self.changes.write(0, plan.changes().as_bytes());

@@ -16,6 +16,7 @@ mod materials;
 mod meshes;
 mod objects;
 mod pick;
+mod terrain;
 mod traced;
 
 pub use error::{WorldError, WorldErrorKind};
@@ -34,6 +35,7 @@ use self::checksum::Checksum;
 use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
 use self::meshes::WorldMesh;
+use self::terrain::Terrain;
 use crate::scene::mesh::gathered;
 use crate::scene::{Look, Model, RenderOptions};
 
@@ -96,6 +98,7 @@ pub struct World {
     lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
     meshes: SlotMap<MeshId, WorldMesh>,
+    terrain: Option<Terrain>,
     /// The scene that was traced last.
     traced: Option<Traced>,
     /// The changes since then.
@@ -133,6 +136,7 @@ impl World {
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
             meshes: SlotMap::with_key(),
+            terrain: None,
             traced: None,
             edits: Edits::default(),
         }
@@ -235,6 +239,7 @@ impl World {
                 })
                 .collect(),
             mesh: self.joined_mesh(&place),
+            heights: self.placed_terrain(&place),
         }
     }
 
@@ -457,6 +462,12 @@ impl World {
             sum.shape(&object.shape);
             sum.word(u64::from(object.visible));
             if let Some(entry) = self.materials.get(object.material) {
+                sum.material(&entry.material);
+            }
+        }
+        if let Some(terrain) = &self.terrain {
+            terrain.sum(&mut sum);
+            if let Some(entry) = self.materials.get(terrain.material()) {
                 sum.material(&entry.material);
             }
         }

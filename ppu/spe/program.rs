@@ -12,7 +12,7 @@ use protocol::formulation::Formulations;
 use protocol::layout::{
     BOX_CODE, BOX_CODE_CAPACITY, BUILD_CODE, BUILD_CODE_CAPACITY, COLOUR_CODE,
     COLOUR_CODE_CAPACITY, DEPTH_CODE, DEPTH_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY,
-    MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
+    HEIGHT_CODE, HEIGHT_CODE_CAPACITY, MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -148,6 +148,19 @@ impl Program {
         let mut code = elf::loaded(self.image, addresses).unwrap_or_default();
         if !code.is_empty() {
             code.resize(COLOUR_CODE_CAPACITY as usize, 0);
+        }
+        code
+    }
+
+    /// The code that makes triangles of height fields, in the same way, from `HEIGHT_CODE` on, and
+    /// after it that for colours of vertices.
+    #[must_use]
+    pub fn height_code(&self) -> Vec<u8> {
+        let addresses = HEIGHT_CODE..HEIGHT_CODE + HEIGHT_CODE_CAPACITY;
+        let mut code = elf::loaded(self.image, addresses).unwrap_or_default();
+        if !code.is_empty() {
+            code.resize(HEIGHT_CODE_CAPACITY as usize, 0);
+            code.extend(self.colour_code());
         }
         code
     }

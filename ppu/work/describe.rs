@@ -11,10 +11,10 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_MATERIALS,
-    FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES, FEATURE_SRGB,
-    FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES,
-    SPLIT_UNITS, VERSION,
+    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_HEIGHTS,
+    FEATURE_MATERIALS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES,
+    FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING,
+    SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -40,6 +40,8 @@ pub struct Addresses {
     pub texture_code_bytes: u32,
     /// The program's code that interpolates colours.
     pub colour_code: u64,
+    /// The program's code for height fields, and after it that for colours.
+    pub height_code: u64,
     /// The unit counter.
     pub unit_counter: u64,
     /// The statistics records.
@@ -164,7 +166,10 @@ pub fn describe(order: &Order) -> Frame {
         frame.mesh_material_count = mesh.material_count.into();
         frame.mesh_cache = mesh.cache.into();
         frame.mesh_slots = mesh.slots.into();
-        if mesh.blocks.is_coloured() {
+        if let Some(heights) = mesh.heights {
+            frame.heights = heights.address().into();
+            frame.colour_code = addresses.height_code.into();
+        } else if mesh.blocks.is_coloured() {
             frame.colour_code = addresses.colour_code.into();
         }
         if let Some(materials) = mesh.table {
@@ -196,16 +201,15 @@ pub fn describe(order: &Order) -> Frame {
 /// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order, frame: &Frame) -> u32 {
     let options = order.scene.render_options();
-    let mesh = order.scene.block().and_then(SceneBlock::mesh);
     let branch = order.scene.block().is_some_and(|block| block.chains().branch);
-    let is_coloured = mesh.is_some_and(|mesh| mesh.blocks.is_coloured());
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
         | flag(mesh.is_some(), FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
-        | flag(is_coloured, FEATURE_COLOURS)
+        | flag(frame.colour_code.get() != 0, FEATURE_COLOURS)
+        | flag(frame.heights.get() != 0, FEATURE_HEIGHTS)
         | flag(branch, FEATURE_BRANCHES)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)

@@ -22,6 +22,7 @@ use super::tiles::TileSet;
 use crate::scene::block::{
     BoundingSphere, Chains, Light, MaterialTable, MeshPlace, VisiblePrimitive, merge_nearest,
 };
+use crate::scene::height::HeightView;
 use crate::scene::mesh::MeshBlocks;
 use crate::scene::texture::Textures;
 use crate::scene::{RenderOptions, Scene, Sphere};
@@ -55,6 +56,7 @@ struct MeshContent {
     moved: Option<u64>,
     table: Option<Arc<MaterialTable>>,
     textures: Option<Arc<Textures>>,
+    heights: Option<Arc<HeightView>>,
     /// The address of the first material, unless `table` has the materials.
     materials: u32,
     material_count: u32,
@@ -69,10 +71,16 @@ impl MeshContent {
             moved: mesh.moved.map(|moved| moved.version()),
             table: mesh.table.cloned(),
             textures: mesh.textures.cloned(),
+            heights: mesh.heights.cloned(),
             materials: mesh.materials,
             material_count: mesh.material_count,
             eye: mesh.eye,
         }
+    }
+
+    /// Whether both have the same height field, as the same eye sees it.
+    fn has_ground_of(&self, other: &Self) -> bool {
+        self.heights.as_ref().map(Arc::as_ptr) == other.heights.as_ref().map(Arc::as_ptr)
     }
 
     /// Whether both have the same textures.
@@ -218,6 +226,9 @@ impl Snapshot {
             material != before.material(old, number) || (is_textured && !is_textured_as)
         };
         let any_is_other = (0..count).any(is_other);
+        if !new.has_ground_of(old) {
+            return false;
+        }
         if Arc::ptr_eq(&new.blocks, &old.blocks) && !any_is_other {
             return true;
         }

@@ -3,7 +3,7 @@
 
 use cellray::game::{Entry, Frame, Input, InputEvent, Key, Start, World, WorldError};
 
-use crate::{billiards, marbles, orrery, screensaver, waves};
+use crate::{billiards, flight, marbles, orrery, screensaver, waves};
 
 /// Frames a second in a demonstration.
 const RATE: u32 = 30;
@@ -41,6 +41,7 @@ pub const DEMOS: &[Demo] = &[
         keys: &[(Key::Right, 5, 24), (Key::Down, 14, 40), (Key::Left, 34, 60)],
         frame: 62,
     },
+    Demo { name: "flight", game: &flight::ENTRY, keys: &[], frame: 420 },
     Demo { name: "orrery", game: &orrery::ENTRY, keys: &[], frame: 240 },
     Demo { name: "orrery-saturn", game: &orrery::ENTRY, keys: &[(Key::Digit6, 2, 4)], frame: 260 },
     Demo { name: "screensaver", game: &screensaver::ENTRY, keys: &[], frame: 130 },

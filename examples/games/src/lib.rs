@@ -11,6 +11,7 @@ pub mod bodies;
 pub mod camera;
 pub mod colour;
 pub mod demo;
+pub mod flight;
 pub mod marbles;
 pub mod orrery;
 pub mod screensaver;
@@ -23,6 +24,7 @@ use cellray::game::Entry;
 /// All games.
 pub const GAMES: &[Entry] = &[
     billiards::ENTRY,
+    flight::ENTRY,
     marbles::ENTRY,
     orrery::ENTRY,
     screensaver::ENTRY,

@@ -9,6 +9,6 @@ _start:
 # The kernels for depth shading, boxes and refitted meshes are directly in front of those for
 # colours, so that the bench has all the memory in front of them.
         .global build_place, depth_place, boxes_place
-        .set    build_place,0x27500
-        .set    depth_place,0x28300
-        .set    boxes_place,0x32e00
+        .set    build_place,0x25a00
+        .set    depth_place,0x26800
+        .set    boxes_place,0x30e80

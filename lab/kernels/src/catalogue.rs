@@ -50,7 +50,7 @@ pub enum Objects {
 }
 
 /// The families of kernels.
-const FAMILIES: [&[Kernel]; 14] = [
+const FAMILIES: [&[Kernel]; 15] = [
     eye::KERNELS,
     eye::formulation::KERNELS,
     sphere_ray::KERNELS,
@@ -65,6 +65,7 @@ const FAMILIES: [&[Kernel]; 14] = [
     whitted::shaders::KERNELS,
     whitted::bounce::KERNELS,
     whitted::mesh::KERNELS,
+    whitted::height::KERNELS,
 ];
 
 /// All kernels that have cases.

@@ -17,6 +17,7 @@ pub mod cull_faces;
 pub mod cull_nodes;
 pub mod display;
 pub mod flat;
+pub mod height;
 pub mod isect_pairs;
 pub mod light;
 pub mod lists;

@@ -26,6 +26,9 @@ pub enum WorldErrorKind {
     /// The handle's mesh was removed, or belongs to another world.
     #[error("there is no such mesh: it was removed, or belongs to another world")]
     NoMesh,
+    /// A world has one height field at most.
+    #[error("the world has a height field already")]
+    SecondTerrain,
     /// A mesh whose parts don't belong together.
     #[error("the mesh is not valid: {0}")]
     BadMesh(String),

@@ -120,6 +120,9 @@ impl SceneBlock {
         for primitives in &mut self.primitives {
             primitives.write(eye, is_other_eye, &mut self.block);
         }
+        if let Some(heights) = self.streamed.as_mut().and_then(|it| it.heights.as_mut()) {
+            heights.look(eye);
+        }
         let leave = self.primitives.iter().map(Primitives::leave);
         let streamed = self.streamed.as_ref();
         let leave = leave.chain(streamed.map(|streamed| streamed.leave(eye)));

@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use protocol::layout::{
-    self, COLOUR_CODE, EYE_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES, SCENE_ADDRESS,
-    SCENE_CAPACITY, TEXTURE_CODE,
+    self, COLOUR_CODE, EYE_CODE, HEIGHT_CODE, MESH_BLOCK, MESH_MAX_SLOTS, MESH_TEXTURES,
+    SCENE_ADDRESS, SCENE_CAPACITY, TEXTURE_CODE,
 };
 use scenes::{Material, Mesh, Scene, Shape, Texture};
 use zerocopy::big_endian::F32;
@@ -20,8 +20,10 @@ use super::objects::{self, LEAVE, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::colour::Colour;
+use crate::scene::height::{HeightView, HeightViews};
 use crate::scene::mesh::{
-    MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers, RESIDENT,
+    Ground, MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers,
+    RESIDENT,
 };
 use crate::scene::render_options::RefitBy;
 use crate::scene::single::singles;
@@ -97,6 +99,8 @@ pub(super) struct Streamed {
     pub table: Option<Arc<MaterialTable>>,
     /// The textures of these, if there are any.
     textures: Option<Arc<Textures>>,
+    /// The scene's height field, if it has one.
+    pub heights: Option<HeightViews>,
     /// The address of their records.
     texture_records: u32,
 }
@@ -120,6 +124,8 @@ pub struct MeshPlace<'a> {
     pub slots: u32,
     /// The textures in main memory, if there are any.
     pub textures: Option<&'a Arc<Textures>>,
+    /// The height field as the eye sees it, if there is one.
+    pub(crate) heights: Option<&'a Arc<HeightView>>,
     /// The local-store address of their records.
     pub texture_records: u32,
     /// The eye relative to the blocks' origin, and 0.
@@ -137,16 +143,26 @@ impl Streamed {
     ) -> Result<Option<Self>, BlockError> {
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
-            None => origin_of_objects(scene),
+            None => match &scene.heights {
+                Some(field) => field.corner,
+                None => origin_of_objects(scene),
+            },
         };
         let objects = objects(scene, kinds, origin)?;
-        if scene.mesh.is_none() && objects.is_empty() {
+        if scene.mesh.is_none() && objects.is_empty() && scene.heights.is_none() {
             return Ok(None);
         }
         let wrong = |source| BlockError::Mesh { file: scene.name.clone(), source };
         let nothing = Mesh::default();
         let mesh = scene.mesh.as_deref().unwrap_or(&nothing);
-        let blocks = MeshBlocks::numbered(mesh, &objects, &scene.materials, numbers, colour);
+        let heights = scene.heights.as_ref();
+        let heights =
+            heights.map(|field| (HeightViews::new(field, origin, colour), field.material));
+        let ground = heights.as_ref().map(|(heights, material)| {
+            Ground::new(heights.bounds().map(|corner| corner - origin), *material)
+        });
+        let materials = &scene.materials;
+        let blocks = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
         let blocks = blocks.map_err(wrong)?;
         let of_spheres = objects.spheres.iter().flat_map(|sphere| {
             let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
@@ -154,7 +170,8 @@ impl Streamed {
         });
         let of_cones = objects.cones.iter().flat_map(MeshCone::corners);
         let corners = of_spheres.chain(of_cones.map(|corner| corner.as_dvec3()));
-        let corners = corners.map(|corner| origin + corner);
+        let of_ground = heights.iter().flat_map(|(heights, _)| heights.bounds());
+        let corners = corners.map(|corner| origin + corner).chain(of_ground);
         let bounds = mesh.bounds().map(|(low, high)| [low, high]);
         let bounds = corners.fold(bounds, |bounds, corner| {
             let [low, high] = bounds.unwrap_or([corner; 2]);
@@ -166,6 +183,7 @@ impl Streamed {
             bounds: bounds.unwrap_or_default(),
             kinds,
             textures: textures(scene, &blocks, colour)?,
+            heights: heights.map(|(heights, _)| heights),
             blocks: Arc::new(blocks),
             moved: None,
             materials: SCENE_ADDRESS,
@@ -200,7 +218,12 @@ impl Streamed {
     pub fn surfacing(&self, material: &Material) -> Surfacing {
         let texture = material.texture.as_ref();
         let address = texture.and_then(|texture| self.texture_address(texture));
-        Surfacing { texture: address.unwrap_or_default(), is_coloured: self.blocks.is_coloured() }
+        Surfacing { texture: address.unwrap_or_default(), is_coloured: self.is_coloured() }
+    }
+
+    /// Whether triangles have colours at their vertices.
+    fn is_coloured(&self) -> bool {
+        self.blocks.is_coloured() || self.heights.is_some()
     }
 
     /// Replaces the record that main memory has of a material of the scene, if it has one.
@@ -231,7 +254,9 @@ impl Streamed {
             return false;
         };
         self.blocks = Arc::new(blocks);
-        self.bounds = [low, high];
+        let ground = self.heights.as_ref().map(HeightViews::bounds);
+        let [other_low, other_high] = ground.unwrap_or([low, high]);
+        self.bounds = [low.min(other_low), high.max(other_high)];
         true
     }
 
@@ -261,6 +286,7 @@ impl Streamed {
     /// Where the mesh's cache ends: before the code that it needs.
     fn end(&self) -> u32 {
         match &self.textures {
+            _ if self.heights.is_some() => HEIGHT_CODE,
             _ if self.blocks.is_coloured() => COLOUR_CODE,
             Some(_) => TEXTURE_CODE,
             None => EYE_CODE,
@@ -298,6 +324,7 @@ impl Streamed {
             cache: self.end() - slots * MESH_BLOCK,
             slots,
             textures: self.textures.as_ref(),
+            heights: self.heights.as_ref().map(HeightViews::view),
             texture_records: self.texture_records,
             eye: [x, y, z, F32::ZERO],
         }
@@ -388,7 +415,8 @@ pub(super) fn may_stay(scene: &Scene) -> bool {
         !mesh.texture_coordinates.is_empty() && mesh.materials.iter().any(|it| of(it).is_some())
     };
     let mesh = scene.mesh.as_deref();
-    mesh.is_none_or(|mesh| {
+    let is_small = mesh.is_none_or(|mesh| {
         mesh.triangles.len() <= RESIDENT && mesh.colours.is_empty() && !is_textured(mesh)
-    })
+    });
+    is_small && scene.heights.is_none()
 }

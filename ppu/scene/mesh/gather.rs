@@ -59,6 +59,7 @@ fn with_polygons_in_mesh(scene: &Scene, keeps_quads: bool) -> Scene {
         materials: scene.materials.clone(),
         objects: rest,
         mesh: Some(Arc::new(gatherer.mesh)),
+        heights: scene.heights.clone(),
         ..*scene
     }
 }

@@ -50,9 +50,10 @@ pub use self::moved::MovedVertices;
 pub use self::objects::MeshObjects;
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
+pub(crate) use self::write::header as block_header;
 
-/// The kinds of pieces: triangles by their sides, then spheres and cones.
-const KINDS: [Kind; 10] = [
+/// The kinds of pieces: triangles by their sides, then spheres and cones, then a height field.
+const KINDS: [Kind; 11] = [
     Kind::Triangles(0),
     Kind::Triangles(SIDES_BOTH),
     Kind::Triangles(SIDES_SMOOTH),
@@ -63,11 +64,14 @@ const KINDS: [Kind; 10] = [
     Kind::Triangles(SIDES_TEXTURED | SIDES_BOTH | SIDES_SMOOTH),
     Kind::Spheres,
     Kind::Cones,
+    Kind::Heights,
 ];
 /// The place of spheres among them.
-const SPHERES: usize = KINDS.len() - 2;
+const SPHERES: usize = KINDS.len() - 3;
 /// The place of cones.
-const CONES: usize = KINDS.len() - 1;
+const CONES: usize = KINDS.len() - 2;
+/// The place of a height field.
+const HEIGHTS: usize = KINDS.len() - 1;
 
 /// Why a mesh can't be converted.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -94,7 +98,7 @@ pub enum MeshError {
 /// A block's bytes, aligned as its DMA transfer needs it.
 #[derive(Clone, Debug)]
 #[repr(C, align(128))]
-struct Block([u8; MESH_BLOCK as usize]);
+pub(crate) struct Block(pub [u8; MESH_BLOCK as usize]);
 
 /// How wide the materials' numbers are in blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -103,6 +107,24 @@ pub enum NumberWidth {
     Byte,
     /// Two bytes, for materials in main memory.
     TwoBytes,
+}
+
+/// A height field beside the mesh.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ground {
+    /// The box around it.
+    bounds: Bounds,
+    /// Its material.
+    material: u32,
+}
+
+impl Ground {
+    /// A height field between two corners, of a material of the scene. The box is a little larger.
+    pub fn new([low, high]: [DVec3; 2], material: u32) -> Self {
+        let [low, high] = [low, high].map(|corner| corner.as_vec3());
+        let margin = low.abs().max(high.abs()).max_element() / (1 << 20) as f32;
+        Self { bounds: Bounds { low: low - margin, high: high + margin }, material }
+    }
 }
 
 /// The numbers of materials in blocks.
@@ -162,14 +184,15 @@ impl MeshBlocks {
     ) -> Result<Self, MeshError> {
         let own: Vec<u32> = (0..).take(materials.len()).collect();
         let numbers = Numbers { firsts: &own, minimum: NumberWidth::Byte };
-        Self::numbered(mesh, objects, materials, numbers, Colour::Linear)
+        Self::numbered(mesh, objects, None, materials, numbers, Colour::Linear)
     }
 
-    /// [`MeshBlocks::new`] where materials may share their numbers. `colour` is the colour space of
-    /// vertices.
+    /// [`MeshBlocks::new`] where materials may share their numbers, and with the place of a height
+    /// field. `colour` is the colour space of vertices.
     pub(super) fn numbered(
         mesh: &Mesh,
         objects: &MeshObjects,
+        ground: Option<Ground>,
         materials: &[Material],
         Numbers { firsts, minimum }: Numbers<'_>,
         colour: Colour,
@@ -197,6 +220,11 @@ impl MeshBlocks {
                 used.len() - 1
             });
         };
+        if let Some(ground) = ground {
+            // The SPUs know its material by the number 0.
+            number(ground.material as usize);
+            kinds[HEIGHTS] = vec![Piece { bounds: ground.bounds, index: 0 }];
+        }
         for material in objects.materials() {
             number(material as usize);
         }

@@ -3,8 +3,8 @@
 
 use glam::Vec3;
 use protocol::layout::{
-    Boxes, BuildBounds, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_SPHERES, MeshFace, MeshHeader,
-    MeshVertex, NO_BOX, SIDES_SMOOTH,
+    Boxes, BuildBounds, HEIGHT_TREE, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_SPHERES, MeshFace,
+    MeshHeader, MeshVertex, NO_BOX, SIDES_SMOOTH,
 };
 use scenes::Mesh;
 use zerocopy::FromBytes as _;
@@ -124,7 +124,10 @@ fn refit(
                 continue;
             }
             let word = node.child[lane].get();
-            let (bounds, tests) = if index < lowest {
+            let (bounds, tests) = if word == HEIGHT_TREE {
+                // A height field stays where it is.
+                (lane_bounds(node, lane), 1)
+            } else if index < lowest {
                 (*around.get(node_index(word))?, 1)
             } else if is_leaf {
                 let first = (word & 0xffff) as usize / size_of::<MeshFace>();
@@ -163,6 +166,14 @@ fn around_faces(faces: &[MeshFace], vertices: &[MeshVertex]) -> Option<Bounds> {
         let point = Vec3::from(position.map(F32::get));
         Some(bounds.with(Bounds { low: point, high: point }))
     })
+}
+
+fn lane_bounds(node: &Boxes, lane: usize) -> Bounds {
+    let corner = |axes: [&[F32; 4]; 3]| Vec3::from(axes.map(|axis| axis[lane].get()));
+    Bounds {
+        low: corner([&node.lo_x, &node.lo_y, &node.lo_z]),
+        high: corner([&node.hi_x, &node.hi_y, &node.hi_z]),
+    }
 }
 
 fn put(node: &mut Boxes, lane: usize, Bounds { low, high }: Bounds) {

@@ -59,6 +59,8 @@ pub(super) enum Kind {
     Triangles(u32),
     Spheres,
     Cones,
+    /// A height field, whose blocks are not the mesh's own.
+    Heights,
 }
 
 impl Kind {
@@ -69,7 +71,9 @@ impl Kind {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
                 size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
             }
-            Self::Triangles(_) | Self::Spheres | Self::Cones => size_of::<MeshVertex>() + colour,
+            Self::Triangles(_) | Self::Spheres | Self::Cones | Self::Heights => {
+                size_of::<MeshVertex>() + colour
+            }
         }
     }
 }
@@ -140,7 +144,7 @@ impl<'a> Tree<'a> {
         let bounds = around(&self.pieces[pieces.clone()]);
         let (fits, capacity) = match kind {
             Kind::Triangles(_) => (self.fits(kind, pieces.clone()), self.capacity(kind)),
-            Kind::Spheres | Kind::Cones => (pieces.len() <= OBJECTS, OBJECTS),
+            Kind::Spheres | Kind::Cones | Kind::Heights => (pieces.len() <= OBJECTS, OBJECTS),
         };
         if fits {
             self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });

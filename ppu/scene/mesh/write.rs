@@ -4,9 +4,10 @@ use std::collections::VecDeque;
 use std::ops::Range;
 
 use protocol::layout::{
-    Boxes, Cone, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MAGIC, MESH_RUN,
-    MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace, MeshHeader, MeshVertex,
-    NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED, SIDES_WIDE,
+    Boxes, Cone, HEIGHT_TREE, MESH_BLOCK, MESH_BLOCKS, MESH_CONES, MESH_INNER, MESH_LEAF,
+    MESH_MAGIC, MESH_RUN, MESH_SPHERES, MESH_UPPER, MeshColour, MeshCoordinates, MeshFace,
+    MeshHeader, MeshVertex, NO_BOX, Object, SIDES_COLOURED, SIDES_SMOOTH, SIDES_TEXTURED,
+    SIDES_WIDE,
 };
 use scenes::Mesh;
 use zerocopy::big_endian::{F32, U32};
@@ -46,6 +47,7 @@ pub(super) fn blocks(
 ) -> Result<MeshBlocks, MeshError> {
     let Tree { mut pieces, nodes, width, .. } = tree;
     let Content { mesh, objects, .. } = content;
+    let grounds = ends.iter().filter(|(_, kind)| *kind == Kind::Heights).count();
     let mut writer = Writer {
         nodes: &nodes,
         content,
@@ -56,21 +58,24 @@ pub(super) fn blocks(
         sources: Vec::new(),
         cost: 0.0,
         statistics: MeshStatistics {
-            triangles: pieces.len() - objects.len(),
+            triangles: pieces.len() - objects.len() - grounds,
             spheres: objects.spheres.len(),
             cones: objects.cones.len(),
-            left_out: mesh.triangles.len() + objects.len() - pieces.len(),
+            left_out: mesh.triangles.len() + objects.len() + grounds - pieces.len(),
             ..MeshStatistics::default()
         },
     };
     let mut blocks: Vec<Block> = Vec::with_capacity(nodes[root].leaves * 17 / 16 + 1);
     let mut waiting = VecDeque::from([root]);
     let mut next = 1;
+    let kind_of = |node: &Node| ends.iter().find(|(end, _)| node.pieces.start < *end);
+    let is_ground =
+        |node: &Node| node.halves.is_none() && matches!(kind_of(node), Some((_, Kind::Heights)));
     while let Some(at) = waiting.pop_front() {
         let number = blocks.len() as u32;
         let node = &nodes[at];
-        if node.halves.is_none() {
-            let kind = ends.iter().find(|(end, _)| node.pieces.start < *end);
+        if node.halves.is_none() && !is_ground(node) {
+            let kind = kind_of(node);
             let own = &mut pieces[node.pieces.clone()];
             blocks.push(match kind {
                 Some(&(_, Kind::Triangles(sides))) => writer.leaf(number, sides, own),
@@ -79,6 +84,9 @@ pub(super) fn blocks(
             });
         } else {
             let mut child = |at: usize| {
+                if is_ground(&nodes[at]) {
+                    return HEIGHT_TREE;
+                }
                 waiting.push_back(at);
                 next += 1;
                 next - 1
@@ -337,7 +345,7 @@ fn under_a_root(lowest: Vec<Vec<Child>>) -> (Vec<Vec<Child>>, usize) {
     ([vec![top], lowest].concat(), 2)
 }
 
-fn header(number: u32, kind: u32, levels: usize, nodes: usize) -> MeshHeader {
+pub(crate) fn header(number: u32, kind: u32, levels: usize, nodes: usize) -> MeshHeader {
     MeshHeader {
         magic: MESH_MAGIC.into(),
         number: number.into(),

@@ -144,7 +144,8 @@ record! {
         /// `MATERIAL` each `MATERIAL_STRIDE` bytes; a multiple of 128.
         materials: U64,
         /// Effective address of the code that interpolates colours, `COLOUR_CODE_CAPACITY` bytes;
-        /// a multiple of 128.
+        /// a multiple of 128. With `FEATURE_HEIGHTS`, the `HEIGHT_CODE_CAPACITY` bytes at
+        /// `HEIGHT_CODE` are in front of it.
         colour_code: U64,
         /// Effective address of the `PATHS` of all tiles, `PATHS_CAPACITY` bytes each; a multiple
         /// of 128. 0: the SPUs keep none.
@@ -156,7 +157,9 @@ record! {
         /// there are several, the spheres of the first one are around those of all others.
         change_count: U32,
         /// 0.
-        reserved: [U32; 3],
+        reserved: U32,
+        /// Effective address of the `HEIGHTS` with `FEATURE_HEIGHTS`; a multiple of 128.
+        heights: U64,
     }
 }
 

@@ -107,8 +107,11 @@ constants! {
     /// Feature bit: no picture is traced. The work units are `BUILD_UNIT`s, by which the SPUs refit
     /// the mesh as the `BUILD` at `scene` describes.
     FEATURE_BUILD = 2048;
+    /// Feature bit: the scene has a height field. Its triangles have colours, so
+    /// `FEATURE_COLOURS` is set, too.
+    FEATURE_HEIGHTS = 4096;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 4095;
+    FEATURES_KNOWN = 8191;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -175,7 +178,7 @@ constants! {
     /// Whitted's model overwrite.
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
-    DEPTH_CODE_CAPACITY = 22528;
+    DEPTH_CODE_CAPACITY = 20480;
     /// Address in local store of the code that refits meshes, in the memory of scenes. Each frame
     /// with `FEATURE_BUILD` brings it in.
     BUILD_CODE = 0x2bd00;
@@ -302,6 +305,31 @@ constants! {
     COLOUR_CODE_CAPACITY = 2048;
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
+    /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
+    HEIGHT_CODE_CAPACITY = 8064;
+    /// Address in local store of that code.
+    HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
+    /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
+    /// are the level times 2^19, the block's row times 2^9, and its column.
+    HEIGHT_BLOCK = 0x0080_0000;
+    /// In a block's number: an inner block above those of a height field. Its index is added.
+    HEIGHT_TREE = 0x0040_0000;
+    /// Squares across a block of a height field.
+    HEIGHT_COLUMNS = 8;
+    /// Squares down a block.
+    HEIGHT_ROWS = 4;
+    /// Most squares across and down a height field.
+    MAX_HEIGHT_SIDE = 4096;
+    /// Most levels of a height field whose triangles are traced. There is one level of samples
+    /// more, which the last of these fades to.
+    HEIGHT_LEVELS = 10;
+    /// Offset in a block where its samples arrive: rows of `HEIGHT_PITCH` bytes of its own level,
+    /// then rows of `COARSE_PITCH` bytes of the next.
+    HEIGHT_SAMPLES = 1360;
+    /// Bytes of a row of samples: those of its vertices, four in front and three behind.
+    HEIGHT_PITCH = 64;
+    /// Bytes of a row of samples of the next level: as many in front, and three behind.
+    COARSE_PITCH = 48;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
     /// In `wraps` of a texture: it is repeated at its sides.
@@ -341,12 +369,14 @@ constants! {
 
 mod build;
 mod frame;
+mod height;
 mod local;
 mod mesh;
 mod whitted;
 
 pub use build::*;
 pub use frame::*;
+pub use height::*;
 pub use local::*;
 pub use mesh::*;
 pub use whitted::*;
@@ -408,6 +438,8 @@ pub const RECORDS: &[Record] = &[
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
+    HeightField::RECORD,
+    HeightLevel::RECORD,
 ];
 
 macro_rules! statuses {
@@ -488,7 +520,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 22528 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 20480 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
@@ -520,6 +552,8 @@ statuses! {
     Changes = 43, "changes, change_count";
     /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with a list of as many vertices of the mesh.
     Build = 44, "scene, units";
+    /// Must be a multiple of 128, with 1 to 10 levels.
+    Heights = 45, "heights";
 }
 
 const _: () = {
@@ -533,7 +567,11 @@ const _: () = {
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));
     assert!(size_of::<Material>() <= MATERIAL_STRIDE as usize);
-    assert!(COLOUR_CODE.is_multiple_of(LINE));
+    assert!(COLOUR_CODE.is_multiple_of(LINE) && HEIGHT_CODE.is_multiple_of(LINE));
+    assert!(HEIGHT_BLOCK * 2 == MESH_BLOCKS && HEIGHT_TREE * 2 == HEIGHT_BLOCK);
+    assert!(HEIGHT_LEVELS <= 1 << 4 && MAX_HEIGHT_SIDE / HEIGHT_COLUMNS == 1 << 9);
+    assert!(MAX_HEIGHT_SIDE / HEIGHT_ROWS == 1 << 10);
+    assert!(HEIGHT_SAMPLES + 7 * HEIGHT_PITCH + 5 * COARSE_PITCH == MESH_BLOCK);
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<Paths>() + MAX_PATHS as usize * size_of::<Path>() <= PATHS_CAPACITY as usize);
     assert!(size_of::<UnitCounter>() == LINE as usize);

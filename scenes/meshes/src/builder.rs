@@ -289,6 +289,7 @@ impl Builder {
             materials: self.materials,
             objects: Vec::new(),
             mesh: Some(Arc::new(mesh)),
+            heights: None,
         };
         Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
     }

@@ -76,6 +76,14 @@ pub enum Fault {
         /// The largest level.
         most: u32,
     },
+    /// Mountains can't be generated.
+    #[error("the level is not a whole number from {minimum} to {maximum}")]
+    Mountains {
+        /// The smallest level.
+        minimum: u32,
+        /// The largest level.
+        maximum: u32,
+    },
     /// The file has no triangles.
     #[error("the file has no triangles")]
     NoTriangles,

@@ -13,6 +13,7 @@ mod framing;
 mod gltf;
 mod likely;
 mod mask;
+pub mod mountains;
 mod notes;
 mod obj;
 mod ply;
@@ -50,8 +51,8 @@ pub struct Loaded {
 }
 
 /// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` or
-/// `.glb`, `terrain:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or anything that
-/// [`scenes::load`] accepts.
+/// `.glb`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or
+/// anything that [`scenes::load`] accepts.
 ///
 /// # Errors
 /// There is no such file or generated scene, the file can't be read, or isn't of the format of its
@@ -63,6 +64,9 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         let mut builder = Builder::default();
         let done = terrain::generate(level, &mut builder);
         return done.and_then(|()| builder.finish(&file)).map_err(wrong);
+    }
+    if let Some(level) = file.strip_prefix(mountains::PREFIX) {
+        return mountains::generate(&file, level).map_err(wrong);
     }
     let found = name.symlink_metadata();
     if found.is_err_and(|error| error.kind() == ErrorKind::NotFound)

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use scenes::Generated;
 
-use crate::terrain;
+use crate::{mountains, terrain};
 
 /// The endings of files with scenes.
 const ENDINGS: [&str; 7] = ["nff", "obj", "ply", "stl", "gltf", "glb", "vrm"];
@@ -20,6 +20,7 @@ pub(crate) fn hint(name: &Path) -> Option<String> {
     };
     let mut all: Vec<_> = scenes::generated().collect();
     all.push(Generated { name: terrain::PREFIX.trim_end_matches(':'), level: Some(5) });
+    all.push(Generated { name: mountains::PREFIX.trim_end_matches(':'), level: Some(10) });
     let example = |of: &Generated| match of.level {
         Some(level) => format!("{}:{level}", of.name),
         None => of.name.to_owned(),

@@ -112,7 +112,7 @@ fn noise(place: DVec2, octave: u32) -> f64 {
 
 /// A number from 0 to 1 for a point of the lattice. The bits of its coordinates are mixed by
 /// multiplications with odd numbers.
-fn lattice(x: u32, y: u32, octave: u32) -> f64 {
+pub(crate) fn lattice(x: u32, y: u32, octave: u32) -> f64 {
     let mut bits = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77);
     bits ^= octave.wrapping_mul(0xc2b2_ae3d);
     for factor in [0x2c1b_3c6d_u32, 0x297a_2d39] {

@@ -158,6 +158,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             materials: std::mem::take(&mut self.materials),
             objects: std::mem::take(&mut self.objects),
             mesh: None,
+            heights: None,
         })
     }
 

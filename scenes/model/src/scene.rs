@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{Mesh, Sky, Texture, View};
+use crate::{HeightField, Mesh, Sky, Texture, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -32,6 +32,8 @@ pub struct Scene {
     /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with
     /// a polygon or a patch for each triangle.
     pub mesh: Option<Arc<Mesh>>,
+    /// The ground. NFF has no entity for it, either.
+    pub heights: Option<Arc<HeightField>>,
 }
 
 /// A light (`l`, `#cellray lamp`, `#cellray sun`).
@@ -207,6 +209,7 @@ impl PartialEq for Scene {
             && self.materials == other.materials
             && self.objects == other.objects
             && self.mesh == other.mesh
+            && self.heights == other.heights
     }
 }
 

@@ -136,6 +136,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         materials: vec![ground, sphere],
         objects,
         mesh: None,
+        heights: None,
     })
 }
 

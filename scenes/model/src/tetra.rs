@@ -108,6 +108,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         }],
         objects,
         mesh: None,
+        heights: None,
     })
 }
 

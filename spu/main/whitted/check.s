@@ -10,7 +10,8 @@
         .align  4
         .global streamed
 streamed:                               # bits of FEATURE_MESH, FEATURE_TEXTURES,
-                                        # FEATURE_MATERIALS and FEATURE_COLOURS; 0 without a mesh
+                                        # FEATURE_MATERIALS, FEATURE_COLOURS and FEATURE_HEIGHTS; 0
+                                        # without a mesh
         .skip   16
 
         .global surface_way
@@ -38,7 +39,7 @@ function whitted_check
         # mesh_begin checks the rest of the fields of the mesh and its textures, when its code is
         # there.
         load_word $batch,FRAME_features,$a_frame
-        il      $value,FEATURE_MESH|FEATURE_TEXTURES|FEATURE_MATERIALS|FEATURE_COLOURS
+        il      $value,FEATURE_MESH|FEATURE_TEXTURES|FEATURE_MATERIALS|FEATURE_COLOURS|FEATURE_HEIGHTS
         and     $batch,$batch,$value
         il      $value,0
         stqa    $value,surface_way

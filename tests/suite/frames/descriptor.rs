@@ -65,6 +65,7 @@ impl Descriptor {
                 texture_code: 0,
                 texture_code_bytes: texture_code.len() as u32,
                 colour_code: 0,
+                height_code: 0,
                 unit_counter: 0,
                 statistics: 0,
                 waiting: 0,

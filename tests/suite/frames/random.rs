@@ -55,5 +55,6 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         objects: (0..count).map(|_| sphere(random, materials.len())).collect(),
         materials,
         mesh: None,
+        heights: None,
     }
 }

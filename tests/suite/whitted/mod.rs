@@ -17,5 +17,6 @@ mod placed;
 mod polygons;
 mod random;
 mod scale;
+mod terrain;
 mod textures;
 mod tolerance;

@@ -44,6 +44,7 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
             .collect(),
         materials,
         mesh: None,
+        heights: None,
     };
     // Without a random number, so that the scenes are the same ones as without skies.
     scene.sky = scene

@@ -4,6 +4,8 @@
 //! A ray with too little weight to matter is neither sent nor counted. If rays are counted as in
 //! SPD, it is sent and counted, but changes only the counts.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use scenes::{Camera, LightKind, Material, Scene, Shader, Shape};
 
@@ -88,9 +90,11 @@ impl<'a> Stage<'a> {
             }
         }
         let mut textures = Textures::default();
+        let ground = scene.heights.as_ref().map(|heights| Arc::new(heights.mesh()));
         for (mesh, triangle) in scene
             .mesh
             .iter()
+            .chain(&ground)
             .flat_map(|mesh| (0..mesh.triangles.len()).map(move |triangle| (mesh, triangle)))
         {
             let index = mesh.materials[triangle] as usize;

@@ -125,8 +125,14 @@ fn equal_materials_share_a_number() {
     }
     let firsts = [0, 1, 0];
     let numbers = Numbers { firsts: &firsts, minimum: NumberWidth::TwoBytes };
-    let blocks =
-        MeshBlocks::numbered(&mesh, &MeshObjects::default(), &materials, numbers, Colour::Linear);
+    let blocks = MeshBlocks::numbered(
+        &mesh,
+        &MeshObjects::default(),
+        None,
+        &materials,
+        numbers,
+        Colour::Linear,
+    );
     let blocks = blocks.unwrap();
     assert_eq!(blocks.materials(), [0, 1]);
     for material in &mut mesh.materials {

@@ -74,6 +74,7 @@ impl Builder {
                 materials: Vec::new(),
                 objects: Vec::new(),
                 mesh: None,
+                heights: None,
             },
             mesh: Mesh::default(),
             current: None,

@@ -122,6 +122,7 @@ prop_compose! {
             materials,
             objects,
             mesh: None,
+            heights: None,
         }
     }
 }

@@ -14,14 +14,16 @@ arrived:                                # the block's number
 
 # mesh_arrive   checks a block and makes its positions relative to the eye; gives up if it is damaged
 #   In      $3 address, $4 number
-#   Uses    $3-$8, $10-$74
+#   Uses    $3-$79
 function mesh_arrive
+        rotmi   $a_frame,$4,-23                         # HEIGHT_BLOCK
+        brnz    $a_frame,height_arrive
         hbrr    prepare_call,mesh_prepare
         enter
         stqa    $4,arrived
         ila     $a_frame,frame
         ai      $5,$a_frame,FRAME_mesh_eye
-        load_word $6,FRAME_mesh_blocks,$a_frame
+        lqa     $6,block_limit
         load_word $7,FRAME_mesh_material_count,$a_frame
         lqa     $8,sides_known
 prepare_call:

@@ -12,8 +12,12 @@
 
         .section .data.mesh,"aw",@progbits
         .align  4
-        .global sides_known
+        .global sides_known, own_blocks, block_limit
 sides_known:                            # the bits of `sides` that blocks may have
+        .skip   16
+own_blocks:                             # how many blocks the mesh has
+        .skip   16
+block_limit:                            # children of inner blocks have numbers below this
         .skip   16
 
 # mesh_begin   checks the fields, and those of the textures; gives up if one of them is wrong
@@ -24,6 +28,8 @@ function mesh_begin
         ila     $a_frame,frame
         require_aligned mesh,LINE,Mesh
         require_from_one mesh_blocks,MESH_BLOCKS,Mesh
+        stqa    $value,own_blocks
+        stqa    $value,block_limit
         lqa     $value,streamed
         andi    $value,$value,FEATURE_MATERIALS
         brnz    $value,in_main_memory
@@ -100,16 +106,30 @@ no_textures:
         stqa    $k_sides,sides_known
         ila     $a_frame,frame
         require_aligned colour_code,LINE,ColourCode
+        # In front of it is that for a height field.
+        lqa     $value,streamed
+        il      $limit,FEATURE_HEIGHTS
+        and     $value,$value,$limit
+        ceqi    $value,$value,0
+        il      $6,HEIGHT_CODE_CAPACITY
+        andc    $6,$6,$value
         ila     $3,COLOUR_CODE
+        sf      $3,$6,$3
         load_word $4,FRAME_colour_code,$a_frame
         load_word $5,FRAME_colour_code+4,$a_frame
-        il      $6,COLOUR_CODE_CAPACITY
+        il      $7,COLOUR_CODE_CAPACITY
+        a       $6,$6,$7
         il      $7,TAG_FRAME
         brsl    $lr,dma_get
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
         sync
         brsl    $lr,colour_begin
+        lqa     $value,streamed
+        il      $limit,FEATURE_HEIGHTS
+        and     $value,$value,$limit
+        brz     $value,begun
+        brsl    $lr,height_begin
 begun:  leave
 
         # A number is right if its upper byte is, so that mesh_prepare needs no other check.

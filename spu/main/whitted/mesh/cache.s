@@ -26,6 +26,8 @@ wanted: .skip   16
 a_wanted:                               # its address
         .skip   16
 waited: .skip   16
+fetched:                                # the slot plus 1
+        .skip   16
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -62,7 +64,7 @@ slots_and_1:
 
 # mesh_prefetch   starts to fetch a block, unless it is in the cache or on its way
 #   In      $3 number
-#   Uses    $3, $10-$30
+#   Uses    $3-$5, $10-$30
 function mesh_prefetch
         hbr     known,$lr
         find_block
@@ -72,8 +74,8 @@ endfunction mesh_prefetch
 
 # mesh_fetch   starts to fetch a block to the next slot
 #   In      $3 number
-#   Out     $17 slot plus 1
-#   Uses    $3, $10-$30
+#   Out     $16 slot plus 1
+#   Uses    $3-$5, $10-$30
 function mesh_fetch
         enter
         stqa    $3,wanted
@@ -111,20 +113,32 @@ ready:  ila     $slots,numbers
         stqx    $high,$address,$size
 
         ila     $slots,frame
-        load_word $high,FRAME_mesh,$slots
-        load_word $low,FRAME_mesh+4,$slots
         load_word $address,FRAME_mesh_cache,$slots
-        rotmi   $offset,$number,MESH_BLOCK_LOG2-32
-        a       $high,$high,$offset
-        shli    $offset,$number,MESH_BLOCK_LOG2
-        add_effective $high,$low,$offset,$t_carry
         shli    $offset,$slot,MESH_BLOCK_LOG2
         a       $address,$address,$offset
         andi    $tag,$slot,MESH_TAGS-1
         ai      $tag,$tag,TAG_MESH
+        lqa     $bits,own_blocks
+        clgt    $bits,$bits,$number
+        brz     $bits,other
+        load_word $high,FRAME_mesh,$slots
+        load_word $low,FRAME_mesh+4,$slots
+        rotmi   $offset,$number,MESH_BLOCK_LOG2-32
+        a       $high,$high,$offset
+        shli    $offset,$number,MESH_BLOCK_LOG2
+        add_effective $high,$low,$offset,$t_carry
         il      $size,MESH_BLOCK
         il      $command,MFC_GET
         mfc_command $address,$high,$low,$size,$tag,$command
+        leave
+
+        # A block of a height field.
+other:  stqa    $found,fetched
+        ori     $3,$number,0
+        ori     $4,$address,0
+        ori     $5,$tag,0
+        brsl    $lr,height_fetch
+        lqa     $found,fetched
         leave
 
 unused: andi    $tag,$slot,MESH_TAGS-1

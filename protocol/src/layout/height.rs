@@ -1,0 +1,73 @@
+//! Records of height fields.
+//!
+//! The samples of a level are rows from north to south, and a row has them from west to east. A
+//! sample is a word: its height in the upper half, its colour in the lower one, red and blue in
+//! five bits and green in six. Four more samples are in front of a row, at least seven after it,
+//! a row is in front of the first one and two or more are after the last: there the samples at
+//! the edge are repeated. A sample of a level is two of the one before apart.
+
+use zerocopy::big_endian::{F32, U32, U64};
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+use super::{Field, Record};
+
+record! {
+    /// A height field as a frame shows it.
+    HeightField as "HEIGHTS" {
+        /// Effective address of the samples; a multiple of 16. They don't cross a multiple of 4 GB.
+        samples: U64,
+        /// Effective address of the inner blocks above its blocks; a multiple of 128.
+        tree: U64,
+        /// The number of these.
+        tree_blocks: U32,
+        /// Levels that blocks may have, 1 to `HEIGHT_LEVELS`.
+        levels: U32,
+        /// The inner blocks, and all blocks that they have.
+        blocks: U32,
+        /// 0.
+        reserved: U32,
+        /// The first sample's position relative to the eye, if its height is 0: x, y, z.
+        corner: [F32; 3],
+        /// The square of the eye's height above the ground.
+        above: F32,
+        /// The distance between samples of the first level, x; the length of a height of 1; z.
+        step: [F32; 3],
+        /// 0.
+        reserved_2: F32,
+        /// The last sample's column, anything, and its row.
+        last: [F32; 3],
+        /// 0.
+        reserved_3: F32,
+        /// The levels, the first one with the most samples.
+        levels_of: [HeightLevel; 11],
+    }
+}
+
+record! {
+    /// A level of a height field.
+    HeightLevel as "HEIGHT_LEVEL" {
+        /// Bytes from the first level's samples to its own.
+        offset: U32,
+        /// Bytes from a row to the next; a multiple of 16.
+        stride: U32,
+        /// Columns of blocks.
+        across: U32,
+        /// Rows of blocks.
+        down: U32,
+        /// The square of the distance from the eye where it begins to fade to the next level.
+        fades_from: F32,
+        /// One over what is from there to the square of the distance where it has become that.
+        fade: F32,
+        /// The distance from a sample of the next level but one to the next, in heights of 1:
+        /// upwards in normals whose other parts are differences of two samples of the next level.
+        up: F32,
+        /// 0.
+        reserved: F32,
+    }
+}
+
+const _: () = {
+    assert!(size_of::<HeightLevel>() == 32);
+    assert!(size_of::<HeightField>() == 432);
+    assert!(super::HEIGHT_LEVELS < 11);
+};

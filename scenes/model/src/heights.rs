@@ -1,0 +1,204 @@
+//! Height fields: ground as a grid of heights, with a colour each.
+//!
+//! Invariant: there are at least two samples in a row and two rows, at most [`MAX_SAMPLES`] of
+//! each, and a height and a colour for each of them.
+
+use glam::DVec3;
+
+use crate::Mesh;
+
+/// The most samples of a row, and the most rows.
+pub const MAX_SAMPLES: u32 = 4097;
+
+/// Why there is no such height field.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum HeightError {
+    /// There are too few or too many samples.
+    #[error(
+        "a height field of {columns} x {rows} samples: there must be 2 to {MAX_SAMPLES} in a row, \
+         and as many rows"
+    )]
+    Size {
+        /// Samples of a row.
+        columns: u32,
+        /// Rows.
+        rows: u32,
+    },
+    /// The numbers of samples and of heights or colours differ.
+    #[error("{found} {what} for {columns} x {rows} samples of a height field")]
+    Count {
+        /// The part with another number.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// Samples of a row.
+        columns: u32,
+        /// Rows.
+        rows: u32,
+    },
+    /// A length is no number, or can't be that of anything.
+    #[error("{what} of a height field is {value}: it must be a number above 0")]
+    Length {
+        /// Which length.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+    },
+}
+
+/// A height field. Its rows go along x, one row follows another along z, and y is up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightField {
+    columns: u32,
+    rows: u32,
+    heights: Vec<u16>,
+    colours: Vec<[u8; 3]>,
+    /// The place of the first sample, if its height is 0.
+    pub corner: DVec3,
+    step: f64,
+    unit: f64,
+    /// Its material, as an index in [`Scene::materials`](crate::Scene::materials), whose colour
+    /// is multiplied by those of the samples.
+    pub material: u32,
+}
+
+impl HeightField {
+    /// A height field in the middle of the plane y = 0. `step` is the distance between samples,
+    /// and `unit` the length of a height of 1. Colours are encoded as those of materials are, with
+    /// 255 for 1; no colours at all are white.
+    ///
+    /// # Errors
+    /// There is not a height and a colour for each sample, there are too few or too many samples,
+    /// or a length is not above 0.
+    pub fn new(
+        [columns, rows]: [u32; 2],
+        heights: Vec<u16>,
+        mut colours: Vec<[u8; 3]>,
+        step: f64,
+        unit: f64,
+    ) -> Result<Self, HeightError> {
+        let allowed = 2..=MAX_SAMPLES;
+        if !allowed.contains(&columns) || !allowed.contains(&rows) {
+            return Err(HeightError::Size { columns, rows });
+        }
+        let count = columns as usize * rows as usize;
+        if colours.is_empty() {
+            colours = vec![[255; 3]; count];
+        }
+        for (what, found) in [("heights", heights.len()), ("colours", colours.len())] {
+            if found != count {
+                return Err(HeightError::Count { what, found, columns, rows });
+            }
+        }
+        for (what, value) in [("the step", step), ("the unit of heights", unit)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(HeightError::Length { what, value });
+            }
+        }
+        let half = |samples: u32| -step * f64::from(samples - 1) / 2.0;
+        let corner = DVec3::new(half(columns), 0.0, half(rows));
+        Ok(Self { columns, rows, heights, colours, corner, step, unit, material: 0 })
+    }
+
+    /// Samples of a row, and rows.
+    #[must_use]
+    pub fn size(&self) -> [u32; 2] {
+        [self.columns, self.rows]
+    }
+
+    /// The distance between neighbouring samples of a row or column.
+    #[must_use]
+    pub fn step(&self) -> f64 {
+        self.step
+    }
+
+    /// The length of a height of 1.
+    #[must_use]
+    pub fn unit(&self) -> f64 {
+        self.unit
+    }
+
+    /// The height of a sample, in units; of the next one at the edge if it is beyond that.
+    #[must_use]
+    pub fn sample(&self, column: i64, row: i64) -> u16 {
+        self.heights[self.index(column, row)]
+    }
+
+    /// The colour of a sample, in the same way.
+    #[must_use]
+    pub fn colour(&self, column: i64, row: i64) -> [u8; 3] {
+        self.colours[self.index(column, row)]
+    }
+
+    fn index(&self, column: i64, row: i64) -> usize {
+        let within = |at: i64, count: u32| at.clamp(0, i64::from(count) - 1) as usize;
+        within(row, self.rows) * self.columns as usize + within(column, self.columns)
+    }
+
+    /// The ground's y above or below a point: in its square, or at the edge that is nearest.
+    #[must_use]
+    pub fn ground(&self, point: DVec3) -> f64 {
+        let at = (point - self.corner) / self.step;
+        let x = at.x.clamp(0.0, f64::from(self.columns - 1));
+        let z = at.z.clamp(0.0, f64::from(self.rows - 1));
+        let (column, row) = (x.floor() as i64, z.floor() as i64);
+        let height = |column: i64, row: i64| f64::from(self.sample(column, row));
+        let (x, z) = (x - x.floor(), z - z.floor());
+        let along = |row: i64| height(column, row) * (1.0 - x) + height(column + 1, row) * x;
+        self.corner.y + self.unit * (along(row) * (1.0 - z) + along(row + 1) * z)
+    }
+
+    /// The lower and the upper corner of the box around it.
+    #[must_use]
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let low = self.heights.iter().copied().min().unwrap_or_default();
+        let high = self.heights.iter().copied().max().unwrap_or_default();
+        self.bounds_of([low, high])
+    }
+
+    /// The lower and the upper corner of the box around all between two heights.
+    #[must_use]
+    pub fn bounds_of(&self, [low, high]: [u16; 2]) -> (DVec3, DVec3) {
+        let place = |column: u32, height: u16, row: u32| {
+            let along = DVec3::new(f64::from(column), 0.0, f64::from(row)) * self.step;
+            self.corner + along + DVec3::Y * (self.unit * f64::from(height))
+        };
+        (place(0, low, 0), place(self.columns - 1, high, self.rows - 1))
+    }
+
+    /// Its surface in full detail: two triangles for each square of four samples, which the
+    /// diagonal from low to high x and z divides, with normals of the slopes between the samples
+    /// beside each.
+    #[must_use]
+    pub fn mesh(&self) -> Mesh {
+        let mut mesh = Mesh { origin: self.corner, ..Mesh::default() };
+        for row in 0..i64::from(self.rows) {
+            for column in 0..i64::from(self.columns) {
+                let height = |column: i64, row: i64| f64::from(self.sample(column, row));
+                let position = DVec3::new(
+                    self.step * column as f64,
+                    self.unit * height(column, row),
+                    self.step * row as f64,
+                );
+                let slopes = [
+                    height(column + 1, row) - height(column - 1, row),
+                    height(column, row + 1) - height(column, row - 1),
+                ];
+                let [along, across] = slopes.map(|slope| -self.unit * slope);
+                let normal = DVec3::new(along, 2.0 * self.step, across).normalize();
+                mesh.positions.push(position.as_vec3().to_array());
+                mesh.normals.push(normal.as_vec3().to_array());
+                mesh.colours.push(self.colour(column, row).map(|part| f32::from(part) / 255.0));
+            }
+        }
+        for row in 0..self.rows - 1 {
+            for column in 0..self.columns - 1 {
+                let first = row * self.columns + column;
+                let [b, c, d] = [1, self.columns, self.columns + 1].map(|step| first + step);
+                mesh.triangles.extend([[first, c, d], [first, d, b]]);
+                mesh.materials.extend([self.material; 2]);
+            }
+        }
+        mesh
+    }
+}

@@ -1,0 +1,467 @@
+# height_block   makes a leaf block of triangles from the samples of a height field
+#   C       void height_block(struct mesh_block *, const struct heights *, int number,
+#                             struct height_scratch *);
+#   In      $3 the block, in which the samples have arrived at HEIGHT_SAMPLES; $4 the height field;
+#           $5 the block's number; $6 space for HEIGHT_SCRATCH bytes; pointers 16-aligned
+#   Out     the block: positions relative to the eye, and boxes with the slack of mesh_prepare
+#   Uses    $3-$79   Saves  -   Stack  0   Calls  -
+#   Domain  any samples; a level below HEIGHT_LEVELS
+#   Error   0: boxes hold their triangles, with a slack of 2^-19 of the largest magnitude of their
+#           coordinates
+#   Twin    lab/twins/src/height.rs
+#
+# A vertex has the height, the slopes and the colour of its own level near the eye, those of the
+# next level far from it, and in between a part of either that depends on its distance alone.
+# Every second vertex is missing in the next level, so it moves to the one before it. A block that
+# has faded completely has the next level's triangles and others without an area, so where blocks
+# of two levels meet they have the same vertices, and no vertex is on another triangle's edge.
+#
+# A row of vertices has 12 places for 9 vertices, in three quadwords of each number.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "extremes.inc"
+        .include "reciprocal.inc"
+        .include "height.inc"
+
+        .set    NEXT,3
+        registers a_block,a_field,number,a_scratch
+        .set    NEXT,7
+        # constants
+        registers m_left,m_right,m_low,m_high,k_lanes,k_one,k_sign,level,level_1
+        registers step_x,step_y,step_z,corner_x,corner_y,corner_z,last_x,last_z
+        registers above,from,fade,up
+        # loops
+        registers a_samples,a_out,a_coarse,a_other,a_pattern,a_vertex,a_colour,row,left,a_end
+        # attributes of four samples
+        registers quad_left,quad_right,quad_up,quad_down,mid
+        registers height,slope_x,slope_z,red,green,blue
+        # four vertices
+        registers index,x,z,part,m_first,one,two,t,share,y,column
+        registers sum,t_y,t_e,u,v
+    .if NEXT > 80
+        .error  "too many registers"
+    .endif
+
+        # For the boxes, when the vertices are done.
+        .set    NEXT,7
+        registers m_even,m_odd,m_next,c_more,lowest,highest,k_no,m_two,size,slack,m_none,k_bit
+        .set    root,index                              # lower corners, upper corners
+        .set    node,v+1                                # those of the two nodes below
+    .if NEXT > a_samples || node+12 > 80
+        .error  "the boxes reach into other registers"
+    .endif
+
+        .section .rodata.height,"a",@progbits
+        .align  4
+left_and_right:
+        .int    0x0c0d0e0f,0x10111213,0x14151617,0x18191a1b
+        .int    0x04050607,0x08090a0b,0x0c0d0e0f,0x10111213
+low_and_high:
+        .int    0x00010203,0x10111213,0x04050607,0x14151617
+        .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
+lanes:  .int    0,1,2,3
+# Of five samples of the next level, in two quadwords, those that four vertices move to.
+targets:
+        .int    0x00010203,0x00010203,0x04050607,0x04050607
+        .int    0x08090a0b,0x08090a0b,0x0c0d0e0f,0x0c0d0e0f
+        .int    0x10111213,0x10111213,0x10111213,0x10111213
+# Every second one of eight words, from the first or from the second one on; three words after
+# the first, and another one.
+evens:  .int    0x00010203,0x08090a0b,0x10111213,0x18191a1b
+odds:   .int    0x04050607,0x0c0d0e0f,0x14151617,0x1c1d1e1f
+next_evens:
+        .int    0x04050607,0x08090a0b,0x0c0d0e0f,0x10111213
+header:
+        .int    MESH_MAGIC,0,MESH_LEAF,2
+        .int    3,64,HEIGHT_VERTICES,SIDES_SMOOTH|SIDES_COLOURED
+# Of the root, then of the nodes below: runs of eight triangles.
+children:
+        .int    MESH_HEADER_SIZE+BOXES_SIZE,MESH_HEADER_SIZE+2*BOXES_SIZE,0,0
+    .set    run,0
+    .rept   8
+        .int    8<<16|8*MESH_FACE_SIZE*run
+    .set    run,run+1
+    .endr
+# The triangles of each run: those of two by two squares.
+faces:
+    .irp row, 0,2
+    .irp column, 0,2,4,6
+    .irp square, 0,1,12,13
+        .set    first,12*\row+\column+\square
+        .byte   first,first+12,first+13,0, first,first+13,first+1,0
+    .endr
+    .endr
+    .endr
+
+# Height, slopes and colour of the four samples at $a_samples, whose rows are `pitch` bytes apart.
+.macro  attributes pitch:req
+        lqd     $mid,0($a_samples)
+        lqd     $quad_left,-16($a_samples)
+        lqd     $quad_right,16($a_samples)
+        lqd     $quad_up,-\pitch($a_samples)
+        lqd     $quad_down,\pitch($a_samples)
+        shufb   $quad_left,$quad_left,$mid,$m_left
+        shufb   $quad_right,$mid,$quad_right,$m_right
+        rotmi   $height,$mid,-16
+        rotmi   $quad_left,$quad_left,-16
+        rotmi   $quad_right,$quad_right,-16
+        rotmi   $quad_up,$quad_up,-16
+        rotmi   $quad_down,$quad_down,-16
+        csflt   $height,$height,0
+        sf      $slope_x,$quad_left,$quad_right
+        sf      $slope_z,$quad_up,$quad_down
+        csflt   $slope_x,$slope_x,0
+        csflt   $slope_z,$slope_z,0
+        rotmi   $red,$mid,-11
+        rotmi   $green,$mid,-5
+        andi    $red,$red,31
+        andi    $green,$green,63
+        andi    $blue,$mid,31
+        csflt   $red,$red,0
+        csflt   $green,$green,0
+        csflt   $blue,$blue,0
+.endm
+
+# Fades a number to that of the next level.
+.macro  faded number:req, attribute:req
+        lqd     $one,32*\attribute($a_coarse)
+        lqd     $t,32*\attribute+16($a_coarse)
+        shufb   $one,$one,$t,$m_first
+        fs      $t_y,$one,\number
+        fma     \number,$part,$t_y,\number
+.endm
+
+# out = the place of a sample's index at a level, in samples of the first level.
+.macro  placed out:req, index:req, level:req, last:req
+        shl     \out,\index,\level
+        csflt   \out,\out,0
+        minimum_f4 \out,\last,$t
+.endm
+
+# Fades a place to that in the next level.
+.macro  faded_place place:req, index:req, last:req
+        rotmi   $two,\index,-1
+        placed  $one,$two,$level_1,\last
+        fs      $one,$one,\place
+        fma     \place,$part,$one,\place
+.endm
+
+# The words of the field's quadword, in all lanes.
+.macro  spread_three field:req, x:req, y:req, z:req
+        lqd     $t,\field($a_field)
+        splat   \x,$t,$m_first
+        rotqbyi $one,$t,4
+        splat   \y,$one,$m_first
+        rotqbyi $one,$t,8
+        splat   \z,$one,$m_first
+        rotqbyi $one,$t,12
+.endm
+
+function height_block
+        splat_mask $m_first
+        lqa     $m_left,left_and_right
+        lqa     $m_right,left_and_right+16
+        lqa     $m_low,low_and_high
+        lqa     $m_high,low_and_high+16
+        lqa     $k_lanes,lanes
+        ilhu    $k_one,0x3f80
+        ilhu    $k_sign,0x8000
+        # The samples make space for the block.
+        il      $t,HEIGHT_SAMPLES
+        a       $a_samples,$a_block,$t
+        ori     $a_out,$a_scratch,0
+        .set    left_over,HEIGHT_SAMPLE_BYTES/16%8
+        il      $left,-(HEIGHT_SAMPLE_BYTES/16/8)
+    .set    quad,0
+    .rept   left_over
+        lqd     $height,16*quad($a_samples)
+        stqd    $height,16*quad($a_out)
+    .set    quad,quad+1
+    .endr
+        ai      $a_samples,$a_samples,16*left_over
+        ai      $a_out,$a_out,16*left_over
+copy:
+    .irp quad, 0,1,2,3,4,5,6,7
+        lqd     $height+\quad,16*\quad($a_samples)
+    .endr
+    .irp quad, 0,1,2,3,4,5,6,7
+        stqd    $height+\quad,16*\quad($a_out)
+    .endr
+        ai      $a_samples,$a_samples,128
+        ai      $a_out,$a_out,128
+        ai      $left,$left,1
+        brnz    $left,copy
+        # The number's parts.
+        rotmi   $level,$number,-19
+        andi    $level,$level,15
+        shli    $a_other,$level,5
+        a       $a_other,$a_other,$a_field
+        lqd     $up,HEIGHTS_levels_of+(HEIGHT_LEVEL_fades_from&~15)($a_other)
+        splat   $from,$up,$m_first
+        rotqbyi $fade,$up,4
+        splat   $fade,$fade,$m_first
+        rotqbyi $up,$up,8
+        splat   $up,$up,$m_first
+        shli    $row,$number,32-19
+        rotmi   $row,$row,-(32-10)
+        shli    $row,$row,2
+        splat   $row,$row,$m_first
+        andi    $column,$number,511
+        shli    $column,$column,3
+        splat   $column,$column,$m_first
+        a       $column,$column,$k_lanes
+        splat   $level,$level,$m_first
+        ai      $level_1,$level,1
+        spread_three HEIGHTS_corner,$corner_x,$corner_y,$corner_z
+        splat   $above,$one,$m_first
+        spread_three HEIGHTS_step,$step_x,$step_y,$step_z
+        spread_three HEIGHTS_last,$last_x,$one,$last_z
+        # The next level: three rows of two quadwords.
+        il      $t,7*HEIGHT_PITCH+COARSE_PITCH+16
+        a       $a_samples,$a_scratch,$t
+        il      $t,COARSE_AT
+        a       $a_coarse,$a_scratch,$t
+        il      $left,-3
+coarse_row:
+    .irp quad, 0,1
+        attributes COARSE_PITCH
+        stqd    $height,16*\quad($a_coarse)
+        stqd    $slope_x,32+16*\quad($a_coarse)
+        stqd    $slope_z,64+16*\quad($a_coarse)
+        stqd    $red,96+16*\quad($a_coarse)
+        stqd    $green,128+16*\quad($a_coarse)
+        stqd    $blue,160+16*\quad($a_coarse)
+        ai      $a_samples,$a_samples,16
+    .endr
+        ai      $a_samples,$a_samples,COARSE_PITCH-32
+        ai      $a_coarse,$a_coarse,COARSE_ROW
+        ai      $left,$left,1
+        brnz    $left,coarse_row
+
+        # The vertices: five rows of three quadwords.
+        ai      $a_samples,$a_scratch,HEIGHT_PITCH+16
+        il      $t,COARSE_AT
+        a       $a_coarse,$a_scratch,$t
+        il      $t,PLACES_AT
+        a       $a_out,$a_scratch,$t
+        ai      $a_vertex,$a_block,HEIGHT_VERTICES_AT
+        il      $t,HEIGHT_COLOURS_AT
+        a       $a_colour,$a_block,$t
+        il      $a_end,-5
+next_row:
+        ila     $a_pattern,targets
+        ori     $index,$column,0
+        il      $left,-3
+next_four:
+        attributes HEIGHT_PITCH
+        lqd     $m_first,0($a_pattern)
+        placed  $x,$index,$level,$last_x
+        placed  $z,$row,$level,$last_z
+        # How far it has faded.
+        fma     $one,$x,$step_x,$corner_x
+        fma     $two,$z,$step_z,$corner_z
+        fma     $part,$one,$one,$above
+        fma     $part,$two,$two,$part
+        fs      $part,$part,$from
+        fm      $part,$part,$fade
+        il      $one,0
+        maximum $part,$one,$t
+        minimum_f4 $part,$k_one,$t
+        faded_place $x,$index,$last_x
+        faded_place $z,$row,$last_z
+        # Slopes of this level are over half of the distance.
+        fa      $slope_x,$slope_x,$slope_x
+        fa      $slope_z,$slope_z,$slope_z
+        faded   $height,0
+        faded   $slope_x,1
+        faded   $slope_z,2
+        faded   $red,3
+        faded   $green,4
+        faded   $blue,5
+        fma     $x,$x,$step_x,$corner_x
+        fma     $y,$height,$step_y,$corner_y
+        fma     $z,$z,$step_z,$corner_z
+        stqd    $x,0($a_out)
+        stqd    $y,5*HEIGHT_ROW_BYTES($a_out)
+        stqd    $z,10*HEIGHT_ROW_BYTES($a_out)
+        # The normal, (-slope_x, up, -slope_z), on the octahedron.
+        andc    $one,$slope_x,$k_sign
+        andc    $two,$slope_z,$k_sign
+        fa      $sum,$one,$two
+        fa      $sum,$sum,$up
+        reciprocal_f4 $share,$sum,$t_y,$t_e,$k_one
+        fm      $u,$slope_x,$share
+        fm      $v,$up,$share
+        xor     $u,$u,$k_sign
+        # Where z is below 0, it is folded.
+        il      $t,0
+        fcgt    $t,$slope_z,$t
+        fs      $one,$k_one,$v
+        and     $t_y,$u,$k_sign
+        andc    $two,$u,$k_sign
+        or      $one,$one,$t_y
+        fs      $two,$k_one,$two
+        selb    $u,$u,$one,$t
+        selb    $v,$v,$two,$t
+        load_constant $t,0x46fffe00                     # 32767
+        fm      $u,$u,$t
+        fm      $v,$v,$t
+        cflts   $u,$u,0
+        cflts   $v,$v,0
+        shli    $u,$u,16
+        shli    $v,$v,16
+        rotmi   $v,$v,-16
+        or      $u,$u,$v
+        # Records of vertices.
+        shufb   $one,$x,$z,$m_low
+        shufb   $two,$y,$u,$m_low
+        shufb   $x,$x,$z,$m_high
+        shufb   $y,$y,$u,$m_high
+        shufb   $z,$one,$two,$m_low
+        shufb   $u,$one,$two,$m_high
+        shufb   $v,$x,$y,$m_low
+        shufb   $x,$x,$y,$m_high
+        stqd    $z,0($a_vertex)
+        stqd    $u,16($a_vertex)
+        stqd    $v,32($a_vertex)
+        stqd    $x,48($a_vertex)
+        # Colours of ten bits.
+        load_constant $t,0x42040000                     # 1023 / 31
+        fm      $red,$red,$t
+        fm      $blue,$blue,$t
+        load_constant $t,0x4181e7a0                     # above 1023 / 63
+        fm      $green,$green,$t
+        cfltu   $red,$red,0
+        cfltu   $green,$green,0
+        cfltu   $blue,$blue,0
+        shli    $red,$red,22
+        shli    $green,$green,12
+        shli    $blue,$blue,2
+        or      $red,$red,$green
+        or      $red,$red,$blue
+        stqd    $red,0($a_colour)
+        ai      $a_samples,$a_samples,16
+        ai      $a_pattern,$a_pattern,16
+        ai      $index,$index,4
+        ai      $a_out,$a_out,16
+        ai      $a_vertex,$a_vertex,64
+        ai      $a_colour,$a_colour,16
+        ai      $left,$left,1
+        brnz    $left,next_four
+        # Two rows move to each row of the next level.
+        ai      $a_samples,$a_samples,HEIGHT_PITCH-48
+        ai      $row,$row,1
+        andi    $t,$row,1
+        ai      $t,$t,-1
+        andi    $t,$t,COARSE_ROW
+        a       $a_coarse,$a_coarse,$t
+        ai      $a_end,$a_end,1
+        brnz    $a_end,next_row
+
+        # Everything but the nodes.
+        lqa     $one,header
+        lqa     $two,header+16
+        cwd     $t,MESH_HEADER_number($sp)
+        shufb   $one,$number,$one,$t
+        stqd    $one,0($a_block)
+        stqd    $two,16($a_block)
+        ila     $a_samples,faces
+        il      $left,-4
+copy_faces:
+    .irp quad, 0,1,2,3
+        lqd     $height+\quad,16*\quad($a_samples)
+    .endr
+    .irp quad, 0,1,2,3
+        stqd    $height+\quad,16*\quad($a_vertex)
+    .endr
+        ai      $a_samples,$a_samples,64
+        ai      $a_vertex,$a_vertex,64
+        ai      $left,$left,1
+        brnz    $left,copy_faces
+
+        # The boxes.
+        lqa     $m_even,evens
+        lqa     $m_odd,odds
+        lqa     $m_next,next_evens
+        il      $t,PLACES_AT
+        a       $a_out,$a_scratch,$t
+    .irp axis, 0,1,2
+    .irp of, 0,1
+    .irp quad, 0,1,2
+        lqd     $height+\quad,HEIGHT_ROW_BYTES*(5*\axis+2*\of)+16*\quad($a_out)
+        ori     $red+\quad,$height+\quad,0
+    .irp below, 1,2
+        lqd     $t,HEIGHT_ROW_BYTES*(5*\axis+2*\of+\below)+16*\quad($a_out)
+        minimum_f4 $height+\quad,$t,$c_more
+        maximum $red+\quad,$t,$c_more
+    .endr
+    .endr
+        shufb   $lowest,$height,$height+1,$m_even
+        shufb   $t,$height,$height+1,$m_odd
+        minimum_f4 $t,$lowest,$c_more
+        shufb   $lowest,$lowest,$height+2,$m_next
+        minimum_f4 $lowest,$t,$c_more
+        shufb   $highest,$red,$red+1,$m_even
+        shufb   $t,$red,$red+1,$m_odd
+        maximum $t,$highest,$c_more
+        shufb   $highest,$highest,$red+2,$m_next
+        maximum $highest,$t,$c_more
+        ori     $node+6*\of+\axis,$lowest,0
+        ori     $node+6*\of+3+\axis,$highest,0
+    .endr
+    .endr
+        # The root has the boxes of both in its first two lanes, and none in the others.
+        fsmbi   $m_two,0x0f00
+        fsmbi   $m_none,0x00ff
+        ilhu    $k_no,NO_BOX>>16
+        ilhu    $k_bit,0x8000
+        il      $size,0
+    .irp plane, 0,1,2,3,4,5
+    .irp of, 0,1
+        ori     $lowest+\of,$node+6*\of+\plane,0
+        rotqbyi $t,$lowest+\of,8
+    .if \plane < 3
+        minimum_f4 $lowest+\of,$t,$c_more
+        rotqbyi $t,$lowest+\of,4
+        minimum_f4 $lowest+\of,$t,$c_more
+    .else
+        maximum $lowest+\of,$t,$c_more
+        rotqbyi $t,$lowest+\of,4
+        maximum $lowest+\of,$t,$c_more
+    .endif
+    .endr
+        selb    $root+\plane,$lowest,$lowest+1,$m_two
+        andc    $t,$lowest,$k_bit
+        maximum $size,$t,$c_more
+        andc    $t,$lowest+1,$k_bit
+        maximum $size,$t,$c_more
+        selb    $root+\plane,$root+\plane,$k_no,$m_none
+    .if \plane == 2
+        ilhu    $k_no,0x8000|NO_BOX>>16
+    .endif
+    .endr
+        ilhu    $slack,0x3600                           # 2^-19
+        fm      $slack,$size,$slack
+        lqa     $height,children
+        lqa     $slope_x,children+16
+        lqa     $slope_z,children+32
+    .irp plane, 0,1,2,3,4,5
+    .if \plane < 3
+        fs      $root+\plane,$root+\plane,$slack
+        fs      $node+\plane,$node+\plane,$slack
+        fs      $node+6+\plane,$node+6+\plane,$slack
+    .else
+        fa      $root+\plane,$root+\plane,$slack
+        fa      $node+\plane,$node+\plane,$slack
+        fa      $node+6+\plane,$node+6+\plane,$slack
+    .endif
+        stqd    $root+\plane,MESH_HEADER_SIZE+16*\plane($a_block)
+        stqd    $node+\plane,MESH_HEADER_SIZE+BOXES_SIZE+16*\plane($a_block)
+        stqd    $node+6+\plane,MESH_HEADER_SIZE+2*BOXES_SIZE+16*\plane($a_block)
+    .endr
+        stqd    $height,MESH_HEADER_SIZE+BOXES_child($a_block)
+        stqd    $slope_x,MESH_HEADER_SIZE+BOXES_SIZE+BOXES_child($a_block)
+        stqd    $slope_z,MESH_HEADER_SIZE+2*BOXES_SIZE+BOXES_child($a_block)
+        bi      $lr
+endfunction height_block

@@ -1,0 +1,116 @@
+//! Height fields, compared with the reference and with themselves from other eyes.
+
+use std::sync::Arc;
+
+use cellray::Settings;
+use cellray::scene::{Colour, RenderOptions};
+use glam::DVec3;
+use scenes::{HeightField, Material, Scene};
+
+use crate::whitted::frame::{Frame, WHITTED, compared};
+
+const SRGB: RenderOptions = RenderOptions { colour: Colour::Srgb, ..WHITTED };
+
+/// A height field of hills, in units of which a hundred are a step, with colours in stripes.
+fn hills([columns, rows]: [u32; 2], height: f64) -> HeightField {
+    let place = |at: u32| (at % columns, at / columns);
+    let heights = (0..columns * rows).map(place).map(|(column, row)| {
+        let (x, z) = (f64::from(column), f64::from(row));
+        let wave = libm::sin(0.31 * x + 0.12 * z) + libm::sin(0.07 * x - 0.23 * z);
+        (100.0 * height * (2.0 + wave)) as u16
+    });
+    let colours = (0..columns * rows).map(place);
+    let colours = colours.map(|(column, row)| match (column / 5 + row / 7) % 3 {
+        0 => [247, 239, 231],
+        1 => [66, 130, 99],
+        _ => [132, 101, 33],
+    });
+    let (heights, colours) = (heights.collect(), colours.collect());
+    HeightField::new([columns, rows], heights, colours, 1.0, 0.01).unwrap()
+}
+
+fn scene(field: HeightField, from: DVec3, at: DVec3) -> Scene {
+    let text = "v\nfrom 0 1 0\nat 0 0 1\nup 0 1 0\nangle 45\nhither 0\nresolution 8 8\n\
+        b 1 0 1\nl 40 80 30 0.9 0.9 0.9\n#cellray ambient 0.3 0.3 0.3\n";
+    let mut scene = scenes::parse(text.as_bytes(), "hills", &scenes::Limits::default()).unwrap();
+    scene.view.from = from;
+    scene.view.at = at;
+    scene.materials = vec![Material::matte(DVec3::ONE)];
+    scene.heights = Some(Arc::new(field));
+    scene
+}
+
+/// Fields whose sides are no multiples of blocks, seen from where only the first level is traced:
+/// with shadows, a mirror, and the edge of the field.
+#[test]
+fn near_ground_is_as_the_reference_has_it() {
+    // Colours of five bits are exact where they are light.
+    for (size, colour, most) in [([40, 33], WHITTED, 2), ([65, 65], SRGB, 6), ([2, 9], WHITTED, 2)]
+    {
+        let [columns, rows] = size.map(f64::from);
+        let from = DVec3::new(-0.6 * columns, 9.0, 0.7 * rows);
+        let mut scene = scene(hills(size, 1.0), from, DVec3::new(0.0, 1.0, 0.0));
+        scene.materials.push(Material {
+            diffuse: 0.3,
+            specular: 0.6,
+            ..Material::matte(DVec3::new(0.2, 0.3, 0.5))
+        });
+        scene.objects.push(scenes::Object {
+            line: 0,
+            material: 1,
+            shape: scenes::Shape::Sphere { centre: DVec3::new(0.0, 5.0, 0.0), radius: 2.0 },
+        });
+        let off = compared(&scene, colour, (160, 120));
+        println!("{size:?}: {off:?}");
+        assert!(off.max_error_off_silhouette <= most, "{size:?}: {off:?}");
+        // It is no other picture than one without ground.
+        let bare = compared(&Scene { heights: None, ..scene.clone() }, colour, (160, 120));
+        assert!(bare.max_error_off_silhouette <= 2, "{bare:?}");
+    }
+}
+
+/// From above, where the picture has three levels and all of their seams, each ray hits.
+#[test]
+fn levels_meet_without_cracks() {
+    let field = hills([1025, 1025], 4.0);
+    for from in [DVec3::new(0.3, 60.0, 0.7), DVec3::new(-111.0, 30.0, 90.3)] {
+        let scene = scene(field.clone(), from, from + DVec3::new(0.2, -1.0, 0.1));
+        let wide = Scene { view: scenes::View { angle: 130.0, ..scene.view.clone() }, ..scene };
+        let options = RenderOptions { shadows: false, ..WHITTED };
+        let rays = Frame::of(&wide, options, (480, 480), Settings::default()).rays();
+        assert_eq!((rays.eye, rays.eye_hit), (480 * 480, 480 * 480), "{from}");
+    }
+}
+
+/// The pixels in which two pictures differ by more than 2/255.
+fn different(one: &image::RgbImage, other: &image::RgbImage) -> usize {
+    let pairs = one.pixels().zip(other.pixels());
+    let far = |(a, b): &(&image::Rgb<u8>, &image::Rgb<u8>)| {
+        a.0.iter().zip(&b.0).any(|(a, b)| a.abs_diff(*b) > 2)
+    };
+    pairs.filter(far).count()
+}
+
+/// Where the eye's way crosses the places at which levels change, a step of a thousandth of a
+/// sample changes no more pixels than elsewhere: those on silhouettes.
+#[test]
+fn levels_do_not_pop() {
+    let field = hills([1025, 1025], 3.0);
+    let options = RenderOptions { shadows: false, ..SRGB };
+    let look = |x: f64| {
+        let from = DVec3::new(x, 25.0, 3.3);
+        let scene = scene(field.clone(), from, from + DVec3::new(1.0, -0.35, 0.2));
+        Frame::of(&scene, options, (240, 160), Settings::default()).picture
+    };
+    // Squares of eight samples begin at multiples of 8 less the corner's 512, and change their
+    // level when the eye is 160, 320 or 640 samples away: multiples of 8, too.
+    let moved = |x: f64| {
+        let [one, other] = [-0.0005, 0.0005].map(|away| look(x + away));
+        different(&one, &other)
+    };
+    let places = [0.0, 8.0, 16.0, 32.0];
+    let [at, elsewhere] = [0.0, 4.0].map(|by| places.map(|x| moved(x + by)));
+    println!("{at:?} {elsewhere:?}");
+    let [at, elsewhere] = [at, elsewhere].map(|counts| counts.iter().sum::<usize>());
+    assert!(at <= elsewhere + 10, "{at} pixels change, and {elsewhere} elsewhere");
+}
