@@ -205,7 +205,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
-        | flag(mesh.is_some(), FEATURE_MESH)
+        | flag(frame.mesh.get() != 0, FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(frame.colour_code.get() != 0, FEATURE_COLOURS)

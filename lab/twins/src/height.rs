@@ -172,6 +172,6 @@ fn nodes(words: &mut [u32], places: &[[[Single; 3]; ACROSS]; 5]) {
     let offset = |node: usize| 4 * (HEADER + NODE * node) as u32;
     words[24..28].copy_from_slice(&[offset(1), offset(2), 0, 0]);
     for run in 0..8 {
-        words[NODE * (1 + run / 4) + 24 + run % 4] = 8 << 16 | 32 * run as u32;
+        words[NODE * (1 + run / 4) + 24 + run % 4] = (8 << 16) | (32 * run as u32);
     }
 }

@@ -16,7 +16,6 @@ use super::samples::{HeightSamples, Level};
 use crate::scene::colour::Colour;
 use crate::scene::mesh::{Block, block_header};
 use crate::scene::single::{single, singles};
-use crate::shared::SharedMemory;
 
 /// How far from the eye a level is used, in squares of that level. More have smaller triangles.
 const RANGE: f64 = 160.0;
@@ -73,11 +72,15 @@ impl Wrapped {
     }
 }
 
+/// A record, aligned as its DMA transfer needs it.
+#[repr(C, align(128))]
+struct AlignedRecord(Record);
+
 /// A height field as it is seen by an eye: what a frame has of it. The engine keeps it for as long
 /// as SPUs may read it.
 pub(crate) struct HeightView {
     samples: Arc<HeightSamples>,
-    record: SharedMemory,
+    record: Box<AlignedRecord>,
     tree: Vec<Block>,
     /// Buffers.
     found: Vec<Child>,
@@ -96,7 +99,7 @@ impl HeightView {
     fn new(samples: &Arc<HeightSamples>) -> Self {
         Self {
             samples: samples.clone(),
-            record: SharedMemory::new(size_of::<Record>()),
+            record: Box::new(AlignedRecord(Record::new_zeroed())),
             tree: Vec::with_capacity(BLOCKS / CHILDREN * 4),
             found: Vec::with_capacity(BLOCKS),
             wrapped: Wrapped {
@@ -109,7 +112,7 @@ impl HeightView {
 
     /// The address of the record.
     pub fn address(&self) -> u64 {
-        self.record.address()
+        (&raw const *self.record).expose_provenance() as u64
     }
 
     /// The samples.
@@ -153,7 +156,7 @@ impl HeightView {
         for (number, (to, level)) in record.levels_of.iter_mut().zip(&samples.levels).enumerate() {
             *to = chooser.record(number, level);
         }
-        self.record.write(0, record.as_bytes());
+        self.record.0 = record;
     }
 
     /// Writes the inner blocks. The last one that was wrapped is the root, which comes first: a
