@@ -201,14 +201,16 @@ pub fn describe(order: &Order) -> Frame {
 /// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order, frame: &Frame) -> u32 {
     let options = order.scene.render_options();
+    let mesh = order.scene.block().and_then(SceneBlock::mesh);
     let branch = order.scene.block().is_some_and(|block| block.chains().branch);
+    let is_coloured = mesh.is_some_and(|mesh| mesh.heights.is_some() || mesh.blocks.is_coloured());
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
-        | flag(frame.mesh.get() != 0, FEATURE_MESH)
+        | flag(mesh.is_some(), FEATURE_MESH)
         | flag(frame.textures.get() != 0, FEATURE_TEXTURES)
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
-        | flag(frame.colour_code.get() != 0, FEATURE_COLOURS)
+        | flag(is_coloured, FEATURE_COLOURS)
         | flag(frame.heights.get() != 0, FEATURE_HEIGHTS)
         | flag(branch, FEATURE_BRANCHES)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)

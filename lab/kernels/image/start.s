@@ -6,9 +6,11 @@
 _start:
         stop    0x1ffd
 
-# The kernels for depth shading, boxes and refitted meshes are directly in front of those for
-# colours, so that the bench has all the memory in front of them.
-        .global build_place, depth_place, boxes_place
-        .set    build_place,0x25a00
-        .set    depth_place,0x26800
-        .set    boxes_place,0x30e80
+# The kernels for depth shading, boxes and height fields are directly in front of those for colours,
+# and the ones for refitted meshes behind those for meshes, so that the bench has all the memory in
+# front of them.
+        .global depth_place, boxes_place, height_place, build_place
+        .set    depth_place,0x27780
+        .set    boxes_place,0x31e00
+        .set    height_place,0x33080
+        .set    build_place,0x3cd00

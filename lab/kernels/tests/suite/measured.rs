@@ -56,8 +56,9 @@ const NOT_PIPELINED: [&str; 10] = [
 /// Kernels some of whose loops have branches or other loops in them, and so no interval.
 const HAVE_BRANCHES: [&str; 3] = ["mesh_filter_rays", "mesh_few_rays", "mesh_prepare"];
 
-/// Has too few registers for a shorter interval.
-const REACHES_LESS: (&str, f64) = ("refract_r16", 0.87);
+/// The shares that others reach: a loop of three cycles that runs rarely, and one with too few
+/// registers.
+const REACH_LESS: [(&str, f64); 2] = [("build_leaf", 0.75), ("refract_r16", 0.87)];
 
 #[test]
 fn loops_reach_nine_tenths_of_their_bounds() {
@@ -71,8 +72,8 @@ fn loops_reach_nine_tenths_of_their_bounds() {
                 continue;
             };
             loops += 1;
-            let (name, less) = REACHES_LESS;
-            let expected = if kernel.kernel == name { less } else { 0.9 };
+            let less = REACH_LESS.iter().find(|(name, _)| *name == kernel.kernel);
+            let expected = less.map_or(0.9, |(_, share)| *share);
             assert!(cycles.reached() >= expected, "{at}: {cycles:?}");
             assert!(cycles.bound >= cycles.even.max(cycles.odd), "{at}: {cycles:?}");
         }

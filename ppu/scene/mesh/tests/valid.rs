@@ -172,7 +172,8 @@ pub fn check(mesh: &Mesh, materials: &[Material], blocks: &MeshBlocks) {
 }
 
 fn bits(corners: [Vec3; 3]) -> [[u32; 3]; 3] {
-    corners.map(|corner| corner.to_array().map(f32::to_bits))
+    // Blocks have no negative 0.
+    corners.map(|corner| corner.to_array().map(|x| (x + 0.0).to_bits()))
 }
 
 /// Checks a block and all below it, and returns their box.
