@@ -17,6 +17,8 @@
 # of two levels meet they have the same vertices, and no vertex is on another triangle's edge.
 #
 # A row of vertices has 12 places for 9 vertices, in three quadwords of each number.
+#
+# The loops are not pipelined, to save local store. A block takes 3,268 cycles.
 
         .include "work_unit.inc"
         .include "macros.inc"
