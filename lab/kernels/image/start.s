@@ -7,7 +7,7 @@ _start:
         stop    0x1ffd
 
 # The kernels for depth shading, boxes and height fields are directly in front of those for colours,
-# and the ones for refitted meshes behind those for meshes, so that the bench has all the memory in
+# and the ones for refitted meshes after those for meshes, so that the bench has all the memory in
 # front of them.
         .global depth_place, boxes_place, height_place, build_place
         .set    depth_place,0x27780

@@ -1,8 +1,8 @@
 //! The program of the tracer's page, for WebAssembly: the PPU's program, and six emulated SPUs that
 //! run its SPU programs in turn.
 //!
-//! The page passes requests and gets replies through the functions of [`spu_exchange`], and reads
-//! the picture at the address that [`pixels`] returns.
+//! The page passes requests and gets replies through the functions of `spu_exchange`, and reads
+//! the picture at the address that `pixels` returns.
 
 #![cfg(target_family = "wasm")]
 

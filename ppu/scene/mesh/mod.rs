@@ -221,7 +221,7 @@ impl MeshBlocks {
             });
         };
         if let Some(ground) = ground {
-            // The SPUs know its material by the number 0.
+            // The number 0 stands for its material.
             number(ground.material as usize);
             kinds[HEIGHTS] = vec![Piece { bounds: ground.bounds, index: 0 }];
         }

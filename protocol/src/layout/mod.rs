@@ -326,9 +326,9 @@ constants! {
     /// Offset in a block where its samples arrive: rows of `HEIGHT_PITCH` bytes of its own level,
     /// then rows of `COARSE_PITCH` bytes of the next.
     HEIGHT_SAMPLES = 1360;
-    /// Bytes of a row of samples: those of its vertices, four in front and three behind.
+    /// Bytes of a row of samples: those of its vertices, four in front and three at the end.
     HEIGHT_PITCH = 64;
-    /// Bytes of a row of samples of the next level: as many in front, and three behind.
+    /// Bytes of a row of samples of the next level: as many in front, and three at the end.
     COARSE_PITCH = 48;
     /// Address in local store of the tiles, which are in the place of the code for eye rays.
     TEXTURE_CACHE = EYE_CODE;
