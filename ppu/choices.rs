@@ -17,9 +17,9 @@ pub struct SceneChoices {
     /// Scene file, or a generated scene such as sphereflake:4
     ///
     /// Files are NFF scenes and meshes in the formats OBJ, PLY, STL and glTF. Generated scenes are
-    /// sphereflake:LEVEL, tetra:LEVEL, terrain:LEVEL and mountains:LEVEL, and gears, mount, rings, teapot, tree,
-    /// lattice, jacks, shells and sombrero. The latter have the size of the Standard Procedural
-    /// Databases unless :SIZE follows the name.
+    /// sphereflake:LEVEL, tetra:LEVEL, terrain:LEVEL and mountains:LEVEL, and gears, mount, rings,
+    /// teapot, tree, lattice, jacks, shells and sombrero. The latter have the size of the Standard
+    /// Procedural Databases unless :SIZE follows the name.
     pub scene: PathBuf,
     /// Lighting model
     #[arg(long, help_heading = "Scene", value_enum, default_value_t)]

@@ -1,6 +1,6 @@
 //! What it costs to refit the blocks of meshes that have moved instead of building new ones:
-//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them. And the
-//! host's time for scenes of objects that move.
+//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them. And
+//! the host's time for scenes of objects that move.
 //!
 //!     cargo bench --bench refit [-- meshes|spus|objects]
 

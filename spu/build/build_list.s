@@ -1,12 +1,12 @@
 # build_list   the DMA list that fetches a leaf block's vertices
 #   C       int build_list(const unsigned *sources, int quads, void *list, unsigned low,
 #                          unsigned vertices, unsigned count);
-#   In      $3 the words that list the block's vertices, $4 quadwords of them, at least 1, $5 where the
-#           list goes, $6 low word of the address of the mesh's vertices, $7 how many these are, at
-#           most 2^24, $8 how many the block has; pointers 16-aligned
+#   In      $3 the words that list the block's vertices, $4 quadwords of them, at least 1, $5 where
+#           the list goes, $6 low word of the address of the mesh's vertices, $7 how many these are,
+#           at most 2^24, $8 how many the block has; pointers 16-aligned
 #   Out     $3 0, or something else if the words list other vertices than the mesh has, or another
-#           number of them. The list has an element of 16 bytes a vertex for each word; the number of
-#           runs and the zeros at the end give elements without bytes
+#           number of them. The list has an element of 16 bytes a vertex for each word; the number
+#           of runs and the zeros at the end give elements without bytes
 #   Uses    $3-$8, $10-$24   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0

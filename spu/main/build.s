@@ -2,7 +2,8 @@
 # FEATURE_BUILD.
 #
 # Three blocks are in work at a time: one is fetched, the vertices of the one before it are fetched
-# by a list, and the one before that is refitted. A block and its bounds are sent from where they were made.
+# by a list, and the one before that is refitted. A block and its bounds are sent from where they
+# were made.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -50,6 +51,13 @@
 .macro  slot_of out:req, before:req
         ai      \out,$g_step,-(\before)
         andi    \out,\out,SLOTS-1
+.endm
+
+# The address of a slot's entry in an array whose entries have 2^log2 bytes.
+.macro  of_slot out:req, array:req, log2:req
+        shli    \out,$g_slot,\log2
+        ila     $value,\array
+        a       \out,\out,$value
 .endm
 
 # Waits until all transfers of a slot are complete.
@@ -117,8 +125,7 @@ function build_blocks
         refuse_build_if $bad
 
 next_unit:
-        brsl    $lr,unit_take
-        brz     $3,all_built
+        take_unit all_built,$value
         brsl    $lr,build_unit
         brz     $3,next_unit
 refused:
@@ -187,9 +194,7 @@ next_step:
         load_word $high,FRAME_mesh,$a_frame
         load_word $low,FRAME_mesh+4,$a_frame
         add_block $number
-        shli    $a_block,$g_slot,MESH_BLOCK_LOG2
-        ila     $value,A_BLOCKS
-        a       $a_block,$a_block,$value
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
         il      $size,MESH_BLOCK
         ai      $tag,$g_slot,TAG_SLOT
         il      $command,MFC_GET
@@ -208,12 +213,8 @@ no_vertices:
         brz     $value,step_done
         slot_of $g_slot,2
         await_slot $g_slot
-        shli    $3,$g_slot,MESH_BLOCK_LOG2
-        ila     $value,A_BLOCKS
-        a       $3,$3,$value
-        shli    $4,$g_slot,5
-        ila     $value,A_BOUNDS
-        a       $4,$4,$value
+        of_slot $3,A_BLOCKS,MESH_BLOCK_LOG2
+        of_slot $4,A_BOUNDS,5
         ila     $5,A_MEMORY
         brsl    $lr,build_leaf
         ila     $a_build,A_BUILD
@@ -222,9 +223,7 @@ no_vertices:
         load_word $high,BUILD_blocks,$a_build
         load_word $low,BUILD_blocks+4,$a_build
         add_block $number
-        shli    $a_block,$g_slot,MESH_BLOCK_LOG2
-        ila     $value,A_BLOCKS
-        a       $a_block,$a_block,$value
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
         il      $size,MESH_BLOCK
         ai      $tag,$g_slot,TAG_SLOT
         il      $command,MFC_PUT
@@ -233,9 +232,7 @@ no_vertices:
         load_word $low,BUILD_bounds+4,$a_build
         shli    $offset,$number,5
         add_effective $high,$low,$offset,$t_carry
-        shli    $a_block,$g_slot,5
-        ila     $value,A_BOUNDS
-        a       $a_block,$a_block,$value
+        of_slot $a_block,A_BOUNDS,5
         il      $size,BUILD_BOUNDS_SIZE
         mfc_command $a_block,$high,$low,$size,$tag,$command
 step_done:
@@ -260,9 +257,7 @@ function build_vertices
         il      $3,1
         shli    $3,$3,TAG_SOURCES
         brsl    $lr,dma_wait
-        shli    $a_block,$g_slot,MESH_BLOCK_LOG2
-        ila     $value,A_BLOCKS
-        a       $a_block,$a_block,$value
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
         ai      $number,$g_step,-1
         a       $number,$number,$g_first
         lqd     $bad,MESH_HEADER_number&~15($a_block)
@@ -283,7 +278,8 @@ function build_vertices
         ai      $value,$limit,-1
         clgti   $value,$value,MESH_FACES-1
         or      $bad,$bad,$value
-        # The vertices and faces must be within the block, and the list of vertices within the unit's.
+        # The vertices and faces must be within the block, and the list of vertices within the
+        # unit's.
         mpyi    $nodes,$nodes,BOXES_SIZE
         ai      $nodes,$nodes,MESH_HEADER_SIZE
         shli    $value,$vertices,4

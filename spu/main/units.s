@@ -8,6 +8,7 @@
         .section .bss
         .align  7
         # There are two of each, which are used in turn.
+        .global units
 units:  .skip   2*UNIT_SIZE
 costs:  .skip   2*COST_SIZE
 counter:
@@ -66,8 +67,7 @@ prepared:
         brsl    $lr,mesh_begin
 
 next_unit:
-        brsl    $lr,unit_take
-        brz     $3,all_traced
+        take_unit all_traced,$a_unit
         load_word $tiles,UNIT_count,$g_a_unit
         ai      $bad,$tiles,-1                          # 0 becomes the largest
         clgti   $bad,$bad,UNIT_TILES-1
@@ -122,29 +122,6 @@ settle: il      $3,ALL_TAGS
         ori     $3,$g_unit,0
         leave
 endfunction units_trace
-
-# unit_take   waits for the next unit, and starts to fetch the one after it
-#   Out     $3 0 if there is no next unit; g_unit, g_a_unit
-#   Uses    $3, $10-$19
-function unit_take
-        clgt    $3,$g_units,$g_unit_next
-        biz     $3,$lr
-        enter
-        ori     $g_unit,$g_unit_next,0
-        # This buffer's costs of two units ago must have been sent too.
-        il      $3,1<<TAG_COST
-        shl     $3,$3,$g_turn
-        ori     $3,$3,1<<TAG_UNIT
-        brsl    $lr,dma_wait
-        shli    $a_unit,$g_turn,UNIT_SIZE_LOG2
-        ila     $g_a_unit,units
-        a       $g_a_unit,$g_a_unit,$a_unit
-        xori    $g_turn,$g_turn,1
-        brsl    $lr,unit_next
-        brsl    $lr,unit_request
-        il      $3,1
-        leave
-endfunction unit_take
 
 # unit_first   finds the number of this SPU's first unit: of its slice, or from the shared counter
 #   Out     g_unit_next, g_unit_end

@@ -1,7 +1,7 @@
 //! Requests and replies, as JSON in the memory of a program that is compiled to WebAssembly.
 //!
-//! [`exports!`](crate::exports) defines the three functions that a page calls: `buffer` and `reply`,
-//! which return addresses, and `reply_bytes`. So no generator of bindings is needed.
+//! [`exports!`](crate::exports) defines the three functions that a page calls: `buffer` and
+//! `reply`, which return addresses, and `reply_bytes`. So no generator of bindings is needed.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;

@@ -2,8 +2,8 @@
 //! browser.
 //!
 //! [`Machine::in_turn`](crate::machine::Machine::in_turn) makes such a machine, with simulated time
-//! or without. [`Spe::begin`](crate::spe::Spe::begin) starts a program and returns at once. The SPEs
-//! go on while the PPE waits:
+//! or without. [`Spe::begin`](crate::spe::Spe::begin) starts a program and returns at once. The
+//! SPEs go on while the PPE waits:
 //!
 //! - in simulated time within each call of the PPE, in the order of their clocks, so that they take
 //!   the same cycles as on threads,

@@ -118,8 +118,8 @@ impl Machine {
         })
     }
 
-    /// As [`simulated_with`](Self::simulated_with), with SPEs that run [in turn](crate::in_turn) and
-    /// are interpreted.
+    /// As [`simulated_with`](Self::simulated_with), with SPEs that run [in turn](crate::in_turn)
+    /// and are interpreted.
     ///
     /// # Panics
     ///

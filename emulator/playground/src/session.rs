@@ -115,8 +115,8 @@ impl Session {
         self.last = None;
     }
 
-    /// Replaces the words that the PPE sends. The program stays at its step, unless it then comes to
-    /// another.
+    /// Replaces the words that the PPE sends. The program stays at its step, unless it then comes
+    /// to another.
     pub fn send(&mut self, inbound: Vec<u32>) {
         let step = self.spu.executed();
         self.channels.mail.inbound = inbound;

@@ -18,7 +18,8 @@ pub const NOT_THERE: Single = 0xbf80_0000;
 pub struct Place {
     /// Position, or the unit direction to it.
     pub position: [Single; 3],
-    /// One over the square of its range; 0 without a range, [`DIRECTIONAL`] if it is infinitely far.
+    /// One over the square of its range; 0 without a range, [`DIRECTIONAL`] if it is infinitely
+    /// far.
     pub falloff: u32,
 }
 
@@ -32,7 +33,8 @@ impl Place {
         self.falloff >> 31 != 0
     }
 
-    /// The share of its light that is left at the square of a distance, before it is squared itself.
+    /// The share of its light that is left at the square of a distance, before it is squared
+    /// itself.
     #[must_use]
     pub fn fade(&self, squared: Single) -> Single {
         fnms(squared, select(self.falloff, ZERO, self.is_directional()), ONE)

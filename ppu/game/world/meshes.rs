@@ -225,8 +225,8 @@ impl World {
     /// ```
     ///
     /// # Errors
-    /// There is no such mesh, there are too few or too many positions or normals, or a number is out
-    /// of range. Then no vertex has moved.
+    /// There is no such mesh, there are too few or too many positions or normals, or a number is
+    /// out of range. Then no vertex has moved.
     #[track_caller]
     pub fn shape_mesh(
         &mut self,
@@ -369,7 +369,8 @@ impl World {
         })
     }
 
-    /// Writes the vertices of the meshes that have moved into the joined mesh. Returns their number.
+    /// Writes the vertices of the meshes that have moved into the joined mesh. Returns their
+    /// number.
     pub(super) fn write_moved(&self, joined: &mut Mesh) -> usize {
         let mut first = 0;
         let mut moved = 0;

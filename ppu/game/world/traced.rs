@@ -18,7 +18,7 @@ use crate::scene::{RefitBy, Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
-/// From this number of moved vertices on, it is quicker that SPUs refit a mesh.
+/// From this number of moved vertices on, SPUs refit a mesh. The number is chosen, not measured.
 const SPUS_REFIT: usize = 1000;
 
 impl WorldMaterial {

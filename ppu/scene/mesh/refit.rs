@@ -19,8 +19,8 @@ use super::{Block, MeshBlocks};
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
-    /// `None` if a new tree is needed: the mesh has other vertices or, at one of them, a normal that
-    /// it had not or no longer has, or the blocks have spheres or cones, too.
+    /// `None` if a new tree is needed: the mesh has other vertices or, at one of them, a normal
+    /// that it had not or no longer has, or the blocks have spheres or cones, too.
     #[must_use]
     pub fn refitted(&self, mesh: &Mesh) -> Option<Self> {
         if !self.flat.iter().copied().eq(flat(mesh)) {
@@ -42,8 +42,8 @@ impl MeshBlocks {
         Some(refitted)
     }
 
-    /// Refits the inner blocks after the leaves, which have these bounds, and calls `store` with the
-    /// number and the bytes of each. Its own bounds are written. Returns what all blocks cost.
+    /// Refits the inner blocks after the leaves, which have these bounds, and calls `store` with
+    /// the number and the bytes of each. Its own bounds are written. Returns what all blocks cost.
     pub(crate) fn refit_inner(
         &self,
         bounds: &mut [BuildBounds],

@@ -10,8 +10,8 @@ use super::MeshBlocks;
 const FEWEST: usize = 4;
 
 impl MeshBlocks {
-    /// The units, of which each SPU gets about four if there are `spus`, and the words that list the
-    /// leaf blocks' vertices.
+    /// The units, of which each SPU gets about four if there are `spus`, and the words that list
+    /// the leaf blocks' vertices.
     pub(crate) fn units(&self, spus: u32) -> (Vec<BuildUnit>, Vec<U32>) {
         let most = self.statistics.leaves.div_ceil(4 * spus as usize);
         let most = most.clamp(FEWEST, BUILD_LEAVES as usize) as u32;

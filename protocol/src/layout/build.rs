@@ -1,8 +1,8 @@
 //! Records in main memory by which SPUs refit a mesh whose vertices have moved.
 //!
-//! A leaf keeps the triangles that it has in the blocks as they were built. The SPUs fetch each leaf block,
-//! replace its vertices and its boxes, and store it among the new blocks. They leave the inner
-//! blocks to the PPU, which finds the boxes of the leaves in the `BUILD_BOUNDS`.
+//! A leaf keeps the triangles that it has in the blocks as they were built. The SPUs fetch each
+//! leaf block, replace its vertices and its boxes, and store it among the new blocks. They leave
+//! the inner blocks to the PPU, which finds the boxes of the leaves in the `BUILD_BOUNDS`.
 
 use zerocopy::big_endian::{F32, U32, U64};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -17,9 +17,10 @@ record! {
         /// Effective address of the mesh's vertices, `MESH_VERTEX` records. All of their normals
         /// are there; the SPUs leave out those of blocks without `SIDES_SMOOTH`.
         vertices: U64,
-        /// Effective address of the words that list the leaf blocks' vertices. Each block's begin at a
-        /// quadword: the number of its runs, then for each run of vertices that follow one another
-        /// in the mesh their number times 2^24, plus the index of the first one, then zeros.
+        /// Effective address of the words that list the leaf blocks' vertices. Each block's begin
+        /// at a quadword: the number of its runs, then for each run of vertices that follow one
+        /// another in the mesh their number times 2^24, plus the index of the first one, then
+        /// zeros.
         sources: U64,
         /// Effective address of the `BUILD_BOUNDS` of all blocks, of which those of leaves are
         /// written.

@@ -57,8 +57,8 @@ record! {
         depth_far: F32,
         /// One over the distance in which it fades.
         depth_scale: F32,
-        /// Effective address of the scene of Whitted's model, or with `FEATURE_BUILD` of a `BUILD`; a
-        /// multiple of 128.
+        /// Effective address of the scene of Whitted's model, or with `FEATURE_BUILD` of a `BUILD`;
+        /// a multiple of 128.
         scene: U64,
         /// Direction through the centre of pixel (0, 0): x, y, z, 0.
         corner: [F32; 4],
@@ -93,8 +93,8 @@ record! {
         eye: [F32; 4],
         /// The eye in the mesh's coordinates: x, y, z, 0.
         mesh_eye: [F32; 4],
-        /// Effective address of the mesh's first block; a multiple of 128. With `FEATURE_BUILD` these
-        /// are the blocks as they were built.
+        /// Effective address of the mesh's first block; a multiple of 128. With `FEATURE_BUILD`
+        /// these are the blocks as they were built.
         mesh: U64,
         /// Effective address of the code that other scenes may have overwritten; a multiple of 128.
         /// Depth shading needs what the program has at `DEPTH_CODE`, and a mesh what it has from

@@ -51,8 +51,8 @@ pub struct Loaded {
 }
 
 /// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` or
-/// `.glb`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares, or
-/// anything that [`scenes::load`] accepts.
+/// `.glb`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares,
+/// or anything that [`scenes::load`] accepts.
 ///
 /// # Errors
 /// There is no such file or generated scene, the file can't be read, or isn't of the format of its

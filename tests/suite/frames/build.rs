@@ -1,5 +1,5 @@
-//! Frames in which SPUs refit a mesh: damaged records are refused, and no byte is written beside the
-//! new blocks.
+//! Frames in which SPUs refit a mesh: damaged records are refused, and no byte is written beside
+//! the new blocks.
 
 use cellray::spe::Program;
 use cellray::{EngineError, SharedMemory};

@@ -115,8 +115,8 @@ fn late_transfers_make_the_same_blocks() {
     assert!(outcome.status.success() && text.contains("2 passed"), "{text}");
 }
 
-/// All triangles in one point have no area; nor has one of them alone. A tree that was built without
-/// them is built anew.
+/// All triangles in one point have no area; nor has one of them alone. A tree that was built
+/// without them is built anew.
 #[test]
 fn triangles_without_an_area() {
     let program = Program::tracer();

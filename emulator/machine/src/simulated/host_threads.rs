@@ -1,8 +1,8 @@
 //! The process's threads, as Linux reports them: which threads are blocked.
 //!
 //! Known weakness: under QEMU, Linux shows the host's system calls, whose numbers may differ.
-//! Then no thread is recognised as blocked, and only time-outs remain. Systems without `/proc` don't
-//! report any thread.
+//! Then no thread is recognised as blocked, and only time-outs remain. Systems without `/proc`
+//! don't report any thread.
 
 use std::fs;
 use std::path::{Path, PathBuf};

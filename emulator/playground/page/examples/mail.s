@@ -1,5 +1,5 @@
-# Reads words from the PPE until a 0, and sends back how long each took, in ticks of the decrementer.
-# Type the PPE's words into "Mailboxes", below: with none, the SPU waits.
+# Reads words from the PPE until a 0, and sends back how long each took, in ticks of the
+# decrementer. Type the PPE's words into "Mailboxes", below: with none, the SPU waits.
 next:   rdch    $3,$SPU_RdInMbox
         brz     $3,done
         il      $4,-1
