@@ -344,13 +344,16 @@ fn objects_are_refused(scene: &scenes::Scene, kind: u32, size: u32) {
 /// Whatever a block has, the SPU replies: it refuses the block, or draws its content.
 #[test]
 fn any_block_is_drawn_or_refused() {
-    for scene in [scene(), spheres(), cones()] {
-        any_block_of(&scene);
+    // With its cache there, a damaged sphere leads to numbers of blocks that the mesh does not have.
+    for (scene, lower) in [(scene(), 0), (spheres(), 256), (cones(), 0)] {
+        any_block_of(&scene, lower);
     }
 }
 
-fn any_block_of(scene: &scenes::Scene) {
+fn any_block_of(scene: &scenes::Scene, lower: u32) {
     let mut blocks = Blocks::of(scene, 1);
+    let cache = blocks.fixture.frame.mesh_cache.get();
+    blocks.fixture.frame.mesh_cache = (cache - lower).into();
     let mut random = ChaCha8Rng::seed_from_u64(20);
     let picture = blocks.traced_with(&[]).unwrap();
     let (mut drawn, mut refused) = (0, 0);

@@ -133,7 +133,11 @@ ready:  ila     $slots,numbers
         leave
 
         # A block of a height field.
-other:  stqa    $found,fetched
+other:  lqa     $bits,block_limit
+        ori     $4,$number,0
+        clgt    $bits,$bits,$number
+        brz     $bits,bad_block
+        stqa    $found,fetched
         ori     $3,$number,0
         ori     $4,$address,0
         ori     $5,$tag,0
