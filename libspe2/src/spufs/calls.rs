@@ -54,7 +54,13 @@ pub(super) fn create(path: &CStr, flags: c_uint, neighbor: Option<RawFd>) -> io:
     };
     match RawFd::try_from(result) {
         // SAFETY: the descriptor was just created, and nothing else owns it.
-        Ok(raw) if raw >= 0 => Ok(unsafe { OwnedFd::from_raw_fd(raw) }),
+        Ok(raw) if raw >= 0 => {
+            let directory = unsafe { OwnedFd::from_raw_fd(raw) };
+            // A program that this one executes must not keep the context. If it fails, it does.
+            // SAFETY: the call takes no pointers.
+            unsafe { libc::fcntl(raw, libc::F_SETFD, libc::FD_CLOEXEC) };
+            Ok(directory)
+        }
         _ => Err(io::Error::last_os_error()),
     }
 }

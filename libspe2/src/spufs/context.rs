@@ -89,9 +89,13 @@ impl Spufs {
             return Err(Errno(libc::ENODEV));
         }
         ProcessMemory::prepare().map_err(|_| Errno(libc::EFAULT))?;
-        let folder = gang.as_ref().map_or(ROOT, |gang| gang.0.path());
+        let creation = creation_flags(flags, neighbor);
+        // Only affinity needs the gang's folder. Kernels from 6.15 on remove that folder when the
+        // first context in it ends.
+        let is_near = creation & (calls::AFFINITY_MEMORY | calls::AFFINITY_SPU) != 0;
+        let folder = gang.as_ref().filter(|_| is_near).map_or(ROOT, |gang| gang.0.path());
         let path = format!("{folder}/spethread-{}-{number}", process::id());
-        let directory = Directory::create(path, creation_flags(flags, neighbor), neighbor)?;
+        let directory = Directory::create(path, creation, neighbor)?;
         let signal_types =
             [(c"signal1_type", SPE_CFG_SIGNOTIFY1_OR), (c"signal2_type", SPE_CFG_SIGNOTIFY2_OR)];
         for (name, flag) in signal_types {

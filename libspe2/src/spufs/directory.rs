@@ -85,14 +85,43 @@ impl Words {
     /// Reads a word. Returns `None` if there is none and the file does not wait for one.
     pub(super) fn read(&self, directory: &Directory) -> io::Result<Option<u32>> {
         let mut bytes = [0; 4];
-        let read = self.file(directory).and_then(|mut file| file.read(&mut bytes));
+        let mut file = self.file(directory)?;
+        let read = self.moved(|| file.read(&mut bytes));
         Ok(whole(read)?.then(|| u32::from_be_bytes(bytes)))
+    }
+
+    /// Whether a word can be read at once.
+    pub(super) fn is_readable(&self, directory: &Directory) -> io::Result<bool> {
+        let fd = self.file(directory)?.as_raw_fd();
+        let mut poll = libc::pollfd { fd, events: libc::POLLIN, revents: 0 };
+        // SAFETY: the structure is valid, and there is one.
+        match self.moved(|| match unsafe { libc::poll(&raw mut poll, 1, 0) } {
+            -1 => Err(io::Error::last_os_error()),
+            ready => Ok(ready as usize),
+        })? {
+            0 => Ok(false),
+            _ => Ok(poll.revents & libc::POLLIN != 0),
+        }
     }
 
     /// Writes a word. Returns `false` if the mailbox is full and the file does not wait.
     pub(super) fn write(&self, directory: &Directory, word: u32) -> io::Result<bool> {
         let bytes = word.to_be_bytes();
-        whole(self.file(directory).and_then(|mut file| file.write(&bytes)))
+        let mut file = self.file(directory)?;
+        whole(self.moved(|| file.write(&bytes)))
+    }
+
+    /// Reads or writes, and again if a signal ends the call of a file that does not wait: the kernel
+    /// does that, whatever the signal's flags, while it moves the context to or from an SPE.
+    fn moved(&self, mut call: impl FnMut() -> io::Result<usize>) -> io::Result<usize> {
+        let may_wait = matches!(self.name.to_bytes(), b"ibox" | b"wbox" | b"mfc")
+            && self.flags & libc::O_NONBLOCK == 0;
+        loop {
+            match call() {
+                Err(error) if error.kind() == io::ErrorKind::Interrupted && !may_wait => {}
+                moved => return moved,
+            }
+        }
     }
 }
 

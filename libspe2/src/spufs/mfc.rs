@@ -120,6 +120,10 @@ impl Spufs {
                 return Ok(complete);
             }
             let file = if waits { &self.mfc } else { &self.mfc_at_once };
+            // Only waiting and `poll` tell the MFC which tags are asked for.
+            if !waits && !file.is_readable(&self.directory).map_err(failed)? {
+                return Ok(complete);
+            }
             let status = file.read(&self.directory).map_err(failed)?;
             let mut issued = self.issued();
             let tags = status.unwrap_or(0) & *issued;

@@ -47,6 +47,8 @@ pub(crate) struct Context {
     runs: Condvar,
     /// Proxy tags that were used and have not been reported.
     pub tags: Mutex<u32>,
+    /// Those of them that the MFC was asked for.
+    pub asked_tags: Mutex<u32>,
     pub run_state: Arc<RunState>,
     areas: RwLock<Option<Areas>>,
 }
@@ -156,6 +158,7 @@ pub(crate) fn create(path: &str, flags: u32) -> Result<i32, Errno> {
         running: Mutex::new(0),
         runs: Condvar::new(),
         tags: Mutex::new(0),
+        asked_tags: Mutex::new(0),
         run_state: Arc::default(),
         areas: RwLock::new(None),
     };

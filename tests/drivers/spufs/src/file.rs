@@ -11,6 +11,7 @@ use spu_emulator::spe::{ProxyCommand, TagWait};
 
 use crate::context::{Context, lock};
 use crate::error::Errno;
+use crate::fault;
 use crate::problem_state::SIZE as AREAS_SIZE;
 use crate::readiness::{event_descriptor, into_raw, wait_for};
 use crate::table::{Open, table};
@@ -125,22 +126,41 @@ impl File<'_> {
         })
     }
 
-    /// The tags that are complete and were not reported, if there are any.
+    /// Asks the MFC for all outstanding tags, as `poll` and a read that waits do. A read that does
+    /// not wait gets only tags that were asked for.
+    pub fn ask_for_tags(&self) {
+        if self.kind == Kind::Mfc {
+            *lock(&self.context.asked_tags) = *lock(&self.context.tags);
+        }
+    }
+
+    /// The tags that are complete, asked for and not reported, if there are any.
     fn complete_tags(&self) -> Option<u32> {
+        if self.waits {
+            self.ask_for_tags();
+        }
         let mut tags = lock(&self.context.tags);
-        let complete = self.context.spe().proxy_tags(*tags, TagWait::Immediate);
+        let asked = *tags & *lock(&self.context.asked_tags);
+        let complete = self.context.spe().proxy_tags(asked, TagWait::Immediate);
         *tags &= !complete;
         self.context.levels.tags.set(*tags != 0);
         (complete != 0).then_some(complete)
     }
 
+    /// Whether a call waits for a word, for room or for a tag.
+    fn may_wait(&self) -> bool {
+        self.waits && matches!(self.kind, Kind::Ibox | Kind::Wbox | Kind::Mfc)
+    }
+
     pub fn read(&self, into: &mut [u8]) -> Result<usize, Errno> {
+        fault::check_contention(self.may_wait())?;
         let into = into.get_mut(..4).ok_or(Errno(libc::EINVAL))?;
         into.copy_from_slice(&self.word()?.to_be_bytes());
         Ok(into.len())
     }
 
     pub fn write(&self, from: &[u8]) -> Result<usize, Errno> {
+        fault::check_contention(self.may_wait())?;
         match self.kind {
             Kind::SignalType(register) => {
                 let mode = match from.first() {

@@ -3,16 +3,17 @@
 //! Invariant: calls that are not for spufs reach the C library.
 
 use std::ffi::CStr;
-use std::mem;
 use std::slice;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-use libc::{c_char, c_int, c_long, c_void, mode_t, off_t, off64_t, size_t, ssize_t};
+use libc::{
+    c_char, c_int, c_long, c_void, mode_t, nfds_t, off_t, off64_t, pollfd, size_t, ssize_t,
+};
 
 use crate::context;
 use crate::error::Errno;
 use crate::fault;
 use crate::file::{self, File};
+use crate::next;
 use crate::run;
 use crate::table::{self, Open, table};
 
@@ -21,33 +22,6 @@ const SIGN: c_long =
     if cfg!(any(target_arch = "powerpc", target_arch = "powerpc64")) { 1 } else { -1 };
 const SPU_RUN: c_long = SIGN * 278;
 const SPU_CREATE: c_long = SIGN * 279;
-
-/// A function of the C library, which is looked up when it is first called.
-struct Next {
-    name: &'static CStr,
-    address: AtomicUsize,
-}
-
-impl Next {
-    const fn new(name: &'static CStr) -> Self {
-        Self { name, address: AtomicUsize::new(0) }
-    }
-
-    /// # Safety
-    /// `F` must be the type of a function pointer that fits the function.
-    unsafe fn get<F: Copy>(&self) -> F {
-        let mut address = self.address.load(Relaxed);
-        if address == 0 {
-            // SAFETY: the name is a zero-terminated string.
-            let found = unsafe { libc::dlsym(libc::RTLD_NEXT, self.name.as_ptr()) };
-            assert!(!found.is_null(), "no {:?} behind this object", self.name);
-            address = found.expose_provenance();
-            self.address.store(address, Relaxed);
-        }
-        // SAFETY: the caller's promise; function pointers have the size of an address.
-        unsafe { mem::transmute_copy(&address) }
-    }
-}
 
 /// A result in the C convention.
 fn c_result<T: From<i8>>(result: Result<T, Errno>) -> T {
@@ -99,8 +73,6 @@ unsafe fn spu_run(descriptor: c_long, npc: *mut u32, event: *mut u32) -> Result<
     }
 }
 
-static NEXT_SYSCALL: Next = Next::new(c"syscall");
-
 /// # Safety
 /// As the C library's `syscall`. Its arguments are taken as a fixed number of words, of which a
 /// caller may leave out the last: those are never looked at.
@@ -114,18 +86,15 @@ pub unsafe extern "C" fn syscall(
     e: c_long,
     f: c_long,
 ) -> c_long {
-    type Syscall = unsafe extern "C" fn(c_long, ...) -> c_long;
     // SAFETY: the caller's promise.
     unsafe {
         match number {
             SPU_CREATE => c_result(spu_create(a as *const c_char, b)),
             SPU_RUN => c_result(spu_run(a, b as *mut u32, c as *mut u32)),
-            _ => NEXT_SYSCALL.get::<Syscall>()(number, a, b, c, d, e, f),
+            _ => next::syscall(number, a, b, c, d, e, f),
         }
     }
 }
-
-static NEXT_OPENAT: Next = Next::new(c"openat");
 
 /// # Safety
 /// As the C library's `openat`.
@@ -136,7 +105,6 @@ pub unsafe extern "C" fn openat(
     flags: c_int,
     mode: mode_t,
 ) -> c_int {
-    type Openat = unsafe extern "C" fn(c_int, *const c_char, c_int, ...) -> c_int;
     // SAFETY: the caller's promise; variable arguments that are integers are passed as others are.
     unsafe {
         match table::find(directory) {
@@ -144,71 +112,60 @@ pub unsafe extern "C" fn openat(
                 let name = CStr::from_ptr(path).to_string_lossy();
                 c_result(file::open(&context, &name, flags))
             }
-            _ => NEXT_OPENAT.get::<Openat>()(directory, path, flags, mode),
+            _ => next::openat(directory, path, flags, mode),
         }
     }
 }
-
-static NEXT_CLOSE: Next = Next::new(c"close");
 
 /// # Safety
 /// As the C library's `close`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn close(descriptor: c_int) -> c_int {
-    type Close = unsafe extern "C" fn(c_int) -> c_int;
     table::close(descriptor);
     // SAFETY: the caller's promise.
-    unsafe { NEXT_CLOSE.get::<Close>()(descriptor) }
+    unsafe { next::close(descriptor) }
 }
-
-static NEXT_READ: Next = Next::new(c"read");
 
 /// # Safety
 /// As the C library's `read`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn read(descriptor: c_int, into: *mut c_void, size: size_t) -> ssize_t {
-    type Read = unsafe extern "C" fn(c_int, *mut c_void, size_t) -> ssize_t;
     // SAFETY: the caller's promise.
     unsafe {
         let read =
             with_file(descriptor, |file| file.read(slice::from_raw_parts_mut(into.cast(), size)));
         match read {
             Some(result) => c_result(result.map(|size| size as ssize_t)),
-            None => NEXT_READ.get::<Read>()(descriptor, into, size),
+            None => next::read(descriptor, into, size),
         }
     }
 }
-
-static NEXT_WRITE: Next = Next::new(c"write");
 
 /// # Safety
 /// As the C library's `write`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn write(descriptor: c_int, from: *const c_void, size: size_t) -> ssize_t {
-    type Write = unsafe extern "C" fn(c_int, *const c_void, size_t) -> ssize_t;
     // SAFETY: the caller's promise.
     unsafe {
         let written =
             with_file(descriptor, |file| file.write(slice::from_raw_parts(from.cast(), size)));
         match written {
             Some(result) => c_result(result.map(|size| size as ssize_t)),
-            None => NEXT_WRITE.get::<Write>()(descriptor, from, size),
+            None => next::write(descriptor, from, size),
         }
     }
 }
 
-static NEXT_PWRITE64: Next = Next::new(c"pwrite64");
-
 /// # Safety
-/// As the C library's `pwrite64`.
-#[unsafe(no_mangle)]
+/// As the C library's `pwrite64`, which musl knows by another name.
+#[cfg_attr(not(target_env = "musl"), unsafe(no_mangle))]
+#[cfg_attr(target_env = "musl", unsafe(export_name = "pwrite"))]
 pub unsafe extern "C" fn pwrite64(
     descriptor: c_int,
     from: *const c_void,
     size: size_t,
     offset: off64_t,
 ) -> ssize_t {
-    type Pwrite64 = unsafe extern "C" fn(c_int, *const c_void, size_t, off64_t) -> ssize_t;
     // SAFETY: the caller's promise.
     unsafe {
         let written = with_file(descriptor, |file| {
@@ -216,12 +173,10 @@ pub unsafe extern "C" fn pwrite64(
         });
         match written {
             Some(result) => c_result(result.map(|size| size as ssize_t)),
-            None => NEXT_PWRITE64.get::<Pwrite64>()(descriptor, from, size, offset),
+            None => next::pwrite64(descriptor, from, size, offset),
         }
     }
 }
-
-static NEXT_MMAP: Next = Next::new(c"mmap");
 
 /// # Safety
 /// As the C library's `mmap`.
@@ -234,13 +189,9 @@ pub unsafe extern "C" fn mmap(
     descriptor: c_int,
     offset: off_t,
 ) -> *mut c_void {
-    type Mmap =
-        unsafe extern "C" fn(*mut c_void, size_t, c_int, c_int, c_int, off_t) -> *mut c_void;
     let Some(Open::File { context, kind, waits }) = table::find(descriptor) else {
         // SAFETY: the caller's promise.
-        return unsafe {
-            NEXT_MMAP.get::<Mmap>()(address, size, protection, flags, descriptor, offset)
-        };
+        return unsafe { next::mmap(address, size, protection, flags, descriptor, offset) };
     };
     let file = File { descriptor, context: &context, kind, waits };
     let mapped = match offset {
@@ -260,24 +211,34 @@ pub unsafe extern "C" fn mmap(
     }
 }
 
-static NEXT_MUNMAP: Next = Next::new(c"munmap");
-
 /// # Safety
 /// As the C library's `munmap`.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn munmap(address: *mut c_void, size: size_t) -> c_int {
-    type Munmap = unsafe extern "C" fn(*mut c_void, size_t) -> c_int;
     if table::unmap(address.addr()) {
         return 0;
     }
     // SAFETY: the caller's promise.
-    unsafe { NEXT_MUNMAP.get::<Munmap>()(address, size) }
+    unsafe { next::munmap(address, size) }
+}
+
+/// # Safety
+/// As the C library's `poll`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn poll(files: *mut pollfd, count: nfds_t, milliseconds: c_int) -> c_int {
+    // SAFETY: the caller's promise.
+    unsafe {
+        for at in 0..count as usize {
+            with_file((*files.add(at)).fd, |file| file.ask_for_tags());
+        }
+        next::poll(files, count, milliseconds)
+    }
 }
 
 /// The addresses of the functions. A program that links the stand-in calls this, so that the linker
 /// takes these functions and not the C library's.
 #[must_use]
-pub fn linked() -> [*const (); 8] {
+pub fn linked() -> [*const (); 9] {
     [
         syscall as *const (),
         openat as *const (),
@@ -287,5 +248,6 @@ pub fn linked() -> [*const (); 8] {
         pwrite64 as *const (),
         mmap as *const (),
         munmap as *const (),
+        poll as *const (),
     ]
 }

@@ -23,6 +23,7 @@ mod file;
 #[path = "../../../../libspe2/src/futex.rs"]
 mod futex;
 mod interpose;
+mod next;
 #[path = "../../../../libspe2/src/problem_state/mod.rs"]
 mod problem_state;
 #[path = "../../../../libspe2/src/process_memory.rs"]
