@@ -53,6 +53,8 @@
 
 #[cfg(feature = "choices")]
 pub mod choices;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod engine;
 pub mod framebuffer;
 #[cfg(unix)]

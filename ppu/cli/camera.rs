@@ -1,6 +1,6 @@
 //! The options that replace parts of a scene's view.
 
-use cellray::game::DVec3;
+use crate::game::DVec3;
 use clap::Args;
 
 /// Another view than the scene's own.

@@ -4,8 +4,8 @@ use std::fs;
 use std::os::unix::fs::FileTypeExt as _;
 use std::path::{Path, PathBuf};
 
-use cellray::choices::whole;
-use cellray::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
+use crate::choices::whole;
+use crate::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
 use clap::{Args, ValueEnum};
 
 use super::options::Options;

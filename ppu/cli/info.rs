@@ -3,8 +3,8 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use cellray::framebuffer::Device;
-use cellray::spe::{self, Program};
+use crate::framebuffer::Device;
+use crate::spe::{self, Program};
 use clap::Args;
 use protocol::formulation::Formulations;
 use protocol::layout;

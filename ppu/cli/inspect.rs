@@ -5,9 +5,9 @@ mod maps;
 use std::fs;
 use std::path::Path;
 
-use cellray::Report;
-use cellray::engine::TracedTile;
-use cellray::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
+use crate::Report;
+use crate::engine::TracedTile;
+use crate::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
 use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _, RgbImage};

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use cellray::framebuffer::Geometry;
+use crate::framebuffer::Geometry;
 
 use super::Outcome;
 use super::options::Options;

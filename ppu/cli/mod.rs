@@ -1,4 +1,5 @@
-//! The commands. Data goes to standard output, messages go to standard error.
+//! The command line: its commands, and what runs them. Data goes to standard output, messages go to
+//! standard error.
 
 mod camera;
 mod external;
@@ -17,10 +18,11 @@ mod sphereflake;
 
 use std::process::ExitCode;
 
-use cellray::framebuffer;
+use crate::framebuffer;
 use clap::{CommandFactory as _, Parser, Subcommand};
 
-type Outcome = Result<(), Box<dyn std::error::Error>>;
+/// What a command ends with.
+pub type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 ///
@@ -49,8 +51,9 @@ Examples:
   cellray sphereflake 4 > balls.nff
   cellray info";
 
+/// The commands.
 #[derive(Subcommand)]
-enum Command {
+pub enum Command {
     /// Render a scene to a picture, or to a sequence of pictures
     Render(render::Arguments),
     /// Render a scene to a framebuffer, or to a file in its format
@@ -76,6 +79,7 @@ enum Command {
     Info(info::Arguments),
 }
 
+/// Runs the program's command line. Returns the exit code.
 pub fn main() -> ExitCode {
     match dispatch(&Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
@@ -86,7 +90,11 @@ pub fn main() -> ExitCode {
     }
 }
 
-fn dispatch(command: &Command) -> Outcome {
+/// Runs a command.
+///
+/// # Errors
+/// The command fails.
+pub fn dispatch(command: &Command) -> Outcome {
     framebuffer::refuse_large_files()?;
     match command {
         Command::Render(arguments) => render::run(arguments),

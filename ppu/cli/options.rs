@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use cellray::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
-use cellray::framebuffer::Labels;
-use cellray::scene::{Colour, RenderOptions, Samples};
-use cellray::spe::Program;
-use cellray::work::{Skip, Split};
-use cellray::{Quality, Scene, Settings};
+use crate::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
+use crate::framebuffer::Labels;
+use crate::scene::{Colour, RenderOptions, Samples};
+use crate::spe::Program;
+use crate::work::{Skip, Split};
+use crate::{Quality, Scene, Settings};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum as _};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};

@@ -6,13 +6,13 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use cellray::choices::whole;
-use cellray::framebuffer::{
+use crate::choices::whole;
+use crate::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Labels, Memory, NumberedPath, PictureFile,
 };
-use cellray::game::{FrameRange, FrameRangeError, Pictures, Turntable, View};
-use cellray::scene::mesh::gathered;
-use cellray::watch::Watch;
+use crate::game::{FrameRange, FrameRangeError, Pictures, Turntable, View};
+use crate::scene::mesh::gathered;
+use crate::watch::Watch;
 use clap::Args;
 
 use super::options::Options;

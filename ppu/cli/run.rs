@@ -3,10 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use cellray::framebuffer::{Framebuffer, Geometry, Labels};
-use cellray::scene::offset_note;
-use cellray::spe::Program;
-use cellray::{Engine, LoopTime, Report, Scene};
+use crate::framebuffer::{Framebuffer, Geometry, Labels};
+use crate::scene::offset_note;
+use crate::spe::Program;
+use crate::{Engine, LoopTime, Report, Scene};
 use clap::ValueEnum as _;
 
 use super::Outcome;

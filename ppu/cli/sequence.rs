@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use cellray::framebuffer::{Geometry, Interrupted, Memory};
-use cellray::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
-use cellray::spe::Program;
+use crate::framebuffer::{Geometry, Interrupted, Memory};
+use crate::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
+use crate::spe::Program;
 use signal_hook::low_level::emulate_default_handler;
 
 use super::options::Options;

@@ -4,7 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use cellray::spe::Program;
+use crate::spe::Program;
 use clap::{Args, Subcommand};
 use spu_isa::timing::{Loop, Rules, find_loops, straight_line};
 use spu_scheduler::code::{Code, Function};

@@ -1,6 +1,6 @@
 //! `cellray sphereflake`: writes a generated scene as a file.
 
-use cellray::choices::whole;
+use crate::choices::whole;
 use clap::Args;
 
 use super::Outcome;

@@ -3,11 +3,11 @@
 //! The SPUs count rays and tests for a whole frame. So another engine traces the picture again, a
 //! tile in each frame, after everything about the inspected frame was recorded.
 
-use cellray::framebuffer::{Geometry, Memory};
-use cellray::scene::{RenderOptions, Samples};
-use cellray::spe::Program;
-use cellray::statistics::Rays;
-use cellray::{Engine, Scene, Settings};
+use crate::framebuffer::{Geometry, Memory};
+use crate::scene::{RenderOptions, Samples};
+use crate::spe::Program;
+use crate::statistics::Rays;
+use crate::{Engine, Scene, Settings};
 use cellray_inspector::{PixelMap, TileMap};
 use image::{Rgb, RgbImage};
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
