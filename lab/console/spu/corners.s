@@ -2,8 +2,10 @@
 # result, the FPSCR and a name. Argument: the effective address of 12 KB.
         .set    NAMES_AT, 0x1000        # the offset of the names from the argument
         .set    PUT, 0x20
+        .set    GETL, 0x44
+        .set    SDCRZ, 0x89
 
-        # A name has 64 bytes, an result 32: the value and the FPSCR.
+        # A name has 64 bytes, a result 32: the value and the FPSCR.
         .section .rodata
         .balign 128
 names:
@@ -37,6 +39,26 @@ results:
         stqd    $80,0($70)
         stqd    $81,16($70)
         ai      $70,$70,32
+        .endm
+
+# Stores a list whose four elements are 16 bytes at these offsets from the argument. `first` is the
+# size of the first one and its stall bit.
+        .macro  elements first:req, a:req, b:req, c:req, d:req
+        words   $63,\first,\a,0x10,\b
+        words   $64,0x10,\c,0x10,\d
+        a       $63,$63,$66
+        a       $64,$64,$66
+        stqa    $63,list
+        stqa    $64,list+16
+        .endm
+
+# Begins to load the elements.
+        .macro  load_list
+        ila     $20,list
+        ila     $21,loaded
+        il      $22,32
+        il      $23,GETL
+        brsl    $0,transfer
         .endm
 
         .macro  corner name:req
@@ -152,6 +174,73 @@ _start: fscrrd  $81
         bid     $62
 4:
 
+        # Elements of a list that the program changes while the list stalls: the first 16 bytes of
+        # each show whether the MFC had read it before. The pattern's word N is N + 1.
+        ila     $20,pattern
+        ori     $21,$6,0
+        il      $22,512
+        brsl    $0,put
+        words   $66,0x80808080,0x00010203,0x80808080,0x00010203
+        shufb   $66,$6,$6,$66
+        elements 0x80000010,0,16,16,16
+        load_list
+        rdch    $24,$ch25
+        # What the MFC reads ahead, it has read after this time.
+        il      $25,20000
+5:      ai      $25,$25,-1
+        brnz    $25,5b
+        elements 0x80000010,0,256,256,256
+        dsync
+        il      $24,0
+        wrch    $ch26,$24
+        brsl    $0,wait
+        brsl    $0,first_words
+        clear
+        corner  "list elements that change while it stalls"
+
+        # One line of three is set to zero.
+        ai      $20,$6,128
+        il      $21,0
+        il      $22,128
+        il      $23,SDCRZ
+        brsl    $0,transfer
+        brsl    $0,wait
+        elements 0x10,112,128,240,256
+        load_list
+        brsl    $0,wait
+        brsl    $0,first_words
+        clear
+        corner  "sdcrz of the second line"
+
+        # The tag mask changes after the status that it asked for is there: counts of the status and
+        # of events, the event, and the status.
+        il      $24,1
+        wrch    $ch1,$24
+        wrch    $ch2,$24
+        wrch    $ch22,$24
+        il      $24,2
+        wrch    $ch23,$24
+        wrch    $ch22,$24
+        rchcnt  $61,$ch24
+        rchcnt  $62,$ch0
+        il      $63,-1
+        brz     $62,6f
+        rdch    $63,$ch0
+6:      il      $64,-1
+        brz     $61,7f
+        rdch    $64,$ch24
+7:      brsl    $0,in_one
+        il      $24,0
+        wrch    $ch1,$24
+        il      $24,1
+        wrch    $ch2,$24
+        # An update at once takes away a status that is left.
+        il      $24,0
+        wrch    $ch23,$24
+        rdch    $24,$ch24
+        clear
+        corner  "tag status and its event with a changing mask"
+
         # Each entry of both tables of estimates.
         .irp    step,00,04,08,0c,10,14,18,1c
         clear
@@ -178,20 +267,60 @@ _start: fscrrd  $81
         stop    0x2000
 
 # Stores $22 bytes of local store at $20 to the effective address $5, $21, and waits.
-put:    il      $23,0
-        il      $24,PUT
-        wrch    $ch16,$20
-        wrch    $ch17,$5
-        wrch    $ch18,$21
-        wrch    $ch19,$22
-        wrch    $ch20,$23
-        wrch    $ch21,$24
-        il      $24,1
+put:    il      $23,PUT
+        ori     $24,$20,0
+        ori     $20,$21,0
+        ori     $21,$24,0
+        ori     $25,$0,0
+        brsl    $0,transfer
+        ori     $0,$25,0
+# Waits for the transfers of tag 0.
+wait:   il      $24,1
         wrch    $ch22,$24
         il      $24,2
         wrch    $ch23,$24
         rdch    $24,$ch24
         bi      $0
+
+# Issues the command $23 with tag 0 for $22 bytes, between local store at $21 and the low word $20 of
+# the effective address, or the address of a list.
+transfer:
+        il      $24,0
+        wrch    $ch16,$21
+        wrch    $ch17,$5
+        wrch    $ch18,$20
+        wrch    $ch19,$22
+        wrch    $ch20,$24
+        wrch    $ch21,$23
+        bi      $0
+
+# $80 from the first words of the four quadwords at `loaded`, or of $61 to $64.
+first_words:
+        lqa     $61,loaded
+        lqa     $62,loaded+16
+        lqa     $63,loaded+32
+        lqa     $64,loaded+48
+in_one: fsmbi   $65,0x0f00
+        rotqbyi $62,$62,12
+        selb    $80,$61,$62,$65
+        fsmbi   $65,0x00f0
+        rotqbyi $63,$63,8
+        selb    $80,$80,$63,$65
+        fsmbi   $65,0x000f
+        rotqbyi $64,$64,4
+        selb    $80,$80,$64,$65
+        bi      $0
+
+        .section .data
+        .balign 128
+pattern:
+        .set    word,0
+        .rept   128
+        .set    word,word+1
+        .word   word
+        .endr
+list:   .fill   32,1,0
+loaded: .fill   64,1,0
 
 # 128 names, the rest of them empty.
         .section .rodata
