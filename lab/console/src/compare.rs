@@ -3,13 +3,16 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::spe::Program;
+use cellray::{Report, Settings};
 use clock::results::model;
 use clock::rows;
 
 use crate::Failure;
 use crate::corners::{self, FACTS};
-use crate::pictures;
-use crate::report::{CHECKSUM, EMULATED, TITLE};
+use crate::pictures::{self, engine, load};
+use crate::report::{CHECKSUM, EMULATED, TITLE, Turning};
 
 /// The path of the list of facts in the sources, for the patch.
 const FACTS_FILE: &str = "lab/console/corners.txt";
@@ -25,11 +28,12 @@ pub struct Comparison {
 }
 
 /// Compares a report with the model, with the list of facts, and with the pictures of this
-/// machine. `folder` has the folder `scenes`.
+/// machine. `folder` has the folder `scenes`. With `frames`, frames a second are compared, too; this
+/// process must then run in simulated time.
 ///
 /// # Errors
 /// It is no report, its checksum is wrong, or a line can't be read.
-pub fn compare(report: &str, folder: &Path) -> Result<Comparison, Failure> {
+pub fn compare(report: &str, folder: &Path, frames: bool) -> Result<Comparison, Failure> {
     check(report)?;
     let mut found = Comparison { text: String::new(), differences: 0 };
     if report.lines().any(|line| line.starts_with(EMULATED)) {
@@ -39,6 +43,9 @@ pub fn compare(report: &str, folder: &Path) -> Result<Comparison, Failure> {
     found.corners(report)?;
     if report.lines().any(|line| line.starts_with("picture ")) {
         found.pictures(report, &pictures::golden(folder)?)?;
+    }
+    if frames {
+        found.frames(report, folder)?;
     }
     for line in report.lines().filter(|line| line.starts_with("failed: ")) {
         found.differs(line)?;
@@ -86,18 +93,53 @@ impl Comparison {
             let band =
                 rows.iter().find(|row| row.name == name).and_then(|row| row.console.as_ref());
             let band = band.map_or(BAND, |console| console.band);
-            let error = value / expected - 1.0;
-            let line = format!(
-                "{name:<20} {value:>12.3}, model {expected:>12.3} {unit}, {:+.1} %, band {:.0} %",
-                100.0 * error,
-                100.0 * band
-            );
-            // A figure that is no number is out of every band.
-            if error.abs() <= band {
-                writeln!(self.text, "         {line}")?;
-            } else {
-                self.differs(&line)?;
+            self.row(name, value, expected, unit, band)?;
+        }
+        Ok(())
+    }
+
+    /// Prints a figure beside the model's.
+    fn row(
+        &mut self,
+        name: &str,
+        value: f64,
+        expected: f64,
+        unit: &str,
+        band: f64,
+    ) -> Result<(), Failure> {
+        let error = value / expected - 1.0;
+        let line = format!(
+            "{name:<20} {value:>12.3}, model {expected:>12.3} {unit}, {:+.1} %, band {:.0} %",
+            100.0 * error,
+            100.0 * band
+        );
+        // A figure that is no number is out of every band.
+        if error.abs() <= band {
+            Ok(writeln!(self.text, "         {line}")?)
+        } else {
+            self.differs(&line)
+        }
+    }
+
+    /// Compares the frames of scenes that wait for no screen. Those of games depend on how many the
+    /// console has made in its time.
+    fn frames(&mut self, report: &str, folder: &Path) -> Result<(), Failure> {
+        for (number, line) in report.lines().enumerate() {
+            let Some((head, figures)) =
+                line.strip_prefix("frames ").and_then(|line| line.split_once(": "))
+            else {
+                continue;
+            };
+            let wrong = || format!("line {}: no frames of a scene: {line}", number + 1);
+            let words: Vec<_> = head.split(", ").collect();
+            let [scene, how, size] = words[..] else { return Err(wrong().into()) };
+            if how == "vsync" || scene.starts_with("of ") {
+                continue;
             }
+            let value = figures.split(' ').next().and_then(|value| value.parse().ok());
+            let (value, size) = (value.ok_or_else(wrong)?, size.parse()?);
+            let expected = simulated(folder, scene, size)?;
+            self.row(scene, value, expected, "frames/s", BAND)?;
         }
         Ok(())
     }
@@ -129,6 +171,19 @@ impl Comparison {
         }
         Ok(())
     }
+}
+
+/// Frames a second of the model, for a scene whose eye turns.
+fn simulated(folder: &Path, scene: &str, size: Geometry) -> Result<f64, Failure> {
+    let mut views = Turning::new(load(folder, scene)?);
+    let timeout = Settings::default().timeout;
+    let mut engine = engine(Program::tracer(), timeout, Box::new(Memory::new(size)?))?;
+    let spus = Settings::default().spus;
+    let mut report = Report::new(scene, (size.width, size.height), spus);
+    // The first frame finds the costs of tiles.
+    engine.render(&views.next()?, &mut |_| ())?;
+    report.add(engine.render(&views.next()?, &mut |_| ())?);
+    Ok(report.frames_per_second)
 }
 
 /// The list of facts as this machine has it.

@@ -103,8 +103,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     }
     let out = arguments.out.display();
     match report.file {
-        Some(_) => messages::print!("cellray-console: {out}: send it as docs/ps3.md describes"),
-        None => messages::print!("cellray-console: the report is only above: please copy it"),
+        Some(_) => messages::print!("cellray: {out}: send it as docs/ps3.md describes"),
+        None => messages::print!("cellray: the report is only above: please copy it"),
     }
     Ok(if failed == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
@@ -120,7 +120,7 @@ impl Report<'_> {
     fn only_printed(&mut self, error: &std::io::Error) {
         self.file = None;
         let out = self.arguments.out.display();
-        messages::print!("cellray-console: {out}: {error}: the report is only printed");
+        messages::print!("cellray: {out}: {error}: the report is only printed");
     }
 
     /// Prints a line and writes it, so that the file has it even if the machine stops.
@@ -190,17 +190,11 @@ impl Report<'_> {
                 let name = format!("frames {scene}, {how}");
                 self.step(&name, 10, || {
                     let screen = screen(arguments, vsync)?;
+                    let size = screen.geometry();
                     let mut engine = engine(Program::tracer(), timeout, screen)?;
-                    let source = load(&folder, scene)?;
-                    let (mut angle, mut source) = (0.0_f64, source);
-                    let from = source.view.from - source.view.at;
-                    measure(&name, arguments.seconds, || {
-                        // A quarter of a degree, so that each frame is traced.
-                        angle += 0.25_f64.to_radians();
-                        source.view.from = source.view.at + turned(from, source.view.up, angle);
-                        let scene =
-                            Scene::new(&source, RenderOptions::default(), &Program::tracer())?;
-                        engine.render(&scene, &mut |_| ())?;
+                    let mut views = Turning::new(load(&folder, scene)?);
+                    measure(&format!("{name}, {size}"), arguments.seconds, || {
+                        engine.render(&views.next()?, &mut |_| ())?;
                         Ok(true)
                     })
                 });
@@ -213,6 +207,33 @@ impl Report<'_> {
                 });
             }
         }
+    }
+}
+
+/// A scene whose eye turns by a quarter of a degree a frame, so that each frame is traced.
+pub struct Turning {
+    source: scenes::Scene,
+    from: DVec3,
+    angle: f64,
+}
+
+impl Turning {
+    /// Begins at the scene's own eye.
+    #[must_use]
+    pub fn new(source: scenes::Scene) -> Self {
+        Self { from: source.view.from - source.view.at, source, angle: 0.0 }
+    }
+
+    /// The next frame.
+    ///
+    /// # Errors
+    /// The scene can't be shown.
+    #[expect(clippy::should_implement_trait, reason = "it has no end")]
+    pub fn next(&mut self) -> Result<Scene, Failure> {
+        self.angle += 0.25_f64.to_radians();
+        let view = &mut self.source.view;
+        view.from = view.at + turned(self.from, view.up, self.angle);
+        Ok(Scene::new(&self.source, RenderOptions::default(), &Program::tracer())?)
     }
 }
 
@@ -355,14 +376,16 @@ fn play(
     let entry = games::find(game).ok_or("there is no such game")?;
     let spus = usable_spes()?.clamp(1, Settings::default().spus);
     let settings = Settings { spus, timeout, ..Settings::default() };
-    let mut session = Session::start((entry.new)(), settings, screen(arguments, vsync)?)?;
+    let screen = screen(arguments, vsync)?;
+    let name = format!("{name}, {}", screen.geometry());
+    let mut session = Session::start((entry.new)(), settings, screen)?;
     if played {
         session = session.replaying(Recording::open(&folder.join(RECORDING))?)?;
     }
     let step = Duration::from_nanos(16_666_667);
     // The clock never waits; the screen does.
     let mut clock = FixedSteps(step);
-    measure(name, arguments.seconds, || {
+    measure(&name, arguments.seconds, || {
         let flow = session.frame(&mut clock, &mut NoInput)?;
         Ok(flow.is_continue())
     })

@@ -76,13 +76,18 @@ impl System {
         fs::read_to_string(self.path(path)).unwrap_or_default()
     }
 
-    /// Whether this process may read and write a file.
-    fn may_use(&self, path: &str) -> bool {
+    /// Whether this process has rights of `access` to a file.
+    fn may(&self, rights: i32, path: &str) -> bool {
         let path = self.path(path);
         CString::new(path.as_os_str().as_bytes()).is_ok_and(|path| {
             // SAFETY: the path is a C string.
-            unsafe { libc::access(path.as_ptr(), libc::R_OK | libc::W_OK) == 0 }
+            unsafe { libc::access(path.as_ptr(), rights) == 0 }
         })
+    }
+
+    /// Whether this process may read and write a file.
+    fn may_use(&self, path: &str) -> bool {
+        self.may(libc::R_OK | libc::W_OK, path)
     }
 
     /// Entries of a folder whose names are this and a number.
@@ -117,11 +122,12 @@ impl System {
     }
 
     fn rights(&self) -> Found {
-        if self.may_use("spu") {
+        // The kernel asks for no other right where it creates a context.
+        if self.may(libc::X_OK, "spu") {
             return Ok("you may use the SPUs".into());
         }
-        let remount = Mend::Command("mount -o remount,mode=0777 /spu && chmod 0777 /spu");
-        trouble("you may not write to /spu", remount, true)
+        let remount = Mend::Command("chmod 0777 /spu");
+        trouble("you may not enter /spu", remount, true)
     }
 
     fn spes(&self) -> Found {
@@ -240,7 +246,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
         }
     }
     if stopped {
-        messages::print!("cellray-console: `./start --fix` as root does what has a command above");
+        messages::print!("cellray: `./start --fix` as root does what has a command above");
         return Ok(ExitCode::FAILURE);
     }
     if !arguments.check {
@@ -276,7 +282,7 @@ fn show(device: &Path, folder: &Path, frames: Option<u32>) -> Result<(), Failure
     // Another driver, or a mode that needs more memory, keeps its own mode.
     let screen = framebuffer::open_with(device, full)
         .or_else(|_| framebuffer::open_with(device, framebuffer::Options::default()))?;
-    messages::print!("cellray-console: {}", screen.describe());
+    messages::print!("cellray: {}", screen.describe());
     let program = Program::tracer();
     let mut engine = engine(program, Duration::from_secs(60), screen)?;
     let keys = Keys::listen();
@@ -292,9 +298,7 @@ fn show(device: &Path, folder: &Path, frames: Option<u32>) -> Result<(), Failure
         traced += 1;
     }
     drop(engine);
-    messages::print!(
-        "cellray-console: {traced} frames shown; now `./report` measures this console"
-    );
+    messages::print!("cellray: {traced} frames shown; now `./report` measures this console");
     Ok(())
 }
 

@@ -51,7 +51,7 @@ fn all_spus_have_the_same_results() {
 
 #[test]
 fn report_like_the_model_has_no_differences() {
-    let found = compare(&sealed(&model_report()), sources()).unwrap();
+    let found = compare(&sealed(&model_report()), sources(), false).unwrap();
     assert_eq!(found.differences, 0, "{}", found.text);
 }
 
@@ -73,7 +73,7 @@ fn three_rows_and_two_corners_that_differ_are_found() {
         assert!(report.contains(old));
         report = report.replace(old, &new);
     }
-    let found = compare(&sealed(&report), sources()).unwrap();
+    let found = compare(&sealed(&report), sources(), false).unwrap();
     assert_eq!(found.differences, 5, "{}", found.text);
     let marked: Vec<_> = found.text.lines().filter(|line| line.starts_with("DIFFERS")).collect();
     assert_eq!(marked.len(), 3);
@@ -100,9 +100,27 @@ fn three_rows_and_two_corners_that_differ_are_found() {
 }
 
 #[test]
+fn frames_of_scenes_stand_beside_the_models() {
+    let frames = |line: &str| {
+        let report = sealed(&format!("frames {line}: 1000000.00 frames/s, 2 frames\n"));
+        compare(&report, sources(), true)
+    };
+    let found = frames("paper1.nff, in memory, 64x36").unwrap();
+    assert_eq!(found.differences, 1, "{}", found.text);
+    assert!(found.text.starts_with("DIFFERS  paper1.nff"), "{}", found.text);
+    for other in ["paper1.nff, vsync, 64x36", "of orrery, in memory, 64x36"] {
+        assert_eq!(frames(other).unwrap().differences, 0);
+    }
+    let refused = |line| frames(line).err().unwrap().to_string();
+    assert!(refused("paper1.nff").contains("line 2: no frames of a scene"));
+    assert!(refused("none.nff, in memory, 64x36").contains("none.nff"));
+    assert!(refused("paper1.nff, in memory, 64").contains("64"));
+}
+
+#[test]
 fn damaged_reports_are_refused() {
     let whole = sealed(&model_report());
-    let refused = |report: &str| compare(report, sources()).err().unwrap().to_string();
+    let refused = |report: &str| compare(report, sources(), false).err().unwrap().to_string();
     assert!(refused("").contains("does not begin with"));
     assert!(refused(&whole.replace("clock hint 17", "clock hint 18")).contains("its checksum is"));
     assert!(refused(&whole[..whole.len() / 2]).contains("its end is missing"));
