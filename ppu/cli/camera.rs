@@ -1,7 +1,8 @@
 //! The options that replace parts of a scene's view.
 
-use crate::game::DVec3;
 use clap::Args;
+
+use crate::game::DVec3;
 
 /// Another view than the scene's own.
 #[derive(Args)]

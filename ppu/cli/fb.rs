@@ -4,12 +4,12 @@ use std::fs;
 use std::os::unix::fs::FileTypeExt as _;
 use std::path::{Path, PathBuf};
 
-use crate::choices::whole;
-use crate::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
 use clap::{Args, ValueEnum};
 
 use super::options::Options;
 use super::{Outcome, run};
+use crate::choices::whole;
+use crate::framebuffer::{self, Geometry, Interrupted, Mode, Raster};
 
 /// Render a scene to a framebuffer, or to a file in its format.
 #[derive(Args)]

@@ -3,13 +3,13 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::framebuffer::Device;
-use crate::spe::{self, Program};
 use clap::Args;
 use protocol::formulation::Formulations;
 use protocol::layout;
 
 use super::Outcome;
+use crate::framebuffer::Device;
+use crate::spe::{self, Program};
 
 /// Show the libspe2 in use, its SPEs, and the framebuffer.
 #[derive(Args)]

@@ -5,9 +5,6 @@ mod maps;
 use std::fs;
 use std::path::Path;
 
-use crate::Report;
-use crate::engine::TracedTile;
-use crate::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
 use cellray_inspector::{Inspection, Recording, Statistic, Tile, Unit, page};
 use image::codecs::png::PngEncoder;
 use image::{ExtendedColorType, ImageEncoder as _, RgbImage};
@@ -16,6 +13,9 @@ use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 use super::Outcome;
 use super::options::Options;
 use super::run::{Prepared, report_run, traced};
+use crate::Report;
+use crate::engine::TracedTile;
+use crate::framebuffer::{Geometry, Memory, PictureFile, write_labelled};
 
 /// libspe2's recording of this run. If there is none, runs this program again with the environment
 /// that makes libspe2 record, and exits with that run's status: it has reported all errors.

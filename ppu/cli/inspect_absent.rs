@@ -2,11 +2,10 @@
 
 use std::path::Path;
 
-use crate::framebuffer::Geometry;
-
 use super::Outcome;
 use super::options::Options;
 use super::run::Prepared;
+use crate::framebuffer::Geometry;
 
 /// The recording of a PC; never created here.
 pub enum Recording {}

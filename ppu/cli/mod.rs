@@ -18,8 +18,9 @@ mod sphereflake;
 
 use std::process::ExitCode;
 
-use crate::framebuffer;
 use clap::{CommandFactory as _, Parser, Subcommand};
+
+use crate::framebuffer;
 
 /// What a command ends with.
 pub type Outcome = Result<(), Box<dyn std::error::Error>>;

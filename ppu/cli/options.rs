@@ -2,18 +2,18 @@
 
 use std::path::PathBuf;
 
-use crate::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
-use crate::framebuffer::Labels;
-use crate::scene::{Colour, RenderOptions, Samples};
-use crate::spe::Program;
-use crate::work::{Skip, Split};
-use crate::{Quality, Scene, Settings};
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Args, ValueEnum as _};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use protocol::layout::{MESH_MAX_SLOTS, MESH_MIN_SLOTS};
 
 use super::camera::Camera;
+use crate::choices::{LookChoices, ProgramChoices, SceneChoices, whole};
+use crate::framebuffer::Labels;
+use crate::scene::{Colour, RenderOptions, Samples};
+use crate::spe::Program;
+use crate::work::{Skip, Split};
+use crate::{Quality, Scene, Settings};
 
 /// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]

@@ -6,6 +6,10 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use clap::Args;
+
+use super::options::Options;
+use super::{Outcome, inspect, run, sequence};
 use crate::choices::whole;
 use crate::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Labels, Memory, NumberedPath, PictureFile,
@@ -13,10 +17,6 @@ use crate::framebuffer::{
 use crate::game::{FrameRange, FrameRangeError, Pictures, Turntable, View};
 use crate::scene::mesh::gathered;
 use crate::watch::Watch;
-use clap::Args;
-
-use super::options::Options;
-use super::{Outcome, inspect, run, sequence};
 
 /// The value of `--out` with which no picture is written.
 const NONE: &str = "none";

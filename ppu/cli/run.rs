@@ -3,15 +3,15 @@
 use std::fs;
 use std::path::Path;
 
-use crate::framebuffer::{Framebuffer, Geometry, Labels};
-use crate::scene::offset_note;
-use crate::spe::Program;
-use crate::{Engine, LoopTime, Report, Scene};
 use clap::ValueEnum as _;
 
 use super::Outcome;
 use super::options::Options;
 use super::progress::Progress;
+use crate::framebuffer::{Framebuffer, Geometry, Labels};
+use crate::scene::offset_note;
+use crate::spe::Program;
+use crate::{Engine, LoopTime, Report, Scene};
 
 type Failure = Box<dyn std::error::Error>;
 

@@ -2,13 +2,13 @@
 
 use std::time::Duration;
 
-use crate::framebuffer::{Geometry, Interrupted, Memory};
-use crate::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
-use crate::spe::Program;
 use signal_hook::low_level::emulate_default_handler;
 
 use super::options::Options;
 use super::{Outcome, run};
+use crate::framebuffer::{Geometry, Interrupted, Memory};
+use crate::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
+use crate::spe::Program;
 
 /// Writes the pictures of a range of frames, except those that exist.
 pub fn run(

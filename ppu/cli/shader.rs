@@ -4,13 +4,13 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::spe::Program;
 use clap::{Args, Subcommand};
 use spu_isa::timing::{Loop, Rules, find_loops, straight_line};
 use spu_scheduler::code::{Code, Function};
 use spu_scheduler::{LoopReport, Outcome as Form, ScheduleError};
 
 use super::Outcome;
+use crate::spe::Program;
 
 /// Assemble, schedule and link shaders of your own.
 #[derive(Args)]

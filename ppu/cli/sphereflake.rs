@@ -1,9 +1,9 @@
 //! `cellray sphereflake`: writes a generated scene as a file.
 
-use crate::choices::whole;
 use clap::Args;
 
 use super::Outcome;
+use crate::choices::whole;
 
 /// Write a sphereflake as an NFF scene to standard output.
 #[derive(Args)]

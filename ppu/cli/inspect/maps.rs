@@ -3,14 +3,15 @@
 //! The SPUs count rays and tests for a whole frame. So another engine traces the picture again, a
 //! tile in each frame, after everything about the inspected frame was recorded.
 
+use cellray_inspector::{PixelMap, TileMap};
+use image::{Rgb, RgbImage};
+use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
+
 use crate::framebuffer::{Geometry, Memory};
 use crate::scene::{RenderOptions, Samples};
 use crate::spe::Program;
 use crate::statistics::Rays;
 use crate::{Engine, Scene, Settings};
-use cellray_inspector::{PixelMap, TileMap};
-use image::{Rgb, RgbImage};
-use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
 type Failure = Box<dyn std::error::Error>;
 
