@@ -174,11 +174,15 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
         let context = unsafe { context(spe)? };
         // SAFETY: the box came from `Box::into_raw`, and the caller gives it up. Its private part
         // is the reference that `Arc::into_raw` left.
-        unsafe {
+        let owned = unsafe {
             let owned = Box::from_raw(spe);
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));
-        }
+            owned
+        };
         drop(context);
+        // A context's folder is named by this address, so it goes first: another thread's context
+        // may get the address at once.
+        drop(owned);
         write_reports();
         Ok(0)
     })

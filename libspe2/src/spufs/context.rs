@@ -93,7 +93,8 @@ impl Spufs {
         // Only affinity needs the gang's folder. Kernels from 6.15 on remove that folder when the
         // first context in it ends.
         let is_near = creation & (calls::AFFINITY_MEMORY | calls::AFFINITY_SPU) != 0;
-        let folder = gang.as_ref().filter(|_| is_near).map_or(ROOT, |gang| gang.0.path());
+        let gang = gang.filter(|_| is_near);
+        let folder = gang.as_ref().map_or(ROOT, |gang| gang.0.path());
         let path = format!("{folder}/spethread-{}-{number}", process::id());
         let directory = Directory::create(path, creation, neighbor)?;
         let signal_types =
