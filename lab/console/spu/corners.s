@@ -185,7 +185,7 @@ _start: fscrrd  $81
         elements 0x80000010,0,16,16,16
         load_list
         rdch    $24,$ch25
-        # What the MFC reads ahead, it has read after this time.
+        # The MFC has time to read as far ahead as it does.
         il      $25,20000
 5:      ai      $25,$25,-1
         brnz    $25,5b

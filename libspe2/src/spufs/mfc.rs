@@ -120,7 +120,7 @@ impl Spufs {
                 return Ok(complete);
             }
             let file = if waits { &self.mfc } else { &self.mfc_at_once };
-            // Only waiting and `poll` tell the MFC which tags are asked for.
+            // Only waiting and `poll` ask the MFC for tags.
             if !waits && !file.is_readable(&self.directory).map_err(failed)? {
                 return Ok(complete);
             }

@@ -147,7 +147,7 @@ impl File<'_> {
         (complete != 0).then_some(complete)
     }
 
-    /// Whether a call waits for a word, for room or for a tag.
+    /// Whether a call waits for a word, for a place for one or for a tag.
     fn may_wait(&self) -> bool {
         self.waits && matches!(self.kind, Kind::Ibox | Kind::Wbox | Kind::Mfc)
     }

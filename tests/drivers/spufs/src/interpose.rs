@@ -157,7 +157,7 @@ pub unsafe extern "C" fn write(descriptor: c_int, from: *const c_void, size: siz
 }
 
 /// # Safety
-/// As the C library's `pwrite64`, which musl knows by another name.
+/// As the C library's `pwrite64`, which has another name in musl.
 #[cfg_attr(not(target_env = "musl"), unsafe(no_mangle))]
 #[cfg_attr(target_env = "musl", unsafe(export_name = "pwrite"))]
 pub unsafe extern "C" fn pwrite64(

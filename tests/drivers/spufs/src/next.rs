@@ -1,5 +1,5 @@
-//! The functions behind those of the stand-in: the C library's. A static program has one function
-//! of a name, so the kernel's calls are behind it there.
+//! The functions that the stand-in calls: the C library's. A static program has one function of a
+//! name, so there it makes the kernel's calls itself.
 
 use std::ffi::c_void;
 
