@@ -6,10 +6,11 @@
 _start:
         stop    0x1ffd
 
-# The kernels for depth shading, boxes and height fields are directly in front of those for colours,
-# and the ones for refitted meshes after those for meshes, so that the bench has all the memory in
+# The kernels for building meshes, depth shading, boxes and height fields are directly in front of
+# those for colours, and the ones for refitted meshes after those for meshes, so that the bench has all the memory in
 # front of them.
-        .global depth_place, boxes_place, height_place, build_place
+        .global depth_place, boxes_place, height_place, build_place, sort_place
+        .set    sort_place,0x25f00
         .set    depth_place,0x27780
         .set    boxes_place,0x31e00
         .set    height_place,0x33080

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 16;
+    VERSION = 17;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -179,11 +179,19 @@ constants! {
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
     DEPTH_CODE_CAPACITY = 20480;
-    /// Address in local store of the code that refits meshes, in the memory of scenes. Each frame
-    /// with `FEATURE_BUILD` brings it in.
-    BUILD_CODE = 0x2bd00;
+    /// Address in local store of the code that refits and builds meshes, in the memory of scenes.
+    /// Each frame with `FEATURE_BUILD` brings it in. The code that tests boxes is among it.
+    BUILD_CODE = 0x29100;
     /// Bytes for that code.
-    BUILD_CODE_CAPACITY = 5120;
+    BUILD_CODE_CAPACITY = 16384;
+    /// `task` of a `BUILD`: leaf blocks are refitted.
+    BUILD_REFIT = 0;
+    /// `task`: chunks of triangles are sorted.
+    BUILD_SORT = 1;
+    /// `task`: sorted triangles are packed into leaf blocks.
+    BUILD_PACK = 2;
+    /// Most triangles that are sorted together.
+    BUILD_CHUNK = 4096;
     /// Most leaf blocks of a `BUILD_UNIT`.
     BUILD_LEAVES = 16;
     /// Most objects of one shape.
@@ -435,6 +443,7 @@ pub const RECORDS: &[Record] = &[
     Build::RECORD,
     BuildUnit::RECORD,
     BuildBounds::RECORD,
+    BuildTriangle::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
