@@ -1,7 +1,7 @@
 # sort_codes   the codes of triangles by which they are sorted
 #   C       void sort_codes(void *triangles, int fours, const void *corners,
 #                           const struct build *);
-#   In      $3 BUILD_TRIANGLE records, $4 fours of them, at least 1, $5 their corners' MESH_VERTEX
+#   In      $3 BUILD_TRIANGLE records, $4 fours of them, at least 2, $5 their corners' MESH_VERTEX
 #           records, $6 the BUILD; pointers 16-aligned
 #   Out     the codes
 #   Uses    $3-$6, $10-$37
@@ -75,12 +75,13 @@ next_four:
         a       $cell+\of,$corner,$corner+1
         a       $cell+\of,$cell+\of,$corner+2
         sf      $cell+\of,$low,$cell+\of
-        rotm    $cell+\of,$cell+\of,$shift
-        and     $cell+\of,$cell+\of,$k_cell
-        # Only now, a vertex's normal among them does no harm.
-        spread  $cell+\of,$axis
     .endr
         transpose cell,cell,t,$m_first,$m_last
+    .irp which, 0,1,2
+        rotm    $cell+\which,$cell+\which,$shift
+        and     $cell+\which,$cell+\which,$k_cell
+        spread  $cell+\which,$axis
+    .endr
         shli    $code,$cell,2
         shli    $axis,$cell+1,1
         or      $code,$code,$axis
@@ -98,6 +99,6 @@ next_four:
         ai      $a_triangle,$a_triangle,64
         ai      $a_corner,$a_corner,192
         ai      $fours,$fours,-1
-        brnz    $fours,next_four
+        brnz    $fours,next_four                        # at least 2 passes
         bi      $lr
 endfunction sort_codes

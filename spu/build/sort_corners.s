@@ -1,7 +1,7 @@
 # sort_corners   the DMA list that fetches the corners of triangles
-#   C       int sort_corners(const void *triangles, int fours, void *list, unsigned low,
+#   C       int sort_corners(const void *triangles, int twos, void *list, unsigned low,
 #                            unsigned vertices);
-#   In      $3 BUILD_TRIANGLE records, $4 fours of them, at least 1, $5 where the list goes, $6 low
+#   In      $3 BUILD_TRIANGLE records, $4 twos of them, at least 1, $5 where the list goes, $6 low
 #           word of the address of the mesh's vertices, $7 how many these are, at most 2^24;
 #           pointers 16-aligned
 #   Out     $3 0, or something else if a triangle has another vertex than the mesh has. The list
@@ -15,13 +15,13 @@
         .include "macros.inc"
 
         .set    NEXT,3
-        registers a_triangle,fours,a_list,low,vertices
+        registers a_triangle,twos,a_list,low,vertices
         .set    NEXT,10
         registers m_splat,k_index,k_size,m_size,m_ab,m_ca,m_bc,bad,wrong
-        registers corners                               # to 22
-        .set    NEXT,corners+4
-        registers element                               # to 28
-        .set    NEXT,element+6
+        registers corners                               # and 20
+        .set    NEXT,corners+2
+        registers element                               # to 23
+        .set    NEXT,element+3
 
         .section .rodata.sort,"a",@progbits
         .align  4
@@ -42,8 +42,8 @@ function sort_corners
         splat   $low,$low,$m_splat
         splat   $vertices,$vertices,$m_splat
         il      $bad,0
-next_four:
-    .irp of, 0,1,2,3
+next_two:
+    .irp of, 0,1
         lqd     $corners+\of,16*\of($a_triangle)
         and     $corners+\of,$corners+\of,$k_index
         clgt    $wrong,$vertices,$corners+\of
@@ -51,19 +51,17 @@ next_four:
         shli    $corners+\of,$corners+\of,4
         a       $corners+\of,$corners+\of,$low
     .endr
-    .irp of, 0,2
-        shufb   $element,$corners+\of,$corners+\of,$m_ab
-        shufb   $element+1,$corners+\of,$corners+\of+1,$m_ca
-        shufb   $element+2,$corners+\of,$corners+\of+1,$m_bc
-      .irp at, 0,1,2
+        shufb   $element,$corners,$corners,$m_ab
+        shufb   $element+1,$corners,$corners+1,$m_ca
+        shufb   $element+2,$corners,$corners+1,$m_bc
+    .irp at, 0,1,2
         selb    $element+\at,$element+\at,$k_size,$m_size
-        stqd    $element+\at,24*\of+16*\at($a_list)
-      .endr
+        stqd    $element+\at,16*\at($a_list)
     .endr
-        ai      $a_triangle,$a_triangle,64
-        ai      $a_list,$a_list,96
-        ai      $fours,$fours,-1
-        brnz    $fours,next_four
+        ai      $a_triangle,$a_triangle,32
+        ai      $a_list,$a_list,48
+        ai      $twos,$twos,-1
+        brnz    $twos,next_two
         # The first words were the codes.
         shlqbyi $bad,$bad,4
         orx     $3,$bad

@@ -49,7 +49,7 @@ next_clear:
     .endr
         ai      $a_bin,$a_bin,8*16
         ai      $left,$left,-1
-        brnz    $left,next_clear
+        brnz    $left,next_clear                        # at least 32 passes
 
         ori     $a_from,$a_triangle,0
         ori     $left,$fours,0
@@ -58,7 +58,7 @@ next_count:
     .irp of, 0,1,2,3
         lqx     $t+\of,$a_table,$bin+\of
         ai      $t+\of,$t+\of,16
-        stqx    $t+\of,$a_table,$bin+\of
+        stqx    $t+\of,$a_table,$bin+\of              # may alias
     .endr
         ai      $a_from,$a_from,64
         ai      $left,$left,-1
@@ -75,7 +75,7 @@ next_place:
     .endr
         ai      $a_bin,$a_bin,64
         ai      $left,$left,-1
-        brnz    $left,next_place
+        brnz    $left,next_place                        # at least 64 passes
 
         ori     $a_from,$a_triangle,0
         ori     $left,$fours,0
@@ -84,7 +84,7 @@ next_four:
     .irp of, 0,1,2,3
         lqx     $t+\of,$a_table,$bin+\of
         ai      $next,$t+\of,16
-        stqx    $next,$a_table,$bin+\of
+        stqx    $next,$a_table,$bin+\of                # may alias
         stqd    $triangle+\of,0($t+\of)
     .endr
         ai      $a_from,$a_from,64

@@ -112,7 +112,7 @@ probe_\of:
         shufb   $fresh,$word,$more_total,$m_pair
         fsm     $t,$found
         selb    $fresh,$fresh,$entry,$t
-        stqx    $fresh,$a_memory,$slot
+        stqx    $fresh,$a_memory,$slot                  # may alias
         shli    $at,$more_total,4
         stqx    $fresh,$a_own,$at
         rotqbyi $index+\of,$fresh,4
@@ -176,7 +176,7 @@ next_clear:
     .endr
         ai      $a_to,$a_to,256
         ai      $left,$left,-1
-        brnz    $left,next_clear
+        brnz    $left,next_clear                        # at least 8 passes
 
         cgti    $few,$count,FEW
         sfi     $levels,$few,1

@@ -23,9 +23,9 @@ use crate::scene::colour::Colour;
 use crate::scene::height::{HeightView, HeightViews};
 use crate::scene::mesh::{
     Ground, MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers,
-    RESIDENT,
+    RESIDENT, SortedMesh,
 };
-use crate::scene::render_options::RefitBy;
+use crate::scene::render_options::{BuildBy, RefitBy, RenderOptions};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
@@ -84,6 +84,8 @@ pub(super) struct Streamed {
     pub blocks: Arc<MeshBlocks>,
     /// Its vertices, if SPUs are to refit the blocks with them.
     moved: Option<Arc<MovedVertices>>,
+    /// What its blocks are made of, if that is done in the order of codes, and by SPUs or not.
+    sorted: Option<(Arc<SortedMesh>, BuildBy)>,
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
@@ -112,6 +114,8 @@ pub struct MeshPlace<'a> {
     pub blocks: &'a Arc<MeshBlocks>,
     /// The vertices with which SPUs refit the blocks before they trace them, if they do.
     pub moved: Option<&'a Arc<MovedVertices>>,
+    /// What SPUs make the blocks of before they trace them, if they do.
+    pub sorted: Option<&'a Arc<SortedMesh>>,
     /// The local-store address of the first material, if they are there.
     pub materials: u32,
     /// The materials, if they are in main memory.
@@ -139,8 +143,9 @@ impl Streamed {
         scene: &Scene,
         kinds: InMainMemory,
         numbers: Numbers<'_>,
-        colour: Colour,
+        options: RenderOptions,
     ) -> Result<Option<Self>, BlockError> {
+        let colour = options.colour;
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
             None => match &scene.heights {
@@ -162,8 +167,22 @@ impl Streamed {
             Ground::new(heights.bounds().map(|corner| corner - origin), *material)
         });
         let materials = &scene.materials;
-        let blocks = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
-        let blocks = blocks.map_err(wrong)?;
+        let is_alone = objects.is_empty() && ground.is_none();
+        let to_sort = (options.build_by != BuildBy::PpuSurfaces && is_alone)
+            .then(|| MeshBlocks::to_sort(mesh, materials, numbers))
+            .flatten();
+        let (blocks, sorted) = match to_sort {
+            Some((mut blocks, sorted)) => {
+                if options.build_by == BuildBy::PpuCodes {
+                    blocks.make_sorted(mesh, &sorted);
+                }
+                (blocks, Some((Arc::new(sorted), options.build_by)))
+            }
+            None => {
+                let of = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
+                (of.map_err(wrong)?, None)
+            }
+        };
         let of_spheres = objects.spheres.iter().flat_map(|sphere| {
             let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
             [centre - radius, centre + radius]
@@ -186,6 +205,7 @@ impl Streamed {
             heights: heights.map(|(heights, _)| heights),
             blocks: Arc::new(blocks),
             moved: None,
+            sorted,
             materials: SCENE_ADDRESS,
             table: None,
             texture_records: SCENE_ADDRESS,
@@ -238,6 +258,20 @@ impl Streamed {
 
     /// Moves the triangles, or leaves that to SPUs; `false` if a new tree is needed.
     pub fn refit(&mut self, mesh: &Mesh, by: RefitBy) -> bool {
+        if let Some((sorted, by)) = &mut self.sorted {
+            // An engine that has made the blocks no longer has the vertices.
+            let (Some(sorted), Some((low, high))) = (Arc::get_mut(sorted), mesh.bounds()) else {
+                return false;
+            };
+            if !sorted.move_to(mesh, &self.blocks) {
+                return false;
+            }
+            if *by == BuildBy::PpuCodes {
+                Arc::make_mut(&mut self.blocks).make_sorted(mesh, sorted);
+            }
+            self.bounds = [low, high];
+            return true;
+        }
         // An engine that has refitted the blocks no longer has the vertices.
         let moved = self.moved.take().filter(|it| Arc::strong_count(it) == 1);
         if by == RefitBy::Spus {
@@ -315,6 +349,7 @@ impl Streamed {
         MeshPlace {
             blocks: &self.blocks,
             moved: self.moved.as_ref(),
+            sorted: self.sorted.as_ref().filter(|it| it.1 == BuildBy::SpuCodes).map(|it| &it.0),
             materials: self.materials,
             table: self.table.as_ref(),
             material_count: self

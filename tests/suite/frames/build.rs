@@ -212,7 +212,7 @@ fn no_block_is_written_without_units() {
 fn damaged_frames_are_refused() {
     let mut refit = Refit::new(2);
     refit.refused("no code", "code_bytes", |frame| frame.code_bytes = 0.into());
-    refit.refused("too much code", "code_bytes", |frame| frame.code_bytes = 5136.into());
+    refit.refused("too much code", "code_bytes", |frame| frame.code_bytes = 16_400.into());
     refit.refused("a record beside a line", "scene", |frame| {
         frame.scene = (frame.scene.get() + 16).into();
     });
@@ -303,5 +303,5 @@ fn other_damage_is_harmless() {
     refit.with(|_| ()).unwrap();
     let mut bounds = BuildBounds::new_zeroed();
     refit.bounds.read(block * size_of::<BuildBounds>(), bounds.as_mut_bytes());
-    assert_eq!(bounds.reserved.get(), 0);
+    assert_eq!(bounds.unused.get(), 0);
 }

@@ -6,6 +6,7 @@ mod handles;
 mod input;
 mod meshes;
 mod refined;
+mod rebuild;
 mod refit;
 mod retained;
 mod session;

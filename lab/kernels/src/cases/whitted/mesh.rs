@@ -75,7 +75,7 @@ pub const KERNELS: &[Kernel] = &[
     Kernel {
         rays: 1,
         cases: &[Case {
-            name: "triangles in fours",
+            name: "triangles in twos",
             objects: Objects::List(4, 16),
             place: |bench, count| CornerList::in_a_row(count as usize).place(bench).1,
         }],

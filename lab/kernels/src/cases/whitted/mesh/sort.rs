@@ -41,10 +41,10 @@ pub struct CornerList {
 }
 
 impl CornerList {
-    /// A strip of triangles, in fours.
+    /// A strip of triangles, in twos.
     #[must_use]
-    pub fn in_a_row(fours: usize) -> Self {
-        Self { triangles: strip(4 * fours), low: 0, vertices: 1 << 24 }
+    pub fn in_a_row(twos: usize) -> Self {
+        Self { triangles: strip(2 * twos), low: 0, vertices: 1 << 24 }
     }
 }
 
@@ -56,22 +56,22 @@ impl Description for CornerList {
     /// The list, if all vertices exist.
     type Found = Option<Vec<[u32; 2]>>;
 
-    fn sensible(fours: usize, random: &mut ChaCha8Rng) -> Self {
+    fn sensible(twos: usize, random: &mut ChaCha8Rng) -> Self {
         let vertices = random.random_range(1..1 << 24);
         let mut triangle = || {
             let upper = random.random::<u32>() & 0xff00_0000;
             [(); 4].map(|()| upper | random.random_range(0..vertices))
         };
-        let triangles = (0..4 * fours).map(|_| triangle()).collect();
+        let triangles = (0..2 * twos).map(|_| triangle()).collect();
         Self { triangles, low: random.random::<u32>() & !127, vertices }
     }
 
     /// One vertex, or their number, may be anything.
-    fn any(fours: usize, random: &mut ChaCha8Rng) -> Self {
-        let mut inputs = Self::sensible(fours, random);
+    fn any(twos: usize, random: &mut ChaCha8Rng) -> Self {
+        let mut inputs = Self::sensible(twos, random);
         match random.random_range(0..3) {
             0 => inputs.vertices = random.random_range(0..1 << 24),
-            1 => inputs.triangles[random.random_range(0..4 * fours)] = any_triangle(random),
+            1 => inputs.triangles[random.random_range(0..2 * twos)] = any_triangle(random),
             _ => {}
         }
         inputs
@@ -80,8 +80,8 @@ impl Description for CornerList {
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
         let triangles = put_triangles(bench, &self.triangles).address;
         let list = put(bench, &vec![[U32::ZERO; 2]; 3 * self.triangles.len()]);
-        let fours = self.triangles.len() as u32 / 4;
-        (list, vec![triangles, fours, list.address, self.low, self.vertices])
+        let twos = self.triangles.len() as u32 / 2;
+        (list, vec![triangles, twos, list.address, self.low, self.vertices])
     }
 
     fn found(&self, bench: &Bench, list: &Place, damaged: u32) -> Self::Found {
@@ -119,6 +119,7 @@ impl Codes {
 impl Description for Codes {
     const KERNEL: &'static str = "sort_codes";
     const ROUNDS: [usize; 2] = [50, 1000];
+    const LENGTHS: &'static [usize] = &[2, 3, 7, 16, 40];
     type Placed = Place;
     type Found = Vec<Triangle>;
 
