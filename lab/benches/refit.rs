@@ -14,7 +14,7 @@ use std::time::Instant;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, World, WorldError};
-use cellray::scene::{RefitBy, RenderOptions, SceneBlock};
+use cellray::scene::{BuildBy, RefitBy, RenderOptions, SceneBlock};
 use cellray::{Engine, Report, Settings};
 
 const TIMING: &str = "LIBSPE2_TIMING";
@@ -22,6 +22,7 @@ const SIZE: (u32, u32) = (640, 360);
 /// Ticks a second of the decrementer, and an SPU's cycles in one.
 const TIMEBASE: f64 = 79_800_000.0;
 const CYCLES_A_TICK: f64 = 40.0;
+const SPUS: u32 = 6;
 
 struct Motion {
     name: &'static str,
@@ -126,39 +127,59 @@ impl Motion {
     }
 }
 
-/// Rings and squares that turn: the time of six SPUs to refit them.
+/// Rings and squares that turn: the time of six SPUs to refit them, and to build them anew; and
+/// frames with that tree and with the PPU's.
 fn spus() -> Result<(), Box<dyn Error>> {
-    println!("| mesh | triangles | leaf blocks | six SPUs, ms | cycles of an SPU a triangle |");
-    println!("|---|---|---|---|---|");
-    let settings = Settings { spus: 6, ..Settings::default() };
+    println!(
+        "| mesh | triangles | leaf blocks | six SPUs refit them, ms | cycles of an SPU a triangle | \
+         they build them, ms | cycles of an SPU a triangle | a frame with the PPU's tree, ms | \
+         with the SPUs' tree, ms |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     let rings = [(40, 25), (100, 50), (250, 200), (500, 400)];
     let rings = rings.map(|(along, around)| ("ring", ring(along, around, 0.3)));
     let squares = [64, 128, 256].map(|side| ("square", square(side)));
     for (name, mesh) in rings.into_iter().chain(squares) {
-        let mut world = World::new();
-        world.set_render_options(RenderOptions {
-            refit_by: Some(RefitBy::Spus),
-            ..RenderOptions::default()
-        });
-        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-        let id = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)?;
-        world.scene(&settings.program)?;
-        world.place_mesh(id, turned(0.01))?;
-        let scene = world.scene(&settings.program)?;
-        let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
-        let ticks = engine.render(scene, &mut |_| {})?.refit as f64;
-        let mesh = scene.block().and_then(SceneBlock::mesh);
-        let statistics = mesh.ok_or("the scene has no mesh")?.blocks.statistics();
-        let (triangles, leaves) = (statistics.triangles, statistics.leaves);
-        let cycles = ticks * CYCLES_A_TICK * f64::from(settings.spus) / triangles as f64;
+        let mesh = Arc::new(mesh);
+        let world = |build_by| -> Result<World, WorldError> {
+            let mut world = World::new();
+            let refit_by = Some(RefitBy::Spus);
+            world.set_render_options(RenderOptions { refit_by, build_by, ..Default::default() });
+            world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+            world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+            let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+            world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY)?;
+            Ok(world)
+        };
+        let [mut refitted, mut built] = [world(BuildBy::PpuSurfaces)?, world(BuildBy::SpuCodes)?];
+        let program = Settings::default().program;
+        let leaves = refitted.scene(&program)?.block().and_then(SceneBlock::mesh);
+        let leaves = leaves.ok_or("the scene has no mesh")?.blocks.statistics().leaves;
+        let [_, frame] = traced(&mut refitted)?;
+        let id = refitted.meshes().next().ok_or("the world has no mesh")?;
+        refitted.place_mesh(id, turned(0.01))?;
+        let triangles = mesh.triangles.len();
+        let cost = |world: &mut World| -> Result<String, Box<dyn Error>> {
+            let ticks = made(world)? as f64;
+            let cycles = ticks * CYCLES_A_TICK * f64::from(SPUS) / triangles as f64;
+            Ok(format!("{:.3} | {cycles:.0}", 1e3 * ticks / TIMEBASE))
+        };
+        let (refit, build) = (cost(&mut refitted)?, cost(&mut built)?);
+        let [_, frame_of_built] = traced(&mut built)?;
         println!(
-            "| {name} | {triangles} | {leaves} | {:.3} | {cycles:.0} |",
-            1e3 * ticks / TIMEBASE
+            "| {name} | {triangles} | {leaves} | {refit} | {build} | {frame:.2} | \
+             {frame_of_built:.2} |"
         );
     }
     Ok(())
+}
+
+/// Ticks that six SPUs take to refit or build a world's mesh.
+fn made(world: &mut World) -> Result<u64, Box<dyn Error>> {
+    let settings = Settings { spus: SPUS, ..Settings::default() };
+    let scene = world.scene(&settings.program)?;
+    let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
+    Ok(engine.render(scene, &mut |_| {})?.refit)
 }
 
 /// A flat square with smooth normals, of as many squares along each side.

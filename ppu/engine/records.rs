@@ -193,7 +193,8 @@ impl Records {
 
     /// Does the PPU's part of refitting or building, after the SPUs' replies.
     pub fn mesh_is_made(&mut self, scene: &Scene) {
-        let is_sorted = scene.block().and_then(SceneBlock::mesh).is_some_and(|it| it.sorted.is_some());
+        let is_sorted =
+            scene.block().and_then(SceneBlock::mesh).is_some_and(|it| it.sorted.is_some());
         if let Some(sort) = self.sort.as_mut().filter(|_| is_sorted) {
             sort.finish();
         } else if let Some(build) = &mut self.build {

@@ -8,8 +8,8 @@ use protocol::layout::{
     SIDES_SMOOTH,
 };
 use scenes::Mesh;
-use zerocopy::FromBytes as _;
-use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::F32;
+use zerocopy::{FromBytes as _, IntoBytes as _};
 
 use super::refit::refit;
 use super::sorted::{SortedMesh, chunks, join, ranges};
@@ -44,7 +44,8 @@ impl MeshBlocks {
         let (units, words) = ranges(sorted.count(), |at| triangles[at as usize].code.get());
         let mut leaves = Vec::new();
         for unit in units {
-            let own = unit.source.get() as usize..(unit.source.get() + unit.source_count.get()) as usize;
+            let own =
+                unit.source.get() as usize..(unit.source.get() + unit.source_count.get()) as usize;
             let parts = words[own].iter().map(|word| word.get());
             let mut range: Vec<BuildTriangle> = parts
                 .flat_map(|part| &triangles[(part & INDEX) as usize..][..(part >> 24) as usize])
@@ -141,7 +142,11 @@ fn pack(triangles: &[BuildTriangle], number: u32) -> (Block, Vec<u32>, usize) {
                 (0, _) => offset(1 + at),
                 _ => run((at - 4) * count / 16, (at - 3) * count / 16),
             };
-            nodes[at / 4].child[at % 4] = word.into();
+            if word != 0 {
+                // Any box: this one is not absent.
+                nodes[at / 4].lo_x[at % 4] = F32::ZERO;
+                nodes[at / 4].child[at % 4] = word.into();
+            }
         }
     }
     (block, own, count)

@@ -12,8 +12,8 @@ use protocol::layout::{
     BUILD_CHUNK, BuildTriangle, BuildUnit, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
 };
 use scenes::{Material, Mesh};
-use zerocopy::big_endian::U32;
 use zerocopy::FromZeros as _;
+use zerocopy::big_endian::U32;
 
 use super::moved::{Line, MovedVertices, memory};
 use super::tree::{Bounds, Kind, Piece, Tree};
@@ -154,10 +154,9 @@ impl MeshBlocks {
                     used.len() as u32 - 1
                 });
                 let is_smooth = mesh.corner_normals(triangle).is_some();
-                let is_both =
-                    mesh.two_sided || materials[material as usize].transmittance > 0.0;
-                let sides = if is_both { SIDES_BOTH } else { 0 }
-                    | if is_smooth { SIDES_SMOOTH } else { 0 };
+                let is_both = mesh.two_sided || materials[material as usize].transmittance > 0.0;
+                let sides =
+                    if is_both { SIDES_BOTH } else { 0 } | if is_smooth { SIDES_SMOOTH } else { 0 };
                 *record = BuildTriangle {
                     code: U32::ZERO,
                     first: (number << 24 | a).into(),

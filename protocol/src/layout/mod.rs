@@ -105,7 +105,7 @@ constants! {
     /// Feature bit: a ray may send more than one ray on.
     FEATURE_BRANCHES = 1024;
     /// Feature bit: no picture is traced. The work units are `BUILD_UNIT`s, by which the SPUs refit
-    /// the mesh as the `BUILD` at `scene` describes.
+    /// or build the mesh as the `BUILD` at `scene` describes.
     FEATURE_BUILD = 2048;
     /// Feature bit: the scene has a height field. Its triangles have colours, so
     /// `FEATURE_COLOURS` is set, too.
@@ -559,7 +559,7 @@ statuses! {
     Paths = 42, "paths";
     /// Must be a multiple of 16, with at most 9 nodes.
     Changes = 43, "changes, change_count";
-    /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with a list of as many vertices of the mesh.
+    /// A `BUILD` must have a task, its records at multiples of 128, and vertices and sorted triangles that do not reach across a multiple of 2^32; a `BUILD_UNIT` as many blocks or triangles as its record allows, and a list of as many vertices or triangles as these have; a block must be as the mesh's document has it, and each triangle's vertices must exist.
     Build = 44, "scene, units";
     /// Must be a multiple of 128, with 1 to 10 levels.
     Heights = 45, "heights";

@@ -36,7 +36,7 @@ struct Refit {
     _memory: [SharedMemory; 2],
 }
 
-fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
+pub fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
     match outcome {
         Err(EngineError::Refused { .. }) => {}
         Err(error) => panic!("{what}: {error}"),
@@ -44,7 +44,7 @@ fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
     }
 }
 
-fn shared(bytes: &[u8]) -> SharedMemory {
+pub fn shared(bytes: &[u8]) -> SharedMemory {
     let mut memory = SharedMemory::new(bytes.len());
     memory.write(0, bytes);
     memory

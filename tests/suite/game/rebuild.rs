@@ -52,7 +52,8 @@ fn blocks(scene: &Scene) -> &[u8] {
 fn has_all(made: &[u8], expected: &[u8]) -> bool {
     let size = MESH_BLOCK as usize;
     let mut pairs = expected.chunks(size).zip(made.chunks(size));
-    expected.len() == made.len() && pairs.all(|(expected, made)| expected[0] == 0 || expected == made)
+    expected.len() == made.len()
+        && pairs.all(|(expected, made)| expected[0] == 0 || expected == made)
 }
 
 #[test]

@@ -286,8 +286,17 @@ impl Description for Pack {
         let Self { low, vertices, number, .. } = *self;
         let count = self.triangles.len() as u32;
         let turn = 1 + number % 255;
-        let arguments =
-            vec![triangles, count, block.address, list.address, memory, low, vertices, number, turn];
+        let arguments = vec![
+            triangles,
+            count,
+            block.address,
+            list.address,
+            memory,
+            low,
+            vertices,
+            number,
+            turn,
+        ];
         ([block, list], arguments)
     }
 
