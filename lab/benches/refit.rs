@@ -143,7 +143,7 @@ fn spus() -> Result<(), Box<dyn Error>> {
         let mesh = Arc::new(mesh);
         let world = |build_by| -> Result<World, WorldError> {
             let mut world = World::new();
-            let refit_by = Some(RefitBy::Spus);
+            let (refit_by, build_by) = (Some(RefitBy::Spus), Some(build_by));
             world.set_render_options(RenderOptions { refit_by, build_by, ..Default::default() });
             world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
             world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;

@@ -112,8 +112,9 @@ pub struct RenderOptions {
     /// Who refits it; without a choice, the SPUs if most of many vertices have moved.
     pub refit_by: Option<RefitBy>,
     /// How the tree of a mesh is made, if its triangles have neither textures nor colours of
-    /// vertices. Others are built with the surface area heuristic.
-    pub build_by: BuildBy,
+    /// vertices. Others are built with the surface area heuristic. Without a choice, so are those
+    /// of scenes, and those of worlds unless they need a new tree for each picture.
+    pub build_by: Option<BuildBy>,
     /// The volumes of the trees' nodes.
     pub volumes: NodeVolumes,
 }
@@ -134,7 +135,7 @@ impl Default for RenderOptions {
             mesh_cache: MESH_MAX_SLOTS,
             refit_pictures: REFIT_PICTURES,
             refit_by: None,
-            build_by: BuildBy::PpuSurfaces,
+            build_by: None,
             volumes: NodeVolumes::Best,
         }
     }

@@ -270,7 +270,9 @@ fn damaged_units_are_refused() {
     sort.refused_unit("no block", BUILD_PACK, |unit| unit.count = 0.into());
     sort.refused_unit("too few blocks", BUILD_PACK, |unit| unit.count = 1.into());
     sort.refused_unit("256 blocks", BUILD_PACK, |unit| unit.count = 256.into());
-    sort.refused_unit("blocks beyond the last", BUILD_PACK, |unit| unit.first = (9 * MOST + 1).into());
+    sort.refused_unit("blocks beyond the last", BUILD_PACK, |unit| {
+        unit.first = (9 * MOST + 1).into()
+    });
     sort.refused_unit("fewer triangles", BUILD_PACK, |unit| unit.triangles -= 1);
     sort.refused_unit("words between quadwords", BUILD_PACK, |unit| unit.source += 2);
     sort.refused_unit("no words", BUILD_PACK, |unit| unit.source_count = 0.into());

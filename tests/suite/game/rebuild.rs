@@ -22,7 +22,8 @@ fn world(mesh: &Mesh, build_by: BuildBy) -> World {
     world.set_background([0.3, 0.4, 0.6]).unwrap();
     world.look_from([1.0, 2.5, 7.0], DVec3::ZERO).unwrap();
     world.add_light(Light::at(DVec3::new(4.0, 6.0, 3.0))).unwrap();
-    world.set_render_options(RenderOptions { build_by, ..RenderOptions::default() });
+    world
+        .set_render_options(RenderOptions { build_by: Some(build_by), ..RenderOptions::default() });
     let red = world.add_material(Material::matte(0.9, 0.2, 0.1)).unwrap();
     let green = world.add_material(Material::matte(0.1, 0.7, 0.2)).unwrap();
     world.add_mesh(Arc::new(mesh.clone()), &[red, green], DAffine3::IDENTITY).unwrap();
@@ -139,6 +140,36 @@ fn coordinates_may_be_huge_or_tiny() {
         picture(&mut engine, spus);
         assert!(has_all(&engine.made_blocks().unwrap(), blocks(ppu)), "{scale}");
     }
+}
+
+/// Without a choice, SPUs build the trees of a world whose triangles are others in each picture. The
+/// last of these does not stay.
+#[test]
+fn a_world_that_needs_new_trees_has_them_built_by_the_spus() {
+    let program = Program::tracer();
+    let [mut engine, mut other] = [3, 2].map(engine);
+    let mut one = world(&soup(600), BuildBy::PpuSurfaces);
+    one.set_render_options(RenderOptions { refit_pictures: 2, ..RenderOptions::default() });
+    let red = one.add_material(Material::matte(0.9, 0.2, 0.1)).unwrap();
+    let mut by_spus = Vec::new();
+    for number in 0..6 {
+        let id = one.meshes().next().unwrap();
+        one.remove_mesh(id).unwrap();
+        let mesh = bend(&soup(600 + 50 * number), number);
+        one.add_mesh(Arc::new(mesh), &[red, red], DAffine3::IDENTITY).unwrap();
+        let shown = picture(&mut engine, one.scene(&program).unwrap());
+        by_spus.push(engine.made_blocks().is_some());
+        let fresh = Scene::new(&one.to_nff(), RenderOptions::default(), &program).unwrap();
+        assert!(picture(&mut other, &fresh) == shown, "{number}");
+    }
+    assert_eq!(by_spus, [false, false, true, true, true, true]);
+    let mut pictures = 0..100_u32;
+    pictures.find(|&number| {
+        one.look_from([1.0, 2.5, 7.0 + 0.01 * f64::from(number)], DVec3::ZERO).unwrap();
+        picture(&mut engine, one.scene(&program).unwrap());
+        engine.made_blocks().is_none()
+    });
+    assert_eq!(pictures.next(), Some(9));
 }
 
 /// More triangles than SPUs sort, of which few have an area.

@@ -1,6 +1,6 @@
 //! Frames of Whitted's model, and their difference from the reference.
 
-use cellray::scene::{BuildBy, Colour, Model, NodeVolumes, RenderOptions, Samples};
+use cellray::scene::{Colour, Model, NodeVolumes, RenderOptions, Samples};
 use cellray::spe::Program;
 use cellray::statistics::{FrameStatistics, GENERATIONS, Generation, Rays};
 use cellray::{Engine, Scene, Settings};
@@ -26,7 +26,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     mesh_cache: MESH_MAX_SLOTS,
     refit_pictures: 50,
     refit_by: None,
-    build_by: BuildBy::PpuSurfaces,
+    build_by: None,
     volumes: NodeVolumes::Best,
 };
 
