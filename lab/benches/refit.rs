@@ -1,6 +1,7 @@
 //! What it costs to refit the blocks of meshes that have moved instead of building new ones:
-//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them. And
-//! the host's time for scenes of objects that move.
+//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them and
+//! to build new ones. And
+//! the host's time for scenes of objects that move, and frames of these in simulated time.
 //!
 //!     cargo bench --bench refit [-- meshes|spus|objects]
 
@@ -19,6 +20,7 @@ use cellray::{Engine, Report, Settings};
 
 const TIMING: &str = "LIBSPE2_TIMING";
 const SIZE: (u32, u32) = (640, 360);
+const LARGE: (u32, u32) = (1280, 720);
 /// Ticks a second of the decrementer, and an SPU's cycles in one.
 const TIMEBASE: f64 = 79_800_000.0;
 const CYCLES_A_TICK: f64 = 40.0;
@@ -93,13 +95,13 @@ fn meshes() -> Result<(), Box<dyn Error>> {
             }
             refits.push(host(&mut world)?);
             if motion.pictures.contains(&picture) {
-                let [wear, refitted] = traced(&mut world)?;
+                let [wear, refitted] = traced(&mut world, SIZE)?;
                 let (mut built, _) = motion.world(&mesh, picture)?;
                 let mut build = host(&mut built)?;
                 for _ in 1..5 {
                     build = build.min(host(&mut motion.world(&mesh, picture)?.0)?);
                 }
-                let [_, new] = traced(&mut built)?;
+                let [_, new] = traced(&mut built, SIZE)?;
                 let refit = refits.drain(..).fold(f64::INFINITY, f64::min);
                 println!(
                     "| {picture} | {wear:.2} | {refitted:.2} | {refit:.1} | {new:.2} | {build:.0} |"
@@ -155,7 +157,7 @@ fn spus() -> Result<(), Box<dyn Error>> {
         let program = Settings::default().program;
         let leaves = refitted.scene(&program)?.block().and_then(SceneBlock::mesh);
         let leaves = leaves.ok_or("the scene has no mesh")?.blocks.statistics().leaves;
-        let [_, frame] = traced(&mut refitted)?;
+        let [_, frame] = traced(&mut refitted, SIZE)?;
         let id = refitted.meshes().next().ok_or("the world has no mesh")?;
         refitted.place_mesh(id, turned(0.01))?;
         let triangles = mesh.triangles.len();
@@ -165,7 +167,7 @@ fn spus() -> Result<(), Box<dyn Error>> {
             Ok(format!("{:.3} | {cycles:.0}", 1e3 * ticks / TIMEBASE))
         };
         let (refit, build) = (cost(&mut refitted)?, cost(&mut built)?);
-        let [_, frame_of_built] = traced(&mut built)?;
+        let [_, frame_of_built] = traced(&mut built, SIZE)?;
         println!(
             "| {name} | {triangles} | {leaves} | {refit} | {build} | {frame:.2} | \
              {frame_of_built:.2} |"
@@ -201,16 +203,15 @@ fn square(side: u32) -> Mesh {
 
 /// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds
 /// of a frame in simulated time.
-fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
+fn traced(world: &mut World, size: (u32, u32)) -> Result<[f64; 2], Box<dyn Error>> {
     let settings = Settings { retain: false, ..Settings::default() };
     let scene = world.scene(&settings.program)?;
-    let mesh = scene.block().and_then(SceneBlock::mesh);
-    let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();
-    let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+    let wear = scene.block().and_then(SceneBlock::wear).unwrap_or(1.0);
+    let picture = Memory::new(Geometry::new(size.0, size.1)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
     // The tiles' costs are not measured yet in the first frame.
     engine.render(scene, &mut |_| {})?;
-    let mut report = Report::new("refit", SIZE, settings.spus);
+    let mut report = Report::new("refit", size, settings.spus);
     report.add(engine.render(scene, &mut |_| {})?);
     Ok([wear, 1e3 / report.frames_per_second])
 }
@@ -222,10 +223,11 @@ fn host(world: &mut World) -> Result<f64, WorldError> {
     Ok(1e3 * began.elapsed().as_secs_f64())
 }
 
-/// Objects of a world that all move a little for each picture: the median time of its scenes.
+/// Objects of a world that all move a little for each picture: the median time of its scenes, and
+/// the last frame.
 fn objects() -> Result<(), Box<dyn Error>> {
-    println!("| objects that move | ms of the host |");
-    println!("|---|---|");
+    println!("| objects that move | ms of the host | ms of a frame, 1280x720 |");
+    println!("|---|---|---|");
     for (count, name) in [
         (500, "triangles"),
         (700, "triangles"),
@@ -233,8 +235,10 @@ fn objects() -> Result<(), Box<dyn Error>> {
         (800, "spheres"),
         (1200, "spheres"),
         (4000, "spheres"),
+        (10_000, "spheres"),
     ] {
         let mut world = World::new();
+        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
         world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
         let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
         let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
@@ -265,7 +269,9 @@ fn objects() -> Result<(), Box<dyn Error>> {
         // The first scene is not a change.
         let times = &mut times[1..];
         times.sort_by(f64::total_cmp);
-        println!("| {count} {name} | {:.2} |", times[times.len() / 2]);
+        let median = times[times.len() / 2];
+        let [_, frame] = traced(&mut world, LARGE)?;
+        println!("| {count} {name} | {median:.2} | {frame:.1} |");
     }
     Ok(())
 }

@@ -16,7 +16,7 @@ use crate::shared::SharedMemory;
 pub(super) struct Sort {
     /// The mesh, until its blocks are made.
     mesh: Option<Arc<SortedMesh>>,
-    /// The mesh has so many blocks at most.
+    /// The maximum number of blocks of the mesh.
     blocks: u32,
     task: u32,
     /// A buffer for the bounds of all blocks.
@@ -32,7 +32,7 @@ pub(super) struct Sort {
 }
 
 impl Sort {
-    /// Takes a mesh that has at most so many blocks. The memory of the one before it is used again
+    /// Takes a mesh with this maximum number of blocks. The memory of the one before it is used again
     /// if it is large enough.
     pub fn new(before: Option<Self>, mesh: &Arc<SortedMesh>, blocks: u32) -> Self {
         let bytes = |count: u32, size: usize| count as usize * size;
@@ -114,7 +114,7 @@ impl Sort {
         };
         self.record.write(0, record.as_bytes());
         if self.task == BUILD_PACK {
-            // What the SPUs leave is told from what they write.
+            // SPUs write 0 where they make a block.
             self.around.iter_mut().for_each(|bounds| bounds.unused = 1.into());
             self.bounds.write(0, self.around.as_bytes());
         }

@@ -56,7 +56,7 @@ function sort_codes
         load_word $scale,BUILD_scale,$a_build
         load_word $shift,BUILD_shift,$a_build
     .if BUILD_low & 15
-        .error  "the least cell is not in a quadword of its own"
+        .error  "the smallest cell is not in a quadword of its own"
     .endif
         lqd     $low,BUILD_low($a_build)
         splat   $scale,$scale,$m_splat

@@ -30,7 +30,7 @@ pub fn corners(triangles: &[Triangle], low: u32, vertices: u32) -> Option<Vec<[u
 /// How a centroid's code is made of its corners.
 #[derive(Clone, Copy, Debug)]
 pub struct Grid {
-    /// The least cell of each axis.
+    /// The smallest cell of each axis.
     pub low: [u32; 3],
     /// By which coordinates are multiplied.
     pub scale: Single,
@@ -135,7 +135,7 @@ pub fn pack(triangles: &[Triangle], number: u32, vertices: u32) -> Option<Packed
         block[child(0, run)] = 4 * (HEADER + NODE * (1 + run)) as u32;
         for lane in 0..4 {
             let at = 4 * run + lane;
-            block[child(1 + run, lane)] = word(at * count >> 4, (at + 1) * count >> 4);
+            block[child(1 + run, lane)] = word(at * count / 16, (at + 1) * count / 16);
         }
     }
     let first = HEADER + NODE * nodes as usize + 4 * own.len();

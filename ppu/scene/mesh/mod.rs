@@ -176,7 +176,7 @@ fn in_range(position: &[f32; 3]) -> bool {
 }
 
 impl MeshBlocks {
-    /// Blocks of a mesh that are not made yet: so many at most, of these materials.
+    /// At most this number of blocks of a mesh, which are not made yet, and have these materials.
     fn unmade(mesh: &Mesh, materials: Vec<u32>, most: u32) -> Self {
         Self {
             blocks: Vec::new(),

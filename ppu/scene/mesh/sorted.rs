@@ -20,7 +20,7 @@ use super::tree::{Bounds, Kind, Piece, Tree};
 use super::write::{above, coordinate};
 use super::{MeshBlocks, NumberWidth, Numbers, has_area, in_range};
 
-/// The most triangles: each range has a part of each chunk, and SPUs have space for so many parts.
+/// The most triangles: a range has a part of each chunk, and SPUs have space for 256 parts.
 const MOST_TRIANGLES: usize = 256 * BUILD_CHUNK as usize;
 /// Chunks, unless they would be smaller or larger than they may be: enough for six SPUs to be done
 /// at about the same time.
@@ -122,8 +122,8 @@ impl SortedMesh {
 }
 
 impl MeshBlocks {
-    /// What there is of the blocks of a mesh before they are made in the order of codes, and what
-    /// they are made of; `None` if they can't be: there are too many triangles or materials, or
+    /// The blocks of a mesh before they are made in the order of codes, and the triangles that they
+    /// are made of; `None` if they can't be: there are too many triangles or materials, or
     /// vertices have texture coordinates or colours, or something is wrong with the mesh.
     pub(in crate::scene) fn to_sort(
         mesh: &Mesh,
@@ -198,7 +198,7 @@ fn most_leaves(triangles: u32) -> u32 {
 struct Division {
     /// Triangles of a chunk.
     chunk: u32,
-    /// Every so many of a chunk, a triangle is a sample.
+    /// The distance of the triangles of a chunk that are samples.
     step: u32,
     /// Samples of a range.
     in_range: u32,

@@ -43,12 +43,12 @@ record! {
         triangles: U64,
         /// Effective address of as many sorted ones.
         sorted: U64,
-        /// Least cells of centroids: x, y, z. A centroid's cell is the sum of the whole parts of
+        /// Smallest cells of centroids: x, y, z. A centroid's cell is the sum of the whole parts of
         /// its corners' coordinates, each times `scale`.
         low: [U32; 3],
         /// A power of 2.
         scale: F32,
-        /// A code has bits 0 to 9 of a cell less the least one, after a shift to the right by this.
+        /// A code has bits 0 to 9 of a cell less the smallest one, after a shift to the right by this.
         shift: U32,
         /// 0.
         reserved: [U32; 11],

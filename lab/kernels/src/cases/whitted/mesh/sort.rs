@@ -127,9 +127,11 @@ impl Description for Codes {
         let mut inputs = Self::any(fours, random);
         let number = |random: &mut ChaCha8Rng| random.random_range(-100.0_f32..100.0).to_bits();
         inputs.corners.fill_with(|| [(); 4].map(|()| number(random)));
-        let scale = (random.random_range(4..20) as f32).exp2();
+        let bits = random.random_range(4..20);
+        let scale = (1_u32 << bits) as f32;
         let low = [(-300.0 * scale) as i32 as u32; 3];
-        let shift = (600.0 * scale / 1024.0).log2().ceil().max(0.0) as u32;
+        // The cells are below 600 times the scale.
+        let shift = bits;
         Self { grid: Grid { low, scale: scale.to_bits(), shift }, ..inputs }
     }
 
