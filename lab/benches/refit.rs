@@ -1,9 +1,8 @@
 //! What it costs to refit the blocks of meshes that have moved instead of building new ones:
 //! frames in simulated time, and the host's time for the scene. What SPUs take to refit them and
-//! to build new ones. And
-//! the host's time for scenes of objects that move, and frames of these in simulated time.
+//! to build new ones. The host's time for scenes of objects that move, and frames of spheres.
 //!
-//!     cargo bench --bench refit [-- meshes|spus|objects]
+//!     cargo bench --bench refit [-- meshes|spus|objects|spheres]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -62,8 +61,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::process::exit(status.code().unwrap_or(1));
     }
     let wanted = |name: &str| {
-        let mut names =
-            std::env::args().filter(|it| ["meshes", "spus", "objects"].contains(&it.as_str()));
+        let mut names = std::env::args()
+            .filter(|it| ["meshes", "spus", "objects", "spheres"].contains(&it.as_str()));
         names.next().is_none_or(|first| first == name)
     };
     if wanted("meshes") {
@@ -74,6 +73,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if wanted("objects") {
         objects()?;
+    }
+    if wanted("spheres") {
+        spheres()?;
     }
     Ok(())
 }
@@ -223,11 +225,10 @@ fn host(world: &mut World) -> Result<f64, WorldError> {
     Ok(1e3 * began.elapsed().as_secs_f64())
 }
 
-/// Objects of a world that all move a little for each picture: the median time of its scenes, and
-/// the last frame.
+/// The median time of the host for scenes of objects that all move a little for each picture.
 fn objects() -> Result<(), Box<dyn Error>> {
-    println!("| objects that move | ms of the host | ms of a frame, 1280x720 |");
-    println!("|---|---|---|");
+    println!("| objects that move | ms of the host |");
+    println!("|---|---|");
     for (count, name) in [
         (500, "triangles"),
         (700, "triangles"),
@@ -235,45 +236,58 @@ fn objects() -> Result<(), Box<dyn Error>> {
         (800, "spheres"),
         (1200, "spheres"),
         (4000, "spheres"),
-        (10_000, "spheres"),
     ] {
-        let mut world = World::new();
-        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-        let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
-        let place = |number: u32, picture: u32| {
-            let cell = [number % side, number / side % side, number / side / side];
-            let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
-            let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
-            6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
-        };
-        let mut ids = Vec::new();
-        for number in 0..count {
-            let middle = place(number, 0);
-            ids.push(match name {
-                "spheres" => world.add_sphere(middle, 0.1, red)?,
-                _ => {
-                    let corners = [DVec3::X, DVec3::Y, DVec3::Z];
-                    world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
-                }
-            });
-        }
-        let mut times = Vec::new();
-        for picture in 0..31 {
-            for (number, &id) in (0..).zip(&ids) {
-                world.move_to(id, place(number, picture))?;
-            }
-            times.push(host(&mut world)?);
-        }
-        // The first scene is not a change.
-        let times = &mut times[1..];
+        let (_, mut times) = moving(count, name, 31)?;
         times.sort_by(f64::total_cmp);
-        let median = times[times.len() / 2];
-        let [_, frame] = traced(&mut world, LARGE)?;
-        println!("| {count} {name} | {median:.2} | {frame:.1} |");
+        println!("| {count} {name} | {:.2} |", times[times.len() / 2]);
     }
     Ok(())
+}
+
+/// Frames of spheres that all move, with shadows.
+fn spheres() -> Result<(), Box<dyn Error>> {
+    println!("| spheres that move | ms of a frame, 1280x720 | frames/s |");
+    println!("|---|---|---|");
+    for count in [1000, 10_000] {
+        let [_, frame] = traced(&mut moving(count, "spheres", 2)?.0, LARGE)?;
+        println!("| {count} | {frame:.1} | {:.1} |", 1e3 / frame);
+    }
+    Ok(())
+}
+
+/// A world of objects that have moved a little for each picture, and the host's milliseconds for
+/// the scenes after the first one, which is not a change.
+fn moving(count: u32, name: &str, pictures: u32) -> Result<(World, Vec<f64>), Box<dyn Error>> {
+    let mut world = World::new();
+    world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+    world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+    let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+    let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
+    let place = |number: u32, picture: u32| {
+        let cell = [number % side, number / side % side, number / side / side];
+        let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
+        let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
+        6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
+    };
+    let mut ids = Vec::new();
+    for number in 0..count {
+        let middle = place(number, 0);
+        ids.push(match name {
+            "spheres" => world.add_sphere(middle, 0.1, red)?,
+            _ => {
+                let corners = [DVec3::X, DVec3::Y, DVec3::Z];
+                world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
+            }
+        });
+    }
+    let mut times = Vec::new();
+    for picture in 0..pictures {
+        for (number, &id) in (0..).zip(&ids) {
+            world.move_to(id, place(number, picture))?;
+        }
+        times.push(host(&mut world)?);
+    }
+    Ok((world, times.split_off(1)))
 }
 
 fn turned(turns: f64) -> DAffine3 {
