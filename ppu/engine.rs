@@ -5,6 +5,7 @@ mod error;
 mod records;
 mod settings;
 mod silence;
+mod sort;
 mod spus;
 mod traced;
 mod unchecked;
@@ -99,10 +100,11 @@ impl Engine {
         self.records.as_ref()?.framebuffer.picture()
     }
 
-    /// The blocks of the last frame's mesh that the SPUs have refitted; `None` if they have not.
+    /// The blocks of the last frame's mesh that the SPUs have refitted or built; `None` if they have
+    /// not.
     #[must_use]
-    pub fn refitted_blocks(&self) -> Option<Vec<u8>> {
-        Some(self.records.as_ref()?.refitted()?.bytes())
+    pub fn made_blocks(&self) -> Option<Vec<u8>> {
+        self.records.as_ref()?.made_blocks()
     }
 
     /// Shows frames on another framebuffer from now on, and returns the previous one.
@@ -179,13 +181,17 @@ impl Engine {
             self.lines.fill(Statistics::new_zeroed());
         } else {
             self.number = self.number.wrapping_add(1);
-            if let Some(frame) = records.refit(scene, self.number, spus) {
+            while let Some(frame) = self
+                .records
+                .as_mut()
+                .and_then(|records| records.make_mesh(scene, self.number, spus))
+            {
                 // SAFETY: its addresses are those of records, of blocks and of vertices that
                 // `records` keeps as long as the SPUs run, and the counts match them.
                 unsafe { self.exchange_frame(&frame, &mut |_| ())? };
                 let times = self.lines.iter().map(|line| line.busy.get() + line.dma_wait.get());
-                refit = times.max().unwrap_or(0);
-                self.records.as_mut().ok_or(EngineError::Lost)?.mesh_is_refitted();
+                refit += times.max().unwrap_or(0);
+                self.records.as_mut().ok_or(EngineError::Lost)?.mesh_is_made(scene);
             }
             let records = self.records.as_mut().ok_or(EngineError::Lost)?;
             records.write(scene, &self.plan, &mut self.costs);

@@ -23,7 +23,7 @@ pub use self::block::{BlockError, MaterialTable, MeshPlace, SceneBlock};
 pub use self::colour::Colour;
 pub use self::mesh::{MeshBlocks, MeshError, MeshStatistics, NumberWidth};
 pub use self::render_options::{
-    CONTRAST, Look, Model, NodeVolumes, RefitBy, RenderOptions, Samples,
+    BuildBy, CONTRAST, Look, Model, NodeVolumes, RefitBy, RenderOptions, Samples,
 };
 use self::single::{LARGEST, SMALLEST};
 pub use self::texture::Textures;

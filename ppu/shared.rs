@@ -23,6 +23,26 @@ impl SharedMemory {
         Self((0..lines).map(|_| Line(UnsafeCell::new([0; LINE as usize]))).collect())
     }
 
+    /// Makes it at least as large; its bytes are lost if it must grow. All addresses of what grows
+    /// have the same upper word, as those in a DMA list must.
+    pub(crate) fn reserve(&mut self, bytes: usize) {
+        while self.bytes() < bytes || {
+            let last = self.address() + self.bytes() as u64 - 1;
+            self.address() >> 32 != last >> 32
+        } {
+            // As long as the old memory is kept, the new one is elsewhere.
+            *self = Self::new(bytes);
+        }
+    }
+
+    /// Writes `bytes` from the beginning on, in larger memory if it needs that, and returns their
+    /// address.
+    pub(crate) fn put(&mut self, bytes: &[u8]) -> u64 {
+        self.reserve(bytes.len());
+        self.write(0, bytes);
+        self.address()
+    }
+
     /// The effective address of the first byte.
     #[must_use]
     pub fn address(&self) -> u64 {

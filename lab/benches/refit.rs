@@ -1,8 +1,8 @@
 //! What it costs to refit the blocks of meshes that have moved instead of building new ones:
-//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them. And
-//! the host's time for scenes of objects that move.
+//! frames in simulated time, and the host's time for the scene. What SPUs take to refit them and
+//! to build new ones. The host's time for scenes of objects that move, and frames of spheres.
 //!
-//!     cargo bench --bench refit [-- meshes|spus|objects]
+//!     cargo bench --bench refit [-- meshes|spus|objects|spheres]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -14,14 +14,16 @@ use std::time::Instant;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, MeshId, World, WorldError};
-use cellray::scene::{RefitBy, RenderOptions, SceneBlock};
+use cellray::scene::{BuildBy, RefitBy, RenderOptions, SceneBlock};
 use cellray::{Engine, Report, Settings};
 
 const TIMING: &str = "LIBSPE2_TIMING";
 const SIZE: (u32, u32) = (640, 360);
+const LARGE: (u32, u32) = (1280, 720);
 /// Ticks a second of the decrementer, and an SPU's cycles in one.
 const TIMEBASE: f64 = 79_800_000.0;
 const CYCLES_A_TICK: f64 = 40.0;
+const SPUS: u32 = 6;
 
 struct Motion {
     name: &'static str,
@@ -59,8 +61,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         std::process::exit(status.code().unwrap_or(1));
     }
     let wanted = |name: &str| {
-        let mut names =
-            std::env::args().filter(|it| ["meshes", "spus", "objects"].contains(&it.as_str()));
+        let mut names = std::env::args()
+            .filter(|it| ["meshes", "spus", "objects", "spheres"].contains(&it.as_str()));
         names.next().is_none_or(|first| first == name)
     };
     if wanted("meshes") {
@@ -71,6 +73,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if wanted("objects") {
         objects()?;
+    }
+    if wanted("spheres") {
+        spheres()?;
     }
     Ok(())
 }
@@ -92,13 +97,13 @@ fn meshes() -> Result<(), Box<dyn Error>> {
             }
             refits.push(host(&mut world)?);
             if motion.pictures.contains(&picture) {
-                let [wear, refitted] = traced(&mut world)?;
+                let [wear, refitted] = traced(&mut world, SIZE)?;
                 let (mut built, _) = motion.world(&mesh, picture)?;
                 let mut build = host(&mut built)?;
                 for _ in 1..5 {
                     build = build.min(host(&mut motion.world(&mesh, picture)?.0)?);
                 }
-                let [_, new] = traced(&mut built)?;
+                let [_, new] = traced(&mut built, SIZE)?;
                 let refit = refits.drain(..).fold(f64::INFINITY, f64::min);
                 println!(
                     "| {picture} | {wear:.2} | {refitted:.2} | {refit:.1} | {new:.2} | {build:.0} |"
@@ -126,39 +131,59 @@ impl Motion {
     }
 }
 
-/// Rings and squares that turn: the time of six SPUs to refit them.
+/// Rings and squares that turn: the time of six SPUs to refit them, and to build them anew; and
+/// frames with that tree and with the PPU's.
 fn spus() -> Result<(), Box<dyn Error>> {
-    println!("| mesh | triangles | leaf blocks | six SPUs, ms | cycles of an SPU a triangle |");
-    println!("|---|---|---|---|---|");
-    let settings = Settings { spus: 6, ..Settings::default() };
+    println!(
+        "| mesh | triangles | leaf blocks | six SPUs refit them, ms | cycles of an SPU a triangle | \
+         they build them, ms | cycles of an SPU a triangle | a frame with the PPU's tree, ms | \
+         with the SPUs' tree, ms |"
+    );
+    println!("|---|---|---|---|---|---|---|---|---|");
     let rings = [(40, 25), (100, 50), (250, 200), (500, 400)];
     let rings = rings.map(|(along, around)| ("ring", ring(along, around, 0.3)));
     let squares = [64, 128, 256].map(|side| ("square", square(side)));
     for (name, mesh) in rings.into_iter().chain(squares) {
-        let mut world = World::new();
-        world.set_render_options(RenderOptions {
-            refit_by: Some(RefitBy::Spus),
-            ..RenderOptions::default()
-        });
-        world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-        let id = world.add_mesh(Arc::new(mesh), &[red], DAffine3::IDENTITY)?;
-        world.scene(&settings.program)?;
-        world.place_mesh(id, turned(0.01))?;
-        let scene = world.scene(&settings.program)?;
-        let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
-        let ticks = engine.render(scene, &mut |_| {})?.refit as f64;
-        let mesh = scene.block().and_then(SceneBlock::mesh);
-        let statistics = mesh.ok_or("the scene has no mesh")?.blocks.statistics();
-        let (triangles, leaves) = (statistics.triangles, statistics.leaves);
-        let cycles = ticks * CYCLES_A_TICK * f64::from(settings.spus) / triangles as f64;
+        let mesh = Arc::new(mesh);
+        let world = |build_by| -> Result<World, WorldError> {
+            let mut world = World::new();
+            let (refit_by, build_by) = (Some(RefitBy::Spus), Some(build_by));
+            world.set_render_options(RenderOptions { refit_by, build_by, ..Default::default() });
+            world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+            world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+            let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+            world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY)?;
+            Ok(world)
+        };
+        let [mut refitted, mut built] = [world(BuildBy::PpuSurfaces)?, world(BuildBy::SpuCodes)?];
+        let program = Settings::default().program;
+        let leaves = refitted.scene(&program)?.block().and_then(SceneBlock::mesh);
+        let leaves = leaves.ok_or("the scene has no mesh")?.blocks.statistics().leaves;
+        let [_, frame] = traced(&mut refitted, SIZE)?;
+        let id = refitted.meshes().next().ok_or("the world has no mesh")?;
+        refitted.place_mesh(id, turned(0.01))?;
+        let triangles = mesh.triangles.len();
+        let cost = |world: &mut World| -> Result<String, Box<dyn Error>> {
+            let ticks = made(world)? as f64;
+            let cycles = ticks * CYCLES_A_TICK * f64::from(SPUS) / triangles as f64;
+            Ok(format!("{:.3} | {cycles:.0}", 1e3 * ticks / TIMEBASE))
+        };
+        let (refit, build) = (cost(&mut refitted)?, cost(&mut built)?);
+        let [_, frame_of_built] = traced(&mut built, SIZE)?;
         println!(
-            "| {name} | {triangles} | {leaves} | {:.3} | {cycles:.0} |",
-            1e3 * ticks / TIMEBASE
+            "| {name} | {triangles} | {leaves} | {refit} | {build} | {frame:.2} | \
+             {frame_of_built:.2} |"
         );
     }
     Ok(())
+}
+
+/// Ticks that six SPUs take to refit or build a world's mesh.
+fn made(world: &mut World) -> Result<u64, Box<dyn Error>> {
+    let settings = Settings { spus: SPUS, ..Settings::default() };
+    let scene = world.scene(&settings.program)?;
+    let mut engine = Engine::start(settings, Box::new(Memory::new(Geometry::new(16, 8)?)?))?;
+    Ok(engine.render(scene, &mut |_| {})?.refit)
 }
 
 /// A flat square with smooth normals, of as many squares along each side.
@@ -180,16 +205,15 @@ fn square(side: u32) -> Mesh {
 
 /// How many times the tests of rays the tree costs that it cost when it was built, and milliseconds
 /// of a frame in simulated time.
-fn traced(world: &mut World) -> Result<[f64; 2], Box<dyn Error>> {
+fn traced(world: &mut World, size: (u32, u32)) -> Result<[f64; 2], Box<dyn Error>> {
     let settings = Settings { retain: false, ..Settings::default() };
     let scene = world.scene(&settings.program)?;
-    let mesh = scene.block().and_then(SceneBlock::mesh);
-    let wear = mesh.ok_or("the scene has no mesh")?.blocks.wear();
-    let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+    let wear = scene.block().and_then(SceneBlock::wear).unwrap_or(1.0);
+    let picture = Memory::new(Geometry::new(size.0, size.1)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
     // The tiles' costs are not measured yet in the first frame.
     engine.render(scene, &mut |_| {})?;
-    let mut report = Report::new("refit", SIZE, settings.spus);
+    let mut report = Report::new("refit", size, settings.spus);
     report.add(engine.render(scene, &mut |_| {})?);
     Ok([wear, 1e3 / report.frames_per_second])
 }
@@ -201,7 +225,7 @@ fn host(world: &mut World) -> Result<f64, WorldError> {
     Ok(1e3 * began.elapsed().as_secs_f64())
 }
 
-/// Objects of a world that all move a little for each picture: the median time of its scenes.
+/// The median time of the host for scenes of objects that all move a little for each picture.
 fn objects() -> Result<(), Box<dyn Error>> {
     println!("| objects that move | ms of the host |");
     println!("|---|---|");
@@ -213,40 +237,57 @@ fn objects() -> Result<(), Box<dyn Error>> {
         (1200, "spheres"),
         (4000, "spheres"),
     ] {
-        let mut world = World::new();
-        world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-        let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-        let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
-        let place = |number: u32, picture: u32| {
-            let cell = [number % side, number / side % side, number / side / side];
-            let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
-            let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
-            6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
-        };
-        let mut ids = Vec::new();
-        for number in 0..count {
-            let middle = place(number, 0);
-            ids.push(match name {
-                "spheres" => world.add_sphere(middle, 0.1, red)?,
-                _ => {
-                    let corners = [DVec3::X, DVec3::Y, DVec3::Z];
-                    world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
-                }
-            });
-        }
-        let mut times = Vec::new();
-        for picture in 0..31 {
-            for (number, &id) in (0..).zip(&ids) {
-                world.move_to(id, place(number, picture))?;
-            }
-            times.push(host(&mut world)?);
-        }
-        // The first scene is not a change.
-        let times = &mut times[1..];
+        let (_, mut times) = moving(count, name, 31)?;
         times.sort_by(f64::total_cmp);
         println!("| {count} {name} | {:.2} |", times[times.len() / 2]);
     }
     Ok(())
+}
+
+/// Frames of spheres that all move, with shadows.
+fn spheres() -> Result<(), Box<dyn Error>> {
+    println!("| spheres that move | ms of a frame, 1280x720 | frames/s |");
+    println!("|---|---|---|");
+    for count in [1000, 10_000] {
+        let [_, frame] = traced(&mut moving(count, "spheres", 2)?.0, LARGE)?;
+        println!("| {count} | {frame:.1} | {:.1} |", 1e3 / frame);
+    }
+    Ok(())
+}
+
+/// A world of objects that have moved a little for each picture, and the host's milliseconds for
+/// the scenes after the first one, which is not a change.
+fn moving(count: u32, name: &str, pictures: u32) -> Result<(World, Vec<f64>), Box<dyn Error>> {
+    let mut world = World::new();
+    world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+    world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+    let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+    let side = libm::ceil(libm::cbrt(f64::from(count))) as u32;
+    let place = |number: u32, picture: u32| {
+        let cell = [number % side, number / side % side, number / side / side];
+        let (sine, cosine) = libm::sincos(f64::from(number) + 0.1 * f64::from(picture));
+        let cell = DVec3::from_array(cell.map(f64::from)) / f64::from(side);
+        6.0 * (cell - DVec3::splat(0.5)) + 0.1 * DVec3::new(sine, cosine, -sine)
+    };
+    let mut ids = Vec::new();
+    for number in 0..count {
+        let middle = place(number, 0);
+        ids.push(match name {
+            "spheres" => world.add_sphere(middle, 0.1, red)?,
+            _ => {
+                let corners = [DVec3::X, DVec3::Y, DVec3::Z];
+                world.add_polygon(&corners.map(|corner| middle + 0.2 * corner), red)?
+            }
+        });
+    }
+    let mut times = Vec::new();
+    for picture in 0..pictures {
+        for (number, &id) in (0..).zip(&ids) {
+            world.move_to(id, place(number, picture))?;
+        }
+        times.push(host(&mut world)?);
+    }
+    Ok((world, times.split_off(1)))
 }
 
 fn turned(turns: f64) -> DAffine3 {

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use protocol::layout::{
     self, BuildBounds, FEATURE_BUILD, Frame, MAGIC, MAX_SIDE, MESH_BLOCK, SPLIT_UNITS, VERSION,
 };
-use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::scene::mesh::{MeshBlocks, MovedVertices};
@@ -89,28 +88,16 @@ impl Build {
             bounds: self.bounds.address().into(),
             vertex_count: moved.count().into(),
             source_count: self.source_count.into(),
-            reserved: [U32::ZERO; 22],
+            ..layout::Build::new_zeroed()
         };
         self.record.write(0, record.as_bytes());
         Frame {
-            magic: MAGIC.into(),
-            version: VERSION.into(),
-            size: (size_of::<Frame>() as u32).into(),
-            features: FEATURE_BUILD.into(),
-            split: SPLIT_UNITS.into(),
-            // The largest picture has space for the most units; nothing is drawn.
-            width: MAX_SIDE.into(),
-            height: MAX_SIDE.into(),
-            stride: (MAX_SIDE * size_of::<u32>() as u32).into(),
-            green_shift: 8.into(),
-            blue_shift: 16.into(),
-            samples: 1.into(),
             units: self.units.address().into(),
             unit_count: self.unit_count.into(),
             scene: self.record.address().into(),
             mesh: self.blocks.address().into(),
             mesh_blocks: self.blocks.count().into(),
-            ..Frame::new_zeroed()
+            ..describe()
         }
     }
 
@@ -124,5 +111,24 @@ impl Build {
         });
         moved.set_cost(cost);
         self.version = Some(moved.version());
+    }
+}
+
+/// A frame in which the SPUs refit or build a mesh, without its addresses.
+pub(super) fn describe() -> Frame {
+    Frame {
+        magic: MAGIC.into(),
+        version: VERSION.into(),
+        size: (size_of::<Frame>() as u32).into(),
+        features: FEATURE_BUILD.into(),
+        split: SPLIT_UNITS.into(),
+        // The largest picture has space for the most units; nothing is drawn.
+        width: MAX_SIDE.into(),
+        height: MAX_SIDE.into(),
+        stride: (MAX_SIDE * size_of::<u32>() as u32).into(),
+        green_shift: 8.into(),
+        blue_shift: 16.into(),
+        samples: 1.into(),
+        ..Frame::new_zeroed()
     }
 }

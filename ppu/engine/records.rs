@@ -5,6 +5,7 @@ use std::sync::Arc;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::build::Build;
+use super::sort::Sort;
 use crate::framebuffer::Framebuffer;
 use crate::scene::Scene;
 use crate::scene::block::{MaterialTable, SceneBlock};
@@ -43,6 +44,10 @@ pub(super) struct Records {
     is_moved: bool,
     /// The mesh that SPUs have refitted last.
     build: Option<Build>,
+    /// Whether the last scene's mesh is the one that SPUs have built.
+    is_sorted: bool,
+    /// The mesh that SPUs have built last.
+    sort: Option<Sort>,
     textures: Option<Arc<Textures>>,
     heights: Option<Arc<HeightView>>,
     /// The mesh's materials, if they are not in the scene.
@@ -107,6 +112,8 @@ impl Records {
             build_code_bytes,
             is_moved: false,
             build: None,
+            is_sorted: false,
+            sort: None,
             heights: None,
             textures: None,
             materials: None,
@@ -153,17 +160,26 @@ impl Records {
         }
     }
 
-    /// Describes the frame in which the SPUs refit the scene's mesh, if they must. After it, call
-    /// [`Records::mesh_is_refitted`].
-    pub fn refit(&mut self, scene: &Scene, number: u32, spus: u32) -> Option<Frame> {
+    /// Describes the next frame in which the SPUs refit or build the scene's mesh, if they must.
+    /// After it, call [`Records::mesh_is_made`].
+    pub fn make_mesh(&mut self, scene: &Scene, number: u32, spus: u32) -> Option<Frame> {
         let mesh = scene.block().and_then(SceneBlock::mesh)?;
-        let moved = mesh.moved?;
-        let build = self.build.take().filter(|build| build.is_of(mesh.blocks));
-        let build = build.unwrap_or_else(|| Build::new(mesh.blocks, spus));
-        let build = self.build.insert(build);
-        if build.has(moved) {
-            return None;
-        }
+        let frame = if let Some(sorted) = mesh.sorted {
+            if self.sort.as_ref().is_some_and(|sort| sort.has(sorted)) {
+                return None;
+            }
+            let before = self.sort.take();
+            self.sort.insert(Sort::new(before, sorted, mesh.blocks.count())).describe()?
+        } else {
+            let moved = mesh.moved?;
+            let build = self.build.take().filter(|build| build.is_of(mesh.blocks));
+            let build = build.unwrap_or_else(|| Build::new(mesh.blocks, spus));
+            let build = self.build.insert(build);
+            if build.has(moved) {
+                return None;
+            }
+            build.describe(moved)
+        };
         Some(Frame {
             number: number.into(),
             spus: spus.into(),
@@ -171,26 +187,39 @@ impl Records {
             statistics: self.statistics.address().into(),
             code: self.build_code.address().into(),
             code_bytes: self.build_code_bytes.into(),
-            ..build.describe(moved)
+            ..frame
         })
     }
 
-    /// Does the PPU's part of refitting, after the SPUs' replies.
-    pub fn mesh_is_refitted(&mut self) {
-        if let Some(build) = &mut self.build {
+    /// Does the PPU's part of refitting or building, after the SPUs' replies.
+    pub fn mesh_is_made(&mut self, scene: &Scene) {
+        let is_sorted =
+            scene.block().and_then(SceneBlock::mesh).is_some_and(|it| it.sorted.is_some());
+        if let Some(sort) = self.sort.as_mut().filter(|_| is_sorted) {
+            sort.finish();
+        } else if let Some(build) = &mut self.build {
             build.finish();
         }
     }
 
-    /// The mesh that the SPUs have refitted, if the last scene has it.
-    pub fn refitted(&self) -> Option<&Build> {
+    /// The bytes of the last scene's mesh if SPUs have refitted or built it.
+    pub fn made_blocks(&self) -> Option<Vec<u8>> {
+        self.sorted().map(Sort::bytes).or_else(|| Some(self.refitted()?.bytes()))
+    }
+
+    fn refitted(&self) -> Option<&Build> {
         self.build.as_ref().filter(|_| self.is_moved)
+    }
+
+    fn sorted(&self) -> Option<&Sort> {
+        self.sort.as_ref().filter(|_| self.is_sorted)
     }
 
     /// The address of the first block of the last scene's mesh; 0 if it has none.
     fn mesh_address(&self) -> u64 {
         let built = self.mesh.as_ref().map_or(0, |mesh| mesh.address());
-        self.refitted().map_or(built, Build::address)
+        let refitted = self.refitted().map_or(built, Build::address);
+        self.sorted().map_or(refitted, Sort::address)
     }
 
     /// Writes the records of a planned frame. All units' costs are set to 0: a finished unit's
@@ -207,6 +236,7 @@ impl Records {
             let mesh = block.mesh();
             self.mesh = mesh.map(|mesh| mesh.blocks.clone());
             self.is_moved = mesh.is_some_and(|mesh| mesh.moved.is_some());
+            self.is_sorted = mesh.is_some_and(|mesh| mesh.sorted.is_some());
             self.textures = mesh.and_then(|mesh| mesh.textures.cloned());
             self.heights = mesh.and_then(|mesh| mesh.heights.cloned());
             self.materials = mesh.and_then(|mesh| mesh.table.cloned());

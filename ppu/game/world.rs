@@ -101,6 +101,8 @@ pub struct World {
     terrain: Option<Terrain>,
     /// The scene that was traced last.
     traced: Option<Traced>,
+    /// For how many pictures in a row a new scene was made.
+    new_scenes: u32,
     /// The changes since then.
     edits: Edits,
 }
@@ -138,6 +140,7 @@ impl World {
             meshes: SlotMap::with_key(),
             terrain: None,
             traced: None,
+            new_scenes: 0,
             edits: Edits::default(),
         }
     }

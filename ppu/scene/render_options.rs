@@ -26,6 +26,17 @@ pub enum RefitBy {
     Spus,
 }
 
+/// How the tree of a mesh is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BuildBy {
+    /// By this program, with the surface area heuristic: rays need the fewest tests.
+    PpuSurfaces,
+    /// By this program, in the order of codes: the tree that the SPUs make.
+    PpuCodes,
+    /// By the SPUs, in the order of codes, before they trace the next frame.
+    SpuCodes,
+}
+
 /// The volumes of the nodes of a scene's trees, in Whitted's model. All give the same picture,
 /// except where a ray meets several surfaces at equal distance.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -100,6 +111,10 @@ pub struct RenderOptions {
     pub refit_pictures: u32,
     /// Who refits it; without a choice, the SPUs if most of many vertices have moved.
     pub refit_by: Option<RefitBy>,
+    /// How the tree of a mesh is made, if its triangles have neither textures nor colours of
+    /// vertices. Others are built with the surface area heuristic. Without a choice, so are those
+    /// of scenes, and those of worlds unless they need a new tree for each picture.
+    pub build_by: Option<BuildBy>,
     /// The volumes of the trees' nodes.
     pub volumes: NodeVolumes,
 }
@@ -120,6 +135,7 @@ impl Default for RenderOptions {
             mesh_cache: MESH_MAX_SLOTS,
             refit_pictures: REFIT_PICTURES,
             refit_by: None,
+            build_by: None,
             volumes: NodeVolumes::Best,
         }
     }

@@ -68,7 +68,7 @@ impl MeshContent {
     fn of(mesh: &MeshPlace) -> Self {
         Self {
             blocks: mesh.blocks.clone(),
-            moved: mesh.moved.map(|moved| moved.version()),
+            moved: mesh.moved.map(|moved| moved.version()).or(mesh.sorted.map(|it| it.version())),
             table: mesh.table.cloned(),
             textures: mesh.textures.cloned(),
             heights: mesh.heights.cloned(),

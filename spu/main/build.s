@@ -1,5 +1,5 @@
-# Refits a mesh, a unit of leaf blocks after the other. This code is there only in frames with
-# FEATURE_BUILD.
+# Refits a mesh, a unit of leaf blocks after the other, or builds one (sort.s). This code is there
+# only in frames with FEATURE_BUILD.
 #
 # Three blocks are in work at a time: one is fetched, the vertices of the one before it are fetched
 # by a list, and the one before that is refitted. A block and its bounds are sent from where they
@@ -9,63 +9,11 @@
         .include "macros.inc"
         .include "driver.inc"
         .include "mesh_block.inc"
-
-# Local store, in the arena.
-        .set    SLOTS,4
-        .set    SLOTS_LOG2,2
-        .set    TAG_SLOT,TAG_MESH                       # and the next three: one a slot
-        .set    TAG_SOURCES,TAG_QUEUE
-        .set    LISTS,2
-        .set    LIST_ROOM,2048
-        .set    A_BLOCKS,ARENA_ADDRESS
-        .set    A_LISTS,A_BLOCKS+SLOTS*MESH_BLOCK
-        .set    A_BOUNDS,A_LISTS+LISTS*LIST_ROOM
-        .set    A_SOURCES,A_BOUNDS+SLOTS*BUILD_BOUNDS_SIZE
-        .set    MAX_SOURCES,BUILD_LEAVES*(MESH_VERTICES+1)
-        .set    A_BUILD,A_SOURCES+4*MAX_SOURCES
-        .set    A_MEMORY,A_BUILD+BUILD_SIZE
-        .set    MEMORY_SIZE,4704                        # of build_leaf
-    .if A_MEMORY+MEMORY_SIZE > BUILD_CODE
-        .error  "the buffers for refitting a mesh overlap its code"
-    .endif
-    .if BUILD_UNIT_SIZE != UNIT_SIZE || BUILD_BOUNDS_SIZE != 32 || 4*MAX_SOURCES > MAX_TRANSFER
-        .error  "the records of BUILD have other sizes than this code takes them to have"
-    .endif
-
-# State, in registers that tracing has for tiles.
-        .set    g_first,103                             # the unit's first block
-        .set    g_count,104                             # its blocks
-        .set    g_step,105                              # the one that is fetched, of these
-        .set    g_source,106                            # where the list of the next block's vertices is
-        .set    g_sources_end,107
-        .set    g_blocks,110                            # blocks of the mesh
-        .set    g_slot,111
-        .set    g_vertices_low,112
-        .set    g_vertex_count,113
+        .include "build.inc"
 
         .set    NEXT,28
         registers bad,value,limit,a_build,a_frame,nodes,vertices,a_block,number
         registers offset,high,low,size,tag,command,t_carry
-
-# The slot of the block fetched \before steps ago: a number, times the size of what it has there.
-.macro  slot_of out:req, before:req
-        ai      \out,$g_step,-(\before)
-        andi    \out,\out,SLOTS-1
-.endm
-
-# The address of a slot's entry in an array whose entries have 2^log2 bytes.
-.macro  of_slot out:req, array:req, log2:req
-        shli    \out,$g_slot,\log2
-        ila     $value,\array
-        a       \out,\out,$value
-.endm
-
-# Waits until all transfers of a slot are complete.
-.macro  await_slot slot:req
-        il      $3,1<<TAG_SLOT
-        shl     $3,$3,\slot
-        brsl    $lr,dma_wait
-.endm
 
 # Adds a block's offset to the address in $high and $low.
 .macro  add_block number:req
@@ -79,7 +27,7 @@
         brnz    \bad,refused
 .endm
 
-# build_blocks   refits this SPU's share of the blocks; at its end all are in main memory
+# build_blocks   does this SPU's share of the task; at its end all that it makes is in main memory
 #   Out     $3 STATUS_ value
 #   Uses    $3-$79, the units' and tiles' driver registers
 function build_blocks
@@ -100,7 +48,7 @@ function build_blocks
         brsl    $lr,dma_wait
         ila     $a_build,A_BUILD
         il      $bad,0
-    .irp field, blocks,vertices,sources,bounds
+    .irp field, blocks,vertices,sources,bounds,triangles,sorted
         load_word $value,BUILD_\field+4,$a_build
         or      $bad,$bad,$value
     .endr
@@ -123,10 +71,27 @@ function build_blocks
         ai      $value,$value,-1
         cg      $bad,$g_vertices_low,$value
         refuse_build_if $bad
+        load_word $value,BUILD_task,$a_build
+        clgti   $bad,$value,BUILD_PACK
+        refuse_build_if $bad
+        load_word $value,BUILD_triangle_count,$a_build
+        clgt    $bad,$value,$limit
+        refuse_build_if $bad
+        load_word $limit,BUILD_sorted+4,$a_build
+        shli    $value,$value,4
+        ai      $value,$value,-1
+        cg      $bad,$limit,$value
+        refuse_build_if $bad
 
 next_unit:
         take_unit all_built,$value
-        brsl    $lr,build_unit
+        ila     $a_build,A_BUILD
+        load_word $value,BUILD_task,$a_build
+        load_word $g_first,BUILD_UNIT_first,$g_a_unit
+        brz     $value,refit
+        ceqi    $value,$value,BUILD_SORT
+        brnz    $value,sort
+        brsl    $lr,sort_range
         brz     $3,next_unit
 refused:
         il      $g_unit,STATUS_Build
@@ -137,6 +102,12 @@ settle: il      $3,ALL_TAGS
         brsl    $lr,dma_wait
         ori     $3,$g_unit,0
         leave
+refit:  brsl    $lr,build_unit
+        brz     $3,next_unit
+        br      refused
+sort:   brsl    $lr,sort_chunk
+        brz     $3,next_unit
+        br      refused
 endfunction build_blocks
 
 # build_unit   refits the blocks of a unit
@@ -145,43 +116,12 @@ endfunction build_blocks
 #   Uses    $3-$79
 function build_unit
         enter
-        ila     $a_build,A_BUILD
-        load_word $g_first,BUILD_UNIT_first,$g_a_unit
         load_word $g_count,BUILD_UNIT_count,$g_a_unit
-        load_word $value,BUILD_UNIT_source,$g_a_unit
-        load_word $size,BUILD_UNIT_source_count,$g_a_unit
-        ai      $bad,$g_count,-1                        # 0 becomes the largest
-        clgti   $bad,$bad,BUILD_LEAVES-1
-        clgt    $limit,$g_first,$g_blocks
-        or      $bad,$bad,$limit
-        a       $limit,$g_first,$g_count
-        clgt    $limit,$limit,$g_blocks
-        or      $bad,$bad,$limit
-        load_constant $limit,MAX_SOURCES
-        clgt    $limit,$size,$limit
-        or      $bad,$bad,$limit
-        load_word $limit,BUILD_source_count,$a_build
-        clgt    $offset,$value,$limit
-        or      $bad,$bad,$offset
-        sf      $limit,$value,$limit                    # words from there on
-        clgt    $limit,$size,$limit
-        or      $bad,$bad,$limit
-        or      $limit,$value,$size
-        andi    $limit,$limit,3
-        or      $bad,$bad,$limit
-        rotmi   $limit,$value,-30
-        or      $bad,$bad,$limit
+        blocks_are_bad $bad,BUILD_LEAVES,$limit
         brnz    $bad,damaged
-        load_word $4,BUILD_sources,$a_build
-        load_word $5,BUILD_sources+4,$a_build
-        shli    $value,$value,2
-        add_effective $4,$5,$value,$t_carry
-        ila     $3,A_SOURCES
-        ori     $g_source,$3,0
-        shli    $6,$size,2
-        a       $g_sources_end,$g_source,$6
-        il      $7,TAG_SOURCES
-        brsl    $lr,dma_get
+        load_constant $3,MAX_SOURCES
+        brsl    $lr,build_sources
+        brnz    $3,damaged
         il      $g_step,0
 
 next_step:
@@ -194,7 +134,7 @@ next_step:
         load_word $high,FRAME_mesh,$a_frame
         load_word $low,FRAME_mesh+4,$a_frame
         add_block $number
-        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2,$value
         il      $size,MESH_BLOCK
         ai      $tag,$g_slot,TAG_SLOT
         il      $command,MFC_GET
@@ -212,29 +152,7 @@ no_vertices:
         clgt    $value,$g_count,$value
         brz     $value,step_done
         slot_of $g_slot,2
-        await_slot $g_slot
-        of_slot $3,A_BLOCKS,MESH_BLOCK_LOG2
-        of_slot $4,A_BOUNDS,5
-        ila     $5,A_MEMORY
-        brsl    $lr,build_leaf
-        ila     $a_build,A_BUILD
-        ai      $number,$g_step,-2
-        a       $number,$number,$g_first
-        load_word $high,BUILD_blocks,$a_build
-        load_word $low,BUILD_blocks+4,$a_build
-        add_block $number
-        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
-        il      $size,MESH_BLOCK
-        ai      $tag,$g_slot,TAG_SLOT
-        il      $command,MFC_PUT
-        mfc_command $a_block,$high,$low,$size,$tag,$command
-        load_word $high,BUILD_bounds,$a_build
-        load_word $low,BUILD_bounds+4,$a_build
-        shli    $offset,$number,5
-        add_effective $high,$low,$offset,$t_carry
-        of_slot $a_block,A_BOUNDS,5
-        il      $size,BUILD_BOUNDS_SIZE
-        mfc_command $a_block,$high,$low,$size,$tag,$command
+        brsl    $lr,build_finish
 step_done:
         ai      $g_step,$g_step,1
         ai      $value,$g_count,2
@@ -247,6 +165,75 @@ damaged:
         leave
 endfunction build_unit
 
+# build_sources   starts to fetch the words that list what a unit's blocks consist of
+#   In      g_a_unit, $3 the most words
+#   Out     $3 0, or something else if there are more, none, or others than there should be
+#   Uses    $3-$7, $10-$43
+function build_sources
+        enter
+        ila     $a_build,A_BUILD
+        load_word $value,BUILD_UNIT_source,$g_a_unit
+        load_word $size,BUILD_UNIT_source_count,$g_a_unit
+        ai      $bad,$size,-1                           # 0 becomes the largest
+        clgt    $bad,$bad,$3
+        clgt    $limit,$size,$3
+        or      $bad,$bad,$limit
+        load_word $limit,BUILD_source_count,$a_build
+        clgt    $offset,$value,$limit
+        or      $bad,$bad,$offset
+        sf      $limit,$value,$limit                    # words from there on
+        clgt    $limit,$size,$limit
+        or      $bad,$bad,$limit
+        or      $limit,$value,$size
+        andi    $limit,$limit,3
+        or      $bad,$bad,$limit
+        rotmi   $limit,$value,-30
+        or      $3,$bad,$limit
+        brnz    $3,unfit
+        load_word $4,BUILD_sources,$a_build
+        load_word $5,BUILD_sources+4,$a_build
+        shli    $value,$value,2
+        add_effective $4,$5,$value,$t_carry
+        ila     $3,A_SOURCES
+        ori     $g_source,$3,0
+        shli    $6,$size,2
+        a       $g_sources_end,$g_source,$6
+        il      $7,TAG_SOURCES
+        brsl    $lr,dma_get
+        il      $3,0
+unfit:  leave
+endfunction build_sources
+
+# build_finish   refits a block whose vertices are on their way, and sends it
+#   In      g_slot
+#   Uses    $3-$79
+function build_finish
+        enter
+        await_slot $g_slot
+        of_slot $3,A_BLOCKS,MESH_BLOCK_LOG2,$value
+        of_slot $4,A_BOUNDS,5,$value
+        ila     $5,A_MEMORY
+        brsl    $lr,build_leaf
+        ila     $a_build,A_BUILD
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2,$value
+        load_word $number,MESH_HEADER_number,$a_block
+        load_word $high,BUILD_blocks,$a_build
+        load_word $low,BUILD_blocks+4,$a_build
+        add_block $number
+        il      $size,MESH_BLOCK
+        ai      $tag,$g_slot,TAG_SLOT
+        il      $command,MFC_PUT
+        mfc_command $a_block,$high,$low,$size,$tag,$command
+        load_word $high,BUILD_bounds,$a_build
+        load_word $low,BUILD_bounds+4,$a_build
+        shli    $offset,$number,5
+        add_effective $high,$low,$offset,$t_carry
+        of_slot $a_block,A_BOUNDS,5,$value
+        il      $size,BUILD_BOUNDS_SIZE
+        mfc_command $a_block,$high,$low,$size,$tag,$command
+        leave
+endfunction build_finish
+
 # build_vertices   checks the header of a block, and starts to fetch the block's vertices
 #   In      g_slot; the block has arrived
 #   Out     $3 0, or something else if the block is damaged
@@ -254,10 +241,8 @@ endfunction build_unit
 function build_vertices
         enter
         # The list arrives with the unit's first block.
-        il      $3,1
-        shli    $3,$3,TAG_SOURCES
-        brsl    $lr,dma_wait
-        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2
+        await_sources
+        of_slot $a_block,A_BLOCKS,MESH_BLOCK_LOG2,$value
         ai      $number,$g_step,-1
         a       $number,$number,$g_first
         lqd     $bad,MESH_HEADER_number&~15($a_block)

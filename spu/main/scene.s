@@ -86,7 +86,7 @@ started:
         leave
 endfunction scene_fetch
 
-# refit_fetch   fetches the code that refits meshes, and runs it
+# refit_fetch   fetches the code that refits and builds meshes, and runs it
 #   Out     $3 STATUS_ value
 #   Uses    $3-$79, the units' and tiles' driver registers
         .set    status,3
@@ -99,6 +99,8 @@ function refit_fetch
         # frame_fetch has checked the rest of these fields.
         require_from_one code_bytes,BUILD_CODE_CAPACITY,Code
         enter
+        # The buffers have the place of the code for depth shading.
+        stqa    $value,overwritten
         load_constant $3,BUILD_CODE
         load_word $4,FRAME_code,$a_frame
         load_word $5,FRAME_code+4,$a_frame

@@ -7,10 +7,11 @@ _start:
         stop    0x1ffd
 
 # The kernels for depth shading, boxes and height fields are directly in front of those for colours,
-# and the ones for refitted meshes after those for meshes, so that the bench has all the memory in
-# front of them.
-        .global depth_place, boxes_place, height_place, build_place
+# and the ones for refitting and building meshes after those for meshes, so that the bench has all
+# the memory in front of them.
+        .global depth_place, boxes_place, height_place, sort_place, build_place
         .set    depth_place,0x27780
         .set    boxes_place,0x31e00
         .set    height_place,0x33080
         .set    build_place,0x3cd00
+        .set    sort_place,0x3db00

@@ -28,9 +28,9 @@ const RETURN: u16 = 0x1fff;
 /// The stop code that a program runs into if it leaves its code.
 const LOST: u16 = 0x1ffe;
 /// The top of the stack. Nothing is above it.
-const STACK: u32 = 0x3f000;
+const STACK: u32 = 0x3f780;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
-/// shading, boxes, height fields, colours, textures, meshes and refitted meshes.
+/// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes.
 const ARENA_END: u32 = 0x27780;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;

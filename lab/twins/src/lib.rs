@@ -43,6 +43,7 @@ pub mod shade_depth;
 pub mod shader;
 pub mod shadow_rays;
 pub mod smooth;
+pub mod sort;
 pub mod sphere;
 pub mod sphere_pairs;
 pub mod sphere_ray;

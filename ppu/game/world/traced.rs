@@ -14,12 +14,16 @@ use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
 use crate::scene::mesh::{are_many, gathered, gathered_all};
-use crate::scene::{RefitBy, Scene, SceneBlock, SceneError, Sphere};
+use crate::scene::{BuildBy, RefitBy, Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
 /// From this number of moved vertices on, SPUs refit a mesh. The number is chosen, not measured.
 const SPUS_REFIT: usize = 1000;
+
+/// From this number of pictures in a row on that need a new tree, SPUs build it. They take a tenth of
+/// the time that the PPU does, but rays make more tests with it, so a tree that lasts is not theirs.
+const SHORT_LIVED: u32 = 3;
 
 impl WorldMaterial {
     /// Sets the material's number in the scene, which error messages use if it has no line.
@@ -56,8 +60,14 @@ impl World {
             None => None,
         };
         let mut traced = match changed {
-            Some(traced) => traced,
-            None => self.lay_out(program)?,
+            Some(traced) => {
+                self.new_scenes = 0;
+                traced
+            }
+            None => {
+                self.new_scenes = self.new_scenes.saturating_add(1);
+                self.lay_out(program)?
+            }
         };
         traced.scene.write()?;
         for id in &self.edits.objects {
@@ -87,7 +97,14 @@ impl World {
         // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps space for hidden objects.
-        let options = self.traced_options();
+        let mut options = self.traced_options();
+        let can_refit = !program.build_code().is_empty();
+        let is_short_lived = self.new_scenes >= SHORT_LIVED;
+        options.build_by = match options.build_by {
+            Some(BuildBy::SpuCodes) if !can_refit => Some(BuildBy::PpuCodes),
+            None if is_short_lived && can_refit => Some(BuildBy::SpuCodes),
+            chosen => chosen,
+        };
         let is_whitted = options.is_whitted(self.light_count());
         let shown = self.content(|object| object.visible);
         let has_hidden = self.objects.values().any(|object| !object.visible);
@@ -149,7 +166,6 @@ impl World {
         if !is_whitted {
             self.set_spheres(&mut scene)?;
         }
-        let can_refit = !program.build_code().is_empty();
         let mesh = content.mesh.clone();
         Ok(Traced { scene, shaders, program: *program, mesh, has_gathered, can_refit })
     }

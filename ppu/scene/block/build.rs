@@ -189,7 +189,7 @@ impl<'a> Builder<'a> {
     pub fn in_main_memory(&self, kinds: InMainMemory) -> Result<SceneBlock, BlockError> {
         let streamed = |minimum| {
             let numbers = Numbers { firsts: &self.firsts, minimum };
-            Streamed::of(self.scene, kinds, numbers, self.options.colour)
+            Streamed::of(self.scene, kinds, numbers, self.options)
         };
         let lay_out = |streamed| self.lay_out(Spare::default(), [Volumes::Spheres; 4], streamed);
         let narrow = streamed(NumberWidth::Byte)?;

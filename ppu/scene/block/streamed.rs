@@ -23,14 +23,18 @@ use crate::scene::colour::Colour;
 use crate::scene::height::{HeightView, HeightViews};
 use crate::scene::mesh::{
     Ground, MeshBlocks, MeshCone, MeshObjects, MeshSphere, MovedVertices, NumberWidth, Numbers,
-    RESIDENT,
+    RESIDENT, SortedMesh,
 };
-use crate::scene::render_options::RefitBy;
+use crate::scene::render_options::{BuildBy, RefitBy, RenderOptions};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
 /// The minimum capacity of the cache, in blocks.
 const MIN_SLOTS: usize = 8;
+
+/// About how many times the tests rays make with a tree in the order of codes that they make with
+/// one by the surface area heuristic. `docs/meshes.md` has the measurements.
+const WEAR_OF_CODES: f64 = 1.25;
 
 /// The kinds of a scene's objects that are in main memory beside its mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -84,6 +88,8 @@ pub(super) struct Streamed {
     pub blocks: Arc<MeshBlocks>,
     /// Its vertices, if SPUs are to refit the blocks with them.
     moved: Option<Arc<MovedVertices>>,
+    /// What its blocks are made of, if that is done in the order of codes, and by SPUs or not.
+    sorted: Option<(Arc<SortedMesh>, BuildBy)>,
     /// What its refitted tree has cost since it was built: tests of rays that a new one would not
     /// have needed, in pictures.
     wasted_pictures: f64,
@@ -112,6 +118,8 @@ pub struct MeshPlace<'a> {
     pub blocks: &'a Arc<MeshBlocks>,
     /// The vertices with which SPUs refit the blocks before they trace them, if they do.
     pub moved: Option<&'a Arc<MovedVertices>>,
+    /// What SPUs make the blocks of before they trace them, if they do.
+    pub sorted: Option<&'a Arc<SortedMesh>>,
     /// The local-store address of the first material, if they are there.
     pub materials: u32,
     /// The materials, if they are in main memory.
@@ -139,8 +147,9 @@ impl Streamed {
         scene: &Scene,
         kinds: InMainMemory,
         numbers: Numbers<'_>,
-        colour: Colour,
+        options: RenderOptions,
     ) -> Result<Option<Self>, BlockError> {
+        let colour = options.colour;
         let origin = match &scene.mesh {
             Some(mesh) => mesh.origin,
             None => match &scene.heights {
@@ -162,8 +171,21 @@ impl Streamed {
             Ground::new(heights.bounds().map(|corner| corner - origin), *material)
         });
         let materials = &scene.materials;
-        let blocks = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
-        let blocks = blocks.map_err(wrong)?;
+        let is_alone = objects.is_empty() && ground.is_none();
+        let by = options.build_by.filter(|by| *by != BuildBy::PpuSurfaces && is_alone);
+        let to_sort = by.and_then(|by| Some((by, MeshBlocks::to_sort(mesh, materials, numbers)?)));
+        let (blocks, sorted) = match to_sort {
+            Some((by, (mut blocks, sorted))) => {
+                if by == BuildBy::PpuCodes {
+                    blocks.make_sorted(mesh, &sorted);
+                }
+                (blocks, Some((Arc::new(sorted), by)))
+            }
+            None => {
+                let of = MeshBlocks::numbered(mesh, &objects, ground, materials, numbers, colour);
+                (of.map_err(wrong)?, None)
+            }
+        };
         let of_spheres = objects.spheres.iter().flat_map(|sphere| {
             let (centre, radius) = (sphere.centre.as_dvec3(), f64::from(sphere.radius.abs()));
             [centre - radius, centre + radius]
@@ -186,6 +208,7 @@ impl Streamed {
             heights: heights.map(|(heights, _)| heights),
             blocks: Arc::new(blocks),
             moved: None,
+            sorted,
             materials: SCENE_ADDRESS,
             table: None,
             texture_records: SCENE_ADDRESS,
@@ -238,6 +261,20 @@ impl Streamed {
 
     /// Moves the triangles, or leaves that to SPUs; `false` if a new tree is needed.
     pub fn refit(&mut self, mesh: &Mesh, by: RefitBy) -> bool {
+        if let Some((sorted, by)) = &mut self.sorted {
+            // An engine that has made the blocks no longer has the vertices.
+            let (Some(sorted), Some((low, high))) = (Arc::get_mut(sorted), mesh.bounds()) else {
+                return false;
+            };
+            if !sorted.move_to(mesh, &self.blocks) {
+                return false;
+            }
+            if *by == BuildBy::PpuCodes {
+                Arc::make_mut(&mut self.blocks).make_sorted(mesh, sorted);
+            }
+            self.bounds = [low, high];
+            return true;
+        }
         // An engine that has refitted the blocks no longer has the vertices.
         let moved = self.moved.take().filter(|it| Arc::strong_count(it) == 1);
         if by == RefitBy::Spus {
@@ -262,9 +299,10 @@ impl Streamed {
 
     /// [`SceneBlock::wear`](super::SceneBlock::wear).
     pub fn wear(&self) -> f64 {
-        match &self.moved {
-            Some(moved) => self.blocks.wear_of(moved).unwrap_or(1.0),
-            None => self.blocks.wear(),
+        match (&self.moved, &self.sorted) {
+            (Some(moved), _) => self.blocks.wear_of(moved).unwrap_or(1.0),
+            (None, Some(_)) => WEAR_OF_CODES,
+            (None, None) => self.blocks.wear(),
         }
     }
 
@@ -315,6 +353,7 @@ impl Streamed {
         MeshPlace {
             blocks: &self.blocks,
             moved: self.moved.as_ref(),
+            sorted: self.sorted.as_ref().filter(|it| it.1 == BuildBy::SpuCodes).map(|it| &it.0),
             materials: self.materials,
             table: self.table.as_ref(),
             material_count: self

@@ -20,7 +20,9 @@ mod leaf;
 mod moved;
 mod normal;
 mod objects;
+mod pack;
 mod refit;
+mod sorted;
 mod sphere;
 mod statistics;
 mod sweep;
@@ -48,6 +50,8 @@ pub use self::gather::gathered;
 pub(crate) use self::gather::{RESIDENT, are_many, gathered_all};
 pub use self::moved::MovedVertices;
 pub use self::objects::MeshObjects;
+pub use self::sorted::SortedMesh;
+pub(crate) use self::sorted::{chunks, join_made, ranges};
 pub use self::sphere::MeshSphere;
 pub use self::statistics::MeshStatistics;
 pub(crate) use self::write::header as block_header;
@@ -140,6 +144,8 @@ pub(super) struct Numbers<'a> {
 #[derive(Clone, Debug)]
 pub struct MeshBlocks {
     blocks: Vec<Block>,
+    /// The number of blocks, of which not all need to be there.
+    most: u32,
     materials: Vec<u32>,
     width: NumberWidth,
     is_coloured: bool,
@@ -164,7 +170,34 @@ fn has_area(mesh: &Mesh, triangle: usize) -> bool {
     (b - a).cross(c - a) != DVec3::ZERO
 }
 
+/// Whether SPUs can compute with a position.
+fn in_range(position: &[f32; 3]) -> bool {
+    position.iter().all(|number| f64::from(number.abs()) <= LARGEST)
+}
+
 impl MeshBlocks {
+    /// At most this number of blocks of a mesh, which are not made yet, and have these materials.
+    fn unmade(mesh: &Mesh, materials: Vec<u32>, most: u32) -> Self {
+        Self {
+            blocks: Vec::new(),
+            most,
+            materials,
+            width: NumberWidth::Byte,
+            is_coloured: false,
+            sources: Vec::new(),
+            vertices: mesh.positions.len(),
+            flat: write::flat(mesh).collect(),
+            without_area: Vec::new(),
+            uses_all: write::uses_all(mesh),
+            cost: 1.0,
+            cost_when_built: 1.0,
+            statistics: MeshStatistics {
+                triangles: mesh.triangles.len(),
+                ..MeshStatistics::default()
+            },
+        }
+    }
+
     /// Builds the BVH of a mesh and of objects whose materials are in `materials`, and cuts it
     /// into blocks. Their positions are relative to the mesh's origin. Each material that has a
     /// triangle or an object has its own number, and the numbers are as narrow as they can be.
@@ -197,10 +230,6 @@ impl MeshBlocks {
         Numbers { firsts, minimum }: Numbers<'_>,
         colour: Colour,
     ) -> Result<Self, MeshError> {
-        let in_range = |position: &[f32; 3]| {
-            let mut numbers = position.iter();
-            numbers.all(|number| f64::from(number.abs()) <= LARGEST)
-        };
         if let Some(vertex) = mesh.positions.iter().position(|it| !in_range(it)) {
             let position = mesh.positions[vertex];
             return Err(MeshError::OutOfRange { vertex, position });
@@ -295,7 +324,7 @@ impl MeshBlocks {
     /// The number of blocks.
     #[must_use]
     pub fn count(&self) -> u32 {
-        self.blocks.len() as u32
+        self.most
     }
 
     /// The bytes of all blocks, aligned to 128 bytes. SPUs read them by their address.

@@ -13,22 +13,20 @@ use super::normal::packed;
 use super::tree::Bounds;
 use super::write::coordinate;
 
-/// The most vertices of a mesh that SPUs refit.
-const MOST_VERTICES: usize = 1 << 24;
 /// The most blocks of a mesh that SPUs refit: a frame has no more work units.
 const MOST_BLOCKS: u32 = MAX_SIDE / TILE_WIDTH * (MAX_SIDE / TILE_HEIGHT);
 
 static VERSIONS: AtomicU64 = AtomicU64::new(1);
 
-/// As many vertices as fill a line.
+/// As many vertices or triangles as fill a line.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(128))]
-struct Line([MeshVertex; 8]);
+pub(super) struct Line<T>(pub [T; 8]);
 
 /// New vertices of a mesh. An engine that renders the scene has its SPUs refit the blocks.
 #[derive(Debug, Default)]
 pub struct MovedVertices {
-    lines: Vec<Line>,
+    lines: Vec<Line<MeshVertex>>,
     count: u32,
     version: u64,
     /// The cost of the blocks with these vertices.
@@ -36,6 +34,43 @@ pub struct MovedVertices {
 }
 
 impl MovedVertices {
+    /// The most vertices.
+    pub(super) const MOST: usize = 1 << 24;
+
+    /// Writes the vertices of a mesh, and returns the box around them. `None` if those with a normal
+    /// of 0 are not these. In memory for as many vertices nothing is allocated.
+    pub(super) fn write(&mut self, mesh: &Mesh, flat: &[u32]) -> Option<Bounds> {
+        let vertices = &mesh.positions;
+        let count = vertices.len().div_ceil(8);
+        self.lines.clear();
+        if self.lines.capacity() < count {
+            self.lines = memory(count);
+        }
+        self.count = vertices.len() as u32;
+        self.version = VERSIONS.fetch_add(1, Ordering::Relaxed);
+        self.cost = OnceLock::new();
+        let mut around = Bounds::EMPTY;
+        let mut flat = flat.iter();
+        for (line, positions) in vertices.chunks(8).enumerate() {
+            let mut records = [MeshVertex::new_zeroed(); 8];
+            for (index, &position) in positions.iter().enumerate() {
+                let point = Vec3::from(position);
+                around = around.with(Bounds { low: point, high: point });
+                records[index].position = position.map(coordinate);
+                let vertex = 8 * line + index;
+                let Some(&normal) = mesh.normals.get(vertex) else { continue };
+                let normal = Vec3::from(normal).as_dvec3();
+                if normal != DVec3::ZERO {
+                    records[index].normal = packed(normal).into();
+                } else if flat.next() != Some(&(vertex as u32)) {
+                    return None;
+                }
+            }
+            self.lines.push(Line(records));
+        }
+        flat.next().is_none().then_some(around)
+    }
+
     /// A number that no other vertices of this process have.
     pub(crate) fn version(&self) -> u64 {
         self.version
@@ -59,10 +94,10 @@ impl MovedVertices {
 
 /// Empty memory for lines, all in one segment of 4 GB: the elements of a DMA list share the upper
 /// word of their addresses.
-fn memory(lines: usize) -> Vec<Line> {
-    let memory: Vec<Line> = Vec::with_capacity(lines);
+pub(super) fn memory<T>(lines: usize) -> Vec<Line<T>> {
+    let memory: Vec<Line<T>> = Vec::with_capacity(lines);
     let first = memory.as_ptr().addr();
-    let last = first + memory.capacity() * size_of::<Line>() - 1;
+    let last = first + memory.capacity() * size_of::<Line<T>>() - 1;
     // As long as this memory is kept, other memory is elsewhere.
     if first as u64 >> 32 == last as u64 >> 32 { memory } else { self::memory(lines) }
 }
@@ -84,40 +119,11 @@ impl MeshBlocks {
         if self.vertices != vertices.len()
             || self.statistics.spheres + self.statistics.cones > 0
             || self.count() > MOST_BLOCKS
-            || vertices.len() > MOST_VERTICES
+            || vertices.len() > MovedVertices::MOST
         {
             return None;
         }
-        let count = vertices.len().div_ceil(8);
-        moved.lines.clear();
-        if moved.lines.capacity() < count {
-            moved.lines = memory(count);
-        }
-        moved.count = vertices.len() as u32;
-        moved.version = VERSIONS.fetch_add(1, Ordering::Relaxed);
-        moved.cost = OnceLock::new();
-        let mut around = Bounds::EMPTY;
-        let mut flat = self.flat.iter();
-        for (line, positions) in vertices.chunks(8).enumerate() {
-            let mut records = [MeshVertex::new_zeroed(); 8];
-            for (index, &position) in positions.iter().enumerate() {
-                let point = Vec3::from(position);
-                around = around.with(Bounds { low: point, high: point });
-                records[index].position = position.map(coordinate);
-                let vertex = 8 * line + index;
-                let Some(&normal) = mesh.normals.get(vertex) else { continue };
-                let normal = Vec3::from(normal).as_dvec3();
-                if normal != DVec3::ZERO {
-                    records[index].normal = packed(normal).into();
-                } else if flat.next() != Some(&(vertex as u32)) {
-                    return None;
-                }
-            }
-            moved.lines.push(Line(records));
-        }
-        if flat.next().is_some() {
-            return None;
-        }
+        let around = moved.write(mesh, &self.flat)?;
         match self.uses_all {
             true => Some([around.low, around.high].map(|corner| mesh.origin + corner.as_dvec3())),
             false => mesh.bounds().map(|(low, high)| [low, high]),

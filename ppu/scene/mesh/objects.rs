@@ -46,7 +46,7 @@ impl MeshObjects {
         let index = index as usize;
         let number = |material: u32| numbers[material as usize];
         match kind {
-            Kind::Triangles(_) | Kind::Heights => {}
+            Kind::Triangles(_) | Kind::Heights | Kind::Blocks => {}
             Kind::Spheres => {
                 let sphere = &self.spheres[index];
                 records.extend(sphere.record(number(sphere.material)).as_bytes());

@@ -16,6 +16,13 @@ use super::tree::Bounds;
 use super::write::{RUN_SHIFT, coordinate, flat};
 use super::{Block, MeshBlocks};
 
+impl From<&BuildBounds> for Bounds {
+    fn from(BuildBounds { low, high, .. }: &BuildBounds) -> Self {
+        let [low, high] = [low, high].map(|it| Vec3::from(it.map(F32::get)));
+        Self { low, high }
+    }
+}
+
 impl MeshBlocks {
     /// The blocks of the same triangles with other positions and normals.
     ///
@@ -60,11 +67,7 @@ impl MeshBlocks {
                 continue;
             }
             let mut block = block.clone();
-            let below = |number: usize| {
-                let BuildBounds { low, high, .. } = bounds.get(number)?;
-                let [low, high] = [low, high].map(|it| Vec3::from(it.map(F32::get)));
-                Some(Bounds { low, high })
-            };
+            let below = |number: usize| bounds.get(number).map(Bounds::from);
             let around = refit(&mut block, &mut &[][..], &no_vertices, &below, &mut cost);
             let Bounds { low, high } = around.unwrap_or(Bounds::EMPTY);
             bounds[number].low = low.to_array().map(F32::new);
@@ -84,7 +87,7 @@ impl MeshBlocks {
 
 /// Refits a block whose children are refitted, and returns its box. The last of `sources` are the
 /// mesh's vertices of the block's own, and are taken off.
-fn refit(
+pub(super) fn refit(
     block: &mut Block,
     sources: &mut &[u32],
     mesh: &Mesh,

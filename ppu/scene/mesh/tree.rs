@@ -61,6 +61,8 @@ pub(super) enum Kind {
     Cones,
     /// A height field, whose blocks are not the mesh's own.
     Heights,
+    /// Leaf blocks.
+    Blocks,
 }
 
 impl Kind {
@@ -71,9 +73,7 @@ impl Kind {
             Self::Triangles(sides) if sides & SIDES_TEXTURED != 0 => {
                 size_of::<MeshVertex>() + size_of::<MeshCoordinates>() + colour
             }
-            Self::Triangles(_) | Self::Spheres | Self::Cones | Self::Heights => {
-                size_of::<MeshVertex>() + colour
-            }
+            _ => size_of::<MeshVertex>() + colour,
         }
     }
 }
@@ -145,6 +145,7 @@ impl<'a> Tree<'a> {
         let (fits, capacity) = match kind {
             Kind::Triangles(_) => (self.fits(kind, pieces.clone()), self.capacity(kind)),
             Kind::Spheres | Kind::Cones | Kind::Heights => (pieces.len() <= OBJECTS, OBJECTS),
+            Kind::Blocks => (pieces.len() <= 1, 1),
         };
         if fits {
             self.nodes.push(Node { bounds, pieces, leaves: 1, halves: None });

@@ -48,23 +48,14 @@ pub(super) fn blocks(
     let Tree { mut pieces, nodes, width, .. } = tree;
     let Content { mesh, objects, .. } = content;
     let grounds = ends.iter().filter(|(_, kind)| *kind == Kind::Heights).count();
-    let mut writer = Writer {
-        nodes: &nodes,
-        content,
-        width,
-        // Boxes without a surface, of flat meshes along an axis, have edges at least.
-        whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
-        local: vec![0; mesh.positions.len()],
-        sources: Vec::new(),
-        cost: 0.0,
-        statistics: MeshStatistics {
-            triangles: pieces.len() - objects.len() - grounds,
-            spheres: objects.spheres.len(),
-            cones: objects.cones.len(),
-            left_out: mesh.triangles.len() + objects.len() + grounds - pieces.len(),
-            ..MeshStatistics::default()
-        },
+    let statistics = MeshStatistics {
+        triangles: pieces.len() - objects.len() - grounds,
+        spheres: objects.spheres.len(),
+        cones: objects.cones.len(),
+        left_out: mesh.triangles.len() + objects.len() + grounds - pieces.len(),
+        ..MeshStatistics::default()
     };
+    let mut writer = Writer::new(&nodes, root, content, width, statistics);
     let mut blocks: Vec<Block> = Vec::with_capacity(nodes[root].leaves * 17 / 16 + 1);
     let mut waiting = VecDeque::from([root]);
     let mut next = 1;
@@ -105,6 +96,7 @@ pub(super) fn blocks(
             flat: flat(mesh).collect(),
             without_area: Vec::new(),
             uses_all: uses_all(mesh),
+            most: blocks.len() as u32,
             blocks,
             materials,
             width,
@@ -119,7 +111,7 @@ pub(super) fn flat(mesh: &Mesh) -> impl Iterator<Item = u32> {
     numbered.filter(|(normal, _)| **normal == [0.0; 3]).map(|(_, vertex)| vertex)
 }
 
-fn uses_all(mesh: &Mesh) -> bool {
+pub(super) fn uses_all(mesh: &Mesh) -> bool {
     let mut is_used = vec![false; mesh.positions.len()];
     mesh.triangles.iter().flatten().for_each(|&vertex| is_used[vertex as usize] = true);
     is_used.into_iter().all(|is_used| is_used)
@@ -129,6 +121,30 @@ fn uses_all(mesh: &Mesh) -> bool {
 /// of equal numbers a box has the same bits, whoever compares them.
 pub(super) fn coordinate(number: f32) -> F32 {
     F32::new(if number.abs() < f32::MIN_POSITIVE { 0.0 } else { number })
+}
+
+/// Writes the blocks above a tree's leaves, which are blocks themselves, and calls `store` with the
+/// number and the bytes of each.
+pub(super) fn above(tree: &Tree<'_>, root: usize, mut store: impl FnMut(usize, &[u8])) {
+    let Tree { pieces, nodes, width, .. } = tree;
+    let nothing = (&Mesh::default(), &MeshObjects::default());
+    let (mesh, objects) = nothing;
+    let content = Content { mesh, objects, numbers: &[], colours: &[] };
+    let mut writer = Writer::new(nodes, root, content, *width, MeshStatistics::default());
+    let mut waiting = VecDeque::from([root]);
+    let mut next = 1;
+    for number in 0.. {
+        let Some(at) = waiting.pop_front() else { break };
+        let mut child = |at: usize| match &nodes[at] {
+            Node { halves: None, pieces: own, .. } => pieces[own.start].index,
+            _ => {
+                waiting.push_back(at);
+                next += 1;
+                next - 1
+            }
+        };
+        store(number, &writer.inner(number as u32, at, &mut child).0);
+    }
 }
 
 struct Writer<'a> {
@@ -149,7 +165,27 @@ struct Writer<'a> {
 /// A child of a node: its box, and its word.
 type Child = (Bounds, u32);
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    fn new(
+        nodes: &'a [Node],
+        root: usize,
+        content: Content<'a>,
+        width: NumberWidth,
+        statistics: MeshStatistics,
+    ) -> Self {
+        Self {
+            nodes,
+            content,
+            width,
+            // Boxes without a surface, of flat meshes along an axis, have edges at least.
+            whole: nodes[root].bounds.area().max(f64::MIN_POSITIVE),
+            local: vec![0; content.mesh.positions.len()],
+            sources: Vec::new(),
+            cost: 0.0,
+            statistics,
+        }
+    }
+
     /// The part of all rays that meets a box.
     fn share(&self, bounds: Bounds) -> f64 {
         bounds.area() / self.whole
@@ -357,7 +393,7 @@ pub(crate) fn header(number: u32, kind: u32, levels: usize, nodes: usize) -> Mes
 }
 
 /// The offset in a block of its node `index`.
-fn offset(index: usize) -> u32 {
+pub(super) fn offset(index: usize) -> u32 {
     (size_of::<MeshHeader>() + index * size_of::<Boxes>()) as u32
 }
 
@@ -366,9 +402,10 @@ fn all(children: &[Child]) -> Bounds {
     boxes.fold(Bounds::EMPTY, Bounds::with)
 }
 
-fn boxes(children: &[Child]) -> Boxes {
+/// A node without children.
+pub(super) fn no_boxes() -> Boxes {
     let none = f32::from_bits(NO_BOX);
-    let mut boxes = Boxes {
+    Boxes {
         lo_x: [F32::new(none); 4],
         lo_y: [F32::new(none); 4],
         lo_z: [F32::new(none); 4],
@@ -376,7 +413,11 @@ fn boxes(children: &[Child]) -> Boxes {
         hi_y: [F32::new(-none); 4],
         hi_z: [F32::new(-none); 4],
         child: [U32::ZERO; 4],
-    };
+    }
+}
+
+fn boxes(children: &[Child]) -> Boxes {
+    let mut boxes = no_boxes();
     for (lane, &(Bounds { low, high }, word)) in children.iter().enumerate() {
         boxes.lo_x[lane] = coordinate(low.x);
         boxes.lo_y[lane] = coordinate(low.y);

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 16;
+    VERSION = 17;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -105,7 +105,7 @@ constants! {
     /// Feature bit: a ray may send more than one ray on.
     FEATURE_BRANCHES = 1024;
     /// Feature bit: no picture is traced. The work units are `BUILD_UNIT`s, by which the SPUs refit
-    /// the mesh as the `BUILD` at `scene` describes.
+    /// or build the mesh as the `BUILD` at `scene` describes.
     FEATURE_BUILD = 2048;
     /// Feature bit: the scene has a height field. Its triangles have colours, so
     /// `FEATURE_COLOURS` is set, too.
@@ -179,11 +179,19 @@ constants! {
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
     DEPTH_CODE_CAPACITY = 20480;
-    /// Address in local store of the code that refits meshes, in the memory of scenes. Each frame
-    /// with `FEATURE_BUILD` brings it in.
-    BUILD_CODE = 0x2bd00;
+    /// Address in local store of the code that refits and builds meshes, in the memory of scenes.
+    /// Each frame with `FEATURE_BUILD` brings it in. The code that tests boxes is among it.
+    BUILD_CODE = 0x29100;
     /// Bytes for that code.
-    BUILD_CODE_CAPACITY = 5120;
+    BUILD_CODE_CAPACITY = 16384;
+    /// `task` of a `BUILD`: leaf blocks are refitted.
+    BUILD_REFIT = 0;
+    /// `task`: chunks of triangles are sorted.
+    BUILD_SORT = 1;
+    /// `task`: sorted triangles are packed into leaf blocks.
+    BUILD_PACK = 2;
+    /// Most triangles that are sorted together.
+    BUILD_CHUNK = 4096;
     /// Most leaf blocks of a `BUILD_UNIT`.
     BUILD_LEAVES = 16;
     /// Most objects of one shape.
@@ -435,6 +443,7 @@ pub const RECORDS: &[Record] = &[
     Build::RECORD,
     BuildUnit::RECORD,
     BuildBounds::RECORD,
+    BuildTriangle::RECORD,
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
@@ -550,7 +559,7 @@ statuses! {
     Paths = 42, "paths";
     /// Must be a multiple of 16, with at most 9 nodes.
     Changes = 43, "changes, change_count";
-    /// A `BUILD` must have its records at multiples of 128, and vertices that do not reach across a multiple of 2^32; a `BUILD_UNIT` 1 to 16 leaf blocks of the mesh, each as the mesh's document has it, with a list of as many vertices of the mesh.
+    /// A `BUILD` must have a task, its records at multiples of 128, and vertices and sorted triangles that do not reach across a multiple of 2^32; a `BUILD_UNIT` as many blocks or triangles as its record allows, and a list of as many vertices or triangles as these have; a block must be as the mesh's document has it, and each triangle's vertices must exist.
     Build = 44, "scene, units";
     /// Must be a multiple of 128, with 1 to 10 levels.
     Heights = 45, "heights";

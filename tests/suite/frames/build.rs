@@ -36,7 +36,7 @@ struct Refit {
     _memory: [SharedMemory; 2],
 }
 
-fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
+pub fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
     match outcome {
         Err(EngineError::Refused { .. }) => {}
         Err(error) => panic!("{what}: {error}"),
@@ -44,7 +44,7 @@ fn is_refused(what: &str, outcome: Result<Vec<u8>, EngineError>) {
     }
 }
 
-fn shared(bytes: &[u8]) -> SharedMemory {
+pub fn shared(bytes: &[u8]) -> SharedMemory {
     let mut memory = SharedMemory::new(bytes.len());
     memory.write(0, bytes);
     memory
@@ -212,7 +212,7 @@ fn no_block_is_written_without_units() {
 fn damaged_frames_are_refused() {
     let mut refit = Refit::new(2);
     refit.refused("no code", "code_bytes", |frame| frame.code_bytes = 0.into());
-    refit.refused("too much code", "code_bytes", |frame| frame.code_bytes = 5136.into());
+    refit.refused("too much code", "code_bytes", |frame| frame.code_bytes = 16_400.into());
     refit.refused("a record beside a line", "scene", |frame| {
         frame.scene = (frame.scene.get() + 16).into();
     });
@@ -303,5 +303,5 @@ fn other_damage_is_harmless() {
     refit.with(|_| ()).unwrap();
     let mut bounds = BuildBounds::new_zeroed();
     refit.bounds.read(block * size_of::<BuildBounds>(), bounds.as_mut_bytes());
-    assert_eq!(bounds.reserved.get(), 0);
+    assert_eq!(bounds.unused.get(), 0);
 }

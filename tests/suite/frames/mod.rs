@@ -14,5 +14,6 @@ mod protocol;
 mod random;
 mod retained;
 mod shaders;
+mod sort;
 mod textures;
 mod waiting;

@@ -5,6 +5,7 @@ mod fresh;
 mod handles;
 mod input;
 mod meshes;
+mod rebuild;
 mod refined;
 mod refit;
 mod retained;

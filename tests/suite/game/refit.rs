@@ -15,12 +15,12 @@ use image::RgbImage;
 use super::kind;
 use super::meshes::pear;
 
-fn engine(spus: u32) -> Engine {
+pub fn engine(spus: u32) -> Engine {
     let framebuffer = Memory::new(cellray::framebuffer::Geometry::new(64, 48).unwrap()).unwrap();
     Engine::start(Settings { spus, ..Settings::default() }, Box::new(framebuffer)).unwrap()
 }
 
-fn picture(engine: &mut Engine, scene: &Scene) -> RgbImage {
+pub fn picture(engine: &mut Engine, scene: &Scene) -> RgbImage {
     engine.render(scene, &mut |_| ()).unwrap();
     engine.picture().unwrap()
 }
@@ -41,7 +41,7 @@ fn world(by: RefitBy) -> World {
 }
 
 /// Moves the vertices of a mesh as in picture `number`, but not in picture 0.
-fn bend(mesh: &Mesh, number: u32) -> Mesh {
+pub fn bend(mesh: &Mesh, number: u32) -> Mesh {
     let mut bent = mesh.clone();
     for [x, y, z] in &mut bent.positions {
         let by = 0.1 * number as f32 * (*y + *z * *z);
@@ -57,7 +57,7 @@ fn bend(mesh: &Mesh, number: u32) -> Mesh {
 }
 
 /// A mesh with smooth and with flat triangles, in blocks of both kinds.
-fn mixed(size: u32) -> Mesh {
+pub fn mixed(size: u32) -> Mesh {
     let mut mesh = pear(size, size);
     let half = mesh.positions.len() / 2;
     mesh.normals[..half].fill([0.0; 3]);
@@ -87,10 +87,10 @@ fn blocks_are_those_of_the_ppu() {
             assert!(expected != last, "{number}");
             last = expected.to_vec();
             let shown = picture(&mut engines[0], ppu);
-            assert!(engines[0].refitted_blocks().is_none());
+            assert!(engines[0].made_blocks().is_none());
             for engine in &mut engines {
                 assert!(picture(engine, spus) == shown);
-                assert!(engine.refitted_blocks().unwrap() == expected);
+                assert!(engine.made_blocks().unwrap() == expected);
             }
             let ppu = ppu.block().unwrap().mesh().unwrap().blocks.wear();
             let spus = spus.block().unwrap().wear().unwrap();
@@ -128,7 +128,7 @@ fn triangles_without_an_area() {
     let points = vec![[0.5; 3]; mesh.positions.len()];
     world.shape_mesh(id, &points, &mesh.normals).unwrap();
     let nothing = picture(&mut engine, world.scene(&program).unwrap());
-    assert!(engine.refitted_blocks().is_some());
+    assert!(engine.made_blocks().is_some());
     let background = nothing.pixels().next().unwrap();
     assert!(nothing.pixels().all(|pixel| pixel == background));
     let mut one = points;

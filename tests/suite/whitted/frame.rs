@@ -26,6 +26,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     mesh_cache: MESH_MAX_SLOTS,
     refit_pictures: 50,
     refit_by: None,
+    build_by: None,
     volumes: NodeVolumes::Best,
 };
 

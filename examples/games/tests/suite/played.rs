@@ -175,5 +175,5 @@ fn replayed_waves_have_same_end() {
     let mut clock = FixedSteps(Duration::ZERO);
     session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
     assert_eq!(end_of_waves(session.game()), fs::read_to_string(&ended).unwrap());
-    assert!(session.engine().refitted_blocks().is_some(), "no SPU has refitted the water");
+    assert!(session.engine().made_blocks().is_some(), "no SPU has refitted the water");
 }

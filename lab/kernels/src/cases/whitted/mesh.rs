@@ -7,6 +7,7 @@ pub mod build;
 pub mod call;
 pub mod patches;
 pub mod rays;
+pub mod sort;
 pub mod triangles;
 
 use rand::SeedableRng as _;
@@ -36,6 +37,7 @@ use call::Node;
 use patches::{FlatPatches, ListHits};
 use protocol::layout::MESH_HIT;
 use rays::{Alive, Batch, FewRays, FilterRays, Records, Visits};
+use sort::{Codes, CornerList, Pack, Sort};
 use triangles::{FilterTriangles, IsectRows, IsectRuns, Rows};
 
 /// One packet, and a batch of them.
@@ -69,6 +71,42 @@ pub const KERNELS: &[Kernel] = &[
             },
         }],
         ..Kernel::of::<Sources>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "triangles in twos",
+            objects: Objects::List(4, 16),
+            place: |bench, count| CornerList::in_a_row(count as usize).place(bench).1,
+        }],
+        ..Kernel::of::<CornerList>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "triangles in fours",
+            objects: Objects::List(4, 16),
+            place: |bench, count| Codes::in_a_row(count as usize).place(bench).1,
+        }],
+        ..Kernel::of::<Codes>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "triangles in fours",
+            objects: Objects::List(16, 64),
+            place: |bench, count| Sort::in_a_row(count as usize).place(bench).1,
+        }],
+        ..Kernel::of::<Sort>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "a strip of triangles",
+            objects: Objects::Fixed(1),
+            place: |bench, _| Pack::strip(100).place(bench).1,
+        }],
+        ..Kernel::of::<Pack>()
     },
     Kernel {
         cases: &[Case {

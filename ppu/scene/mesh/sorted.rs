@@ -1,0 +1,308 @@
+//! A mesh whose leaf blocks are made of its triangles in the order of codes, by SPUs or in the same
+//! way by this program ([`pack`](super::pack)): for meshes whose triangles are new in each frame.
+//!
+//! A code has the bits of a triangle's centroid in turn, so triangles with near codes are near
+//! each other. Chunks of triangles are sorted first. Then the codes are divided into ranges, about
+//! as large as chunks, and the triangles of a range are sorted again and packed into blocks. Blocks
+//! above these are made by the surface area heuristic.
+//!
+//! Invariant: a range has at most [`BUILD_CHUNK`] triangles, whatever the codes are.
+
+use protocol::layout::{
+    BUILD_CHUNK, BuildTriangle, BuildUnit, MESH_MATERIALS, SIDES_BOTH, SIDES_SMOOTH,
+};
+use scenes::{Material, Mesh};
+use zerocopy::FromZeros as _;
+use zerocopy::big_endian::U32;
+
+use super::moved::{Line, MovedVertices, memory};
+use super::tree::{Bounds, Kind, Piece, Tree};
+use super::write::{above, coordinate};
+use super::{MeshBlocks, NumberWidth, Numbers, has_area, in_range};
+
+/// The most triangles: a range has a part of each chunk, and SPUs have space for 256 parts.
+const MOST_TRIANGLES: usize = 256 * BUILD_CHUNK as usize;
+/// Chunks, unless they would be smaller or larger than they may be: enough for six SPUs to be done
+/// at about the same time.
+const CHUNKS: u32 = 96;
+const SMALLEST_CHUNK: u32 = 256;
+/// About the most triangles of a range.
+const LARGEST_RANGE: u32 = 2048;
+/// The largest distance of the sorted triangles of a chunk whose codes are looked at for ranges.
+const LARGEST_STEP: u32 = 32;
+/// Unless the triangles have other sides after it, a block has at least as many.
+const FEWEST: u32 = 17;
+/// How many blocks of a range may have fewer: one of each kind of sides.
+const SMALLER: u32 = 4;
+
+/// How codes are made: see [`protocol::layout::Build`].
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Grid {
+    pub low: [u32; 3],
+    pub scale: f32,
+    pub shift: u32,
+}
+
+impl Grid {
+    /// The grid of a mesh within these bounds.
+    fn new(Bounds { low, high }: Bounds) -> Self {
+        let largest = low.abs().max(high.abs()).max_element();
+        // Three whole numbers below 2^27 can be added.
+        let exponent = 26 - libm::ilogbf(largest.max(f32::MIN_POSITIVE));
+        let scale = libm::ldexpf(1.0, exponent.min(127));
+        let sums = [low, high].map(|corner| corner.to_array().map(|it| 3 * whole(it, scale)));
+        let extent = (0..3).map(|axis| sums[1][axis] - sums[0][axis]).max().unwrap_or_default();
+        let bits = u32::BITS - extent.leading_zeros();
+        Self { low: sums[0].map(|it| it as u32), scale, shift: bits.saturating_sub(10) }
+    }
+
+    /// The code of a triangle with these corners, without its sides.
+    pub fn code(&self, corners: [[f32; 3]; 3]) -> u32 {
+        let mut code = 0;
+        for axis in 0..3 {
+            let sum: i32 = corners.iter().map(|corner| whole(corner[axis], self.scale)).sum();
+            let cell = (sum as u32).wrapping_sub(self.low[axis]) >> self.shift;
+            for bit in 0..10 {
+                code |= (cell >> bit & 1) << (3 * bit + 2 - axis);
+            }
+        }
+        code
+    }
+}
+
+fn whole(number: f32, scale: f32) -> i32 {
+    (coordinate(number).get() * scale) as i32
+}
+
+/// The triangles and vertices of such a mesh.
+#[derive(Debug)]
+pub struct SortedMesh {
+    pub(super) vertices: MovedVertices,
+    triangles: Vec<Line<BuildTriangle>>,
+    count: u32,
+    pub(super) grid: Grid,
+}
+
+impl SortedMesh {
+    /// A number that no other vertices of this process have.
+    pub(crate) fn version(&self) -> u64 {
+        self.vertices.version()
+    }
+
+    pub(crate) fn vertices(&self) -> &MovedVertices {
+        &self.vertices
+    }
+
+    /// The address of the first triangle.
+    pub(crate) fn address(&self) -> u64 {
+        self.triangles.as_ptr().expose_provenance() as u64
+    }
+
+    pub(crate) fn count(&self) -> u32 {
+        self.count
+    }
+
+    pub(crate) fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    pub(super) fn triangles(&self) -> impl Iterator<Item = BuildTriangle> {
+        self.triangles.iter().flat_map(|line| line.0).take(self.count as usize)
+    }
+
+    /// Moves the vertices; `false` if one has a normal that it had not or no longer has.
+    pub(crate) fn move_to(&mut self, mesh: &Mesh, blocks: &MeshBlocks) -> bool {
+        if mesh.positions.len() != blocks.vertices {
+            return false;
+        }
+        let Some(bounds) = self.vertices.write(mesh, &blocks.flat) else { return false };
+        self.grid = Grid::new(bounds);
+        true
+    }
+}
+
+impl MeshBlocks {
+    /// The blocks of a mesh before they are made in the order of codes, and the triangles that they
+    /// are made of; `None` if they can't be: there are too many triangles or materials, or
+    /// vertices have texture coordinates or colours, or something is wrong with the mesh.
+    pub(in crate::scene) fn to_sort(
+        mesh: &Mesh,
+        materials: &[Material],
+        Numbers { firsts, minimum }: Numbers<'_>,
+    ) -> Option<(Self, SortedMesh)> {
+        let count = mesh.triangles.len();
+        let is_plain = mesh.texture_coordinates.is_empty() && mesh.colours.is_empty();
+        if !is_plain
+            || minimum != NumberWidth::Byte
+            || count > MOST_TRIANGLES
+            || mesh.positions.len() > MovedVertices::MOST
+            || !mesh.positions.iter().all(in_range)
+            || !(0..count).any(|triangle| has_area(mesh, triangle))
+        {
+            return None;
+        }
+        let mut numbers = vec![None; materials.len()];
+        let mut used = Vec::new();
+        let mut triangles = memory(count.div_ceil(8));
+        for start in (0..count).step_by(8) {
+            let mut records = [BuildTriangle::new_zeroed(); 8];
+            for (record, triangle) in records.iter_mut().zip(start..count) {
+                let ([a, b, c], material) = (mesh.triangles[triangle], mesh.materials[triangle]);
+                let first = firsts[material as usize];
+                let number = *numbers[first as usize].get_or_insert_with(|| {
+                    used.push(first);
+                    used.len() as u32 - 1
+                });
+                let is_smooth = mesh.corner_normals(triangle).is_some();
+                let is_both = mesh.two_sided || materials[material as usize].transmittance > 0.0;
+                let sides =
+                    if is_both { SIDES_BOTH } else { 0 } | if is_smooth { SIDES_SMOOTH } else { 0 };
+                *record = BuildTriangle {
+                    code: U32::ZERO,
+                    first: (number << 24 | a).into(),
+                    second: (sides | b).into(),
+                    third: c.into(),
+                };
+            }
+            triangles.push(Line(records));
+        }
+        if used.len() > MESH_MATERIALS as usize {
+            return None;
+        }
+        let count = count as u32;
+        let blocks = Self::unmade(mesh, used, 2 * most_leaves(count));
+        let mut sorted = SortedMesh {
+            vertices: MovedVertices::default(),
+            triangles,
+            count,
+            grid: Grid::default(),
+        };
+        sorted.move_to(mesh, &blocks).then_some((blocks, sorted))
+    }
+}
+
+/// The first number of a leaf block. Smaller ones are left for the blocks above.
+pub(crate) fn first_leaf(triangles: u32) -> u32 {
+    most_leaves(triangles)
+}
+
+fn most_leaves(triangles: u32) -> u32 {
+    let Division { chunk, step, in_range } = Division::of(triangles);
+    let chunks = triangles.div_ceil(chunk);
+    let last = triangles - (chunks - 1) * chunk;
+    let samples = (chunks - 1) * chunk.div_ceil(step) + last.div_ceil(step);
+    triangles / FEWEST + SMALLER * samples.div_ceil(in_range)
+}
+
+/// How triangles are divided.
+struct Division {
+    /// Triangles of a chunk.
+    chunk: u32,
+    /// The distance of the triangles of a chunk that are samples.
+    step: u32,
+    /// Samples of a range.
+    in_range: u32,
+}
+
+impl Division {
+    fn of(triangles: u32) -> Self {
+        let chunk = triangles.div_ceil(CHUNKS).clamp(SMALLEST_CHUNK, BUILD_CHUNK);
+        let range = chunk.min(LARGEST_RANGE);
+        // A range has as many triangles as its samples stand for, and up to `step` more of each
+        // chunk.
+        let step = (BUILD_CHUNK - range) / triangles.div_ceil(chunk);
+        let step = step.clamp(1, LARGEST_STEP);
+        Self { chunk, step, in_range: range / step }
+    }
+}
+
+/// The units that sort the chunks of triangles.
+pub(crate) fn chunks(triangles: u32) -> Vec<BuildUnit> {
+    let size = Division::of(triangles).chunk;
+    let unit = |first| BuildUnit {
+        first: U32::new(first),
+        triangles: size.min(triangles - first).into(),
+        ..BuildUnit::new_zeroed()
+    };
+    (0..triangles).step_by(size as usize).map(unit).collect()
+}
+
+/// The units that pack ranges of triangles, and the words that list the parts of sorted chunks that
+/// are in each. `code` is that of a triangle in the sorted chunks.
+pub(crate) fn ranges(triangles: u32, code: impl Fn(u32) -> u32) -> (Vec<BuildUnit>, Vec<U32>) {
+    let Division { chunk, step, in_range } = Division::of(triangles);
+    // Triangles with equal codes stay in their order, so no two are equal.
+    let key = |at: u32| u64::from(code(at)) << 32 | u64::from(at);
+    let starts = (0..triangles).step_by(chunk as usize);
+    let chunk_end = |start: u32| triangles.min(start + chunk);
+    let in_chunk = |start| (start..chunk_end(start)).step_by(step as usize).map(key);
+    let mut samples: Vec<u64> = starts.clone().flat_map(in_chunk).collect();
+    samples.sort_unstable();
+    // Of each chunk, where the range begins, and the last sample before its end.
+    let mut from: Vec<u32> = starts.clone().collect();
+    let mut last: Vec<Option<u32>> = vec![None; from.len()];
+    let (mut units, mut words): (Vec<BuildUnit>, Vec<U32>) = Default::default();
+    let mut block = first_leaf(triangles);
+    for (number, range) in samples.chunks(in_range as usize).enumerate() {
+        let end = samples.get((number + 1) * in_range as usize);
+        for &sample in range {
+            let at = sample as u32;
+            last[(at / chunk) as usize] = Some(at);
+        }
+        let first_word = words.len();
+        let mut count = 0;
+        for ((start, from), last) in starts.clone().zip(&mut from).zip(&last) {
+            let to = match (end, *last) {
+                (None, _) => chunk_end(start),
+                (Some(_), None) => start,
+                (Some(&end), Some(last)) => {
+                    // The next sample is in the next range or later.
+                    let (mut low, mut high) = (last + 1, chunk_end(start).min(last + step));
+                    while low < high {
+                        let middle = low.midpoint(high);
+                        if key(middle) < end { low = middle + 1 } else { high = middle }
+                    }
+                    low
+                }
+            };
+            while *from < to {
+                let length = (to - *from).min(255);
+                words.push((length << 24 | *from).into());
+                *from += length;
+                count += length;
+            }
+        }
+        words.resize(words.len().next_multiple_of(4), U32::ZERO);
+        let most = count / FEWEST + SMALLER;
+        units.push(BuildUnit {
+            first: block.into(),
+            count: most.into(),
+            source: (first_word as u32).into(),
+            source_count: ((words.len() - first_word) as u32).into(),
+            triangles: count.into(),
+            ..BuildUnit::new_zeroed()
+        });
+        block += most;
+    }
+    (units, words)
+}
+
+/// Makes the blocks above leaf blocks, whose numbers are the pieces' indices, and calls `store` with
+/// the number and the bytes of each.
+pub(super) fn join(leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
+    let nothing = Mesh::default();
+    let count = leaves.len();
+    let mut tree = Tree::new(&nothing, leaves, NumberWidth::Byte);
+    let root = tree.grow(Kind::Blocks, 0..count);
+    above(&tree, root, store);
+}
+
+/// [`join`] for leaf blocks that SPUs have made.
+pub(crate) fn join_made(bounds: &[protocol::layout::BuildBounds], store: impl FnMut(usize, &[u8])) {
+    let made = bounds.iter().zip(0..).filter(|(bounds, _)| bounds.unused.get() == 0);
+    let piece = |(bounds, index): (&protocol::layout::BuildBounds, u32)| Piece {
+        bounds: bounds.into(),
+        index,
+    };
+    join(made.map(piece).collect(), store);
+}
