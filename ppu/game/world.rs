@@ -194,6 +194,10 @@ impl World {
         if let Some(mesh) = &scene.mesh {
             world.add_mesh(mesh.clone(), &ids, DAffine3::IDENTITY)?;
         }
+        if let Some(heights) = &scene.heights {
+            let material = ids.get(heights.material as usize).copied();
+            world.add_terrain(heights.clone(), material.unwrap_or_default())?;
+        }
         Ok(world)
     }
 
@@ -240,6 +244,7 @@ impl World {
                 .collect(),
             mesh: self.joined_mesh(&place),
             heights: self.placed_terrain(&place),
+            height_map: None,
         }
     }
 

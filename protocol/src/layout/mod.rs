@@ -438,7 +438,7 @@ pub const RECORDS: &[Record] = &[
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
-    HeightField::RECORD,
+    Heights::RECORD,
     HeightLevel::RECORD,
 ];
 

@@ -290,6 +290,7 @@ impl Builder {
             objects: Vec::new(),
             mesh: Some(Arc::new(mesh)),
             heights: None,
+            height_map: None,
         };
         Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
     }

@@ -10,7 +10,7 @@ use glam::DVec3;
 use crate::error::Excerpt;
 use crate::lines::LineError;
 use crate::words::Words;
-use crate::{Fault, LightKind, Shader};
+use crate::{Fault, HeightMap, LightKind, Shader};
 
 pub(crate) enum Directive {
     /// The ambient light.
@@ -21,6 +21,8 @@ pub(crate) enum Directive {
     Daylight,
     /// A light with a range, or infinitely far away.
     Light { kind: LightKind, colour: Option<DVec3> },
+    /// The ground, but for its material.
+    HeightMap(HeightMap),
     /// The shader of the material before it.
     Shader(Shader),
 }
@@ -67,6 +69,20 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
                 return Err(Fault::NoDirection("the direction to the sun").into());
             }
             Ok(Directive::Light { kind: LightKind::Directional { to_light }, colour })
+        }
+        "heights" => {
+            let file = words.word("height map file")?.to_owned();
+            let mut positive = |field| match words.real(field)? {
+                value if value > 0.0 => Ok(value),
+                value => Err(LineError::from(Fault::NotPositive { field, value })),
+            };
+            let scale = (positive("height map step")?, positive("height map unit")?);
+            let colours = match words.more()? {
+                true => Some(words.word("height map colours")?.to_owned()),
+                false => None,
+            };
+            words.end("height map")?;
+            Ok(Directive::HeightMap(HeightMap { line: 0, file, scale, colours, material: 0 }))
         }
         "shader" => {
             let shader = shader(words)?;

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{HeightField, Mesh, Sky, Texture, View};
+use crate::{HeightField, HeightMap, Mesh, Sky, Texture, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -32,8 +32,11 @@ pub struct Scene {
     /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with
     /// a polygon or a patch for each triangle.
     pub mesh: Option<Arc<Mesh>>,
-    /// The ground. NFF has no entity for it, either.
+    /// The ground.
     pub heights: Option<Arc<HeightField>>,
+    /// The file that the ground is of, if the scene's file names one. Whoever reads that puts it
+    /// into `heights`.
+    pub height_map: Option<HeightMap>,
 }
 
 /// A light (`l`, `#cellray lamp`, `#cellray sun`).
@@ -210,6 +213,7 @@ impl PartialEq for Scene {
             && self.objects == other.objects
             && self.mesh == other.mesh
             && self.heights == other.heights
+            && self.height_map == other.height_map
     }
 }
 

@@ -45,6 +45,7 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         materials,
         mesh: None,
         heights: None,
+        height_map: None,
     };
     // Without a random number, so that the scenes are the same ones as without skies.
     scene.sky = scene

@@ -75,6 +75,7 @@ impl Builder {
                 objects: Vec::new(),
                 mesh: None,
                 heights: None,
+                height_map: None,
             },
             mesh: Mesh::default(),
             current: None,

@@ -108,6 +108,16 @@ fn shader_applies_to_preceding_material() {
 }
 
 #[test]
+fn height_map_has_material_before_it() {
+    let rest = "#cellray heights a/b.png 30 0.5 c.jpg # hills\nf 0 0 0 0 0 0 0 1\ns 0 0 0 1\n";
+    let scene = parsed(&scene_text(rest));
+    let map = scene.height_map.as_ref().expect("a height map");
+    assert_eq!((map.file.as_str(), map.scale, map.line), ("a/b.png", (30.0, 0.5), 9));
+    assert_eq!((map.colours.as_deref(), map.material), (Some("c.jpg"), 0));
+    assert_eq!(parsed(&scene.to_string()).height_map, scene.height_map);
+}
+
+#[test]
 fn other_comments_stay_comments() {
     let comments = "# cellray sun\n#cellrays\n#cellray_sun 1\n##cellray sun\n#Cellray x\n\
                     s 0 0 0 1 #cellray shader 7\n";
@@ -120,7 +130,7 @@ fn faults_name_file_and_line() {
         ("#cellray", "9: directive is missing"),
         (
             "\n #cellray fog 1",
-            "10: unknown directive `fog` (known: ambient daylight lamp shader sky sun)",
+            "10: unknown directive `fog` (known: ambient daylight heights lamp shader sky sun)",
         ),
         ("#cellray lamp 1 2 3", "9: lamp range is missing"),
         ("#cellray lamp 1 2 3 0", "9: lamp range 0 is not above 0"),
@@ -144,6 +154,12 @@ fn faults_name_file_and_line() {
         ("#cellray sun 0 -0 0", "9: the direction to the sun is 0 0 0"),
         ("#cellray sun 0 0 1 1", "9: light green is missing"),
         ("#cellray sun 0 0 nan", "9: sun z `nan` is not a finite number"),
+        ("#cellray heights", "9: height map file is missing"),
+        ("#cellray heights a.png 1 -1", "9: height map unit -1 is not above 0"),
+        (
+            "#cellray heights a.png 1 1\n#cellray heights b.png 1 1",
+            "10: a second height map; the first is on line 9",
+        ),
         ("#cellray shader", "9: name of the shader is missing"),
         ("#cellray shader flat 1", "9: shader is followed by `1`, which does not belong there"),
         ("#cellray shader checker 1 1 1", "9: checker size is missing"),

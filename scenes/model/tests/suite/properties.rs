@@ -123,6 +123,7 @@ prop_compose! {
             objects,
             mesh: None,
             heights: None,
+            height_map: None,
         }
     }
 }
