@@ -282,6 +282,7 @@ impl Game for Flight {
         });
         world.set_background(DVec3::new(0.74, 0.83, 0.92))?;
         world.set_sky(Some(Sky::of_day(DVec3::Y)))?;
+        world.set_fog(Some(mountains::HAZE))?;
         world.set_ambient(DVec3::new(0.16, 0.19, 0.24))?;
         world.add_light(Light::sun(DVec3::new(-0.8, 0.55, -0.25)).coloured(0.95, 0.88, 0.76))?;
         let ground = Arc::new(mountains::field(SQUARES));

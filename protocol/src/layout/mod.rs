@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 16;
+    VERSION = 17;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -562,7 +562,7 @@ const _: () = {
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
             && BOX_CODE_CAPACITY.is_multiple_of(16)
     );
-    assert!(size_of::<Frame>() == 544);
+    assert!(size_of::<Frame>() == 560);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));

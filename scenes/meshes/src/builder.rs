@@ -291,6 +291,7 @@ impl Builder {
             mesh: Some(Arc::new(mesh)),
             heights: None,
             height_map: None,
+            fog: None,
         };
         Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DMat2, DVec2, DVec3};
 use scenes::daylight::{AMBIENT, HORIZON, SUN};
-use scenes::{HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View};
+use scenes::{Fog, HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View};
 
 use crate::terrain::lattice;
 use crate::{Fault, Loaded};
@@ -28,6 +28,8 @@ const LARGEST: f64 = 420.0;
 const SUMMITS: f64 = 2000.0;
 /// The height of the lakes.
 pub const LAKES: f64 = 480.0;
+/// Haze, which leaves half of the light at 28 km.
+pub const HAZE: Fog = Fog { colour: HORIZON, density: 2.5e-5 };
 /// Octaves of noise, the last one about two samples large.
 const OCTAVES: u32 = 9;
 /// What an octave's place is turned and scaled by, so that lattices don't coincide.
@@ -56,7 +58,8 @@ pub(crate) fn generate(name: &str, level: &str) -> Result<Loaded, Fault> {
     };
     let materials = vec![Material::matte(DVec3::ONE), lake()];
     let objects = vec![Object { line: 0, material: 1, shape: water }];
-    let scene = lit(name.to_owned(), view, field, materials, objects);
+    let mut scene = lit(name.to_owned(), view, field, materials, objects);
+    scene.fog = Some(HAZE);
     Ok(Loaded { scene, added_light: false, notes: Vec::new() })
 }
 
@@ -73,6 +76,7 @@ pub(crate) fn lit(
         view,
         background: HORIZON,
         sky: Some(Sky::of_day(DVec3::Y)),
+        fog: None,
         ambient: AMBIENT,
         lights: vec![Light {
             line: 0,

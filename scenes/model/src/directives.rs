@@ -10,13 +10,15 @@ use glam::DVec3;
 use crate::error::Excerpt;
 use crate::lines::LineError;
 use crate::words::Words;
-use crate::{Fault, HeightMap, LightKind, Shader};
+use crate::{Fault, Fog, HeightMap, LightKind, Shader};
 
 pub(crate) enum Directive {
     /// The ambient light.
     Ambient(DVec3),
     /// The colour of the zenith, and the direction to it, if it is not the view's upwards.
     Sky { zenith: DVec3, up: Option<DVec3> },
+    /// The fog.
+    Fog(Fog),
     /// The light and the background of a day.
     Daylight,
     /// A light with a range, or infinitely far away.
@@ -46,6 +48,12 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
                 return Err(Fault::NoDirection("the direction to the zenith").into());
             }
             Ok(Directive::Sky { zenith, up })
+        }
+        "fog" => {
+            let colour = words.colour(["fog red", "fog green", "fog blue"])?;
+            let density = words.not_negative("fog density")?;
+            words.end("fog")?;
+            Ok(Directive::Fog(Fog { colour, density }))
         }
         "daylight" => {
             words.end("daylight")?;

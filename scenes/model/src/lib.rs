@@ -27,7 +27,7 @@ mod view;
 mod words;
 mod write;
 
-pub use daylight::Sky;
+pub use daylight::{Fog, Sky};
 pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
 pub use heights::{HeightError, HeightField, HeightMap, MAX_SAMPLES};

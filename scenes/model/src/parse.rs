@@ -14,8 +14,8 @@ use crate::lines::{DIRECTIVE, LineError};
 use crate::view;
 use crate::words::Words;
 use crate::{
-    Error, Fault, HeightMap, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, Sky,
-    View,
+    Error, Fault, Fog, HeightMap, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape,
+    Sky, View,
 };
 
 /// The names of entities in messages.
@@ -89,6 +89,8 @@ struct Parser<'a, R> {
     ambient: Option<(u32, DVec3)>,
     /// The line of the sky, its zenith's colour and direction.
     sky: Option<(u32, DVec3, Option<DVec3>)>,
+    /// The line of the fog, and the fog.
+    fog: Option<(u32, Fog)>,
     /// The line of the daylight.
     daylight: Option<u32>,
     /// The line of the last material's shader.
@@ -109,6 +111,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             background: None,
             ambient: None,
             sky: None,
+            fog: None,
             daylight: None,
             shader: None,
             height_map: None,
@@ -156,6 +159,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             view,
             background: self.background.map_or(background, |(_, colour)| colour),
             sky,
+            fog: self.fog.map(|(_, fog)| fog),
             ambient: self.ambient.map_or(ambient, |(_, colour)| colour),
             lights: std::mem::take(&mut self.lights),
             materials: std::mem::take(&mut self.materials),
@@ -215,6 +219,11 @@ impl<'a, R: BufRead> Parser<'a, R> {
             Directive::Sky { zenith, up } => {
                 once("sky", self.sky.map(|(line, ..)| line))?;
                 self.sky = Some((self.words.start(), zenith, up));
+                Ok(())
+            }
+            Directive::Fog(fog) => {
+                once("fog", self.fog.map(|(line, _)| line))?;
+                self.fog = Some((self.words.start(), fog));
                 Ok(())
             }
             Directive::Daylight => {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{HeightField, HeightMap, Mesh, Sky, Texture, View};
+use crate::{Fog, HeightField, HeightMap, Mesh, Sky, Texture, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -21,6 +21,8 @@ pub struct Scene {
     pub background: DVec3,
     /// The background's gradient, if the file has one.
     pub sky: Option<Sky>,
+    /// The fog, if the file has any.
+    pub fog: Option<Fog>,
     /// The ambient light's red, green and blue. Black if the file has none.
     pub ambient: DVec3,
     /// Lights, in file order.
@@ -207,6 +209,7 @@ impl PartialEq for Scene {
         self.view == other.view
             && self.background == other.background
             && self.sky == other.sky
+            && self.fog == other.fog
             && self.ambient == other.ambient
             && self.lights == other.lights
             && self.materials == other.materials

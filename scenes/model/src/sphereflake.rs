@@ -138,6 +138,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         mesh: None,
         heights: None,
         height_map: None,
+        fog: None,
     })
 }
 

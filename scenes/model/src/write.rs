@@ -8,7 +8,7 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::lines::DIRECTIVE;
-use crate::{HeightMap, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
+use crate::{Fog, HeightMap, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 impl fmt::Display for Scene {
     /// Materials keep their order. If an object's material is not the last one written, it is
@@ -18,6 +18,9 @@ impl fmt::Display for Scene {
         writeln!(f, "b {}", Triple(self.background))?;
         if let Some(Sky { zenith, up }) = self.sky {
             writeln!(f, "{DIRECTIVE} sky {} {}", Triple(zenith), Triple(up))?;
+        }
+        if let Some(Fog { colour, density }) = self.fog {
+            writeln!(f, "{DIRECTIVE} fog {} {density}", Triple(colour))?;
         }
         if self.ambient != DVec3::ZERO {
             writeln!(f, "{DIRECTIVE} ambient {}", Triple(self.ambient))?;

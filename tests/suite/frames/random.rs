@@ -57,5 +57,6 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         mesh: None,
         heights: None,
         height_map: None,
+        fog: None,
     }
 }

@@ -127,6 +127,7 @@ impl Product {
             mesh: None,
             heights: None,
             height_map: None,
+            fog: None,
         };
         let block = SceneBlock::new(&scene, RenderOptions::default(), &|_| None).ok()?;
         let (tree, size) = kind.record();

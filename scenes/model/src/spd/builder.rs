@@ -76,6 +76,7 @@ impl Builder {
                 mesh: None,
                 heights: None,
                 height_map: None,
+                fog: None,
             },
             mesh: Mesh::default(),
             current: None,

@@ -3,7 +3,7 @@
 use crate::common::{parsed, scene_text, try_parse};
 use glam::DVec3;
 use scenes::daylight::{AMBIENT, HORIZON, SUN};
-use scenes::{LightKind, Shader, Sky};
+use scenes::{Fog, LightKind, Shader, Sky};
 
 fn refusal(rest: &str) -> String {
     try_parse(scene_text(rest).as_bytes()).expect_err("refused").to_string()
@@ -108,6 +108,13 @@ fn shader_applies_to_preceding_material() {
 }
 
 #[test]
+fn fog_has_colour_and_density() {
+    let scene = parsed(&scene_text("#cellray fog 0.5 0.25 1 0.125 # morning"));
+    assert_eq!(scene.fog, Some(Fog { colour: DVec3::new(0.5, 0.25, 1.0), density: 0.125 }));
+    assert_eq!(parsed(&scene.to_string()), scene);
+}
+
+#[test]
 fn height_map_has_material_before_it() {
     let rest = "#cellray heights a/b.png 30 0.5 c.jpg # hills\nf 0 0 0 0 0 0 0 1\ns 0 0 0 1\n";
     let scene = parsed(&scene_text(rest));
@@ -129,8 +136,8 @@ fn faults_name_file_and_line() {
     for (rest, message) in [
         ("#cellray", "9: directive is missing"),
         (
-            "\n #cellray fog 1",
-            "10: unknown directive `fog` (known: ambient daylight heights lamp shader sky sun)",
+            "\n #cellray mist 1",
+            "10: unknown directive `mist` (known: ambient daylight fog heights lamp shader sky sun)",
         ),
         ("#cellray lamp 1 2 3", "9: lamp range is missing"),
         ("#cellray lamp 1 2 3 0", "9: lamp range 0 is not above 0"),
@@ -154,6 +161,9 @@ fn faults_name_file_and_line() {
         ("#cellray sun 0 -0 0", "9: the direction to the sun is 0 0 0"),
         ("#cellray sun 0 0 1 1", "9: light green is missing"),
         ("#cellray sun 0 0 nan", "9: sun z `nan` is not a finite number"),
+        ("#cellray fog 1 1 1", "9: fog density is missing"),
+        ("#cellray fog 1 1 1 -1", "9: fog density -1 is negative"),
+        ("#cellray fog 1 1 1 1\n#cellray fog 1 1 1 1", "10: a second fog; the first is on line 9"),
         ("#cellray heights", "9: height map file is missing"),
         ("#cellray heights a.png 1 -1", "9: height map unit -1 is not above 0"),
         (
