@@ -178,7 +178,7 @@ constants! {
     /// Whitted's model overwrite.
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
-    DEPTH_CODE_CAPACITY = 20480;
+    DEPTH_CODE_CAPACITY = 19968;
     /// Address in local store of the code that refits meshes, in the memory of scenes. Each frame
     /// with `FEATURE_BUILD` brings it in.
     BUILD_CODE = 0x2bd00;
@@ -306,7 +306,7 @@ constants! {
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
-    HEIGHT_CODE_CAPACITY = 8064;
+    HEIGHT_CODE_CAPACITY = 8576;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
@@ -520,7 +520,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 20480 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

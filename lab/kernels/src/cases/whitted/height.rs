@@ -15,7 +15,7 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::Description;
 
 /// Words of the kernel's scratch.
-const SCRATCH: usize = 496;
+const SCRATCH: usize = 604;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[Kernel {
