@@ -146,8 +146,8 @@ faces:
         csflt   $blue,$blue,0
 .endm
 
-# What the next four vertices need of their samples, and how far they have faded. It is done beside
-# the four before them, which alone would wait for their own results most of the time.
+# Unpacks the samples of the next four vertices, and finds how far these have faded. It is done
+# beside the four before them, which alone would wait for their own results most of the time.
 .macro  four_begin
         lqd     $a_samples,0($a_passes)
         ai      $a_passes,$a_passes,16

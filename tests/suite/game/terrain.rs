@@ -12,7 +12,7 @@ fn slope(unit: f64) -> HeightField {
 }
 
 #[test]
-fn ground_that_can_not_be_is_refused() {
+fn invalid_ground_is_refused() {
     let mut world = World::new();
     let white = world.add_material(Material::matte(1.0, 1.0, 1.0)).unwrap();
     let gone = world.add_material(Material::matte(1.0, 1.0, 1.0)).unwrap();

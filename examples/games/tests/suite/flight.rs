@@ -1,4 +1,4 @@
-//! What a plane does by itself, and what it lets nobody do.
+//! The flight to the rings, to the edge, and down to ground and water.
 
 use cellray::game::{DVec3, Game as _, Key};
 use games::flight::{Flight, RINGS};
@@ -23,7 +23,7 @@ fn plane_meets_every_ring_by_itself() {
 }
 
 #[test]
-fn nobody_flies_into_ground_or_water() {
+fn plane_stays_above_ground_and_water() {
     let mut played = Played::<Flight>::new();
     let mut lowest = f64::INFINITY;
     for frame in 0..2 * MINUTE {

@@ -71,7 +71,7 @@ fn all_formats_give_same_heights() {
     array(">f8", HEIGHTS.map(|it| f64::from(it).to_be_bytes()).concat());
     let by_columns = [0, 3, 1, 4, 2, 5].map(|at| HEIGHTS[at]);
     files.push(("t.npy", npy("|u1", "True", "(2, 3)", &by_columns)));
-    // The content says what it is.
+    // The content decides the format.
     files.push(("t.obj", npy("|u1", "False", "(2, 3)", &HEIGHTS)));
     for (name, bytes) in files {
         assert_eq!(field(name, &bytes).0, expected, "{name}");
