@@ -251,7 +251,7 @@ fn fog_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         let Bits(found) = call.call(bench);
         let [density, colour @ ..] = call.parameters.map(to_f64);
         for lane in 0..16 {
-            let share = (-density * f64::from(call.rays.t[lane].get())).exp2();
+            let share = libm::exp2(-density * f64::from(call.rays.t[lane].get()));
             let lit = [found.lit_red, found.lit_green, found.lit_blue];
             for ((own, fog), lit) in call.lit(lane).into_iter().zip(colour).zip(lit) {
                 let expected = fog + share * (to_f64(own) - fog);
