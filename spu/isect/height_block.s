@@ -18,7 +18,7 @@
 #
 # A row of vertices has 12 places for 9 vertices, in three quadwords of each number.
 #
-# The loops are not pipelined, to save local store. A block takes 3,268 cycles.
+# The scheduler does not overlap passes, to save 2.3 KB. A block takes 2,539 cycles.
 
         .include "work_unit.inc"
         .include "macros.inc"
