@@ -15,7 +15,7 @@ fn scene() -> scenes::Scene {
     let text = "v\nfrom 0 9 30\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
         b 0.3 0.4 0.6\nl 40 60 30 0.9 0.9 0.9\nf 1 1 1 1 0 1 0 1\n";
     let mut scene = scenes::parse(text.as_bytes(), "ground", &scenes::Limits::default()).unwrap();
-    let heights = (0..65 * 65).map(|at| (at % 65 * 7 ^ at / 65 * 13) as u16).collect();
+    let heights = (0..65 * 65).map(|at| ((at % 65 * 7) ^ (at / 65 * 13)) as u16).collect();
     let colours = (0..65 * 65).map(|at| [at as u8, (at / 65) as u8, 99]).collect();
     let field = scenes::HeightField::new([65, 65], heights, colours, 1.0, 0.005).unwrap();
     scene.heights = Some(Arc::new(field));
