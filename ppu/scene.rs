@@ -15,8 +15,8 @@ pub(crate) mod single;
 pub mod texture;
 
 use glam::DVec3;
-use scenes::Sky;
 use scenes::depth::{self, DepthShading, NotDrawn};
+use scenes::{Fog, Sky};
 
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, MaterialTable, MeshPlace, SceneBlock};
@@ -119,6 +119,7 @@ pub struct Scene {
     view: scenes::View,
     background: DVec3,
     sky: Option<Sky>,
+    fog: Option<Fog>,
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
@@ -211,6 +212,7 @@ impl Scene {
             view: scene.view.clone(),
             background: scene.background,
             sky: scene.sky,
+            fog: scene.fog,
             spheres: Vec::new(),
             depth: DepthShading { near: 0.0, far: 0.0 },
             not_drawn: Vec::new(),
@@ -257,6 +259,7 @@ impl Scene {
             view: scene.view.clone(),
             background: scene.background,
             sky: None,
+            fog: None,
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
@@ -327,6 +330,11 @@ impl Scene {
         self.sky
     }
 
+    /// The fog, if there is any.
+    pub(crate) fn fog(&self) -> Option<Fog> {
+        self.fog
+    }
+
     /// The spheres of depth shading, in the order of the file.
     #[must_use]
     pub fn spheres(&self) -> &[Sphere] {
@@ -356,16 +364,17 @@ impl Scene {
         }
     }
 
-    /// Sets the background, and its gradient.
+    /// Sets the background, its gradient, and the fog.
     pub(crate) fn set_background(
         &mut self,
         colour: DVec3,
         sky: Option<Sky>,
+        fog: Option<Fog>,
         shaders: &ShaderEntries,
     ) -> Result<(), SceneError> {
-        (self.background, self.sky) = (colour, sky);
+        (self.background, self.sky, self.fog) = (colour, sky, fog);
         match &mut self.block {
-            Some(block) => Ok(block.set_background(colour, sky, shaders)?),
+            Some(block) => Ok(block.set_background(colour, sky, fog, shaders)?),
             None => Ok(()),
         }
     }

@@ -28,7 +28,7 @@ use std::borrow::Cow;
 
 use glam::{DAffine3, DVec3};
 use scenes::depth::DepthShading;
-use scenes::{Sky, View, daylight};
+use scenes::{Fog, Sky, View, daylight};
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
@@ -88,6 +88,7 @@ pub struct World {
     view: View,
     background: Option<DVec3>,
     sky: Option<Sky>,
+    fog: Option<Fog>,
     ambient: DVec3,
     render_options: RenderOptions,
     /// How whoever looks at the world wants it, instead of the options' own choice.
@@ -129,6 +130,7 @@ impl World {
             },
             background: None,
             sky: None,
+            fog: None,
             ambient: DVec3::ZERO,
             render_options: RenderOptions::default(),
             look: None,
@@ -176,6 +178,7 @@ impl World {
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
         world.set_sky(scene.sky)?;
+        world.set_fog(scene.fog)?;
         world.set_ambient(scene.ambient)?;
         for &scenes::Light { line, kind, colour } in &scene.lights {
             let id = world.add_light(Light { kind, colour }).map_err(at(line))?;
@@ -197,6 +200,10 @@ impl World {
         if let Some(mesh) = &scene.mesh {
             world.add_mesh(mesh.clone(), &ids, DAffine3::IDENTITY)?;
         }
+        if let Some(heights) = &scene.heights {
+            let material = ids.get(heights.material as usize).copied();
+            world.add_terrain(heights.clone(), material.unwrap_or_default())?;
+        }
         Ok(world)
     }
 
@@ -216,6 +223,7 @@ impl World {
             view: self.view.clone(),
             background,
             sky,
+            fog: self.fog,
             ambient: self.ambient_light(),
             lights: (1..)
                 .zip(self.lights.values())
@@ -243,6 +251,7 @@ impl World {
                 .collect(),
             mesh: self.joined_mesh(&place),
             heights: self.placed_terrain(&place),
+            height_map: None,
         }
     }
 
@@ -368,6 +377,29 @@ impl World {
         Ok(())
     }
 
+    /// The fog, if [`World::set_fog`] set any.
+    #[must_use]
+    pub fn fog(&self) -> Option<Fog> {
+        self.fog
+    }
+
+    /// Sets fog, which hides what is far away, or none. Only Whitted's model shows it.
+    ///
+    /// # Errors
+    /// A number is out of range, or the density is below 0.
+    #[track_caller]
+    pub fn set_fog(&mut self, fog: Option<Fog>) -> Result<(), WorldError> {
+        if let Some(Fog { colour, density }) = fog {
+            check::vector("fog", colour)?;
+            check::vector("density of the fog", DVec3::splat(density))?;
+            if density < 0.0 {
+                return Err(WorldErrorKind::NegativeFog(density).into());
+            }
+        }
+        self.fog = fog;
+        Ok(())
+    }
+
     /// The background of the traced scene and its gradient.
     fn backdrop(&self) -> (DVec3, Option<Sky>) {
         match self.background {
@@ -456,6 +488,10 @@ impl World {
         if let Some(Sky { zenith, up }) = self.sky {
             sum.vector(zenith);
             sum.vector(up);
+        }
+        if let Some(Fog { colour, density }) = self.fog {
+            sum.vector(colour);
+            sum.float(density);
         }
         sum.float(angle);
         for entry in self.lights.values() {

@@ -151,6 +151,7 @@ pub fn describe(order: &Order) -> Frame {
         frame.trees = block.bvhs();
         frame.box_trees = block.box_trees().into();
         frame.ambient = block.ambient();
+        frame.fog = block.fog();
         frame.eye = quadword(singles(camera.eye));
     } else {
         frame.code = addresses.depth_code.into();

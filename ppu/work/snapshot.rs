@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use scenes::depth::DepthShading;
-use scenes::{Camera, Sky};
+use scenes::{Camera, Fog, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
@@ -95,6 +95,7 @@ struct GlobalState {
     camera: Camera,
     background: DVec3,
     sky: Option<Sky>,
+    fog: Option<Fog>,
     depth: DepthShading,
     render_options: RenderOptions,
 }
@@ -110,6 +111,7 @@ impl Snapshot {
             camera: *camera,
             background: scene.background(),
             sky: scene.sky(),
+            fog: scene.fog(),
             depth: scene.depth(),
             render_options: scene.render_options(),
         });

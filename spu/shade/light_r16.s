@@ -24,6 +24,7 @@
 # multiplied by the exponent. 2^-f has degree 3 and is exact to 8e-5. 0^0 is 1.
 
         .include "light_tmpl.inc"
+        .include "exp2.inc"
 
         # constants
         .set    m_fraction,28
@@ -61,14 +62,6 @@
         load_constant $k_log+4,0x3e026ed6               # 0.12737594
 .endm
 
-# The same for 2^(1 - g), 1 <= g < 2.
-.macro  exp_constants
-        load_constant $k_exp+0,0x3ffae237               # 1.9600285
-        load_constant $k_exp+1,0xbfa25452               # -1.2681982
-        load_constant $k_exp+2,0x3eb1b807               # 0.34710715
-        load_constant $k_exp+3,0xbd1fcb52               # -0.03901226
-.endm
-
 # $quotient = (N.H)^2 / |H|^2
 .macro  cosine_squared row:req
     .irp axis, x,y,z
@@ -99,25 +92,9 @@
         fnms    $n,$unit,$n,$power
 .endm
 
-# $result = 2^(-$n $exponent)
-.macro  exp2_of_product
-        fm      $n,$n,$exponent
-        cfltu   $whole,$n,23
-        selb    $fraction,$k_one,$whole,$m_fraction
-        fma     $result,$fraction,$k_exp+3,$k_exp+2
-        fma     $result,$fraction,$result,$k_exp+1
-        fma     $result,$fraction,$result,$k_exp+0
-        clgt    $t_e,$k_none,$whole
-        andc    $whole,$whole,$m_fraction
-        sf      $result,$whole,$result
-        and     $result,$result,$t_e
-.endm
-
 function light_r16
         light_begin
-        load_constant $m_fraction,0x007fffff
         load_constant $k_root2,0x3fb504f3
-        ilhu    $k_none,0x3f00                          # 126: 2^-n is 0
         log_constants
         exp_constants
 next_site:

@@ -40,8 +40,9 @@ pub const ENTRY: Entry = Entry {
 
 /// The squares of the range along a side, of 10 m each.
 const SQUARES: u32 = 768;
-/// Rings of a round, and the spheres that a ring is made of.
-const RINGS: u32 = 12;
+/// Rings of a round.
+pub const RINGS: u32 = 12;
+/// The spheres that a ring is made of.
 const BEADS: usize = 14;
 /// The radius of a ring and of its spheres.
 const RING: f64 = 70.0;
@@ -51,14 +52,19 @@ const RING_HEIGHT: f64 = 170.0;
 /// Metres a second initially, at least and at most.
 const SPEED: f64 = 130.0;
 const SPEEDS: (f64, f64) = (60.0, 260.0);
-/// The minimum height above ground and water.
+/// The speed of sharp turns that the plane makes by itself, and the share of a change of speed that
+/// a second makes. Faster ones would be wider than the way between rings.
+const TURNING: f64 = 70.0;
+const THROTTLE: f64 = 1.5;
+/// The height above ground and water at which the plane climbs, and the minimum.
 const LOWEST: f64 = 35.0;
+const FLOOR: f64 = 12.0;
 /// The largest angles of roll and pitch, and the shares of a change that a second makes.
 const ROLL: f64 = 1.0;
 const PITCH: f64 = 0.6;
 const AGILITY: f64 = 2.5;
-/// The part of the range, from its middle on, in which the plane stays.
-const INSIDE: f64 = 0.9;
+/// The part of the range, from its middle on, beyond which it turns back.
+const INSIDE: f64 = 0.8;
 
 /// The game.
 pub struct Flight {
@@ -72,7 +78,9 @@ pub struct Flight {
     heading: f64,
     pitch: f64,
     roll: f64,
+    /// Metres a second, and those that the player wants.
     speed: f64,
+    wanted: f64,
     /// Where the player holds the stick: to the right, and upwards.
     stick: [f64; 2],
     flies_itself: bool,
@@ -93,6 +101,7 @@ impl Default for Flight {
             pitch: 0.0,
             roll: 0.0,
             speed: SPEED,
+            wanted: SPEED,
             stick: [0.0; 2],
             flies_itself: true,
             next: 0,
@@ -121,15 +130,19 @@ impl Flight {
         ground.max(mountains::LAKES)
     }
 
-    /// The middle of a ring, and the direction through it.
+    /// The middle of a ring, and the direction through it: from the one before it to the one after.
     fn ring(&self, number: u32) -> (DVec3, DVec3) {
         let half = self.ground.as_ref().map_or(0.0, |ground| -ground.corner.x);
-        let (sine, cosine) = libm::sincos(TAU * f64::from(number) / f64::from(RINGS));
-        // The way is a circle that wanders to the middle and away.
-        let far = half * (0.55 + 0.2 * libm::sin(2.4 * f64::from(number)));
-        let middle = DVec3::new(far * cosine, 0.0, far * sine);
-        let height = self.below(middle) + RING_HEIGHT;
-        (middle.with_y(height), DVec3::new(-sine, 0.0, cosine))
+        let place = |number: u32| {
+            let number = f64::from(number % RINGS);
+            let (sine, cosine) = libm::sincos(TAU * number / f64::from(RINGS));
+            // The way is a circle that wanders to the middle and away.
+            let far = half * (0.55 + 0.08 * libm::sin(2.4 * number));
+            DVec3::new(far * cosine, 0.0, far * sine)
+        };
+        let middle = place(number);
+        let through = (place(number + 1) - place(number + RINGS - 1)).normalize_or_zero();
+        (middle.with_y(self.below(middle) + RING_HEIGHT), through)
     }
 
     /// The plane's own axes: forward, up, and to the right.
@@ -197,7 +210,7 @@ impl Flight {
         self.stick = steers.map(|way| way.clamp(-1.0, 1.0));
         let faster = key(Key::PageDown, Key::PageUp) + axis(Axis::R2) - axis(Axis::L2);
         let change = 60.0 * faster * seconds + 15.0 * f64::from(mouse.wheel[1]);
-        self.speed = (self.speed + change).clamp(SPEEDS.0, SPEEDS.1);
+        self.wanted = (self.wanted + change).clamp(SPEEDS.0, SPEEDS.1);
     }
 
     /// The stick of the plane that flies to a place by itself.
@@ -222,13 +235,15 @@ impl Flight {
     fn step(&mut self) {
         let half = self.ground.as_ref().map_or(0.0, |ground| -ground.corner.x) * INSIDE;
         let is_outside = self.place.x.abs().max(self.place.z.abs()) > half;
-        let [roll, pitch] = if is_outside {
-            self.towards(DVec3::ZERO.with_y(self.place.y))
-        } else if self.flies_itself {
-            self.towards(self.ring(self.next).0)
-        } else {
-            self.stick
+        let goal = match (is_outside, self.flies_itself) {
+            (true, _) => Some(DVec3::ZERO.with_y(self.place.y)),
+            (false, true) => Some(self.ring(self.next).0),
+            (false, false) => None,
         };
+        let [roll, pitch] = goal.map_or(self.stick, |goal| self.towards(goal));
+        let is_sharp = goal.is_some() && roll.abs() > 0.8;
+        let speed = if is_sharp { self.wanted.min(TURNING) } else { self.wanted };
+        self.speed += (speed - self.speed) * THROTTLE * STEP;
         let part = AGILITY * STEP;
         self.roll += (ROLL * roll - self.roll) * part;
         self.pitch += (PITCH * pitch - self.pitch) * part;
@@ -240,6 +255,7 @@ impl Flight {
         if self.place.y < lowest {
             self.place.y += (lowest - self.place.y) * 8.0 * STEP;
             self.pitch += (0.3 - self.pitch).max(0.0) * 4.0 * STEP;
+            self.place.y = self.place.y.max(lowest - LOWEST + FLOOR);
         }
     }
 
@@ -282,6 +298,7 @@ impl Game for Flight {
         });
         world.set_background(DVec3::new(0.74, 0.83, 0.92))?;
         world.set_sky(Some(Sky::of_day(DVec3::Y)))?;
+        world.set_fog(Some(mountains::HAZE))?;
         world.set_ambient(DVec3::new(0.16, 0.19, 0.24))?;
         world.add_light(Light::sun(DVec3::new(-0.8, 0.55, -0.25)).coloured(0.95, 0.88, 0.76))?;
         let ground = Arc::new(mountains::field(SQUARES));

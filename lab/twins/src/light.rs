@@ -1,5 +1,5 @@
-//! Twin of `spu/shade/light_r16.s`, `lambert_r16.s` and `ambient_r16.s`: what lights add to
-//! a surface.
+//! Twin of `spu/shade/light_r16.s`, `lambert_r16.s`, `ambient_r16.s` and `fog_r16.s`: what lights
+//! add to a surface, and what fog leaves of it.
 
 use spu_emulator::float::convert::{cfltu, csflt};
 use spu_emulator::float::single::{fm, fma, fnms, fs};
@@ -93,4 +93,14 @@ pub fn ambient(surface: &Surface, brightness: [Single; 3]) -> [Single; 3] {
         let colour = fm(surface.colour[k], surface.diffuse);
         fma(brightness[k], colour, surface.lit[k])
     })
+}
+
+/// The share of a surface's light that passes fog of this thickness on the way of a ray, whose
+/// length is `t`, and the light with the fog's.
+#[must_use]
+pub fn fog(t: Single, lit: [Single; 3], fog: [Single; 4]) -> (Single, [Single; 3]) {
+    let [thickness, colour @ ..] = fog;
+    let share = exp2_of_minus(cfltu(fm(t, thickness), FRACTION_BITS as i32));
+    let through = |k: usize| fma(fs(lit[k], colour[k]), share, colour[k]);
+    (share, std::array::from_fn(through))
 }

@@ -73,6 +73,9 @@ pub enum WorldErrorKind {
     /// A directional light without a direction.
     #[error("a light that is infinitely far away needs a direction other than 0")]
     NoDirection,
+    /// Fog with a negative density.
+    #[error("the density of the fog is {0}: it must not be below 0")]
+    NegativeFog(f64),
     /// A sky without a direction to its zenith.
     #[error("a sky needs a direction to its zenith other than 0")]
     NoZenith,

@@ -176,7 +176,7 @@ impl World {
         let has_other_view = *scene.view() != self.view;
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
-        scene.set_background(background, sky, shaders)?;
+        scene.set_background(background, sky, self.fog, shaders)?;
         if scene.block().is_some() {
             return Ok(self.keeps_polygons(*has_gathered)
                 && self.move_meshes(scene, mesh, *can_refit, has_other_view)

@@ -253,8 +253,14 @@ impl<'a> Builder<'a> {
         let mut scene_block = SceneBlock {
             file: scene.name.clone(),
             options,
-            background: materials::brightest(scene.background, scene.sky, options.colour),
+            background: materials::brightest(
+                scene.background,
+                scene.sky,
+                scene.fog,
+                options.colour,
+            ),
             ambient,
+            fog: materials::fog(&scene.name, scene.fog, options.colour)?,
             lights,
             light_address,
             materials,

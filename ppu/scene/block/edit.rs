@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::{LightKind, Material, Mesh, Shape, Sky};
+use scenes::{Fog, LightKind, Material, Mesh, Shape, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
@@ -60,11 +60,12 @@ impl SceneBlock {
         streamed.is_some_and(|streamed| streamed.kinds != InMainMemory::default())
     }
 
-    /// Sets the background, and its gradient.
+    /// Sets the background, its gradient, and the fog.
     pub(crate) fn set_background(
         &mut self,
         background: DVec3,
         sky: Option<Sky>,
+        fog: Option<Fog>,
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
@@ -74,7 +75,8 @@ impl SceneBlock {
         let address = SCENE_ADDRESS + size_of::<layout::Object>() as u32;
         let bytes = self.block.at(address, size_of::<layout::Material>());
         bytes.copy_from_slice(record.as_bytes());
-        self.background = brightest(background, sky, colour);
+        self.background = brightest(background, sky, fog, colour);
+        self.fog = materials::fog(&self.file, fog, colour)?;
         Ok(())
     }
 

@@ -3,7 +3,7 @@
 //! Invariant: if a material's shares can have an effect, its flags are set.
 
 use glam::DVec3;
-use scenes::{LightKind, Material, Scene, Shader, Sky, unit};
+use scenes::{Fog, LightKind, Material, Scene, Shader, Sky, unit};
 use zerocopy::big_endian::F32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -289,10 +289,28 @@ impl Light {
     }
 }
 
-/// The largest channel of light that a ray which hits nothing can see.
-pub(super) fn brightest(background: DVec3, sky: Option<Sky>, colour: Colour) -> f64 {
+/// The largest channel of light that a ray can see of the background and of fog.
+pub(super) fn brightest(
+    background: DVec3,
+    sky: Option<Sky>,
+    fog: Option<Fog>,
+    colour: Colour,
+) -> f64 {
     let zenith = sky.map_or(background, |sky| sky.zenith);
-    colour.light(background.max(zenith)).max_element()
+    let fog = fog.map_or(background, |fog| fog.colour);
+    colour.light(background.max(zenith).max(fog)).max_element()
+}
+
+/// The fog as a frame has it.
+pub(super) fn fog(file: &str, fog: Option<Fog>, colour: Colour) -> Result<[F32; 4], BlockError> {
+    let Some(Fog { colour: own, density }) = fog else {
+        return Ok(Default::default());
+    };
+    let place = SourceLocation { file, line: None };
+    place.vector("fog", own)?;
+    place.vector("density of the fog", DVec3::splat(density))?;
+    let [red, green, blue] = singles(colour.light(own));
+    Ok([single(density * std::f64::consts::LOG2_E), red, green, blue])
 }
 
 /// The ambient light: red, green, blue, and 0.

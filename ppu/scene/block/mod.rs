@@ -75,6 +75,7 @@ pub struct SceneBlock {
     /// The largest channel of the background's light.
     background: f64,
     ambient: [F32; 4],
+    fog: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
     /// The materials by their numbers in the scene; `None` for materials that no object has.
@@ -164,6 +165,11 @@ impl SceneBlock {
     #[must_use]
     pub fn ambient(&self) -> [F32; 4] {
         self.ambient
+    }
+
+    /// The fog as a frame has it.
+    pub(crate) fn fog(&self) -> [F32; 4] {
+        self.fog
     }
 
     /// The local-store address of the first light.

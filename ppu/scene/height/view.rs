@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use glam::{DVec2, DVec3, Vec3};
 use protocol::layout::{
-    Boxes, HEIGHT_BLOCK, HEIGHT_COLUMNS, HEIGHT_ROWS, HEIGHT_TREE, HeightField as Record,
-    HeightLevel, MESH_BLOCK, MESH_INNER, MeshHeader, NO_BOX,
+    Boxes, HEIGHT_BLOCK, HEIGHT_COLUMNS, HEIGHT_ROWS, HEIGHT_TREE, HeightLevel, Heights,
+    MESH_BLOCK, MESH_INNER, MeshHeader, NO_BOX,
 };
 use scenes::HeightField;
 use zerocopy::big_endian::F32;
@@ -74,7 +74,7 @@ impl Wrapped {
 
 /// A record, aligned as its DMA transfer needs it.
 #[repr(C, align(128))]
-struct AlignedRecord(Record);
+struct AlignedRecord(Heights);
 
 /// A height field as it is seen by an eye: what a frame has of it. The engine keeps it for as long
 /// as SPUs may read it.
@@ -99,7 +99,7 @@ impl HeightView {
     fn new(samples: &Arc<HeightSamples>) -> Self {
         Self {
             samples: samples.clone(),
-            record: Box::new(AlignedRecord(Record::new_zeroed())),
+            record: Box::new(AlignedRecord(Heights::new_zeroed())),
             tree: Vec::with_capacity(BLOCKS / CHILDREN * 4),
             found: Vec::with_capacity(BLOCKS),
             wrapped: Wrapped {
@@ -142,7 +142,7 @@ impl HeightView {
         let of_samples = wrapped.children.iter().filter(|child| child.number >= HEIGHT_TREE);
         self.blocks = of_samples.count();
         self.wrapped = wrapped;
-        let mut record = Record::new_zeroed();
+        let mut record = Heights::new_zeroed();
         record.samples = samples.address().into();
         record.tree = (self.tree.as_ptr().expose_provenance() as u64).into();
         record.tree_blocks = (self.tree.len() as u32).into();

@@ -60,6 +60,7 @@ fn with_polygons_in_mesh(scene: &Scene, keeps_quads: bool) -> Scene {
         objects: rest,
         mesh: Some(Arc::new(gatherer.mesh)),
         heights: scene.heights.clone(),
+        height_map: scene.height_map.clone(),
         ..*scene
     }
 }

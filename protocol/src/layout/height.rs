@@ -13,7 +13,7 @@ use super::{Field, Record};
 
 record! {
     /// A height field as a frame shows it.
-    HeightField as "HEIGHTS" {
+    Heights as "HEIGHTS" {
         /// Effective address of the samples; a multiple of 16. They don't cross a multiple of 4 GB.
         samples: U64,
         /// Effective address of the inner blocks above its blocks; a multiple of 128.
@@ -68,6 +68,6 @@ record! {
 
 const _: () = {
     assert!(size_of::<HeightLevel>() == 32);
-    assert!(size_of::<HeightField>() == 432);
+    assert!(size_of::<Heights>() == 432);
     assert!(super::HEIGHT_LEVELS < 11);
 };

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 17;
+    VERSION = 18;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -178,7 +178,7 @@ constants! {
     /// Whitted's model overwrite.
     DEPTH_CODE = 0x2d100;
     /// Bytes for that code.
-    DEPTH_CODE_CAPACITY = 20480;
+    DEPTH_CODE_CAPACITY = 19968;
     /// Address in local store of the code that refits and builds meshes, in the memory of scenes.
     /// Each frame with `FEATURE_BUILD` brings it in. The code that tests boxes is among it.
     BUILD_CODE = 0x29100;
@@ -314,7 +314,7 @@ constants! {
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
-    HEIGHT_CODE_CAPACITY = 8064;
+    HEIGHT_CODE_CAPACITY = 8576;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
@@ -447,7 +447,7 @@ pub const RECORDS: &[Record] = &[
     Texture::RECORD,
     TextureLevel::RECORD,
     Texels::RECORD,
-    HeightField::RECORD,
+    Heights::RECORD,
     HeightLevel::RECORD,
 ];
 
@@ -529,7 +529,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 20480 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
@@ -571,7 +571,7 @@ const _: () = {
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
             && BOX_CODE_CAPACITY.is_multiple_of(16)
     );
-    assert!(size_of::<Frame>() == 544);
+    assert!(size_of::<Frame>() == 560);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));

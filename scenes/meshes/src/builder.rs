@@ -290,6 +290,8 @@ impl Builder {
             objects: Vec::new(),
             mesh: Some(Arc::new(mesh)),
             heights: None,
+            height_map: None,
+            fog: None,
         };
         Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
     }

@@ -65,7 +65,10 @@ pub enum Fault {
         size: u64,
     },
     /// The file is of a format that is not read.
-    #[error("this is {0}; the formats that are read are NFF, OBJ, PLY, STL and glTF (.gltf, .glb)")]
+    #[error(
+        "this is {0}; the formats that are read are NFF, OBJ, PLY, STL, glTF (.gltf, .glb) \
+             and height maps (.png, .hgt, .npy)"
+    )]
     Foreign(&'static str),
     /// The text has an encoding in which words are not those of ASCII.
     #[error("the file is {0} text; save it as UTF-8")]
@@ -155,6 +158,12 @@ pub enum Fault {
     /// A glTF file.
     #[error("not a valid glTF file: {0}")]
     Gltf(String),
+    /// A height map.
+    #[error("not a valid height map: {0}")]
+    HeightMap(String),
+    /// A height map whose sizes or lengths can't be those of a height field.
+    #[error(transparent)]
+    Heights(#[from] scenes::HeightError),
     /// An extension of glTF that is not read.
     #[error("the file needs the extension {name}: {what}")]
     Extension {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 /// How files of a format begin.
-const BEGINNINGS: [(&[u8], &str); 22] = [
+const BEGINNINGS: [(&[u8], &str); 21] = [
     (b"Kaydara FBX Binary", "an FBX file"),
     (b"; FBX", "an FBX file"),
     (b"BLENDER", "a Blender (.blend) file"),
@@ -17,7 +17,6 @@ const BEGINNINGS: [(&[u8], &str); 22] = [
     (b"xof ", "a DirectX (.x) file"),
     (b"3D Geometry File Format", "a Rhino (.3dm) file"),
     (b"#INVENTOR", "an Open Inventor file"),
-    (b"\x89PNG", "a PNG picture"),
     (b"\xff\xd8\xff", "a JPEG picture"),
     (b"PK\x03\x04", "a ZIP archive"),
     (b"\x1f\x8b", "a gzip archive"),

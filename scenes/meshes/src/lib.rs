@@ -1,4 +1,4 @@
-//! Loads OBJ, PLY, STL and glTF files as scenes for Whitted's model.
+//! Loads OBJ, PLY, STL and glTF files, and height maps, as scenes for Whitted's model.
 //!
 //! Owns the formats, how their materials become those of [`scenes::Material`], and the view and
 //! lights of files that have none. Tracing a scene is not its concern. Invariant: a loaded mesh
@@ -11,6 +11,7 @@ mod error;
 mod foreign;
 mod framing;
 mod gltf;
+mod heights;
 mod likely;
 mod mask;
 pub mod mountains;
@@ -25,6 +26,7 @@ mod texture;
 use std::fs::File;
 use std::io::{ErrorKind, Read as _};
 use std::path::Path;
+use std::sync::Arc;
 
 use scenes::Scene;
 
@@ -38,6 +40,9 @@ const MAX_FILE: u64 = 1 << 31;
 /// The bytes at a file's beginning that identify its format.
 const BEGINNING: u64 = 4096;
 
+/// How arrays of numpy begin.
+const NPY_MARK: &[u8] = b"\x93NUMPY";
+
 /// A scene, and notes for the user about how it was read.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loaded {
@@ -50,8 +55,8 @@ pub struct Loaded {
     pub notes: Vec<String>,
 }
 
-/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` or
-/// `.glb`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares,
+/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` `.glb`,
+/// `.png`, `.hgt` or `.npy`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares,
 /// or anything that [`scenes::load`] accepts.
 ///
 /// # Errors
@@ -75,8 +80,14 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
         return Err(Error::Unknown { name: file, what });
     }
     let Some(format) = Format::of(name).map_err(wrong)? else {
-        let scene = scenes::load(name)?;
-        return Ok(Loaded { scene, added_light: false, notes: Vec::new() });
+        let mut scene = scenes::load(name)?;
+        let mut notes = Vec::new();
+        if let Some(map) = &scene.height_map {
+            let (field, of_map) = heights::named(&scene, map)?;
+            scene.heights = Some(Arc::new(field));
+            notes = of_map;
+        }
+        return Ok(Loaded { scene, added_light: false, notes });
     };
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;
@@ -87,6 +98,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
             Format::Stl => stl::read(&bytes, &mut builder)?,
             Format::Glb => gltf::read_binary(&bytes, name, &mut builder)?,
             Format::Gltf => gltf::read_text(&bytes, name, &mut builder)?,
+            Format::Heights(format) => return heights::read(&bytes, name, format),
         }
         builder.finish(&file)
     };
@@ -100,6 +112,7 @@ enum Format {
     Stl,
     Glb,
     Gltf,
+    Heights(heights::Format),
 }
 
 impl Format {
@@ -133,6 +146,10 @@ impl Format {
         let has = |word: &[u8]| text.windows(word.len()).any(|part| part == word);
         if beginning.starts_with(b"glTF") {
             Some(Self::Glb)
+        } else if beginning.starts_with(b"\x89PNG") {
+            Some(Self::Heights(heights::Format::Png))
+        } else if beginning.starts_with(NPY_MARK) {
+            Some(Self::Heights(heights::Format::Npy))
         } else if text.starts_with(b"ply\n") || text.starts_with(b"ply\r") {
             Some(Self::Ply)
         } else if text.starts_with(b"solid") && has(b"facet") && has(b"vertex")
@@ -154,6 +171,9 @@ impl Format {
             "stl" => Some(Self::Stl),
             "gltf" => Some(Self::Gltf),
             "glb" | "vrm" => Some(Self::Glb),
+            "png" => Some(Self::Heights(heights::Format::Png)),
+            "hgt" => Some(Self::Heights(heights::Format::Hgt)),
+            "npy" => Some(Self::Heights(heights::Format::Npy)),
             _ => None,
         }
     }

@@ -7,7 +7,7 @@ use scenes::Generated;
 use crate::{mountains, terrain};
 
 /// The endings of files with scenes.
-const ENDINGS: [&str; 7] = ["nff", "obj", "ply", "stl", "gltf", "glb", "vrm"];
+const ENDINGS: [&str; 9] = ["nff", "obj", "ply", "stl", "gltf", "glb", "vrm", "hgt", "npy"];
 
 const MISSING: &str = "there is no such file";
 

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::{DMat2, DVec2, DVec3};
 use scenes::daylight::{AMBIENT, HORIZON, SUN};
-use scenes::{HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View};
+use scenes::{Fog, HeightField, Light, LightKind, Material, Object, Scene, Shape, Sky, View};
 
 use crate::terrain::lattice;
 use crate::{Fault, Loaded};
@@ -28,6 +28,8 @@ const LARGEST: f64 = 420.0;
 const SUMMITS: f64 = 2000.0;
 /// The height of the lakes.
 pub const LAKES: f64 = 480.0;
+/// Haze, which leaves half of the light at 28 km.
+pub const HAZE: Fog = Fog { colour: HORIZON, density: 2.5e-5 };
 /// Octaves of noise, the last one about two samples large.
 const OCTAVES: u32 = 9;
 /// What an octave's place is turned and scaled by, so that lattices don't coincide.
@@ -46,30 +48,47 @@ pub(crate) fn generate(name: &str, level: &str) -> Result<Loaded, Fault> {
     };
     let from = DVec3::new(-0.2 * high.x, 0.0, 0.6 * high.z);
     let from = DVec3::new(from.x, field.ground(from).max(LAKES) + 700.0, from.z);
-    let scene = Scene {
-        name: name.to_owned(),
-        view: View {
-            from,
-            at: from + DVec3::new(300.0, -330.0, -1000.0),
-            up: DVec3::Y,
-            angle: 42.0,
-            hither: 0.0,
-            resolution: (1280, 720),
-        },
+    let view = View {
+        from,
+        at: from + DVec3::new(300.0, -330.0, -1000.0),
+        up: DVec3::Y,
+        angle: 42.0,
+        hither: 0.0,
+        resolution: (1280, 720),
+    };
+    let materials = vec![Material::matte(DVec3::ONE), lake()];
+    let objects = vec![Object { line: 0, material: 1, shape: water }];
+    let mut scene = lit(name.to_owned(), view, field, materials, objects);
+    scene.fog = Some(HAZE);
+    Ok(Loaded { scene, added_light: false, notes: Vec::new() })
+}
+
+/// Ground and what is on it by day.
+pub(crate) fn lit(
+    name: String,
+    view: View,
+    field: HeightField,
+    materials: Vec<Material>,
+    objects: Vec<Object>,
+) -> Scene {
+    Scene {
+        name,
+        view,
         background: HORIZON,
         sky: Some(Sky::of_day(DVec3::Y)),
+        fog: None,
         ambient: AMBIENT,
         lights: vec![Light {
             line: 0,
             kind: LightKind::Directional { to_light: DVec3::new(-0.8, 0.55, -0.25) },
             colour: Some(SUN),
         }],
-        materials: vec![Material::matte(DVec3::ONE), lake()],
-        objects: vec![Object { line: 0, material: 1, shape: water }],
+        materials,
+        objects,
         mesh: None,
         heights: Some(Arc::new(field)),
-    };
-    Ok(Loaded { scene, added_light: false, notes: Vec::new() })
+        height_map: None,
+    }
 }
 
 /// Water that shows the sky and the mountains.
@@ -97,21 +116,33 @@ pub fn field(squares: u32) -> HeightField {
             metres.push(height(DVec2::new(f64::from(column) - half, f64::from(row) - half)));
         }
     }
-    let at =
-        |column: u32, row: u32| metres[(row.min(squares) * side + column.min(squares)) as usize];
-    let mut colours = Vec::with_capacity(metres.len());
-    for row in 0..side {
-        for column in 0..side {
-            let east = at(column + 1, row) - at(column.saturating_sub(1), row);
-            let south = at(column, row + 1) - at(column, row.saturating_sub(1));
-            let slope = DVec2::new(east, south).length() / (2.0 * STEP);
-            let grain = lattice(column, row, 77);
-            colours.push(colour(at(column, row), slope, grain));
-        }
-    }
+    let colours = colours([side; 2], &metres, STEP, |height| height);
     let heights = metres.iter().map(|height| (height / UNIT).clamp(0.0, 65535.0) as u16);
     HeightField::new([side; 2], heights.collect(), colours, STEP, UNIT)
         .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// The colours of ground by its heights and slopes. `metres` is the height in these mountains where
+/// the ground would have the same colour.
+pub(crate) fn colours(
+    [columns, rows]: [u32; 2],
+    heights: &[f64],
+    step: f64,
+    metres: impl Fn(f64) -> f64,
+) -> Vec<[u8; 3]> {
+    let at = |column: u32, row: u32| {
+        heights[row.min(rows - 1) as usize * columns as usize + column.min(columns - 1) as usize]
+    };
+    let colour = |column: u32, row: u32| {
+        let east = at(column + 1, row) - at(column.saturating_sub(1), row);
+        let south = at(column, row + 1) - at(column, row.saturating_sub(1));
+        let slope = DVec2::new(east, south).length() / (2.0 * step);
+        colour(metres(at(column, row)), slope, lattice(column, row, 77))
+    };
+    (0..rows)
+        .flat_map(|row| (0..columns).map(move |column| (column, row)))
+        .map(|(column, row)| colour(column, row))
+        .collect()
 }
 
 /// The colour of ground at a height in metres, with a slope of its tangent, and a grain from 0 to

@@ -63,8 +63,8 @@ impl Picture {
     }
 }
 
-/// A picture that is no larger than a texture may be.
-fn picture(bytes: &[u8]) -> Result<(Picture, Option<String>), String> {
+/// What decodes a PNG or a JPEG that is not too large.
+pub(crate) fn reader(bytes: &[u8]) -> Result<ImageReader<Cursor<&[u8]>>, String> {
     let mut reader = ImageReader::new(Cursor::new(bytes))
         .with_guessed_format()
         .map_err(|error| error.to_string())?;
@@ -77,7 +77,12 @@ fn picture(bytes: &[u8]) -> Result<(Picture, Option<String>), String> {
     limits.max_image_height = Some(MAX_PIXELS);
     limits.max_alloc = Some(1 << 31);
     reader.limits(limits);
-    let decoded = reader.decode().map_err(|error| error.to_string())?;
+    Ok(reader)
+}
+
+/// A picture that is no larger than a texture may be.
+fn picture(bytes: &[u8]) -> Result<(Picture, Option<String>), String> {
+    let decoded = reader(bytes)?.decode().map_err(|error| error.to_string())?;
     let has_alpha = decoded.color().has_alpha();
     let pixels = decoded.into_rgba8();
     let (width, height) = (pixels.width(), pixels.height());

@@ -1,4 +1,4 @@
-//! A gradient of the background, and the light of a fine day for scenes without lights.
+//! A gradient of the background, fog, and the light of a fine day for scenes without lights.
 
 use glam::DVec3;
 
@@ -13,6 +13,16 @@ pub struct Sky {
     pub zenith: DVec3,
     /// The direction to the zenith: not 0, and not normalised.
     pub up: DVec3,
+}
+
+/// Fog (`#cellray fog`): of what a surface sends, exp(-density distance) arrives at the eye or where
+/// the ray has come from, and the rest is the fog's colour. What is beyond all surfaces has none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fog {
+    /// Red, green and blue from 0 to 1.
+    pub colour: DVec3,
+    /// Not below 0.
+    pub density: f64,
 }
 
 /// The background of a day: the colour at the horizon.

@@ -10,17 +10,21 @@ use glam::DVec3;
 use crate::error::Excerpt;
 use crate::lines::LineError;
 use crate::words::Words;
-use crate::{Fault, LightKind, Shader};
+use crate::{Fault, Fog, HeightMap, LightKind, Shader};
 
 pub(crate) enum Directive {
     /// The ambient light.
     Ambient(DVec3),
     /// The colour of the zenith, and the direction to it, if it is not the view's upwards.
     Sky { zenith: DVec3, up: Option<DVec3> },
+    /// The fog.
+    Fog(Fog),
     /// The light and the background of a day.
     Daylight,
     /// A light with a range, or infinitely far away.
     Light { kind: LightKind, colour: Option<DVec3> },
+    /// The ground, but for its material.
+    HeightMap(HeightMap),
     /// The shader of the material before it.
     Shader(Shader),
 }
@@ -45,6 +49,12 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
             }
             Ok(Directive::Sky { zenith, up })
         }
+        "fog" => {
+            let colour = words.colour(["fog red", "fog green", "fog blue"])?;
+            let density = words.not_negative("fog density")?;
+            words.end("fog")?;
+            Ok(Directive::Fog(Fog { colour, density }))
+        }
         "daylight" => {
             words.end("daylight")?;
             Ok(Directive::Daylight)
@@ -67,6 +77,20 @@ pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineErr
                 return Err(Fault::NoDirection("the direction to the sun").into());
             }
             Ok(Directive::Light { kind: LightKind::Directional { to_light }, colour })
+        }
+        "heights" => {
+            let file = words.word("height map file")?.to_owned();
+            let mut positive = |field| match words.real(field)? {
+                value if value > 0.0 => Ok(value),
+                value => Err(LineError::from(Fault::NotPositive { field, value })),
+            };
+            let scale = (positive("height map step")?, positive("height map unit")?);
+            let colours = match words.more()? {
+                true => Some(words.word("height map colours")?.to_owned()),
+                false => None,
+            };
+            words.end("height map")?;
+            Ok(Directive::HeightMap(HeightMap { line: 0, file, scale, colours, material: 0 }))
         }
         "shader" => {
             let shader = shader(words)?;

@@ -47,7 +47,7 @@ pub enum Fault {
     #[error("unknown entity {0} (known: v b l f s c p pp)")]
     UnknownEntity(Excerpt),
     /// There is no such directive.
-    #[error("unknown directive {0} (known: ambient daylight lamp shader sky sun)")]
+    #[error("unknown directive {0} (known: ambient daylight fog heights lamp shader sky sun)")]
     UnknownDirective(Excerpt),
     /// A shader's name has characters that are not allowed.
     #[error("shader {0} is not a name: letters, digits and _, a letter first")]

@@ -46,6 +46,29 @@ pub enum HeightError {
     },
 }
 
+/// A file of heights (`#cellray heights`).
+#[derive(Debug, Clone)]
+pub struct HeightMap {
+    /// Line of the scene's file, from 1.
+    pub line: u32,
+    /// The file, as the scene's file names it.
+    pub file: String,
+    /// The distance between samples, and the length of a height of 1 in the file.
+    pub scale: (f64, f64),
+    /// The file with a colour for each sample, if there is one.
+    pub colours: Option<String>,
+    /// Its material, as [`HeightField::material`].
+    pub material: u32,
+}
+
+impl PartialEq for HeightMap {
+    fn eq(&self, other: &Self) -> bool {
+        let Self { line: _, file, scale, colours, material } = self;
+        (file, scale, colours, material)
+            == (&other.file, &other.scale, &other.colours, &other.material)
+    }
+}
+
 /// A height field. Its rows go along x, one row follows another along z, and y is up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightField {

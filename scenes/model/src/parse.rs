@@ -14,7 +14,8 @@ use crate::lines::{DIRECTIVE, LineError};
 use crate::view;
 use crate::words::Words;
 use crate::{
-    Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, Sky, View,
+    Error, Fault, Fog, HeightMap, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape,
+    Sky, View,
 };
 
 /// The names of entities in messages.
@@ -88,10 +89,13 @@ struct Parser<'a, R> {
     ambient: Option<(u32, DVec3)>,
     /// The line of the sky, its zenith's colour and direction.
     sky: Option<(u32, DVec3, Option<DVec3>)>,
+    /// The line of the fog, and the fog.
+    fog: Option<(u32, Fog)>,
     /// The line of the daylight.
     daylight: Option<u32>,
     /// The line of the last material's shader.
     shader: Option<u32>,
+    height_map: Option<HeightMap>,
     lights: Vec<Light>,
     materials: Vec<Material>,
     objects: Vec<Object>,
@@ -107,8 +111,10 @@ impl<'a, R: BufRead> Parser<'a, R> {
             background: None,
             ambient: None,
             sky: None,
+            fog: None,
             daylight: None,
             shader: None,
+            height_map: None,
             lights: Vec::new(),
             materials: Vec::new(),
             objects: Vec::new(),
@@ -153,12 +159,14 @@ impl<'a, R: BufRead> Parser<'a, R> {
             view,
             background: self.background.map_or(background, |(_, colour)| colour),
             sky,
+            fog: self.fog.map(|(_, fog)| fog),
             ambient: self.ambient.map_or(ambient, |(_, colour)| colour),
             lights: std::mem::take(&mut self.lights),
             materials: std::mem::take(&mut self.materials),
             objects: std::mem::take(&mut self.objects),
             mesh: None,
             heights: None,
+            height_map: self.height_map.take(),
         })
     }
 
@@ -213,10 +221,21 @@ impl<'a, R: BufRead> Parser<'a, R> {
                 self.sky = Some((self.words.start(), zenith, up));
                 Ok(())
             }
+            Directive::Fog(fog) => {
+                once("fog", self.fog.map(|(line, _)| line))?;
+                self.fog = Some((self.words.start(), fog));
+                Ok(())
+            }
             Directive::Daylight => {
                 once("daylight", self.daylight)?;
                 self.check_light_count()?;
                 self.daylight = Some(self.words.start());
+                Ok(())
+            }
+            Directive::HeightMap(map) => {
+                once("height map", self.height_map.as_ref().map(|map| map.line))?;
+                let material = self.last_material("height map")?;
+                self.height_map = Some(HeightMap { line: self.words.start(), material, ..map });
                 Ok(())
             }
             Directive::Shader(shader) => self.shader(shader),
@@ -258,15 +277,20 @@ impl<'a, R: BufRead> Parser<'a, R> {
         if self.view.is_none() {
             return Err(Fault::TooEarly { entity, needed: "view (v)" }.into());
         }
-        let Some(material) = self.materials.len().checked_sub(1) else {
-            return Err(Fault::TooEarly { entity, needed: "first material (f)" }.into());
-        };
+        let material = self.last_material(entity)?;
         check_count(self.objects.len(), "objects", self.limits.objects)?;
         let line = self.words.start();
         let shape = shape(self)?;
-        // `material` keeps the number of materials within a u32.
-        self.objects.push(Object { line, material: material as u32, shape });
+        self.objects.push(Object { line, material, shape });
         Ok(())
+    }
+
+    /// The index of the last material, which what comes after it has.
+    fn last_material(&self, entity: &'static str) -> Result<u32, Fault> {
+        let last = self.materials.len().checked_sub(1);
+        // `material` keeps the number of materials within a u32.
+        let last = last.map(|last| last as u32);
+        last.ok_or(Fault::TooEarly { entity, needed: "first material (f)" })
     }
 
     fn cone(&mut self) -> Result<Shape, LineError> {

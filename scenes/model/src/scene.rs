@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::{HeightField, Mesh, Sky, Texture, View};
+use crate::{Fog, HeightField, HeightMap, Mesh, Sky, Texture, View};
 
 /// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
@@ -21,6 +21,8 @@ pub struct Scene {
     pub background: DVec3,
     /// The background's gradient, if the file has one.
     pub sky: Option<Sky>,
+    /// The fog, if the file has any.
+    pub fog: Option<Fog>,
     /// The ambient light's red, green and blue. Black if the file has none.
     pub ambient: DVec3,
     /// Lights, in file order.
@@ -32,8 +34,11 @@ pub struct Scene {
     /// Triangles in addition to the objects. NFF has no entity for a mesh: a scene is written with
     /// a polygon or a patch for each triangle.
     pub mesh: Option<Arc<Mesh>>,
-    /// The ground. NFF has no entity for it, either.
+    /// The ground.
     pub heights: Option<Arc<HeightField>>,
+    /// The file that the ground is of, if the scene's file names one. Whoever reads that puts it
+    /// into `heights`.
+    pub height_map: Option<HeightMap>,
 }
 
 /// A light (`l`, `#cellray lamp`, `#cellray sun`).
@@ -204,12 +209,14 @@ impl PartialEq for Scene {
         self.view == other.view
             && self.background == other.background
             && self.sky == other.sky
+            && self.fog == other.fog
             && self.ambient == other.ambient
             && self.lights == other.lights
             && self.materials == other.materials
             && self.objects == other.objects
             && self.mesh == other.mesh
             && self.heights == other.heights
+            && self.height_map == other.height_map
     }
 }
 

@@ -109,6 +109,8 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         objects,
         mesh: None,
         heights: None,
+        height_map: None,
+        fog: None,
     })
 }
 

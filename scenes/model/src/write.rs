@@ -8,7 +8,7 @@ use std::fmt;
 use glam::DVec3;
 
 use crate::lines::DIRECTIVE;
-use crate::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
+use crate::{Fog, HeightMap, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 impl fmt::Display for Scene {
     /// Materials keep their order. If an object's material is not the last one written, it is
@@ -19,6 +19,9 @@ impl fmt::Display for Scene {
         if let Some(Sky { zenith, up }) = self.sky {
             writeln!(f, "{DIRECTIVE} sky {} {}", Triple(zenith), Triple(up))?;
         }
+        if let Some(Fog { colour, density }) = self.fog {
+            writeln!(f, "{DIRECTIVE} fog {} {density}", Triple(colour))?;
+        }
         if self.ambient != DVec3::ZERO {
             writeln!(f, "{DIRECTIVE} ambient {}", Triple(self.ambient))?;
         }
@@ -27,10 +30,10 @@ impl fmt::Display for Scene {
         let mut current = None;
         for object in &self.objects {
             let index = object.material as usize;
-            for material in self.materials.get(written..=index).unwrap_or_default() {
-                material.fmt(f)?;
+            while written <= index {
+                self.material(written, f)?;
+                current = Some(written);
                 written += 1;
-                current = Some(written - 1);
             }
             if current != Some(index) {
                 self.materials.get(index).ok_or(fmt::Error)?.fmt(f)?;
@@ -48,7 +51,21 @@ impl fmt::Display for Scene {
                 mesh.shape(triangle).fmt(f)?;
             }
         }
-        self.materials.iter().skip(written).try_for_each(|material| material.fmt(f))
+        (written..self.materials.len()).try_for_each(|index| self.material(index, f))
+    }
+}
+
+impl Scene {
+    /// Writes a material for the first time, and the ground if it has this material.
+    fn material(&self, index: usize, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.materials.get(index).ok_or(fmt::Error)?)?;
+        let map = self.height_map.as_ref().filter(|map| map.material as usize == index);
+        let Some(HeightMap { file, scale: (step, unit), colours, .. }) = map else {
+            return Ok(());
+        };
+        write!(f, "{DIRECTIVE} heights {file} {step} {unit}")?;
+        colours.iter().try_for_each(|file| write!(f, " {file}"))?;
+        writeln!(f)
     }
 }
 

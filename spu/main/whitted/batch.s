@@ -13,6 +13,8 @@ batch_rays:                             # how many rays it has
         .global batch_flags
 batch_flags:                            # the flags of all surfaces, combined
         .skip   16
+fog_mask:                               # the lanes of a packet that have hit something
+        .skip   64
 
         .set    amount,10
         .set    t_sum,11
@@ -83,6 +85,10 @@ dark:
         brz     $wanted,unlit
         brsl    $lr,batch_light
 unlit:
+        lqa     $flags,frame+FRAME_fog
+        brz     $flags,clear
+        brsl    $lr,batch_fog
+clear:
         brsl    $lr,batch_bounce
         hbrr    sum_call,accumulate_r16
         lqa     $3,rays_at
@@ -93,6 +99,39 @@ sum_call:
         phase_ends $g_ticks_shade,$amount
         leave
 endfunction batch_trace
+
+# batch_fog   puts the fog between the batch's surfaces and where its rays have started
+#   Uses    $3-$30, w_left
+        .set    mask,10
+        .set    beyond,11
+        .set    step,12
+
+function batch_fog
+        enter
+        ori     $w_left,$w_count,0
+next_fog:
+        ai      $w_left,$w_left,-1
+        il      $step,RAYS16_SIZE
+        mpyu    $4,$w_left,$step
+        lqa     $step,rays_at
+        a       $4,$4,$step
+        il      $step,SURFACES_SIZE
+        mpyu    $3,$w_left,$step
+        lqa     $step,surfaces_at
+        a       $3,$3,$step
+        ila     $beyond,SCENE_ADDRESS
+        ila     $5,fog_mask
+    .irp row, 0,1,2,3
+        lqd     $mask,RAYS16_object+16*\row($4)
+        ceq     $mask,$mask,$beyond
+        xori    $mask,$mask,-1
+        stqd    $mask,16*\row($5)
+    .endr
+        ila     $6,frame+FRAME_fog
+        brsl    $lr,fog_r16
+        brnz    $w_left,next_fog
+        leave
+endfunction batch_fog
 
 # flags_gather   combines the flags of all surfaces of the batch, of AT_ONCE packets at once
         .set    AT_ONCE,8

@@ -29,6 +29,8 @@ pub struct Descriptor {
     pub colour_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
+    /// The scene, whose memory the frame points to if it has a height field.
+    pub scene: Scene,
     /// The memory for the picture. The frame contains its address.
     pub framebuffer: Memory,
 }
@@ -45,7 +47,8 @@ impl Descriptor {
         let program = Settings::default().program;
         let (depth_code, mesh_code) = (program.depth_code(), program.mesh_code());
         let texture_code = program.texture_code();
-        let (box_code, colour_code) = (program.box_code(), program.colour_code());
+        let box_code = program.box_code();
+        let [colour_code, height_code] = [program.colour_code(), program.height_code()];
         let program = program.formulations().unwrap();
         records.cull(scene.spheres(), &projection, Skip::Misses, program.eye.record);
         let mut units = Units::default();
@@ -83,6 +86,7 @@ impl Descriptor {
             skip: Skip::Misses,
             check_shaders: false,
         });
+        let colour_code = if frame.heights.get() == 0 { colour_code } else { height_code };
         let block = scene.block();
         let code = if block.is_some() { mesh_code } else { depth_code };
         let mesh = block.and_then(|block| block.mesh());
@@ -107,6 +111,7 @@ impl Descriptor {
             texture_code,
             colour_code,
             units: units.bytes().to_vec(),
+            scene,
             framebuffer,
         }
     }

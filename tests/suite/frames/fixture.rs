@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::frames::descriptor::Descriptor;
 use crate::recorder::Recorder;
 use cellray::framebuffer::{Framebuffer as _, Memory};
-use cellray::{Engine, EngineError, Settings, SharedMemory, work};
+use cellray::{Engine, EngineError, Scene, Settings, SharedMemory, work};
 use image::RgbImage;
 use protocol::layout::{Frame, SCENE_CAPACITY, Statistics, UnitCounter, WAITING_SIZE};
 
@@ -29,6 +29,7 @@ pub struct Fixture {
     pub waiting: SharedMemory,
     pub framebuffer: Memory,
     _memory: Vec<SharedMemory>,
+    _of_frame: Scene,
 }
 
 impl Fixture {
@@ -44,6 +45,7 @@ impl Fixture {
             texture_code,
             colour_code,
             units,
+            scene: of_frame,
             framebuffer,
         } = Descriptor::of(scene, spus);
         let shared = |bytes: &[u8]| {
@@ -98,6 +100,7 @@ impl Fixture {
                 statistics,
                 costs,
             ],
+            _of_frame: of_frame,
         }
     }
 

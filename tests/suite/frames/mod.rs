@@ -6,6 +6,7 @@ mod colours;
 mod descriptor;
 mod faults;
 mod fixture;
+mod heights;
 mod long_frames;
 mod materials;
 mod mesh;

@@ -64,7 +64,7 @@ fn invalid_field_is_named_and_next_frame_is_traced() {
         ("framebuffer", "8)", |frame| frame.framebuffer = (frame.framebuffer.get() + 8).into()),
         ("spheres", "", |frame| frame.spheres = (frame.spheres.get() + 64).into()),
         ("code", "a multiple of 128", |frame| frame.code = (frame.code.get() + 64).into()),
-        ("code_bytes", "at most 20480", |frame| frame.code_bytes = 20496.into()),
+        ("code_bytes", "at most 19968", |frame| frame.code_bytes = 19984.into()),
         ("code_bytes", "a multiple of 16", |frame| {
             frame.code_bytes = (frame.code_bytes.get() - 4).into()
         }),

@@ -56,5 +56,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         materials,
         mesh: None,
         heights: None,
+        height_map: None,
+        fog: None,
     }
 }

@@ -43,7 +43,7 @@ type Change = fn(&mut scenes::Scene);
 #[test]
 fn whitted_pixels_are_traced_again_where_changed() {
     let whitted = nff_scene("whitted16.nff");
-    let changes: [(&str, Change); 11] = [
+    let changes: [(&str, Change); 12] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),
         ("a share", |scene| scene.materials[3].diffuse = 0.5),
         ("a shader", |scene| scene.materials[4].shader = scenes::Shader::Flat),
@@ -56,6 +56,9 @@ fn whitted_pixels_are_traced_again_where_changed() {
         ("a light's colour", |scene| scene.lights[0].colour = Some(DVec3::ONE)),
         ("a light less", |scene| scene.lights.truncate(1)),
         ("the ambient light", |scene| scene.ambient = DVec3::splat(0.2)),
+        ("the fog", |scene| {
+            scene.fog = Some(scenes::Fog { colour: DVec3::ONE, density: 0.1 });
+        }),
         ("the background", |scene| scene.background.z = 0.0),
         ("a place", |scene| move_sphere(scene, 5)),
         ("an object less", |scene| scene.objects.truncate(12)),

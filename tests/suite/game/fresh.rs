@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use cellray::game::{
-    DAffine3, DVec3, Light, LightId, Material, MaterialId, MeshId, Model, ObjectId, RenderOptions,
-    World,
+    DAffine3, DVec3, Fog, Light, LightId, Material, MaterialId, MeshId, Model, ObjectId,
+    RenderOptions, World,
 };
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
@@ -144,7 +144,11 @@ impl Played {
                 let light = world.add_light(content::light(random)).unwrap();
                 self.lights.push(light);
             }
-            (36, _, _) => world.set_background(content::colour(random)).unwrap(),
+            (36, _, _) => {
+                let colour = content::colour(random);
+                world.set_background(colour).unwrap();
+                world.set_fog(Some(Fog { colour, density: 0.05 * colour.x })).unwrap();
+            }
             (37, _, _) => {
                 let from = DVec3::new(0.0, 1.0, 10.0) + content::vector(random, 2.0);
                 world.look_from(from, content::vector(random, 0.5)).unwrap();

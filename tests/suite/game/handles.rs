@@ -2,8 +2,8 @@
 
 use cellray::Settings;
 use cellray::game::{
-    DVec3, Light, LightId, LightKind, Material, MaterialId, Model, ObjectId, RenderOptions, Shader,
-    Shape, View, World, WorldErrorKind,
+    DVec3, Fog, Light, LightId, LightKind, Material, MaterialId, Model, ObjectId, RenderOptions,
+    Shader, Shape, View, World, WorldErrorKind,
 };
 use cellray::spe::Program;
 use protocol::layout::{MAX_LIGHTS, MAX_SPHERES};
@@ -148,6 +148,8 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
             world.recolour(red, place),
             world.set_background(place),
             world.set_ambient(place),
+            world.set_fog(Some(Fog { colour: place, density: 0.1 })),
+            world.set_fog(Some(Fog { colour: DVec3::ONE, density: bad })),
             world.look_from(place, DVec3::ZERO),
             world.add_light(Light::at(place)).map(drop),
             world.add_light(Light::at(DVec3::ONE).coloured(bad, 0.0, 0.0)).map(drop),

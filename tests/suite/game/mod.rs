@@ -11,6 +11,7 @@ mod refit;
 mod retained;
 mod session;
 mod steady;
+mod terrain;
 
 use cellray::game::{WorldError, WorldErrorKind};
 

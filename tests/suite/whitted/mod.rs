@@ -6,6 +6,7 @@ mod chains;
 mod colour;
 mod colours;
 mod counts;
+mod fog;
 mod frame;
 mod invariance;
 mod lamps;

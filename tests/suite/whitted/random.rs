@@ -7,7 +7,7 @@ use std::f64::consts::TAU;
 use glam::{DQuat, DVec3, Vec3Swizzles as _};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
-use scenes::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
+use scenes::{Fog, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 use crate::whitted::placed::place;
 
@@ -45,6 +45,11 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         materials,
         mesh: None,
         heights: None,
+        height_map: None,
+        fog: random.random_bool(0.3).then(|| Fog {
+            colour: vector(random, 1.0).abs(),
+            density: random.random_range(0.0..0.3) / scale,
+        }),
     };
     // Without a random number, so that the scenes are the same ones as without skies.
     scene.sky = scene

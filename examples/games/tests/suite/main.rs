@@ -1,5 +1,7 @@
 //! All tests of the games. They are one program, because linking several takes longer.
 
+mod driven;
+mod flight;
 mod headless;
 mod orrery;
 mod physics;

@@ -2,56 +2,20 @@
 
 use std::collections::BTreeSet;
 
-use cellray::game::{
-    Anchor, DVec3, Frame, Game, Input, InputEvent, Key, ObjectId, Shape, Start, World,
-};
+use cellray::game::{Anchor, DVec3, Game as _, Key, ObjectId, Shape};
 use games::orrery::Orrery;
 use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// A picture of this width and height must contain everything.
-const SIZE: (u32, u32) = (1280, 720);
+use crate::driven::{self, SIZE};
+
 /// Bodies nearer than this are not stars.
 const HERE: f64 = 100.0;
 
-struct Played {
-    game: Orrery,
-    world: World,
-    input: Input,
-    frame: u64,
-}
+type Played = driven::Played<Orrery>;
 
 impl Played {
-    fn new() -> Self {
-        let (mut game, mut world) = (Orrery::default(), World::new());
-        let start = Start { seed: 0, size: SIZE };
-        game.set_up(&mut world, &start).unwrap();
-        Self { game, world, input: Input::default(), frame: 0 }
-    }
-
-    fn frame(&mut self, step: f64, keys: &[(Key, bool)]) {
-        self.input.begin_frame();
-        for &(key, down) in keys {
-            self.input.apply(&InputEvent::Key { key, down });
-        }
-        let frame = Frame {
-            number: self.frame,
-            time: self.frame as f64 * step,
-            delta: step,
-            input: &self.input,
-            size: SIZE,
-            last: None,
-        };
-        self.game.update(&mut self.world, &frame).unwrap();
-        self.frame += 1;
-    }
-
-    /// Presses a key and releases it at once.
-    fn press(&mut self, key: Key) {
-        self.frame(0.0, &[(key, true), (key, false)]);
-    }
-
     fn sphere(&self, object: ObjectId) -> (DVec3, f64) {
         match *self.world.shape(object).unwrap() {
             Shape::Sphere { centre, radius } => (centre, radius.abs()),

@@ -1,4 +1,4 @@
-//! Replays a recorded game of eight-ball, recorded walks and waves to their ends. `MAKE_REF=1`
+//! Replays a recorded game of eight-ball, recorded walks, waves and a flight to their ends. `MAKE_REF=1`
 //! plays and records others.
 
 mod player;
@@ -13,6 +13,7 @@ use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{FixedSteps, Game, InputEvent, Key, NoInput, Recording, Session};
 use games::billiards::Billiards;
+use games::flight::Flight;
 use games::station::Station;
 use games::waves::Waves;
 
@@ -132,7 +133,7 @@ fn replayed_walks_have_same_end() {
 const FRAMES: u64 = 100;
 const WAVE: Duration = Duration::from_millis(40);
 /// The keys that the player of waves presses and releases, by the frame.
-const KEYS: [(u64, Key, bool); 9] = [
+const KEYS: &[(u64, Key, bool)] = &[
     (2, Key::Right, true),
     (14, Key::Up, true),
     (25, Key::Right, false),
@@ -155,25 +156,73 @@ fn end_of_waves(game: &Waves) -> String {
     text
 }
 
+/// Plays for some frames with keys and records it.
+fn make_keys<G: Game>(
+    name: &str,
+    game: G,
+    (frames, step): (u64, Duration),
+    keys: &[(u64, Key, bool)],
+    end: fn(&G) -> String,
+) {
+    let file = BufWriter::new(File::create(kept(name).with_extension("jsonl")).unwrap());
+    let mut session = session(game).with_seed(3).record_to(Box::new(file));
+    for frame in 0..frames {
+        let pressed = keys.iter().filter(|(number, ..)| *number == frame);
+        let mut events = pressed.map(|&(_, key, down)| InputEvent::Key { key, down }).collect();
+        let flow = session.step(step, &mut events, &mut |_| ());
+        assert!(flow.unwrap().is_continue());
+    }
+    fs::write(kept(name).with_extension("txt"), end(session.game())).unwrap();
+}
+
+/// Replays a game that [`make_keys`] has recorded, and compares its end.
+fn replayed<G: Game>(name: &str, game: G, end: fn(&G) -> String) -> Session<G> {
+    let recording = Recording::open(&kept(name).with_extension("jsonl")).unwrap();
+    let mut session = session(game).replaying(recording).unwrap();
+    let mut clock = FixedSteps(Duration::ZERO);
+    session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
+    let expected = fs::read_to_string(kept(name).with_extension("txt")).unwrap();
+    assert_eq!(end(session.game()), expected);
+    session
+}
+
 /// The checksums in the recording are those of worlds whose mesh has other vertices in each frame.
 #[test]
 fn replayed_waves_have_same_end() {
-    let [recording, ended] = ["jsonl", "txt"].map(|it| kept("waves").with_extension(it));
     if std::env::var_os("MAKE_REF").is_some() {
-        let file = BufWriter::new(File::create(&recording).unwrap());
-        let mut session = session(Waves::default()).with_seed(3).record_to(Box::new(file));
-        for frame in 0..FRAMES {
-            let pressed = KEYS.iter().filter(|(number, ..)| *number == frame);
-            let mut events = pressed.map(|&(_, key, down)| InputEvent::Key { key, down }).collect();
-            let flow = session.step(WAVE, &mut events, &mut |_| ());
-            assert!(flow.unwrap().is_continue());
-        }
-        fs::write(&ended, end_of_waves(session.game())).unwrap();
+        make_keys("waves", Waves::default(), (FRAMES, WAVE), KEYS, end_of_waves);
     }
-    let recording = Recording::open(&recording).unwrap();
-    let mut session = session(Waves::default()).replaying(recording).unwrap();
-    let mut clock = FixedSteps(Duration::ZERO);
-    session.run(Some(LONGEST), &mut clock, &mut NoInput).unwrap();
-    assert_eq!(end_of_waves(session.game()), fs::read_to_string(&ended).unwrap());
+    let mut session = replayed("waves", Waves::default(), end_of_waves);
     assert!(session.engine().made_blocks().is_some(), "no SPU has refitted the water");
+}
+
+/// The keys of a minute's flight: a turn over the lake, a dive, and back to the rings.
+const FLIGHT: &[(u64, Key, bool)] = &[
+    (95, Key::Left, true),
+    (100, Key::Left, false),
+    (101, Key::Up, true),
+    (110, Key::Up, false),
+    (110, Key::Down, true),
+    (112, Key::Right, true),
+    (118, Key::Down, false),
+    (120, Key::Right, false),
+    (121, Key::PageUp, true),
+    (125, Key::PageUp, false),
+    (130, Key::Space, true),
+    (131, Key::Space, false),
+];
+
+/// The exact place of the plane, and the status.
+fn end_of_flight(game: &Flight) -> String {
+    format!("{:016x?} {}\n", game.place().to_array().map(f64::to_bits), game.status())
+}
+
+#[test]
+fn replayed_minute_of_flight_has_same_end() {
+    if std::env::var_os("MAKE_REF").is_some() {
+        let minute = (300, Duration::from_millis(200));
+        make_keys("flight", Flight::default(), minute, FLIGHT, end_of_flight);
+    }
+    let session = replayed("flight", Flight::default(), end_of_flight);
+    assert!(session.game().met() > 3, "{} rings", session.game().met());
 }

@@ -126,6 +126,8 @@ impl Product {
             objects: vec![scenes::Object { line: 0, material: 0, shape }],
             mesh: None,
             heights: None,
+            height_map: None,
+            fog: None,
         };
         let block = SceneBlock::new(&scene, RenderOptions::default(), &|_| None).ok()?;
         let (tree, size) = kind.record();

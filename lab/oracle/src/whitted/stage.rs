@@ -32,6 +32,8 @@ pub(super) struct Stage<'a> {
     background: DVec3,
     /// The light at the zenith and the unit direction to it, if the background has a gradient.
     sky: Option<(DVec3, DVec3)>,
+    /// The fog's light, and its density.
+    fog: Option<(DVec3, f64)>,
     options: Options,
     /// The minimum weight of a ray that is sent.
     min_weight: f64,
@@ -40,6 +42,7 @@ pub(super) struct Stage<'a> {
 struct Hit {
     finish: Finish,
     point: DVec3,
+    distance: f64,
     /// The surface's normal, on the ray's side.
     normal: DVec3,
     /// The shading normal, on the ray's side.
@@ -129,6 +132,7 @@ impl<'a> Stage<'a> {
                 let up = scenes::unit(sky.up)?;
                 Some((options.pixels.colour.light(sky.zenith), up))
             }),
+            fog: scene.fog.map(|fog| (options.pixels.colour.light(fog.colour), fog.density)),
             options: *options,
             min_weight,
         })
@@ -157,11 +161,15 @@ impl<'a> Stage<'a> {
         path.counts.hit += 1;
         path.counts.eye_hit += u64::from(depth == 1);
         let lit = self.lit(&hit, ray.direction, weight, path);
-        if depth < self.options.depth {
-            lit + self.bounced(&hit, ray.direction, depth + 1, weight, path)
-        } else {
-            lit
-        }
+        let (fog, share) = match self.fog {
+            Some((fog, density)) => (fog, libm::exp(-density * hit.distance)),
+            None => (DVec3::ZERO, 1.0),
+        };
+        let bounced = match depth < self.options.depth {
+            true => self.bounced(&hit, ray.direction, depth + 1, share * weight, path),
+            false => DVec3::ZERO,
+        };
+        share * (lit + bounced) + (1.0 - share) * fog
     }
 
     /// The light from beyond all objects.
@@ -200,6 +208,7 @@ impl<'a> Stage<'a> {
         let seen = smooth.dot(ray.direction) < 0.0;
         Some(Hit {
             finish,
+            distance,
             point: rounding.point(place.point, self.eye, !way),
             normal,
             smooth: if seen { smooth } else { normal },

@@ -33,7 +33,8 @@ pub(super) fn minimum(
     let lit: f64 = lights.iter().map(|(_, brightness)| brightness.max_element().max(0.0)).sum();
     let everywhere = scene.ambient.max_element().max(0.0);
     let zenith = scene.sky.map_or(0.0, |sky| largest_channel(sky.zenith));
-    let background = largest_channel(scene.background).max(zenith).max(0.0);
+    let fog = scene.fog.map_or(0.0, |fog| largest_channel(fog.colour));
+    let background = largest_channel(scene.background).max(zenith).max(fog).max(0.0);
     let seen = (0..options.depth).fold(0.0, |beyond, _| {
         let surfaces = materials.iter().map(|material| {
             let own = largest_channel(material.colour);

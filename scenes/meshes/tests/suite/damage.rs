@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::files::{MTL, OBJ, PLY, binary_ply, glb};
-use super::{scans, textures};
+use super::{heights, scans, textures};
 
 /// A change of a file.
 #[derive(Clone, Debug)]
@@ -59,7 +59,7 @@ proptest! {
     fn damaged_files_do_not_panic(damages in prop::collection::vec(damage(), 1..6)) {
         let folder = tempfile::tempdir().unwrap();
         let picture = textures::png();
-        let files: [(&str, &[u8]); 11] = [
+        let files: [(&str, &[u8]); 13] = [
             ("m.mtl", MTL.as_bytes()),
             ("t.obj", OBJ.as_bytes()),
             ("a.ply", PLY.as_bytes()),
@@ -69,6 +69,8 @@ proptest! {
             ("t.stl", scans::STL.as_bytes()),
             ("b.stl", &scans::binary_stl(b"by a printer")),
             ("t.png", &picture),
+            ("h.png", &heights::grey(3, &[7; 9])),
+            ("h.npy", &heights::npy("<f4", "False", "(2, 3)", &[0; 24])),
             ("textured.obj", textures::OBJ.as_bytes()),
             ("textured.glb", &textures::glb(&picture, "{", "{")),
         ];
@@ -79,7 +81,11 @@ proptest! {
                 continue;
             }
             if let Ok(loaded) = meshes::load(&path) {
-                let mesh = loaded.scene.mesh.unwrap();
+                prop_assert!(loaded.scene.view.camera(8, 8).is_ok());
+                let Some(mesh) = loaded.scene.mesh else {
+                    prop_assert!(loaded.scene.heights.is_some());
+                    continue;
+                };
                 prop_assert!(mesh.triangles.iter().flatten().all(|&it| (it as usize) < mesh.positions.len()));
                 prop_assert!(mesh.materials.iter().all(|&it| (it as usize) < loaded.scene.materials.len()));
                 prop_assert!(mesh.positions.as_flattened().iter().all(|it| it.is_finite()));
@@ -87,7 +93,6 @@ proptest! {
                 let textured = loaded.scene.materials.iter().any(|it| it.texture.is_some());
                 prop_assert_eq!(places.len(), if textured { mesh.positions.len() } else { 0 });
                 prop_assert!(places.as_flattened().iter().all(|it| it.is_finite()));
-                prop_assert!(loaded.scene.view.camera(8, 8).is_ok());
             }
         }
     }

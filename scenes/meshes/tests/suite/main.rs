@@ -5,6 +5,7 @@ mod faults;
 mod files;
 mod formats;
 mod gltf;
+mod heights;
 mod pairs;
 mod scans;
 mod textures;

@@ -365,7 +365,7 @@ fn files_of_other_programs_are_named() {
         ("x.nff", b"#VRML V2.0 utf8\n", "a VRML file"),
         ("x.stl", b"ISO-10303-21;\n", "a STEP file"),
         ("x.zip", b"PK\x03\x04", "a ZIP archive"),
-        ("x.nff", b"\x89PNG\r\n", "a PNG picture"),
+        ("x.nff", b"\xff\xd8\xff\xe0", "a JPEG picture"),
         ("x.nff", b"{\"version\": 1}", "a JSON file that is not glTF"),
         ("x.mtl", b"newmtl a\n", "a material library of OBJ files"),
         ("x.pov", b"camera {\n", "a POV-Ray scene"),

@@ -75,6 +75,8 @@ impl Builder {
                 objects: Vec::new(),
                 mesh: None,
                 heights: None,
+                height_map: None,
+                fog: None,
             },
             mesh: Mesh::default(),
             current: None,

@@ -3,7 +3,7 @@
 use crate::common::{parsed, scene_text, try_parse};
 use glam::DVec3;
 use scenes::daylight::{AMBIENT, HORIZON, SUN};
-use scenes::{LightKind, Shader, Sky};
+use scenes::{Fog, LightKind, Shader, Sky};
 
 fn refusal(rest: &str) -> String {
     try_parse(scene_text(rest).as_bytes()).expect_err("refused").to_string()
@@ -108,6 +108,23 @@ fn shader_applies_to_preceding_material() {
 }
 
 #[test]
+fn fog_has_colour_and_density() {
+    let scene = parsed(&scene_text("#cellray fog 0.5 0.25 1 0.125 # morning"));
+    assert_eq!(scene.fog, Some(Fog { colour: DVec3::new(0.5, 0.25, 1.0), density: 0.125 }));
+    assert_eq!(parsed(&scene.to_string()), scene);
+}
+
+#[test]
+fn height_map_has_material_before_it() {
+    let rest = "#cellray heights a/b.png 30 0.5 c.jpg # hills\nf 0 0 0 0 0 0 0 1\ns 0 0 0 1\n";
+    let scene = parsed(&scene_text(rest));
+    let map = scene.height_map.as_ref().expect("a height map");
+    assert_eq!((map.file.as_str(), map.scale, map.line), ("a/b.png", (30.0, 0.5), 9));
+    assert_eq!((map.colours.as_deref(), map.material), (Some("c.jpg"), 0));
+    assert_eq!(parsed(&scene.to_string()).height_map, scene.height_map);
+}
+
+#[test]
 fn other_comments_stay_comments() {
     let comments = "# cellray sun\n#cellrays\n#cellray_sun 1\n##cellray sun\n#Cellray x\n\
                     s 0 0 0 1 #cellray shader 7\n";
@@ -119,8 +136,8 @@ fn faults_name_file_and_line() {
     for (rest, message) in [
         ("#cellray", "9: directive is missing"),
         (
-            "\n #cellray fog 1",
-            "10: unknown directive `fog` (known: ambient daylight lamp shader sky sun)",
+            "\n #cellray mist 1",
+            "10: unknown directive `mist` (known: ambient daylight fog heights lamp shader sky sun)",
         ),
         ("#cellray lamp 1 2 3", "9: lamp range is missing"),
         ("#cellray lamp 1 2 3 0", "9: lamp range 0 is not above 0"),
@@ -144,6 +161,15 @@ fn faults_name_file_and_line() {
         ("#cellray sun 0 -0 0", "9: the direction to the sun is 0 0 0"),
         ("#cellray sun 0 0 1 1", "9: light green is missing"),
         ("#cellray sun 0 0 nan", "9: sun z `nan` is not a finite number"),
+        ("#cellray fog 1 1 1", "9: fog density is missing"),
+        ("#cellray fog 1 1 1 -1", "9: fog density -1 is negative"),
+        ("#cellray fog 1 1 1 1\n#cellray fog 1 1 1 1", "10: a second fog; the first is on line 9"),
+        ("#cellray heights", "9: height map file is missing"),
+        ("#cellray heights a.png 1 -1", "9: height map unit -1 is not above 0"),
+        (
+            "#cellray heights a.png 1 1\n#cellray heights b.png 1 1",
+            "10: a second height map; the first is on line 9",
+        ),
         ("#cellray shader", "9: name of the shader is missing"),
         ("#cellray shader flat 1", "9: shader is followed by `1`, which does not belong there"),
         ("#cellray shader checker 1 1 1", "9: checker size is missing"),

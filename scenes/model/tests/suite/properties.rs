@@ -4,7 +4,7 @@ use crate::common::try_parse;
 use glam::DVec3;
 use proptest::collection::vec;
 use proptest::prelude::*;
-use scenes::{Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
+use scenes::{Fog, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
 
 /// Numbers of all sizes that a scene may have, among them those with few digits.
 fn number() -> impl Strategy<Value = f64> {
@@ -98,6 +98,7 @@ prop_compose! {
         background in point(),
         sky in prop::option::of((point(), point())),
         ambient in point(),
+        fog in prop::option::of((point(), 0.0..9.0)),
         lights in vec((light(), prop::option::of(point())), 0..4),
         groups in vec((material(), vec(shape(), 0..4)), 0..5),
     ) -> Scene {
@@ -123,6 +124,8 @@ prop_compose! {
             objects,
             mesh: None,
             heights: None,
+            height_map: None,
+            fog: fog.map(|(colour, density)| Fog { colour: colour.abs(), density }),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The kernel that makes triangles of a height field's samples.
 
-use protocol::layout::{HeightField, HeightLevel};
+use protocol::layout::{HeightLevel, Heights};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
@@ -15,7 +15,7 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::Description;
 
 /// Words of the kernel's scratch.
-const SCRATCH: usize = 496;
+const SCRATCH: usize = 604;
 
 /// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[Kernel {
@@ -88,7 +88,7 @@ impl Description for HeightBlock {
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
         let single = |bits: u32| F32::from_bytes(bits.to_be_bytes());
-        let mut record = HeightField::new_zeroed();
+        let mut record = Heights::new_zeroed();
         let Field { corner, above, step, last, fading } = self.field;
         record.corner = corner.map(single);
         record.above = single(above);

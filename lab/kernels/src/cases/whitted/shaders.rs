@@ -1,9 +1,9 @@
-//! The built-in shaders: cases, surfaces to shade, errors of `shader_depth` and `shader_sky`.
+//! The built-in shaders and fog: cases, surfaces to shade, and errors.
 
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::{Single, shader};
+use spu_emulator::float::single::{fm, from_f64, to_f64};
+use twins::{Single, light, shader};
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -21,6 +21,7 @@ pub const KERNELS: &[Kernel] = &[
     Kernel { cases: CASES, ..Kernel::of::<Call<CHECKER>>() },
     Kernel { cases: CASES, error: Some(depth_error), ..Kernel::of::<Call<DEPTH>>() },
     Kernel { cases: CASES, error: Some(sky_error), ..Kernel::of::<Call<SKY>>() },
+    Kernel { cases: CASES, error: Some(fog_error), ..Kernel::of::<Call<FOG>>() },
 ];
 
 /// `shader_checker`.
@@ -29,6 +30,8 @@ pub const CHECKER: usize = 0;
 pub const DEPTH: usize = 1;
 /// `shader_sky`.
 pub const SKY: usize = 2;
+/// `fog_r16`, which gets its numbers as shaders get theirs.
+pub const FOG: usize = 3;
 
 /// The inputs are the same for all of them.
 const CASES: &[Case] = &[Case {
@@ -125,7 +128,8 @@ fn set(rows: [&mut [F32; 16]; 3], lane: usize, vector: [Single; 3]) {
 }
 
 impl<const SHADER: usize> Description for Call<SHADER> {
-    const KERNEL: &'static str = ["shader_checker", "shader_depth", "shader_sky"][SHADER];
+    const KERNEL: &'static str =
+        ["shader_checker", "shader_depth", "shader_sky", "fog_r16"][SHADER];
     const ROUNDS: [usize; 2] = [500, 500];
     const LENGTHS: &'static [usize] = &[1];
     type Placed = Place;
@@ -146,6 +150,11 @@ impl<const SHADER: usize> Description for Call<SHADER> {
         let mut shading = ShaderContext::new_zeroed();
         shading.eye[..3].copy_from_slice(&self.eye.map(single));
         let surfaces = bench.place(self.surfaces.as_bytes());
+        if SHADER == FOG {
+            let others = [self.rays.as_bytes(), mask.as_bytes(), material.parameters.as_bytes()];
+            let others = others.map(|bytes| bench.place(bytes).address);
+            return (surfaces, [surfaces.address].into_iter().chain(others).collect());
+        }
         let others = [
             bench.place(self.rays.as_bytes()),
             bench.place(mask.as_bytes()),
@@ -172,6 +181,12 @@ impl<const SHADER: usize> Description for Call<SHADER> {
             }
             let lit = if SHADER == SKY {
                 shader::sky(self.direction(lane), colour, lit, self.parameters)
+            } else if SHADER == FOG {
+                let (passes, lit) = light::fog(bits(self.rays.t[lane]), lit, self.parameters);
+                for share in [&mut it.mirror, &mut it.transmittance] {
+                    share[lane] = single(fm(bits(share[lane]), passes));
+                }
+                lit
             } else {
                 for share in
                     [&mut it.diffuse, &mut it.highlight, &mut it.mirror, &mut it.transmittance]
@@ -218,6 +233,29 @@ fn sky_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
                 let expected = horizon + height.max(0.0) * (zenith - horizon);
                 let error = (to_f64(bits(lit[lane])) - expected).abs();
                 worst = worst.max(error * 2_f64.powi(23));
+            }
+        }
+    }
+    worst
+}
+
+/// The largest error of a channel, of colours up to 1.
+fn fog_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let mut call = Call::<FOG> {
+            mask: [true; 16],
+            ..Call::random(random, |random| from_f64(random.random()))
+        };
+        call.rays.t = std::array::from_fn(|_| F32::new(20.0 * random.random::<f32>()));
+        let Bits(found) = call.call(bench);
+        let [density, colour @ ..] = call.parameters.map(to_f64);
+        for lane in 0..16 {
+            let share = libm::exp2(-density * f64::from(call.rays.t[lane].get()));
+            let lit = [found.lit_red, found.lit_green, found.lit_blue];
+            for ((own, fog), lit) in call.lit(lane).into_iter().zip(colour).zip(lit) {
+                let expected = fog + share * (to_f64(own) - fog);
+                worst = worst.max((to_f64(bits(lit[lane])) - expected).abs());
             }
         }
     }
