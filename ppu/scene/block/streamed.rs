@@ -30,7 +30,7 @@ use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
 /// The minimum capacity of the cache, in blocks.
-const MIN_SLOTS: usize = 8;
+const MIN_SLOTS: usize = 6;
 
 /// The kinds of a scene's objects that are in main memory beside its mesh.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
