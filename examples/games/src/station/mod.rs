@@ -23,7 +23,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cellray::game::{
-    Button, DAffine3, DVec3, Entry, Frame, Game, Input, Key, Label, Material, MouseButton,
+    Button, DAffine3, DVec3, Entry, Frame, Game, Input, Key, Label, Material, MeshId, MouseButton,
     RenderOptions, Side, Start, View, WalkCamera, World, WorldError,
 };
 use glam::DVec2;
@@ -148,7 +148,13 @@ impl Station {
         self.has_ended
     }
 
-    fn add_level(&mut self, world: &mut World, level: Level) -> Result<(), WorldError> {
+    /// Adds the meshes of a level. Returns those that show a thing of the map which can be taken.
+    fn add_level(
+        &mut self,
+        world: &mut World,
+        level: Level,
+    ) -> Result<Vec<(u32, MeshId)>, WorldError> {
+        let mut things = Vec::new();
         let mut materials = Vec::new();
         for (material, surface) in level.materials.iter().zip(&level.surfaces) {
             let material = Material::from(material);
@@ -161,11 +167,12 @@ impl Station {
             let mesh = has_triangles
                 .then(|| world.add_mesh(Arc::new(part.mesh), &materials, DAffine3::IDENTITY))
                 .transpose()?;
+            things.extend(part.thing.zip(mesh));
             if let Some(plane) = part.moves_with {
                 self.movers.add(&self.ground, plane, mesh);
             }
         }
-        Ok(())
+        Ok(things)
     }
 
     /// Puts the walker somewhere, looking in a direction of the map in degrees from east.
@@ -288,9 +295,10 @@ impl Game for Station {
         };
         self.spent = vec![false; map.lines.len()];
         self.ground = Ground::new(map, plan);
-        self.add_level(world, level)?;
-        self.lamps = Lamps::add(&self.ground, world)?;
-        self.goals = Goals::add(&self.ground, world)?;
+        let with_sprites = level.with_sprites.clone();
+        let things = self.add_level(world, level)?;
+        self.lamps = Lamps::add(&self.ground, &with_sprites, world)?;
+        self.goals = Goals::add(&self.ground, &things, world)?;
         let begins = |kind: &u16| self.ground.map.things.iter().find(|thing| thing.kind == *kind);
         if let Some(&begin) = BEGINNINGS.iter().find_map(begins) {
             self.put(begin.place, begin.angle);
