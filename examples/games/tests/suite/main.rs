@@ -1,6 +1,7 @@
 //! All tests of the games. They are one program, because linking several takes longer.
 
 mod headless;
+mod maps;
 mod orrery;
 mod physics;
 mod places;
