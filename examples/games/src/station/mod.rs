@@ -9,8 +9,10 @@
 //! | look | arrows, mouse dragged | right stick |
 //! | run | Shift | L1 |
 //! | open, switch | Space, Enter, right button | cross |
+//! | show the map | Tab | triangle |
 
 mod art;
+mod automap;
 mod goals;
 pub mod ground;
 mod lamps;
@@ -31,6 +33,7 @@ use levels::{Action, Graphics, Level, Map, Name, Plan, Special, Trigger, Wad, sp
 
 use crate::camera::follow;
 use crate::steps::{STEP, Steps};
+use automap::Automap;
 use goals::Goals;
 use ground::Ground;
 use lamps::Lamps;
@@ -43,6 +46,7 @@ pub const CONTROLS: &[&str] = &[
     "W A S D, left stick: walk; with Shift or L1: run",
     "arrows, mouse dragged, right stick: look around",
     "Space, Enter, right button, cross: open a door, call a lift, press a switch",
+    "Tab, triangle: show or hide the map of what was seen so far",
 ];
 /// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
@@ -80,6 +84,7 @@ pub struct Station {
     movers: Movers,
     lamps: Lamps,
     goals: Goals,
+    automap: Automap,
     /// For each line, whether its special has been set off for the last time.
     spent: Vec<bool>,
     place: DVec2,
@@ -140,6 +145,12 @@ impl Station {
     #[must_use]
     pub fn goals(&self) -> &Goals {
         &self.goals
+    }
+
+    /// The map of what was seen.
+    #[must_use]
+    pub fn automap(&self) -> &Automap {
+        &self.automap
     }
 
     /// Whether the exit was reached.
@@ -295,6 +306,7 @@ impl Game for Station {
         };
         self.spent = vec![false; map.lines.len()];
         self.ground = Ground::new(map, plan);
+        self.automap = Automap::of(&self.ground);
         let with_sprites = level.with_sprites.clone();
         let things = self.add_level(world, level)?;
         self.lamps = Lamps::add(&self.ground, &with_sprites, world)?;
@@ -331,6 +343,12 @@ impl Game for Station {
                 self.step(stride);
             }
         }
+        self.automap.look(&self.ground, self.place);
+        let pad = frame.input.pad();
+        if frame.input.key_pressed(Key::Tab) || pad.is_some_and(|pad| pad.pressed(Button::Triangle))
+        {
+            self.automap.is_open = !self.automap.is_open;
+        }
         if !was_at_rest || !self.movers.rest() {
             self.movers.place(&self.ground, world)?;
         }
@@ -356,7 +374,14 @@ impl Game for Station {
     }
 
     fn status(&self) -> String {
-        self.goals.status()
+        let status = self.goals.status();
+        match self.automap.is_open {
+            true => {
+                let map = self.automap.text(&self.ground, self.place, self.turn());
+                format!("{status}\n{map}")
+            }
+            false => status,
+        }
     }
 
     fn labels(&self) -> Vec<Label> {
