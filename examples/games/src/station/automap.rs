@@ -11,7 +11,7 @@ use super::ground::Ground;
 const SIZE: IVec2 = IVec2::new(44, 22);
 const DOTS: IVec2 = IVec2::new(2, 4);
 /// Units of the level from one dot to the next.
-const SCALE: f64 = 32.0;
+const SCALE: f64 = 16.0;
 /// How far lines are seen.
 const SEEN: f64 = 1536.0;
 /// The lines that are looked for in a frame: all of a level in a few seconds.
