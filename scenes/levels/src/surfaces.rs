@@ -120,7 +120,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         Ok(shown)
     }
 
-    /// The picture of a thing; `None` if there is none of this name.
+    /// The picture of a thing; `None` if no thing has one of this name.
     pub fn sprite(&self, name: Name) -> Result<Option<Sprite>, Error> {
         self.pictures.sprite(name)
     }
