@@ -216,7 +216,9 @@ next_row:
         mpyu    $whole,$whole,$across
         shli    $column,$column,2
         mpyi    $row,$row,4*TEXTURE_SIDE
+        rotmi   $wraps,$wraps,-WRAP_BITS
         a       $tile,$tile,$whole
+        a       $first,$first,$wraps
         a       $tile,$tile,$first
         orc     $tile,$tile,$textured
         a       $place,$column,$row

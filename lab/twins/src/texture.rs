@@ -17,6 +17,8 @@ const SCALE: Single = 0x3b80_8081;
 /// Texels from one tile to the next, and of a row of a tile.
 const STEP: u32 = 8;
 const SIDE: u32 = 9;
+/// Bits of `wraps` below the number of the first tile.
+const WRAP_BITS: u32 = 4;
 
 /// A hit on a triangle with texture coordinates.
 #[derive(Clone, Copy, Debug, FromBytes)]
@@ -44,7 +46,7 @@ pub struct Texture {
     pub last: u32,
     /// Texels of the first level.
     pub texels: Single,
-    /// `WRAP_` bits.
+    /// `WRAP_` bits, and 2^`WRAP_BITS` times the number of the first tile.
     pub wraps: u32,
 }
 
@@ -57,7 +59,7 @@ pub struct Level {
     pub height: Single,
     /// Tiles across.
     pub across: u32,
-    /// Number of the first tile.
+    /// Number of the first tile, from the texture's first one on.
     pub first: u32,
 }
 
@@ -129,7 +131,7 @@ pub fn texel(hit: &Hit, angle: Single, texture: &Texture, levels: &[Level]) -> T
     let (column, row) = (cflts(u, 0), cflts(v, 0));
     let tiles = (row / STEP) * level.across;
     Texel {
-        tile: (column / STEP).wrapping_add(tiles).wrapping_add(level.first),
+        tile: (column / STEP).wrapping_add(tiles).wrapping_add(level.first + (wraps >> WRAP_BITS)),
         place: 4 * (column % STEP) + 4 * SIDE * (row % STEP),
         right: fs(u, csflt(column, 0)),
         down: fs(v, csflt(row, 0)),

@@ -30,7 +30,7 @@ use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
 /// The minimum capacity of the cache, in blocks.
-const MIN_SLOTS: usize = 8;
+const MIN_SLOTS: usize = 6;
 
 /// About how many times the tests rays make with a tree in the order of codes that they make with
 /// one by the surface area heuristic. `docs/meshes.md` has the measurements.

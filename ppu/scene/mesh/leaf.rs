@@ -7,9 +7,9 @@ use super::tree::{Bounds, Piece, around};
 pub(super) const WIDTH: usize = 4;
 
 /// The lengths of the runs of each group, of at most `most` pieces; the pieces are sorted so that
-/// they follow each other. Up to `few` pieces make a single group.
-pub(super) fn runs(pieces: &mut [Piece], most: usize, few: usize) -> Vec<Vec<usize>> {
-    if pieces.len() <= few {
+/// they follow each other. Pieces for one node make a single group.
+pub(super) fn runs(pieces: &mut [Piece], most: usize) -> Vec<Vec<usize>> {
+    if pieces.len() <= WIDTH {
         return vec![group(pieces, most)];
     }
     let mut groups = Vec::with_capacity(WIDTH);

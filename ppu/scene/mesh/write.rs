@@ -14,15 +14,13 @@ use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::cut::{Branch, cut};
-use super::leaf::{WIDTH, run_bounds, runs};
+use super::leaf::{run_bounds, runs};
 use super::normal::packed;
 use super::objects::MeshObjects;
 use super::statistics::MeshStatistics;
 use super::tree::{Bounds, Kind, Node, Tree, around};
 use super::{Block, MeshBlocks, MeshError, NumberWidth};
 
-/// The most triangles of a leaf whose only node has all runs.
-const FEW: usize = 16;
 /// Bits of a run's word below the number of its triangles.
 pub(super) const RUN_SHIFT: u32 = 16;
 
@@ -192,7 +190,7 @@ impl<'a> Writer<'a> {
     }
 
     fn leaf(&mut self, number: u32, sides: u32, pieces: &mut [super::Piece]) -> Block {
-        let groups = runs(pieces, MESH_RUN as usize, FEW);
+        let groups = runs(pieces, MESH_RUN as usize);
         let mut first = 0;
         let mut lowest: Vec<Vec<Child>> = Vec::with_capacity(groups.len());
         for lengths in &groups {
@@ -281,7 +279,7 @@ impl<'a> Writer<'a> {
             Kind::Cones => (MESH_CONES, size_of::<Cone>(), &mut self.statistics.expected_cones),
             _ => (MESH_SPHERES, size_of::<Object>(), &mut self.statistics.expected_spheres),
         };
-        let groups = runs(pieces, 1, WIDTH);
+        let groups = runs(pieces, 1);
         let nodes = groups.len() + usize::from(groups.len() > 1);
         let mut rest = pieces.iter();
         let mut records = Vec::with_capacity(pieces.len() * size);

@@ -8,11 +8,13 @@ mod level;
 #[cfg(test)]
 mod tests;
 
+use std::collections::HashMap;
+use std::ops::Range;
 use std::sync::Arc;
 
 use protocol::layout::{
-    self, TEXTURE_SIDE, TEXTURE_TILE, TextureLevel, WRAP_ACROSS, WRAP_DOWN, WRAP_MIRRORED_ACROSS,
-    WRAP_MIRRORED_DOWN,
+    self, TEXTURE_SIDE, TEXTURE_TILE, TextureLevel, WRAP_ACROSS, WRAP_BITS, WRAP_DOWN,
+    WRAP_MIRRORED_ACROSS, WRAP_MIRRORED_DOWN,
 };
 use scenes::{Texture, Wrap};
 use zerocopy::IntoBytes as _;
@@ -37,8 +39,9 @@ struct Tile([U32; WORDS]);
 pub struct Textures {
     tiles: Vec<Tile>,
     sources: Vec<Arc<Texture>>,
-    /// The number of the first level of each texture, and of the one after the last.
-    firsts: Vec<usize>,
+    /// For each texture, its levels and the number of its first tile.
+    parts: Vec<(Range<usize>, usize)>,
+    /// The levels of each size that textures have: local store has few bytes for them.
     levels: Vec<TextureLevel>,
 }
 
@@ -49,29 +52,45 @@ impl Textures {
     #[must_use]
     pub fn new(sources: Vec<Arc<Texture>>, colour: Colour) -> Self {
         let mut textures =
-            Self { tiles: Vec::new(), firsts: vec![0], levels: Vec::new(), sources: Vec::new() };
+            Self { tiles: Vec::new(), parts: Vec::new(), levels: Vec::new(), sources: Vec::new() };
+        let mut sizes = HashMap::new();
         for source in &sources {
+            let first = textures.tiles.len();
+            let mut own = Vec::new();
             let mut level = Some(Level::new(source));
             while let Some(largest) = level {
-                textures.cut(&largest, source.wrap(), colour);
+                own.push(textures.cut(&largest, first, source.wrap(), colour));
                 level = largest.half();
             }
-            textures.firsts.push(textures.levels.len());
+            let all = &mut textures.levels;
+            let levels =
+                sizes.entry((source.width(), source.texels().len())).or_insert_with(|| {
+                    let start = all.len();
+                    all.extend(own);
+                    start..all.len()
+                });
+            textures.parts.push((levels.clone(), first));
         }
         textures.sources = sources;
         textures
     }
 
-    /// Adds a level and its tiles.
-    fn cut(&mut self, level: &Level, wrap: [Wrap; 2], colour: Colour) {
+    /// Adds the tiles of a level of the texture whose first tile is `first`.
+    fn cut(
+        &mut self,
+        level: &Level,
+        first: usize,
+        wrap: [Wrap; 2],
+        colour: Colour,
+    ) -> TextureLevel {
         let (width, height) = (level.width(), level.height());
         let (across, down) = (width / STEP + 1, height / STEP + 1);
-        self.levels.push(TextureLevel {
+        let record = TextureLevel {
             width: single(width as f64),
             height: single(height as f64),
             across: (across as u32).into(),
-            first: (self.tiles.len() as u32).into(),
-        });
+            first: ((self.tiles.len() - first) as u32).into(),
+        };
         for top in (0..down).map(|row| row * STEP) {
             for left in (0..across).map(|column| column * STEP) {
                 let mut tile = Tile([U32::ZERO; WORDS]);
@@ -90,6 +109,7 @@ impl Textures {
                 self.tiles.push(tile);
             }
         }
+        record
     }
 
     /// The number of tiles.
@@ -119,7 +139,7 @@ impl Textures {
         self.sources.len() as u32
     }
 
-    /// The number of the levels of all textures.
+    /// The number of all levels.
     #[must_use]
     pub fn level_count(&self) -> u32 {
         self.levels.len() as u32
@@ -134,12 +154,12 @@ impl Textures {
     pub(super) fn records(&self, address: u32) -> Vec<u8> {
         let levels = address as usize + self.sources.len() * size_of::<layout::Texture>();
         let mut bytes = Vec::new();
-        for (source, part) in self.sources.iter().zip(self.firsts.windows(2)) {
+        for (source, (own, first)) in self.sources.iter().zip(&self.parts) {
             let record = layout::Texture {
-                levels: ((levels + part[0] * size_of::<TextureLevel>()) as u32).into(),
-                last: ((part[1] - part[0] - 1) as u32).into(),
+                levels: ((levels + own.start * size_of::<TextureLevel>()) as u32).into(),
+                last: (own.len() as u32 - 1).into(),
                 texels: single(source.texels().len() as f64),
-                wraps: wraps(source.wrap()).into(),
+                wraps: (wraps(source.wrap()) | (*first as u32) << WRAP_BITS).into(),
             };
             bytes.extend_from_slice(record.as_bytes());
         }

@@ -81,14 +81,16 @@ fn levels_average_light_of_texels() {
 
 #[test]
 fn records_name_each_textures_levels() {
-    let sources = [(20, 5), (1, 1)]
+    let sources = [(20, 5), (1, 1), (20, 5)]
         .map(|(width, height)| numbered(width, height, [Wrap::Mirror, Wrap::Clamp]));
     let textures = Textures::new(sources.to_vec(), Colour::Linear);
     let records = textures.records(0x1000);
-    assert_eq!(records.len(), 16 * (2 + 6));
+    // Textures of one size share their levels.
+    assert_eq!(records.len(), 16 * (3 + 6));
     let word = |index: usize| u32::from_be_bytes(records[4 * index..][..4].try_into().expect("4"));
-    assert_eq!([0, 1, 3].map(word), [0x1020, 4, 12]);
-    assert_eq!([4, 5, 7].map(word), [0x1020 + 5 * 16, 0, 12]);
+    assert_eq!([0, 1, 3].map(word), [0x1030, 4, 12]);
+    assert_eq!([4, 5, 7].map(word), [0x1030 + 5 * 16, 0, 12 + 16 * 8]);
+    assert_eq!([8, 9, 11].map(word), [0x1030, 4, 12 + 16 * 9]);
     assert_eq!(f32::from_bits(word(2)), 100.0);
     assert_eq!(textures.number_of(&sources[1]), Some(1));
     assert_eq!(textures.number_of(&numbered(1, 1, [Wrap::Clamp; 2])), None);

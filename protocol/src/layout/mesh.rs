@@ -108,7 +108,8 @@ record! {
 }
 
 record! {
-    /// A texture. Its levels follow one another, the largest first.
+    /// A texture. Its levels follow one another, the largest first, and so do their tiles. Textures
+    /// of one size have the same levels.
     Texture as "TEXTURE" {
         /// Address of the first `LEVEL`.
         levels: U32,
@@ -116,7 +117,7 @@ record! {
         last: U32,
         /// Texels of the first level.
         texels: F32,
-        /// `WRAP_` bits.
+        /// `WRAP_` bits, and 2^`WRAP_BITS` times the number of the texture's first tile.
         wraps: U32,
     }
 }
@@ -134,7 +135,7 @@ record! {
         height: F32,
         /// Tiles across.
         across: U32,
-        /// Number of the first tile.
+        /// Number of the first tile, from the texture's first one on.
         first: U32,
     }
 }

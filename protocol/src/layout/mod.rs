@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 18;
+    VERSION = 19;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -348,6 +348,8 @@ constants! {
     WRAP_DOWN = 2;
     /// In `wraps`: with `WRAP_DOWN`, it is mirrored each second time.
     WRAP_MIRRORED_DOWN = 1;
+    /// Bits of `wraps` below the number of the texture's first tile.
+    WRAP_BITS = 4;
     /// Corner of a box that is not there, as bits: 2^66, sixteen times `FARTHEST`.
     NO_BOX = 0x6080_0000;
     /// In `flags` of a material: it transmits light.

@@ -1,6 +1,6 @@
 //! Makes meshes of a map.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use glam::{DVec2, DVec3};
 use scenes::{Material, Mesh};
@@ -47,6 +47,8 @@ pub struct Level {
     pub surfaces: Vec<Surface>,
     /// The meshes: first what stands still, then what moves.
     pub parts: Vec<Part>,
+    /// The kinds of things that the meshes show.
+    pub with_sprites: BTreeSet<u16>,
     /// Notes about omitted parts, as sentences.
     pub notes: Vec<String>,
 }
@@ -58,6 +60,8 @@ pub struct Part {
     pub mesh: Mesh,
     /// The floor or ceiling that it moves up and down with.
     pub moves_with: Option<(u32, Plane)>,
+    /// The map's thing that it shows, if somebody can take that.
+    pub thing: Option<u32>,
 }
 
 impl Level {
@@ -71,6 +75,7 @@ impl Level {
             ranges: ranges(map),
             surfaces: Surfaces::new(pictures),
             parts: BTreeMap::new(),
+            with_sprites: BTreeSet::new(),
             spare_parts: MOST_PARTS,
             left_out: 0,
         };
@@ -83,16 +88,19 @@ impl Level {
         for (line, pieces) in map.lines.iter().zip(&plan.pieces) {
             builder.add_line(line, pieces)?;
         }
+        builder.add_sprites(&map.things, plan)?;
         let mut notes = [map.notes.clone(), plan.notes.clone(), builder.surfaces.notes].concat();
         if builder.left_out > 0 {
             let count = builder.left_out;
             notes.push(format!("walls with too many holes are left out: {count}"));
         }
-        let part = |(moves_with, part): (_, Growing)| Part { mesh: part.mesh, moves_with };
+        let part =
+            |((moves_with, thing), part): (_, Growing)| Part { mesh: part.mesh, moves_with, thing };
         Ok(Self {
             materials: builder.surfaces.materials,
             surfaces: builder.surfaces.surfaces,
             parts: builder.parts.into_iter().map(part).collect(),
+            with_sprites: builder.with_sprites,
             notes,
         })
     }
@@ -126,7 +134,9 @@ pub(crate) struct Builder<'a, P> {
     pub map: &'a Map,
     ranges: BTreeMap<PlaneId, [f64; 2]>,
     pub surfaces: Surfaces<'a, P>,
-    parts: BTreeMap<Option<PlaneId>, Growing>,
+    /// By the plane that they move with, and the thing that they show.
+    parts: BTreeMap<(Option<PlaneId>, Option<u32>), Growing>,
+    pub with_sprites: BTreeSet<u16>,
     /// How many parts walls with holes may still have.
     pub spare_parts: usize,
     /// The number of walls that are left out because they have too many holes.
@@ -164,7 +174,7 @@ impl<P: Pictures> Builder<'_, P> {
         let shown = self.surfaces.shown(surface)?;
         let height = self.rest(sector, plane);
         let light = shown.colour * lightness(self.map.sectors[sector as usize].light);
-        let part = self.parts.entry(self.moving((sector, plane))).or_default();
+        let part = self.parts.entry((self.moving((sector, plane)), None)).or_default();
         let triangle = corners.map(|corner| {
             let coordinates = DVec2::new(corner.x, -corner.y) / shown.size;
             part.vertex(in_space(corner, height), coordinates, light)
@@ -176,7 +186,7 @@ impl<P: Pictures> Builder<'_, P> {
 
     pub fn add_quad(&mut self, wall: &Wall) -> Result<(), Error> {
         let shown = self.surfaces.shown(wall.surface)?;
-        let part = self.parts.entry(wall.moves_with).or_default();
+        let part = self.parts.entry((wall.moves_with, wall.thing)).or_default();
         let width = wall.ends[0].distance(wall.ends[1]);
         let light = shown.colour * lightness(wall.light);
         // Whole pictures are left out of the coordinates, because singles hold small ones better.

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use zerocopy::little_endian::{I16, U16, U32};
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
-use crate::{Error, Name, Wad};
+use crate::{Error, Name, Sprite, Wad};
 
 /// Texels across and down of a flat.
 pub(crate) const FLAT: usize = 64;
@@ -35,6 +35,31 @@ impl Picture {
         self.texels.len().checked_div(self.width).unwrap_or_default()
     }
 
+    /// Its texels, with those in holes as one next to them: they are mixed with one another.
+    pub(crate) fn filled(&self) -> Vec<[u8; 3]> {
+        let mut texels = self.texels.clone();
+        let of_texels = |(at, texel): (usize, &Option<_>)| texel.is_some().then_some(at);
+        let mut known: Vec<usize> = texels.iter().enumerate().filter_map(of_texels).collect();
+        let mut next = 0;
+        while let Some(&at) = known.get(next) {
+            next += 1;
+            let (column, last) = (at % self.width, self.width - 1);
+            let beside = [
+                (column > 0).then(|| at - 1),
+                (column < last).then_some(at + 1),
+                at.checked_sub(self.width),
+                Some(at + self.width),
+            ];
+            for other in beside.into_iter().flatten() {
+                if texels.get(other) == Some(&None) {
+                    texels[other] = texels[at];
+                    known.push(other);
+                }
+            }
+        }
+        texels.into_iter().map(Option::unwrap_or_default).collect()
+    }
+
     /// Whether there are holes.
     #[must_use]
     pub fn has_holes(&self) -> bool {
@@ -55,6 +80,12 @@ pub trait Pictures {
     /// # Errors
     /// The picture is damaged.
     fn flat(&self, name: Name) -> Result<Option<Picture>, Error>;
+
+    /// The picture of a thing; `None` if no thing's has this name.
+    ///
+    /// # Errors
+    /// The picture is damaged.
+    fn sprite(&self, name: Name) -> Result<Option<Sprite>, Error>;
 }
 
 #[derive(FromBytes, Immutable, KnownLayout, Unaligned)]
@@ -101,6 +132,9 @@ pub struct Graphics<'a> {
     patches: &'a [[u8; 8]],
     textures: HashMap<Name, Composition<'a>>,
 }
+
+/// A patch's header, and where its columns are.
+type Columns<'a> = (&'a PatchHeader, &'a [U32]);
 
 /// A list in a lump: its count, and what follows.
 fn counted(lump: &[u8]) -> Option<(usize, &[u8])> {
@@ -178,21 +212,29 @@ impl<'a> Graphics<'a> {
         std::array::from_fn(|channel| self.palette[3 * usize::from(index) + channel])
     }
 
-    /// Draws a patch into a picture with its upper left corner at `at`.
-    fn draw(&self, name: Name, at: [i32; 2], picture: &mut Picture) -> Result<(), Error> {
-        let lump = self.wad.lump_between(name, ["P_START", "P_END"]);
-        let Some(lump) = lump.or_else(|| self.wad.lump(name)) else {
-            return Ok(());
-        };
-        let wrong = |what| self.wad.wrong_lump(name, what);
+    /// The header and the columns of a patch.
+    fn columns<'b>(&self, name: Name, lump: &'b [u8]) -> Result<Columns<'b>, Error> {
         let header = PatchHeader::ref_from_prefix(lump).ok().and_then(|(header, rest)| {
             let width = usize::from(header.width.get());
             let (columns, _) = <[U32]>::ref_from_prefix_with_elems(rest, width).ok()?;
-            Some(columns)
+            Some((header, columns))
         });
-        let Some(columns) = header else {
-            return Err(wrong(format!("{} bytes are too few for a patch", lump.len())));
-        };
+        header.ok_or_else(|| {
+            let what = format!("{} bytes are too few for a patch", lump.len());
+            self.wad.wrong_lump(name, what)
+        })
+    }
+
+    /// Draws a patch into a picture with its upper left corner at `at`.
+    fn draw(
+        &self,
+        name: Name,
+        lump: &[u8],
+        at: [i32; 2],
+        picture: &mut Picture,
+    ) -> Result<(), Error> {
+        let wrong = |what| self.wad.wrong_lump(name, what);
+        let (_, columns) = self.columns(name, lump)?;
         let height = picture.height();
         for (column, offset) in (0..).zip(columns) {
             let x = at[0] + column;
@@ -251,7 +293,11 @@ impl Pictures for Graphics<'_> {
                 return Err(self.wad.wrong_lump("PNAMES", what));
             };
             let at = [record.x, record.y].map(|place| i32::from(place.get()));
-            self.draw(Name::of(patch), at, &mut picture)?;
+            let patch = Name::of(patch);
+            let lump = self.wad.lump_between(patch, ["P_START", "P_END"]);
+            if let Some(lump) = lump.or_else(|| self.wad.lump(patch)) {
+                self.draw(patch, lump, at, &mut picture)?;
+            }
         }
         Ok(Some(picture))
     }
@@ -266,5 +312,20 @@ impl Pictures for Graphics<'_> {
         };
         let texels = texels.iter().map(|&texel| Some(self.colour(texel)));
         Ok(Some(Picture { width: FLAT, texels: texels.collect() }))
+    }
+
+    fn sprite(&self, name: Name) -> Result<Option<Sprite>, Error> {
+        let Some(lump) = self.wad.lump_between(name, ["S_START", "S_END"]) else {
+            return Ok(None);
+        };
+        let (header, _) = self.columns(name, lump)?;
+        let [width, height] = [header.width, header.height].map(|side| usize::from(side.get()));
+        if ![width, height].iter().all(|side| (1..=MAX_SIDE).contains(side)) {
+            let what = format!("{width} by {height} texels; each must be from 1 to {MAX_SIDE}");
+            return Err(self.wad.wrong_lump(name, what));
+        }
+        let mut picture = Picture { width, texels: vec![None; width * height] };
+        self.draw(name, lump, [0, 0], &mut picture)?;
+        Ok(Some(Sprite { picture, left: header.left.get(), top: header.top.get() }))
     }
 }

@@ -37,6 +37,32 @@ pub(crate) fn rectangles(picture: &Picture) -> Option<Vec<Rectangle>> {
     Some(found)
 }
 
+/// Texels across and down of a square that is kept or left out as a whole.
+const SQUARE: usize = 4;
+
+/// The rectangles of the squares of a picture of which texels cover at least a quarter: the outline
+/// of a thing needs no more.
+pub(crate) fn squares(picture: &Picture) -> Vec<Rectangle> {
+    let (width, height) = (picture.width, picture.height());
+    let squares = |side: usize| (0..side.div_ceil(SQUARE)).map(|at| at * SQUARE);
+    let is_kept = |top: usize, left: usize| {
+        let rows = top..(top + SQUARE).min(height);
+        let columns = left..(left + SQUARE).min(width);
+        let area = rows.len() * columns.len();
+        let texels = rows.flat_map(|row| &picture.texels[row * width..][columns.clone()]);
+        4 * texels.flatten().count() >= area
+    };
+    let kept = squares(height).flat_map(|top| squares(width).map(move |left| (top, left)));
+    let kept = kept.map(|(top, left)| is_kept(top, left).then_some([0; 3]));
+    let coarse = Picture { width: width.div_ceil(SQUARE), texels: kept.collect() };
+    let mut found = rectangles(&coarse).unwrap_or_default();
+    for rectangle in &mut found {
+        let sides = [width, height, width, height];
+        *rectangle = std::array::from_fn(|at| (rectangle[at] * SQUARE).min(sides[at]));
+    }
+    found
+}
+
 impl Wall {
     /// The parts of a wall that these rectangles of its picture leave. The picture is repeated
     /// along the wall, but not upwards.

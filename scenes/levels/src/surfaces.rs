@@ -8,7 +8,7 @@ use scenes::{Material, Shader, Texture, Wrap};
 
 use crate::graphics::FLAT;
 use crate::holes::{Rectangle, rectangles};
-use crate::{Error, Name, Pictures};
+use crate::{Error, Name, Pictures, Sprite};
 
 /// The flat of sectors that are open to the sky.
 pub const SKY: &str = "F_SKY1";
@@ -17,7 +17,7 @@ const GRADIENT: &str = "sky";
 /// The pictures of skies, of which the first that exists is taken.
 const SKIES: [&str; 4] = ["SKY1", "SKY2", "SKY3", "SKY4"];
 /// The most textures: as many as have their records in local store beside those of a level.
-const MAX_TEXTURES: usize = 120;
+const MAX_TEXTURES: usize = 240;
 
 /// What a material shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -26,6 +26,8 @@ pub enum Surface {
     Wall(Name),
     /// The picture of a floor or a ceiling.
     Flat(Name),
+    /// The picture of a thing.
+    Sprite(Name),
     /// The sky.
     Sky,
 }
@@ -75,6 +77,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         let (picture, what) = match surface {
             Surface::Wall(name) => (self.pictures.wall(name)?, "wall"),
             Surface::Flat(name) => (self.pictures.flat(name)?, "floor"),
+            Surface::Sprite(name) => (self.sprite(name)?.map(|it| it.picture), "thing"),
             Surface::Sky => (None, "sky"),
         };
         let mut size = square;
@@ -84,15 +87,10 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
             material = self.sky()?;
         } else if let Some(picture) = picture {
             size = DVec2::new(picture.width as f64, picture.height() as f64);
-            let mut around = [0; 3];
-            if picture.has_holes() {
+            if picture.has_holes() && !matches!(surface, Surface::Sprite(_)) {
                 self.holes.insert(surface, rectangles(&picture).map(Arc::from));
-                // Texels beside holes are mixed with those in them.
-                let texels: Vec<[u8; 3]> = picture.texels.iter().flatten().copied().collect();
-                around = (255.0 * mean(&texels)).to_array().map(|channel| channel as u8);
             }
-            let texels: Vec<[u8; 3]> =
-                picture.texels.iter().map(|texel| texel.unwrap_or(around)).collect();
+            let texels = picture.filled();
             if self.surfaces.len() < MAX_TEXTURES {
                 let texture = Texture::new(picture.width as u32, texels, [Wrap::Repeat; 2]);
                 material =
@@ -103,7 +101,7 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
                     "there are more than {MAX_TEXTURES} textures; {surface:?} has only its mean colour"
                 ));
             }
-        } else if let Surface::Wall(name) | Surface::Flat(name) = surface {
+        } else if let Surface::Wall(name) | Surface::Flat(name) | Surface::Sprite(name) = surface {
             colour = Some(DVec3::splat(0.5));
             self.notes.push(format!("there is no picture of a {what} with the name {name}"));
         }
@@ -120,6 +118,11 @@ impl<'a, P: Pictures> Surfaces<'a, P> {
         let shown = Shown { material: number, colour, size };
         self.known.insert(surface, shown);
         Ok(shown)
+    }
+
+    /// The picture of a thing; `None` if no thing has one of this name.
+    pub fn sprite(&self, name: Name) -> Result<Option<Sprite>, Error> {
+        self.pictures.sprite(name)
     }
 
     /// The rectangles of texels of a known picture with holes, or none if they are too many; `None`

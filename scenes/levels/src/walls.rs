@@ -23,6 +23,8 @@ pub(crate) struct Wall {
     pub light: f64,
     /// The floor or ceiling that it moves with.
     pub moves_with: Option<PlaneId>,
+    /// The thing that it is a part of, if that can be taken away.
+    pub thing: Option<u32>,
 }
 
 impl<P: Pictures> Builder<'_, P> {
@@ -182,7 +184,7 @@ impl<P: Pictures> Builder<'_, P> {
             let light = self.map.sectors[side.sector as usize].light + contrast;
             let texel = DVec2::new(column, row + side.offset.y);
             column += way.length();
-            Wall { ends, bottom, top, surface, texel, light, moves_with }
+            Wall { ends, bottom, top, surface, texel, light, moves_with, thing: None }
         };
         along.iter().map(wall).collect()
     }

@@ -1,7 +1,7 @@
 //! The pictures of our own level, drawn by rules, and the materials that are more than a picture.
 
 use cellray::game::{DVec3, Material};
-use levels::{Error, Name, Picture, Pictures, Surface};
+use levels::{Error, Name, Picture, Pictures, Sprite, Surface};
 
 /// Texels across and down.
 const SIDE: usize = 64;
@@ -92,6 +92,10 @@ impl Pictures for Drawn {
 
     fn flat(&self, name: Name) -> Result<Option<Picture>, Error> {
         Ok(picture(name))
+    }
+
+    fn sprite(&self, _: Name) -> Result<Option<Sprite>, Error> {
+        Ok(None)
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is to be found in a level, and its exit.
 
-use cellray::game::{DVec3, Label, Material, ObjectId, Side, World, WorldError};
+use cellray::game::{DVec3, Label, Material, MeshId, ObjectId, Side, World, WorldError};
 use glam::DVec2;
 use levels::{Action, special};
 
@@ -22,11 +22,17 @@ const KINDS: [([u16; 2], &str, [f64; 3]); 4] = [
     ([13, 38], "red key", [1.0, 0.25, 0.2]),
 ];
 
+/// What shows a goal: a mesh of the level, or a sphere where that has none.
+enum Shown {
+    Mesh(MeshId),
+    Sphere(ObjectId),
+}
+
 struct Goal {
     kind: usize,
     place: DVec2,
     floor: f64,
-    shown: ObjectId,
+    shown: Shown,
     is_found: bool,
 }
 
@@ -40,19 +46,28 @@ pub struct Goals {
 
 impl Goals {
     /// Adds the things to find of a map, and looks for its exits.
-    pub fn add(ground: &Ground, world: &mut World) -> Result<Self, WorldError> {
+    /// `meshes` show some of the things already.
+    pub fn add(
+        ground: &Ground,
+        meshes: &[(u32, MeshId)],
+        world: &mut World,
+    ) -> Result<Self, WorldError> {
         let mut goals = Vec::new();
-        for thing in &ground.map.things {
+        for (number, thing) in (0..).zip(&ground.map.things) {
             let kind = KINDS.iter().position(|(numbers, ..)| numbers.contains(&thing.kind));
             let (Some(kind), Some(sector)) = (kind, ground.sector(thing.place)) else { continue };
-            let [red, green, blue] = KINDS[kind].2;
-            let material = world.add_material(Material {
-                emission: DVec3::new(red, green, blue) * 0.5,
-                ..Material::shiny(red, green, blue)
-            })?;
             let floor = ground.height(sector, levels::Plane::Floor);
-            let centre = Ground::in_space(thing.place, floor + FLOATS);
-            let shown = world.add_sphere(centre, SIZE, material)?;
+            let shown = if let Some((_, mesh)) = meshes.iter().find(|(shows, _)| *shows == number) {
+                Shown::Mesh(*mesh)
+            } else {
+                let [red, green, blue] = KINDS[kind].2;
+                let material = world.add_material(Material {
+                    emission: DVec3::new(red, green, blue) * 0.5,
+                    ..Material::shiny(red, green, blue)
+                })?;
+                let centre = Ground::in_space(thing.place, floor + FLOATS);
+                Shown::Sphere(world.add_sphere(centre, SIZE, material)?)
+            };
             goals.push(Goal { kind, place: thing.place, floor, shown, is_found: false });
         }
         let is_exit = |number| special(number).is_some_and(|it| it.action == Action::Exit);
@@ -78,7 +93,10 @@ impl Goals {
         });
         let Some(goal) = touched else { return Ok(None) };
         goal.is_found = true;
-        world.remove(goal.shown)?;
+        match goal.shown {
+            Shown::Mesh(mesh) => world.remove_mesh(mesh)?,
+            Shown::Sphere(sphere) => world.remove(sphere)?,
+        }
         Ok(Some(match KINDS[goal.kind].1 {
             "crystal" => "You have found a crystal.",
             _ => "You have found a key.",

@@ -208,6 +208,23 @@ impl Ground {
         })
     }
 
+    /// Whether no wall and no closed door is between two places, however high.
+    #[must_use]
+    pub fn sees(&self, from: DVec2, to: DVec2) -> bool {
+        let mut lines = self.map.lines.iter();
+        !lines.any(|line| {
+            let is_in_the_way = match &line.back {
+                None => true,
+                Some(back) => {
+                    let [one, two] =
+                        [line.front.sector, back.sector].map(|it| self.heights[it as usize]);
+                    one[1].min(two[1]) <= one[0].max(two[0])
+                }
+            };
+            is_in_the_way && crossing([from, to], self.map.places(line)).is_some()
+        })
+    }
+
     /// The first line with a special, or without an opening, that somebody reaches from its front.
     #[must_use]
     pub fn reached(&self, from: DVec2, to: DVec2) -> Option<u32> {

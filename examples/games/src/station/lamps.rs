@@ -1,5 +1,7 @@
 //! The lamps of a level. Each has a range, so those far away cost nothing.
 
+use std::collections::BTreeSet;
+
 use cellray::game::{DVec3, Light, LightId, World, WorldError};
 
 use super::ground::Ground;
@@ -20,14 +22,23 @@ pub struct Lamps {
 
 impl Lamps {
     /// Adds the lamps and the decorations of a map.
-    pub fn add(ground: &Ground, world: &mut World) -> Result<Self, WorldError> {
+    /// The level shows those of some kinds already.
+    pub fn add(
+        ground: &Ground,
+        shown: &BTreeSet<u16>,
+        world: &mut World,
+    ) -> Result<Self, WorldError> {
         let mut lamps = Vec::new();
         let mut decorations = Decorations::default();
         for thing in &ground.map.things {
             let Some(kind) = things::decoration(thing.kind) else { continue };
             let Some(sector) = ground.sector(thing.place) else { continue };
             let floor = ground.height(sector, levels::Plane::Floor);
-            let top = decorations.add(Ground::in_space(thing.place, floor), kind);
+            let foot = Ground::in_space(thing.place, floor);
+            if !shown.contains(&thing.kind) {
+                decorations.add(foot, kind);
+            }
+            let top = foot + kind.light_above();
             if let Some(colour) = kind.light {
                 let [red, green, blue] = colour.map(|channel| BRIGHTNESS * channel);
                 lamps.push((top, Light::at(top).within(RANGE).coloured(red, green, blue)));

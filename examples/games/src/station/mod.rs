@@ -9,8 +9,10 @@
 //! | look | arrows, mouse dragged | right stick |
 //! | run | Shift | L1 |
 //! | open, switch | Space, Enter, right button | cross |
+//! | show the map | Tab | triangle |
 
 mod art;
+mod automap;
 mod goals;
 pub mod ground;
 mod lamps;
@@ -23,7 +25,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use cellray::game::{
-    Button, DAffine3, DVec3, Entry, Frame, Game, Input, Key, Label, Material, MouseButton,
+    Button, DAffine3, DVec3, Entry, Frame, Game, Input, Key, Label, Material, MeshId, MouseButton,
     RenderOptions, Side, Start, View, WalkCamera, World, WorldError,
 };
 use glam::DVec2;
@@ -31,6 +33,7 @@ use levels::{Action, Graphics, Level, Map, Name, Plan, Special, Trigger, Wad, sp
 
 use crate::camera::follow;
 use crate::steps::{STEP, Steps};
+use automap::Automap;
 use goals::Goals;
 use ground::Ground;
 use lamps::Lamps;
@@ -43,6 +46,7 @@ pub const CONTROLS: &[&str] = &[
     "W A S D, left stick: walk; with Shift or L1: run",
     "arrows, mouse dragged, right stick: look around",
     "Space, Enter, right button, cross: open a door, call a lift, press a switch",
+    "Tab, triangle: show or hide the map of what was seen so far",
 ];
 /// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
@@ -80,6 +84,7 @@ pub struct Station {
     movers: Movers,
     lamps: Lamps,
     goals: Goals,
+    automap: Automap,
     /// For each line, whether its special has been set off for the last time.
     spent: Vec<bool>,
     place: DVec2,
@@ -142,13 +147,25 @@ impl Station {
         &self.goals
     }
 
+    /// The map of what was seen.
+    #[must_use]
+    pub fn automap(&self) -> &Automap {
+        &self.automap
+    }
+
     /// Whether the exit was reached.
     #[must_use]
     pub fn has_ended(&self) -> bool {
         self.has_ended
     }
 
-    fn add_level(&mut self, world: &mut World, level: Level) -> Result<(), WorldError> {
+    /// Adds the meshes of a level. Returns those that show a thing of the map which can be taken.
+    fn add_level(
+        &mut self,
+        world: &mut World,
+        level: Level,
+    ) -> Result<Vec<(u32, MeshId)>, WorldError> {
+        let mut things = Vec::new();
         let mut materials = Vec::new();
         for (material, surface) in level.materials.iter().zip(&level.surfaces) {
             let material = Material::from(material);
@@ -161,11 +178,12 @@ impl Station {
             let mesh = has_triangles
                 .then(|| world.add_mesh(Arc::new(part.mesh), &materials, DAffine3::IDENTITY))
                 .transpose()?;
+            things.extend(part.thing.zip(mesh));
             if let Some(plane) = part.moves_with {
                 self.movers.add(&self.ground, plane, mesh);
             }
         }
-        Ok(())
+        Ok(things)
     }
 
     /// Puts the walker somewhere, looking in a direction of the map in degrees from east.
@@ -288,9 +306,11 @@ impl Game for Station {
         };
         self.spent = vec![false; map.lines.len()];
         self.ground = Ground::new(map, plan);
-        self.add_level(world, level)?;
-        self.lamps = Lamps::add(&self.ground, world)?;
-        self.goals = Goals::add(&self.ground, world)?;
+        self.automap = Automap::of(&self.ground);
+        let with_sprites = level.with_sprites.clone();
+        let things = self.add_level(world, level)?;
+        self.lamps = Lamps::add(&self.ground, &with_sprites, world)?;
+        self.goals = Goals::add(&self.ground, &things, world)?;
         let begins = |kind: &u16| self.ground.map.things.iter().find(|thing| thing.kind == *kind);
         if let Some(&begin) = BEGINNINGS.iter().find_map(begins) {
             self.put(begin.place, begin.angle);
@@ -323,6 +343,12 @@ impl Game for Station {
                 self.step(stride);
             }
         }
+        self.automap.look(&self.ground, self.place);
+        let pad = frame.input.pad();
+        if frame.input.key_pressed(Key::Tab) || pad.is_some_and(|pad| pad.pressed(Button::Triangle))
+        {
+            self.automap.is_open = !self.automap.is_open;
+        }
         if !was_at_rest || !self.movers.rest() {
             self.movers.place(&self.ground, world)?;
         }
@@ -348,7 +374,14 @@ impl Game for Station {
     }
 
     fn status(&self) -> String {
-        self.goals.status()
+        let status = self.goals.status();
+        match self.automap.is_open {
+            true => {
+                let map = self.automap.text(&self.ground, self.place, self.turn());
+                format!("{status}\n{map}")
+            }
+            false => status,
+        }
     }
 
     fn labels(&self) -> Vec<Label> {

@@ -14,6 +14,14 @@ pub struct Decoration {
     pub light: Option<[f64; 3]>,
 }
 
+impl Decoration {
+    /// Where its light is from its foot: above its top, so that its own shadow falls down.
+    #[must_use]
+    pub fn light_above(&self) -> DVec3 {
+        DVec3::Y * (self.height + self.radius + 6.0)
+    }
+}
+
 const IRON: [f64; 3] = [0.3, 0.3, 0.32];
 const WOOD: [f64; 3] = [0.35, 0.24, 0.15];
 const WARM: [f64; 3] = [1.0, 0.85, 0.6];
@@ -65,9 +73,8 @@ pub struct Decorations {
 const SIDES: u32 = 8;
 
 impl Decorations {
-    /// Adds a decoration, and returns the place of its light, above its top: its own shadow falls
-    /// down.
-    pub fn add(&mut self, foot: DVec3, kind: Decoration) -> DVec3 {
+    /// Adds a decoration.
+    pub fn add(&mut self, foot: DVec3, kind: Decoration) {
         let Decoration { radius, height, colour, light } = kind;
         let [red, green, blue] = colour;
         let stem = if light.is_some() { 0.4 * radius } else { radius };
@@ -78,7 +85,6 @@ impl Decorations {
         let rings = [[0.0, -1.0], [0.7, -0.7], [1.0, 0.0], [0.7, 0.7], [0.0, 1.0]];
         let rings = rings.map(|[out, up]| [radius * out, height + radius * up]);
         self.turn(foot, &rings, head);
-        foot + DVec3::Y * (height + radius + 6.0)
     }
 
     /// Adds a body of rings around a vertical axis, each with its radius and height.

@@ -3,6 +3,7 @@
 mod driven;
 mod flight;
 mod headless;
+mod maps;
 mod orrery;
 mod physics;
 mod places;

@@ -133,6 +133,34 @@ fn exit_is_reached_with_any_seed() {
     }
 }
 
+/// The map has what the walker can see, and more after it has turned a corner.
+#[test]
+fn map_shows_what_was_seen() {
+    let mut play = Play::new(Station::default(), 1);
+    assert_eq!(play.game.automap().seen(), 0);
+    let lines = play.game.ground().map.lines.len();
+    // Each line is looked for at least once.
+    (0..lines).for_each(|_| play.frame(&[]));
+    let first = play.game.automap().seen();
+    assert!(first > 3 && 2 * first < lines, "{first} of {lines}");
+    let without = play.game.status();
+    play.frame(&[InputEvent::Key { key: Key::Tab, down: true }]);
+    let status = play.game.status();
+    let map = status.strip_prefix(&without).unwrap();
+    let rows: Vec<&str> = map.trim_start().lines().collect();
+    assert_eq!(rows.len(), 22);
+    let arrow = rows[11].chars().nth(22).unwrap();
+    assert!("↑↗→↘↓↙←↖".contains(arrow), "{arrow}");
+    let is_drawn = |letter: &char| ('\u{2801}'..='\u{28ff}').contains(letter);
+    assert!(map.chars().filter(is_drawn).count() > 20, "{map}");
+    let mut walker = Walker::default();
+    for _ in 0..60 * RATE {
+        let events = walker.next(&play.game);
+        play.frame(&events);
+    }
+    assert!(play.game.automap().seen() > first, "{first}");
+}
+
 #[test]
 fn exit_stays_closed_without_crystals() {
     let mut play = Play::new(Station::default(), 0);

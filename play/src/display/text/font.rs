@@ -42,8 +42,24 @@ impl Font {
     pub fn glyph(&mut self, letter: char) -> &Glyph {
         let (font, cell) = (&self.font, self.cell);
         let glyphs = &mut self.glyphs;
-        glyphs.entry(letter).or_insert_with(|| rasterised(font.as_ref(), cell.1, letter))
+        glyphs.entry(letter).or_insert_with(|| {
+            braille(letter, cell).unwrap_or_else(|| rasterised(font.as_ref(), cell.1, letter))
+        })
     }
+}
+
+/// The dots of a letter of Braille, row by row, as the bits of its number. They fill its cell, so
+/// that games can draw with them; the font has none.
+const BRAILLE: [[u32; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+
+fn braille(letter: char, (width, height): (usize, usize)) -> Option<Glyph> {
+    let bits = u32::from(letter).checked_sub(0x2800).filter(|bits| *bits < 0x100)?;
+    let places = (0..height).flat_map(|y| (0..width).map(move |x| (4 * y / height, 2 * x / width)));
+    let share = |(row, column): (usize, usize)| match bits & BRAILLE[row][column] {
+        0 => 0,
+        _ => WHOLE as u8,
+    };
+    Some(Glyph { corner: (0, 0), width, coverage: places.map(share).collect() })
 }
 
 fn rasterised(font: Option<&FontRef<'_>>, height: usize, letter: char) -> Glyph {
@@ -76,6 +92,20 @@ fn rasterised(font: Option<&FontRef<'_>>, height: usize, letter: char) -> Glyph 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Each bit of a number of Braille is an eighth of the cell.
+    #[test]
+    fn braille_fills_its_cell() {
+        let mut font = Font::new(16);
+        let cell = font.cell.0 * 16;
+        let mut drawn = |bits: u32| {
+            let glyph = font.glyph(char::from_u32(0x2800 + bits).expect("a letter"));
+            glyph.coverage.iter().filter(|&&part| part > 0).count()
+        };
+        assert_eq!((drawn(0), drawn(0xff)), (0, cell));
+        assert_eq!((0..8).map(|bit| drawn(1 << bit)).sum::<usize>(), cell);
+        assert!((0..8).all(|bit| drawn(1 << bit) >= 16));
+    }
 
     #[test]
     fn letters_fit_their_cells() {

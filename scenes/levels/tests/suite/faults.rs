@@ -48,7 +48,7 @@ fn damaged_files_are_named() {
     assert_eq!(
         error(whole[..size - 1].to_vec()),
         format!(
-            "made.wad: the directory has 16 lumps from byte {start} on, but the file has only {} bytes",
+            "made.wad: the directory has 19 lumps from byte {start} on, but the file has only {} bytes",
             size - 1
         )
     );
@@ -85,7 +85,7 @@ fn damaged_maps_are_named() {
     wrong("LINEDEFS", &word(14 + 10, 0xffff), "line 1 has no front side");
     wrong("SIDEDEFS", &word(28, 3), "side 0 has sector 3 of 3");
     assert_eq!(without("SECTORS"), "made.wad: lump E1M1 SECTORS: it is missing");
-    assert_eq!(without("E1M1"), "made.wad: there is no map E1M1; the file has F_END");
+    assert_eq!(without("E1M1"), "made.wad: there is no map E1M1; the file has S_END");
     let mut other = lumps();
     other.push(("BEHAVIOR", vec![0]));
     assert_eq!(
@@ -96,6 +96,15 @@ fn damaged_maps_are_named() {
 
 #[test]
 fn damaged_pictures_are_named() {
+    let thing = |change: &dyn Fn(&mut Vec<u8>)| with("COLUA0", change);
+    assert_eq!(
+        thing(&|bytes| bytes.truncate(9)),
+        "made.wad: lump COLUA0: 9 bytes are too few for a patch"
+    );
+    assert_eq!(
+        thing(&word(2, 0)),
+        "made.wad: lump COLUA0: 1 by 0 texels; each must be from 1 to 4096"
+    );
     assert_eq!(
         with("PLAYPAL", |bytes| bytes.truncate(9)),
         "made.wad: lump PLAYPAL: 9 bytes are less than the 768 of a palette"

@@ -25,6 +25,7 @@ fn every_map_of_freedoom_is_read() {
                 level.parts.len(),
                 level.notes
             );
+            assert!(level.with_sprites.len() > 2, "{name}: {:?}", level.with_sprites);
             // Where somebody stands or something lies, there is a floor.
             let outside = map
                 .things

@@ -88,6 +88,28 @@ fn grate_has_holes() {
     assert!(level.notes.is_empty(), "{:?}", level.notes);
 }
 
+/// A lamp's picture of a column of four texels, one of them a hole, is a square of its outline.
+#[test]
+fn things_stand_on_crossed_planes() {
+    let (_, _, level) = level();
+    assert!(level.with_sprites.contains(&2028));
+    let lamp = level.surfaces.iter().position(|it| *it == Surface::Sprite(Name::new("COLUA0")));
+    let mesh = &level.parts[0].mesh;
+    let sides: Vec<[DVec3; 3]> = (0..mesh.triangles.len())
+        .filter(|number| Some(mesh.materials[*number] as usize) == lamp)
+        .map(|number| mesh.places(number))
+        .collect();
+    let normals = sides.iter().map(|[a, b, c]| (*b - *a).cross(*c - *a) / 4.0);
+    let facing = |way: DVec3| normals.clone().filter(|normal| *normal == way).count();
+    for way in [DVec3::X, DVec3::NEG_X, DVec3::Z, DVec3::NEG_Z] {
+        assert_eq!(facing(way), 2, "{way}");
+    }
+    assert_eq!(sides.len(), 8);
+    let foot = DVec3::new(128.0, 0.0, -64.0);
+    let box_around = |place: &DVec3| (*place - foot).abs().max_element() <= 4.0 && place.y >= 0.0;
+    assert!(sides.as_flattened().iter().all(box_around), "{sides:?}");
+}
+
 #[test]
 fn patches_are_drawn_in_columns() {
     let wad = wad();

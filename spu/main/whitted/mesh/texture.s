@@ -95,7 +95,7 @@ next_texture:
         ai      $left,$left,-1
         brnz    $left,next_texture
 
-        # Each level has some of the tiles.
+        # Each level has some of the tiles. Where a texture's begin is checked with each tile.
         ori     $left,$count,0
         load_word $count,FRAME_texture_tiles,$a_frame
 next_level:

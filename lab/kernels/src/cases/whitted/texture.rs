@@ -23,7 +23,7 @@ use crate::description::{Bits, Description, any_bits};
 use crate::flat_records::{point, quad};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, sub};
-use protocol::layout::{self, SIDES_TEXTURED, Surfaces, TEXTURE_SIDE, Texels};
+use protocol::layout::{self, SIDES_TEXTURED, Surfaces, TEXTURE_SIDE, Texels, WRAP_BITS};
 
 /// The angle of a pixel, in the cases and for the errors.
 const ANGLE: f64 = 1e-3;
@@ -130,10 +130,11 @@ pub struct Places {
     pub anything: u32,
 }
 
-/// A texture of 20x36 texels with all of its levels, continued in any way.
+/// A texture of 20x36 texels with all of its levels, continued in any way, whose tiles come after
+/// any number of others.
 fn any_table(random: &mut ChaCha8Rng) -> Table {
     let sizes = [(20, 36), (10, 18), (5, 9), (2, 4), (1, 2), (1, 1)];
-    table(&sizes, random.random_range(0..16))
+    table(&sizes, random.random_range(0..16 << 10))
 }
 
 impl Description for Places {
@@ -242,9 +243,11 @@ impl Description for Places {
     }
 
     fn part(&self, found: &Self::Found) -> [usize; 2] {
-        let last = self.table.levels.last().map_or(0, |level| level.first + level.across);
+        let first = self.table.texture.wraps >> WRAP_BITS;
+        let count = self.table.levels.last().map_or(0, |level| level.first + level.across);
         let texels = found.iter().flatten();
-        [texels.clone().filter(|texel| texel.tile < last).count(), texels.count()]
+        let own = texels.clone().filter(|texel| (first..first + count).contains(&texel.tile));
+        [own.count(), texels.count()]
     }
 }
 
