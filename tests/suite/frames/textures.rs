@@ -7,6 +7,7 @@ use cellray::EngineError;
 use image::RgbImage;
 use protocol::layout::{
     EYE_CODE_CAPACITY, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
+    WRAP_BITS,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -15,6 +16,7 @@ use scenes::{Texture, Wrap};
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
 
 /// Words of a texture's and a level's record.
+const WRAPS: usize = 3;
 const LAST: usize = 1;
 const ACROSS: usize = 2;
 const FIRST: usize = 3;
@@ -85,9 +87,7 @@ fn invalid_texture_fields_are_refused() {
         ("texture_records", "of the scene", |frame| {
             frame.texture_records = (SCENE_ADDRESS - 16).into()
         }),
-        ("texture_records", "among its tiles", |frame| {
-            frame.texture_tiles = (frame.texture_tiles.get() - 1).into()
-        }),
+        ("texture_records", "among its tiles", |frame| frame.texture_tiles = 1.into()),
         ("texture_records", "one of the textures", |frame| {
             frame.texture_records = (frame.texture_records.get() + 16).into()
         }),
@@ -150,6 +150,7 @@ fn invalid_texture_records_are_refused() {
         ("levels anywhere", texture(0), u32::MAX),
         ("too many levels", texture(LAST), count),
         ("levels without number", texture(LAST), u32::MAX),
+        ("tiles of a texture after the last", texture(WRAPS), tiles << WRAP_BITS),
         ("no width", level(0), 0),
         ("a negative width", level(0), (-50.0_f32).to_bits()),
         ("a large width", level(0), 4097.0_f32.to_bits()),

@@ -46,12 +46,14 @@ pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
         mesh: None,
         heights: None,
         height_map: None,
-        fog: random.random_bool(0.3).then(|| Fog {
-            colour: vector(random, 1.0).abs(),
-            density: random.random_range(0.0..0.3) / scale,
-        }),
+        fog: None,
     };
-    // Without a random number, so that the scenes are the same ones as without skies.
+    // Without a random number, so that the scenes are the same ones as without fog and skies.
+    scene.fog = scene
+        .objects
+        .len()
+        .is_multiple_of(5)
+        .then(|| Fog { colour: scene.background.yzx(), density: 0.15 / scale });
     scene.sky = scene
         .objects
         .len()
