@@ -32,7 +32,7 @@ enum Command {
         folder: PathBuf,
     },
     #[command(flatten)]
-    Tracer(cli::Command),
+    Tracer(Box<cli::Command>),
 }
 
 /// Runs the program's command line. Returns the exit code.
@@ -40,14 +40,16 @@ enum Command {
 pub fn main() -> ExitCode {
     match Arguments::parse().command {
         // It reads the same command line again, and prints its own errors.
-        Command::Tracer(cli::Command::Play(_) | cli::Command::View(_) | cli::Command::Show(_)) => {
-            cellray_play::main(games::GAMES)
-        }
+        Command::Tracer(command) if is_of_play(&command) => cellray_play::main(games::GAMES),
         command => run(&command).unwrap_or_else(|error| {
             messages::print!("cellray: error: {error}");
             ExitCode::FAILURE
         }),
     }
+}
+
+fn is_of_play(command: &cli::Command) -> bool {
+    matches!(command, cli::Command::Play(_) | cli::Command::View(_) | cli::Command::Show(_))
 }
 
 fn run(command: &Command) -> Result<ExitCode, Failure> {

@@ -53,8 +53,8 @@ pub(super) fn create(path: &CStr, flags: c_uint, neighbor: Option<RawFd>) -> io:
         libc::syscall(SPU_CREATE, path.as_ptr(), flags as c_long, MODE, c_long::from(neighbor))
     };
     match RawFd::try_from(result) {
-        // SAFETY: the descriptor was just created, and nothing else owns it.
         Ok(raw) if raw >= 0 => {
+            // SAFETY: the descriptor was just created, and nothing else owns it.
             let directory = unsafe { OwnedFd::from_raw_fd(raw) };
             // A program that this one executes must not keep the context. If it fails, it does.
             // SAFETY: the call takes no pointers.
