@@ -100,8 +100,8 @@ impl Engine {
         self.records.as_ref()?.framebuffer.picture()
     }
 
-    /// The blocks of the last frame's mesh that the SPUs have refitted or built; `None` if they have
-    /// not.
+    /// The blocks of the last frame's mesh that the SPUs have refitted or built; `None` if they
+    /// have not.
     #[must_use]
     pub fn made_blocks(&self) -> Option<Vec<u8>> {
         self.records.as_ref()?.made_blocks()

@@ -32,8 +32,8 @@ pub(super) struct Sort {
 }
 
 impl Sort {
-    /// Takes a mesh with this maximum number of blocks. The memory of the one before it is used again
-    /// if it is large enough.
+    /// Takes a mesh with this maximum number of blocks. The memory of the one before it is used
+    /// again if it is large enough.
     pub fn new(before: Option<Self>, mesh: &Arc<SortedMesh>, blocks: u32) -> Self {
         let bytes = |count: u32, size: usize| count as usize * size;
         let sorted = bytes(mesh.count(), size_of::<BuildTriangle>());

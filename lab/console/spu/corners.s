@@ -282,8 +282,8 @@ wait:   il      $24,1
         rdch    $24,$ch24
         bi      $0
 
-# Issues the command $23 with tag 0 for $22 bytes, between local store at $21 and the low word $20 of
-# the effective address, or the address of a list.
+# Issues the command $23 with tag 0 for $22 bytes, between local store at $21 and the low word $20
+# of the effective address, or the address of a list.
 transfer:
         il      $24,0
         wrch    $ch16,$21

@@ -30,8 +30,8 @@ pub struct Comparison {
 }
 
 /// Compares a report with the model, with the list of facts, and with the pictures of this
-/// machine. `folder` has the folder `scenes`. With `frames`, frames a second are compared, too; this
-/// process must then run in simulated time.
+/// machine. `folder` has the folder `scenes`. With `frames`, frames a second are compared, too;
+/// this process must then run in simulated time.
 ///
 /// # Errors
 /// It is no report, its checksum is wrong, or a line can't be read.

@@ -111,8 +111,8 @@ impl Words {
         whole(self.moved(|| file.write(&bytes)))
     }
 
-    /// Reads or writes, and again if a signal ends the call of a file that does not wait: the kernel
-    /// does that, whatever the signal's flags, while it moves the context to or from an SPE.
+    /// Reads or writes, and again if a signal ends the call of a file that does not wait: the
+    /// kernel does that, whatever the signal's flags, while it moves the context to or from an SPE.
     fn moved(&self, mut call: impl FnMut() -> io::Result<usize>) -> io::Result<usize> {
         let may_wait = matches!(self.name.to_bytes(), b"ibox" | b"wbox" | b"mfc")
             && self.flags & libc::O_NONBLOCK == 0;

@@ -21,8 +21,9 @@ use protocol::layout::MAX_SPHERES;
 /// From this number of moved vertices on, SPUs refit a mesh. The number is chosen, not measured.
 const SPUS_REFIT: usize = 1000;
 
-/// From this number of pictures in a row on that need a new tree, SPUs build it. They take a tenth of
-/// the time that the PPU does, but rays make more tests with it, so a tree that lasts is not theirs.
+/// From this number of pictures in a row on that need a new tree, SPUs build it. They take a tenth
+/// of the time that the PPU does, but rays make more tests with it, so a tree that lasts is not
+/// theirs.
 const SHORT_LIVED: u32 = 3;
 
 impl WorldMaterial {

@@ -37,8 +37,8 @@ impl MovedVertices {
     /// The most vertices.
     pub(super) const MOST: usize = 1 << 24;
 
-    /// Writes the vertices of a mesh, and returns the box around them. `None` if those with a normal
-    /// of 0 are not these. In memory for as many vertices nothing is allocated.
+    /// Writes the vertices of a mesh, and returns the box around them. `None` if those with a
+    /// normal of 0 are not these. In memory for as many vertices nothing is allocated.
     pub(super) fn write(&mut self, mesh: &Mesh, flat: &[u32]) -> Option<Bounds> {
         let vertices = &mesh.positions;
         let count = vertices.len().div_ceil(8);

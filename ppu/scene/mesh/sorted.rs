@@ -287,8 +287,8 @@ pub(crate) fn ranges(triangles: u32, code: impl Fn(u32) -> u32) -> (Vec<BuildUni
     (units, words)
 }
 
-/// Makes the blocks above leaf blocks, whose numbers are the pieces' indices, and calls `store` with
-/// the number and the bytes of each.
+/// Makes the blocks above leaf blocks, whose numbers are the pieces' indices, and calls `store`
+/// with the number and the bytes of each.
 pub(super) fn join(leaves: Vec<Piece>, store: impl FnMut(usize, &[u8])) {
     let nothing = Mesh::default();
     let count = leaves.len();

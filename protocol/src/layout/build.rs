@@ -48,7 +48,8 @@ record! {
         low: [U32; 3],
         /// A power of 2.
         scale: F32,
-        /// A code has bits 0 to 9 of a cell less the smallest one, after a shift to the right by this.
+        /// A code has bits 0 to 9 of a cell less the smallest one, after a shift to the right by
+        /// this.
         shift: U32,
         /// 0.
         reserved: [U32; 11],
@@ -60,7 +61,8 @@ record! {
     BuildUnit as "BUILD_UNIT" {
         /// Number of the first one. The others follow it.
         first: U32,
-        /// With `BUILD_REFIT` the blocks, 1 to `BUILD_LEAVES`; with `BUILD_PACK` the most, 1 to 255.
+        /// With `BUILD_REFIT` the blocks, 1 to `BUILD_LEAVES`; with `BUILD_PACK` the most, 1 to
+        /// 255.
         count: U32,
         /// The first of the words that list their vertices, or the parts of sorted chunks that have
         /// their triangles, in the same form but without their number; a multiple of 4.

@@ -89,8 +89,8 @@ record! {
         trees: [Bvh; 4],
         /// Brightness of the ambient light: red, green, blue, 0.
         ambient: [F32; 4],
-        /// The density of the fog, times the logarithm of e with the base 2; its red, green, blue. A
-        /// density of 0 is none.
+        /// The density of the fog, times the logarithm of e with the base 2; its red, green, blue.
+        /// A density of 0 is none.
         fog: [F32; 4],
         /// The eye in the scene's coordinates: x, y, z, 0; for shaders.
         eye: [F32; 4],

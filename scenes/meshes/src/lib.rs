@@ -55,9 +55,9 @@ pub struct Loaded {
     pub notes: Vec<String>,
 }
 
-/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf` `.glb`,
-/// `.png`, `.hgt` or `.npy`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of 2^LEVEL by 2^LEVEL squares,
-/// or anything that [`scenes::load`] accepts.
+/// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf`
+/// `.glb`, `.png`, `.hgt` or `.npy`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of
+/// 2^LEVEL by 2^LEVEL squares, or anything that [`scenes::load`] accepts.
 ///
 /// # Errors
 /// There is no such file or generated scene, the file can't be read, or isn't of the format of its

@@ -15,8 +15,9 @@ pub struct Sky {
     pub up: DVec3,
 }
 
-/// Fog (`#cellray fog`): of what a surface sends, exp(-density distance) arrives at the eye or where
-/// the ray has come from, and the rest is the fog's colour. What is beyond all surfaces has none.
+/// Fog (`#cellray fog`): of what a surface sends, exp(-density distance) arrives at the eye or
+/// where the ray has come from, and the rest is the fog's colour. What is beyond all surfaces has
+/// none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fog {
     /// Red, green and blue from 0 to 1.

@@ -344,7 +344,8 @@ fn objects_are_refused(scene: &scenes::Scene, kind: u32, size: u32) {
 /// Whatever a block has, the SPU replies: it refuses the block, or draws its content.
 #[test]
 fn any_block_is_drawn_or_refused() {
-    // With its cache there, a damaged sphere leads to numbers of blocks that the mesh does not have.
+    // With its cache there, a damaged sphere leads to numbers of blocks that the mesh does not
+    // have.
     for (scene, lower) in [(scene(), 0), (spheres(), 256), (cones(), 0)] {
         any_block_of(&scene, lower);
     }

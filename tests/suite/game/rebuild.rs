@@ -142,8 +142,8 @@ fn coordinates_may_be_huge_or_tiny() {
     }
 }
 
-/// Without a choice, SPUs build the trees of a world whose triangles are others in each picture. The
-/// last of these does not stay.
+/// Without a choice, SPUs build the trees of a world whose triangles are others in each picture.
+/// The last of these does not stay.
 #[test]
 fn a_world_that_needs_new_trees_has_them_built_by_the_spus() {
     let program = Program::tracer();

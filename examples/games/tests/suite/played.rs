@@ -1,5 +1,5 @@
-//! Replays a recorded game of eight-ball, recorded walks, waves and a flight to their ends. `MAKE_REF=1`
-//! plays and records others.
+//! Replays a recorded game of eight-ball, recorded walks, waves and a flight to their ends.
+//! `MAKE_REF=1` plays and records others.
 
 mod player;
 
