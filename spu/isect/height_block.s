@@ -83,8 +83,8 @@ targets:
         .int    0x00010203,0x00010203,0x04050607,0x04050607
         .int    0x08090a0b,0x08090a0b,0x0c0d0e0f,0x0c0d0e0f
         .int    0x10111213,0x10111213,0x10111213,0x10111213
-# For each four vertices, where in the scratch their samples, those of the next level, and the places
-# of their columns and of their row are.
+# For each four vertices, where in the scratch their samples, those of the next level, and the
+# places of their columns and of their row are.
 # After the last ones anything is read.
 passes:
     .irp row, 0,1,2,3,4

@@ -100,6 +100,18 @@ sum_call:
         leave
 endfunction batch_trace
 
+# The addresses of packet w_left and of its surfaces.
+.macro  packet_at packet:req, surfaces:req, t:req
+        il      \t,RAYS16_SIZE
+        mpyu    \packet,$w_left,\t
+        lqa     \t,rays_at
+        a       \packet,\packet,\t
+        il      \t,SURFACES_SIZE
+        mpyu    \surfaces,$w_left,\t
+        lqa     \t,surfaces_at
+        a       \surfaces,\surfaces,\t
+.endm
+
 # batch_fog   puts the fog between the batch's surfaces and where its rays have started
 #   Uses    $3-$30, w_left
         .set    mask,10
@@ -111,14 +123,7 @@ function batch_fog
         ori     $w_left,$w_count,0
 next_fog:
         ai      $w_left,$w_left,-1
-        il      $step,RAYS16_SIZE
-        mpyu    $4,$w_left,$step
-        lqa     $step,rays_at
-        a       $4,$4,$step
-        il      $step,SURFACES_SIZE
-        mpyu    $3,$w_left,$step
-        lqa     $step,surfaces_at
-        a       $3,$3,$step
+        packet_at $4,$3,$step
         ila     $beyond,SCENE_ADDRESS
         ila     $5,fog_mask
     .irp row, 0,1,2,3
@@ -233,14 +238,7 @@ endfunction surfaces_make
 #   Uses    $3-$79, w_left
 
 .macro  packet_and_surfaces
-        il      $offset,RAYS16_SIZE
-        mpyu    $3,$w_left,$offset
-        lqa     $offset,rays_at
-        a       $3,$3,$offset
-        il      $offset,SURFACES_SIZE
-        mpyu    $4,$w_left,$offset
-        lqa     $offset,surfaces_at
-        a       $4,$4,$offset
+        packet_at $3,$4,$offset
         lqd     $flags,SURFACES_flags($4)
 .endm
 
