@@ -9,7 +9,7 @@
 #           $3 end of the list
 #   Uses    $3-$4, $10-$35   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; distances from 2^-60 to 2^60;
-#           OBJECT_leave at least 2^-20 of the sum of the centre's components' magnitudes
+#           OBJECT_leave at least 2^-22 of the sum of the centre's components' magnitudes
 #   Error   0: no candidate is left out whose plane a ray meets from a side that is seen, by the
 #           numbers of the records
 #   Twin    lab/twins/src/cull_faces.rs
@@ -17,7 +17,7 @@
 # With n the object's axis:
 #   g = axis.n                  all rays go with n if g > sine, and all against it if -g > sine
 #   h = (apex - centre).n       all start in front of the plane if h > M, and at its back if -h > M
-#   M = radius + leave          starts within rounding of the plane count as on both sides
+#   M = radius + 4 leave        starts within rounding of the plane count as on both sides
 # The front is hit by rays that start in front of it and go against n. A one-sided candidate is
 # therefore culled if all rays go with n, or if all start at the back. A candidate with SIDES_BOTH
 # is culled if all rays go with n and start in front, or if all go against it and start at the back.
@@ -33,7 +33,7 @@
         # constants
         .set    NEXT,10
         registers k_along
-        registers k_leave                               # by lanes: 0, 1
+        registers k_leave                               # by lanes: 0, 4
         registers k_sixteen,m_first,m_third,m_outer,m_inner,m_w
         # state
         registers a_candidate
@@ -64,7 +64,7 @@ outer_words:
 inner_words:
         .int    0x04050607,0x10111213,0x80808080,0x80808080
 leave_by_lane:
-        .float  0,1,0,0
+        .float  0,4,0,0
 
 function cull_faces
         ori     $a_candidate,$a_first,0

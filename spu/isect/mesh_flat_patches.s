@@ -129,7 +129,7 @@ function mesh_flat_patches
         ilhu    $k_sign,0x8000
         ilhu    $k_half,0x3f00
         ilhu    $k_one,0x3f80
-        ilhu    $k_leave,0x3580                         # 2^-20
+        ilhu    $k_leave,0x3600                         # 2^-19
         il      $k_zero,0
         fsmbi   $m_xyz,0xfff0
         splat   $a_materials,$a_materials,$m_splat

@@ -7,15 +7,15 @@
 #           $3 rays that hit something, a count a lane
 #   Uses    $3-$77   Saves  -   Stack  0   Calls  -
 #   Domain  the rays' objects are addresses of objects, also of rays that are not there; |d| = 1
-#           within 4 ulp, t below 2^20; OBJECT_leave is 2^-20 (|centre x| + |centre y| + |centre z|
+#           within 4 ulp, t below 2^20; OBJECT_leave is 2^-22 (|centre x| + |centre y| + |centre z|
 #           + |offset|)
-#   Error   0.15 of SURFACES_leave, distance of a point from its surface; normals 2^-23 + leave/(4
-#           r), each component, r the distance from the axis or the centre
+#   Error   0.6 of SURFACES_leave, distance of a point from its surface; normals 2^-23 + leave/r,
+#           each component, r the distance from the axis or the centre
 #   Twin    lab/twins/src/surfaces.rs
 #
-# leave = OBJECT_leave + 2^-20 (|Px| + |Py| + |Pz|), which is 8 ulp of every number that a hit is
-# computed from. In 240000 tries, rays that started at an eighth of it from spheres and planes did
-# not meet them again, even along the surface. Of those that started at a sixteenth, 1 in 2400 did.
+# leave = OBJECT_leave + 2^-22 (|Px| + |Py| + |Pz|), which is 2 ulp of every number that a hit is
+# computed from. In 240000 tries, rays that started at half of it from spheres and planes did not
+# meet them again, even along the surface. Of those that started at a quarter, 1 in 2400 did.
 #
 # The odd pipe is the bound. Of its 111 instructions, 34 load and store rays and surfaces, 28
 # gather the quadwords of objects and materials, and 6 compute their addresses. Transposing four

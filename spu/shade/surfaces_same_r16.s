@@ -8,7 +8,7 @@
 #   Uses    $3-$6, $7-$77   Saves  -   Stack  0   Calls  -
 #   Domain  that of surfaces_r16; in a packet all rays have the same object, also those that are
 #           not there
-#   Error   0.15 of SURFACES_leave, distance of a point from its surface
+#   Error   0.6 of SURFACES_leave, distance of a point from its surface
 #   Twin    lab/twins/src/surfaces.rs
 #
 # Splats replace the gathers. same_objects_r16 finds the packets for which this is possible.

@@ -4,7 +4,10 @@
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 
 use super::bound::Bound;
-use super::{ONE, Single, ZERO, below_zero};
+use super::{Single, ZERO, below_zero};
+
+/// The single 4.
+const FOUR: Single = 0x4080_0000;
 
 /// The properties of a flat object that decide whether rays may meet it.
 #[derive(Clone, Copy, Debug)]
@@ -30,7 +33,7 @@ pub fn may_meet(bound: &Bound, face: &Face, along: Single) -> bool {
     let g = dot_normal(bound.axis);
     let h = dot_normal(std::array::from_fn(|k| fs(bound.apex[k], face.point[k])));
     let sine = fa(ZERO, bound.sine);
-    let near = fma(face.leave, ONE, bound.radius);
+    let near = fma(face.leave, FOUR, bound.radius);
     let (with, before) = (fnms(g, along, sine), fnms(h, along, near));
     let (against, beyond) = (fma(g, along, sine), fma(h, along, near));
     let within = |of_front: Single, of_both: Single| {

@@ -8,8 +8,8 @@ use super::flat::SIGN;
 use super::math::{recip_interpolated, rsqrt};
 use super::triangle::Triangle;
 
-/// 2^-20.
-const LEAVE: Single = 0x3580_0000;
+/// 2^-19, as large as the slack of boxes.
+const LEAVE: Single = 0x3600_0000;
 
 /// Gives each triangle of a mesh that a packet's rays have hit a patch. Returns what the rays have
 /// as their objects after that, and the objects of the patches, which are `size` apart from `first`

@@ -7,8 +7,8 @@ use super::math::rsqrt;
 use super::{Single, below_zero, select};
 use zerocopy::FromBytes;
 
-/// The share in `leave` of coordinates' distance from 0 and of an object's own numbers: 2^-20.
-pub const LEAVE: Single = 0x3580_0000;
+/// The share in `leave` of coordinates' distance from 0 and of an object's own numbers: 2^-22.
+pub const LEAVE: Single = 0x3480_0000;
 
 /// A single's sign.
 const SIGN: u32 = 0x8000_0000;

@@ -270,8 +270,9 @@ impl Light {
     /// A shadow ray's direction is from the point on the surface to the light, but the ray starts
     /// off the surface. So it misses the light by the same offset, at most three times `leave`.
     /// The rounding of its direction and length adds four units in the last place of the distance.
-    /// That is at most twice `leave` more, and a quarter of the slack of 2^-18 that `cull_nodes`
-    /// allows relative to the light's coordinates.
+    /// That is at most eight times `leave` more, and a quarter of the slack of 2^-18 that
+    /// `cull_nodes` allows relative to the light's coordinates. The rest of the 32 times `leave`
+    /// is the slack for the point.
     pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
         let (position, falloff) = match self.kind {
             LightKind::Point { position, range } => {
@@ -283,7 +284,7 @@ impl Light {
         layout::Light {
             position: singles(position),
             falloff: falloff.into(),
-            near: single(SLACK * taxicab(position) + 8.0 * leave),
+            near: single(SLACK * taxicab(position) + 32.0 * leave),
             ..self.record
         }
     }

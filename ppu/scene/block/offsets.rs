@@ -145,7 +145,7 @@ mod tests {
         for ground in [
             "s 0 -1000000 0 1000000",
             "p 4\n-1e6 0 -1e6\n-1e6 0 1e6\n1e6 0 1e6\n1e6 0 -1e6",
-            "s 0 -100000 0 100000",
+            "s 0 -400000 0 400000",
         ] {
             let note = offset_note(&with(ground)).unwrap_or_else(|| panic!("none for {ground}"));
             assert!(note.starts_with("balls.nff:12: "), "{note}");
@@ -153,12 +153,12 @@ mod tests {
             assert!(!note.contains("more"), "{note}");
         }
         let note = offset_note(&with("s 0 -1000000 0 1000000")).unwrap();
-        assert!(note.contains("this sphere 1.91 off"), "{note}");
+        assert!(note.contains("this sphere 0.477 off"), "{note}");
     }
 
     #[test]
     fn ordinary_ground_loses_no_shadows() {
-        for ground in ["s 0 -1000 0 1000", "s 0 -10000 0 10000"] {
+        for ground in ["s 0 -1000 0 1000", "s 0 -100000 0 100000"] {
             assert_eq!(offset_note(&with(ground)), None, "{ground}");
         }
     }

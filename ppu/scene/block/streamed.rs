@@ -16,7 +16,7 @@ use super::bytes::Block;
 use super::error::BlockError;
 use super::material_table::MaterialTable;
 use super::materials::Surfacing;
-use super::objects::{self, LEAVE, taxicab};
+use super::objects::{self, taxicab};
 use super::primitive::Primitive;
 use super::source_location::SourceLocation;
 use crate::scene::colour::Colour;
@@ -29,6 +29,9 @@ use crate::scene::render_options::{BuildBy, RefitBy, RenderOptions};
 use crate::scene::single::singles;
 use crate::scene::texture::Textures;
 
+/// As `Object::leave`, for what is in blocks. Rays that leave a flat face thus start outside its
+/// box, whose slack is as large, and skip the boxes of all that lies in its plane.
+const LEAVE: f64 = 1.0 / (1 << 19) as f64;
 /// The minimum capacity of the cache, in blocks.
 const MIN_SLOTS: usize = 6;
 
@@ -314,7 +317,7 @@ impl Streamed {
         self.wasted_pictures < f64::from(most)
     }
 
-    /// The largest origin offset of its triangles, as `Object::leave` has it for one.
+    /// The largest origin offset of its triangles, as the SPUs compute it for one.
     pub fn leave(&self, eye: DVec3) -> f64 {
         let [low, high] = self.bounds;
         let farthest = (low - eye).abs().max((high - eye).abs());

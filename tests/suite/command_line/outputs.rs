@@ -179,7 +179,7 @@ fn ground_too_large_for_its_shadows_is_noted() {
         fs::write(&file, scene(radius)).unwrap();
         for arguments in [&["render", name, "--out", "none"][..], &on_framebuffer] {
             let (_, said) = good(arguments);
-            let note = format!("cellray: note: {name}:11: rays leave this sphere 1.9");
+            let note = format!("cellray: note: {name}:11: rays leave this sphere 0.47");
             assert_eq!(said.contains(&note), is_noted, "{said}");
             assert_eq!(said.contains("in line 10, 2 across"), is_noted, "{said}");
         }

@@ -107,7 +107,7 @@ fn spheres() {
     assert_eq!(wide(outside.centre), DVec3::new(1.0, 2.0, 3.0));
     assert_eq!(wide(outside.axis), DVec3::ZERO);
     assert_eq!(surface(&outside), ([1.0, 0.0, 4.0], 0));
-    assert_eq!(outside.leave.get(), 10.0 / (1 << 20) as f32);
+    assert_eq!(outside.leave.get(), 10.0 / (1 << 22) as f32);
     let inside = head("s 1 2 3 -4\n");
     assert_eq!(surface(&inside), ([-1.0, 0.0, -4.0], SIDES_EXIT));
     let glass = "f 1 1 1 0 0 0 1 1.5\n";
@@ -136,7 +136,7 @@ fn parallelograms() {
         assert!(off < 1e-6, "{found:?}");
     }
     // The corner's sum of magnitudes is 6; the edges extend up to 3 + 3 from it.
-    assert_eq!(head.leave.get(), 12.0 / (1 << 20) as f32);
+    assert_eq!(head.leave.get(), 12.0 / (1 << 22) as f32);
 }
 
 #[test]

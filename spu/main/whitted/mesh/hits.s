@@ -141,7 +141,7 @@ same_block:
         a       $a_faces,$a_faces,$a_vertices
 made_of_block:
         ilhu    $k_sign,0x8000
-        ilhu    $k_leave,0x3580                         # 2^-20
+        ilhu    $k_leave,0x3600                         # 2^-19
         andi    $index,$all_hit,(1<<7)-1
         brnz    $of_objects,object
         # Its vertices, relative to the eye.

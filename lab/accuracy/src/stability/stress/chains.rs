@@ -31,7 +31,7 @@ use crate::truth::Vector;
 const ULP: f64 = 1.0 / (1 << 23) as f64;
 /// How much `OBJECT_leave` and the rounding of a point's coordinates add to a ray's distance from
 /// the surface, relative to each.
-const LEAVE: f64 = 8.0 * ULP;
+const LEAVE: f64 = 2.0 * ULP;
 /// The number of packets in a call.
 const PACKETS: usize = 4;
 /// The number of words of a ray.
@@ -113,7 +113,7 @@ impl Arrangement {
     }
 
     fn noise(self) -> Result<Noise, StatementError> {
-        const NORMALS: &str = "normals 2^-23 + leave/(4 r), each component";
+        const NORMALS: &str = "normals 2^-23 + leave/r, each component";
         if !states("surfaces_r16", NORMALS) {
             return Err(StatementError::NoNumber {
                 kernel: "surfaces_r16".to_owned(),
@@ -127,7 +127,7 @@ impl Arrangement {
         let height = stated("surfaces_r16", "")? * leave;
         // Distances of up to 2 have the ulps of 2.
         let distance = 2.0 * ULP * stated("isect_sphere_pairs_r16", "")?;
-        let normal = components * (ULP + leave / 4.0);
+        let normal = components * (ULP + leave);
         let direction = components * ULP * stated("reflect_r16", "")?;
         Ok(Noise { place: height + distance * self.sine(), angle: 2.0 * normal + direction, leave })
     }

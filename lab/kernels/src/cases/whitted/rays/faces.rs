@@ -26,7 +26,7 @@ use protocol::layout::{self, Candidate, Object};
 
 /// How much an object's numbers add to `leave`, as a share of the magnitudes of its centre's
 /// components.
-const LEAVE: f64 = 1.0 / (1 << 20) as f64;
+const LEAVE: f64 = 1.0 / (1 << 22) as f64;
 
 /// The word of the first candidate's packet. The others count from it.
 const FIRST: u32 = 0x5000_0000;

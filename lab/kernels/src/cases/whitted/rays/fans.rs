@@ -104,7 +104,7 @@ pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let size = scale * magnitude(1e-5..1.0, random);
     let taxicab = |vector: Vector| vector.iter().map(|component| component.abs()).sum::<f64>();
     // The value that an object with this reach around the place would have.
-    let leave = (taxicab(place) + 3.0 * size) / f64::from(1 << 20);
+    let leave = (taxicab(place) + 3.0 * size) / f64::from(1 << 22);
     let rays = std::array::from_fn(|_| {
         let point = moved(place, in_cube(1.0, random), size);
         let origin = moved(point, any_direction(random), 2.7 * leave);
@@ -113,7 +113,7 @@ pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
         let is_there = random.random_range(0..8) > 0;
         Ray { t: if is_there { t } else { ABSENT }, ..ray(origin, to_light, t) }
     });
-    let near = 2.0 * taxicab(light) / f64::from(1 << 18) + 8.0 * leave;
+    let near = 2.0 * taxicab(light) / f64::from(1 << 18) + 32.0 * leave;
     let point = Point { place: light.map(from_f64), near: from_f64(near), along: from_f64(-1.0) };
     (rays, point)
 }

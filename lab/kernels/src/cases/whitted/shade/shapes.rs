@@ -12,7 +12,7 @@ use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 
 /// How much the numbers of an object, and the coordinates of a point, add to the origin offset of
 /// a ray, relative to their magnitude.
-pub const LEAVE: f64 = 1.0 / (1 << 20) as f64;
+pub const LEAVE: f64 = 1.0 / (1 << 22) as f64;
 /// The error of a hit's distance, in roundings of the larger of the distance and the object's
 /// size.
 const ROUNDINGS: f64 = 16.0;
