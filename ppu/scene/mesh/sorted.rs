@@ -66,6 +66,10 @@ impl Grid {
                 code |= (cell >> bit & 1) << (3 * bit + 2 - axis);
             }
         }
+        // Its place among the Gray codes.
+        for bits in [1, 2, 4, 8, 16] {
+            code ^= code >> bits;
+        }
         code
     }
 }

@@ -109,6 +109,12 @@ fn shown(mesh: &Mesh) -> Option<image::RgbImage> {
     made.map(|_| spus)
 }
 
+/// Few triangles are in local store, where nothing is built.
+#[test]
+fn there_may_be_one_triangle() {
+    assert!(shown(&soup(1)).is_none());
+}
+
 /// Copies of one triangle, in no order with triangles that have no area. The picture is that of the
 /// one.
 #[test]
