@@ -2,7 +2,7 @@
 //! frames in simulated time, and the host's time for the scene. What SPUs take to refit them and
 //! to build new ones. The host's time for scenes of objects that move, and frames of spheres.
 //!
-//!     cargo bench --bench refit [-- meshes|spus|objects|spheres]
+//!     cargo bench --bench refit [-- meshes|spus|limit|objects|spheres]
 
 #![expect(clippy::print_stdout, reason = "a benchmark has nothing to lose but its output")]
 
@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let wanted = |name: &str| {
         let mut names = std::env::args()
-            .filter(|it| ["meshes", "spus", "objects", "spheres"].contains(&it.as_str()));
+            .filter(|it| ["meshes", "spus", "limit", "objects", "spheres"].contains(&it.as_str()));
         names.next().is_none_or(|first| first == name)
     };
     if wanted("meshes") {
@@ -70,6 +70,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     if wanted("spus") {
         spus()?;
+    }
+    if wanted("limit") {
+        limit()?;
     }
     if wanted("objects") {
         objects()?;
@@ -145,16 +148,7 @@ fn spus() -> Result<(), Box<dyn Error>> {
     let squares = [64, 128, 256].map(|side| ("square", square(side)));
     for (name, mesh) in rings.into_iter().chain(squares) {
         let mesh = Arc::new(mesh);
-        let world = |build_by| -> Result<World, WorldError> {
-            let mut world = World::new();
-            let (refit_by, build_by) = (Some(RefitBy::Spus), Some(build_by));
-            world.set_render_options(RenderOptions { refit_by, build_by, ..Default::default() });
-            world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
-            world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
-            let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
-            world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY)?;
-            Ok(world)
-        };
+        let world = |build_by| world_of(&mesh, RefitBy::Spus, build_by);
         let [mut refitted, mut built] = [world(BuildBy::PpuSurfaces)?, world(BuildBy::SpuCodes)?];
         let program = Settings::default().program;
         let leaves = refitted.scene(&program)?.block().and_then(SceneBlock::mesh);
@@ -176,6 +170,58 @@ fn spus() -> Result<(), Box<dyn Error>> {
         );
     }
     Ok(())
+}
+
+/// Frames of a ring that turns: after the PPU has refitted it, which finds the places that stay as
+/// they are, and after SPUs have.
+fn limit() -> Result<(), Box<dyn Error>> {
+    println!(
+        "| vertices | a frame after the PPU has refitted them, ms | six SPUs refit them, ms | \
+         a frame with that, ms |"
+    );
+    println!("|---|---|---|---|");
+    for (along, around) in [(20, 15), (30, 20), (40, 25), (60, 40), (100, 50), (250, 100)] {
+        let mesh = Arc::new(ring(along, around, 0.3));
+        print!("| {} |", mesh.positions.len());
+        for by in [RefitBy::Ppu, RefitBy::Spus] {
+            let mut world = world_of(&mesh, by, BuildBy::PpuSurfaces)?;
+            let settings = Settings { spus: SPUS, ..Settings::default() };
+            let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+            let mut engine = Engine::start(settings, Box::new(picture))?;
+            let id = world.meshes().next().ok_or("the world has no mesh")?;
+            let mut report = Report::new("refit", SIZE, SPUS);
+            let mut refit = 0;
+            for number in 0..9 {
+                world.place_mesh(id, turned(0.01 * f64::from(number)))?;
+                let scene = world.scene(&Settings::default().program)?;
+                let traced = engine.render(scene, &mut |_| {})?;
+                // The tiles' costs are not measured yet in the first frames.
+                if number >= 2 {
+                    refit += traced.refit;
+                    report.add(traced);
+                }
+            }
+            if by == RefitBy::Spus {
+                let ticks = refit as f64 / f64::from(report.frames);
+                print!(" {:.3} |", 1e3 * ticks / TIMEBASE);
+            }
+            print!(" {:.2} |", 1e3 / report.frames_per_second);
+        }
+        println!();
+    }
+    Ok(())
+}
+
+/// A world with a mesh, refitted and built in these ways.
+fn world_of(mesh: &Arc<Mesh>, refit_by: RefitBy, build_by: BuildBy) -> Result<World, WorldError> {
+    let mut world = World::new();
+    let (refit_by, build_by) = (Some(refit_by), Some(build_by));
+    world.set_render_options(RenderOptions { refit_by, build_by, ..Default::default() });
+    world.look_from([0.0, 5.0, 11.0], [0.0; 3])?;
+    world.add_light(Light::at(DVec3::new(6.0, 9.0, 7.0)))?;
+    let red = world.add_material(Material::matte(0.9, 0.3, 0.2))?;
+    world.add_mesh(mesh.clone(), &[red], DAffine3::IDENTITY)?;
+    Ok(world)
 }
 
 /// Ticks that six SPUs take to refit or build a world's mesh.

@@ -11,6 +11,9 @@
 #
 # Each coordinate becomes a whole number before the corners' are added, and the scale is a power of
 # 2. So nothing is rounded that another processor would round otherwise.
+#
+# A code is the place of its cell's Morton code among the Gray codes. Neighbours in this order lie
+# next to each other along one axis more often, so the boxes around them are smaller.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -86,6 +89,10 @@ next_four:
         shli    $axis,$cell+1,1
         or      $code,$code,$axis
         or      $code,$code,$cell+2
+    .irp bits, 1,2,4,8,16
+        rotmi   $axis,$code,-\bits
+        xor     $code,$code,$axis
+    .endr
     .irp of, 0,1,2,3
         lqd     $triangle,16*\of($a_triangle)
         shlqbyi $turned,$triangle,8

@@ -9,7 +9,7 @@
 #           since the intermediate results were 0; pointers 16-aligned
 #   Out     $3 how many triangles are in the block; 0 if one of them has another vertex than the
 #           mesh has
-#   Uses    $3-$11, $12-$76
+#   Uses    $3-$11, $12-$78
 #   Domain  any
 #   Error   0
 #   Twin    lab/twins/src/sort.rs
@@ -36,12 +36,24 @@
         registers sides,count,total,bad,best,cut_count,cut_total
         # a triangle
         registers triangle,following,own_sides,more,more_total,bytes,over,t
-        registers index                                 # to 44
+        registers corners,slots,words                   # in the triangle's last three words
+        registers index                                 # to 47
         .set    NEXT,index+3
-        registers vertex,slot,word,entry,found,is_free,fresh,at,face,better
+        registers slot,word,entry,found,is_free,fresh,at,face,better
         # the block
         registers few,levels,nodes,lanes,per,first,last,length,m_word,a_node,a_from,counts
         registers ones,quads,a_to
+
+# The slots in which the vertices of a triangle are looked for first, and what these have then.
+.macro  hash triangle:req
+        and     $corners,\triangle,$k_index
+        rotmi   $slots,$corners,-8
+        xor     $slots,$slots,$corners
+        mpyu    $slots,$slots,$k_factor
+        rotmi   $slots,$slots,-3
+        and     $slots,$slots,$k_slots
+        or      $words,$corners,$turn
+.endm
 
         .section .rodata.sort,"a",@progbits
         .align  4
@@ -73,6 +85,8 @@ function sort_pack
         a       $a_own,$a_own,$a_memory
         il      $a_face,FACES_AT
         a       $a_face,$a_face,$a_memory
+        splat   $vertices,$vertices,$m_splat
+        splat   $turn,$turn,$m_splat
         shli    $turn,$turn,24
         lqd     $triangle,0($a_triangle)
         shlqbyi $sides,$triangle,8
@@ -83,6 +97,7 @@ function sort_pack
         il      $best,0
         il      $cut_count,0
         il      $cut_total,0
+        hash    $triangle
 next_triangle:
         lqd     $triangle,0($a_triangle)
         lqd     $following,16($a_triangle)
@@ -91,17 +106,11 @@ next_triangle:
         ceq     $t,$own_sides,$sides
         brz     $t,whole
         ori     $more_total,$total,0
-    .irp of, 0,1,2
-        shlqbyi $vertex,$triangle,4+4*\of
-        and     $vertex,$vertex,$k_index
-        clgt    $t,$vertices,$vertex
+        clgt    $t,$vertices,$corners
         orc     $bad,$bad,$t
-        rotmi   $slot,$vertex,-8
-        xor     $slot,$slot,$vertex
-        mpyu    $slot,$slot,$k_factor
-        rotmi   $slot,$slot,-3
-        and     $slot,$slot,$k_slots
-        or      $word,$vertex,$turn
+    .irp of, 0,1,2
+        rotqbyi $slot,$slots,4+4*\of
+        rotqbyi $word,$words,4+4*\of
 probe_\of:
         lqx     $entry,$a_memory,$slot
         ceq     $found,$entry,$word
@@ -131,6 +140,7 @@ probe_\of:
         brnz    $over,cut
         ori     $count,$more,0
         ori     $total,$more_total,0
+        hash    $following
         shlqbyi $face,$triangle,4
         rotmi   $face,$face,-24
         shli    $index,$index,24
@@ -166,7 +176,10 @@ taken_\of:
 cut:    ceqi    $t,$cut_count,0
         selb    $count,$cut_count,$count,$t
         selb    $total,$cut_total,$total,$t
-whole:  brnz    $bad,damaged
+        # The first word was the code.
+whole:  shlqbyi $bad,$bad,4
+        orx     $bad,$bad
+        brnz    $bad,damaged
         il      $t,0
         ori     $a_to,$a_block,0
         il      $left,MESH_BLOCK/256

@@ -41,7 +41,7 @@ pub struct Grid {
 /// The codes of triangles with these corners.
 pub fn codes(triangles: &mut [Triangle], corners: &[[Single; 4]], grid: Grid) {
     for (triangle, corners) in triangles.iter_mut().zip(corners.chunks(3)) {
-        let mut code = (triangle[2] & SIDES) << 1;
+        let mut code: u32 = 0;
         for axis in 0..3 {
             let whole = corners.iter().map(|corner| cflts(fm(corner[axis], grid.scale), 0));
             let sum = whole.fold(0, u32::wrapping_add).wrapping_sub(grid.low[axis]);
@@ -50,7 +50,10 @@ pub fn codes(triangles: &mut [Triangle], corners: &[[Single; 4]], grid: Grid) {
                 code |= (cell >> bit & 1) << (3 * bit + 2 - axis);
             }
         }
-        triangle[0] = code;
+        for bits in [1, 2, 4, 8, 16] {
+            code ^= code >> bits;
+        }
+        triangle[0] = (triangle[2] & SIDES) << 1 | code;
     }
 }
 

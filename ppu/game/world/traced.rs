@@ -18,7 +18,8 @@ use crate::scene::{BuildBy, RefitBy, Scene, SceneBlock, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
-/// From this number of moved vertices on, SPUs refit a mesh. The number is chosen, not measured.
+/// From this number of moved vertices on, SPUs refit a mesh. Then the PPU is spared about as much
+/// time as the SPUs need to trace the whole picture: `docs/meshes.md` has the measurements.
 const SPUS_REFIT: usize = 1000;
 
 /// From this number of pictures in a row on that need a new tree, SPUs build it. They take a tenth

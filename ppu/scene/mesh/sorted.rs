@@ -66,6 +66,10 @@ impl Grid {
                 code |= (cell >> bit & 1) << (3 * bit + 2 - axis);
             }
         }
+        // Its place among the Gray codes.
+        for bits in [1, 2, 4, 8, 16] {
+            code ^= code >> bits;
+        }
         code
     }
 }
@@ -124,15 +128,17 @@ impl SortedMesh {
 impl MeshBlocks {
     /// The blocks of a mesh before they are made in the order of codes, and the triangles that they
     /// are made of; `None` if they can't be: there are too many triangles or materials, or
-    /// vertices have texture coordinates or colours, or something is wrong with the mesh.
+    /// there are textures or colours of vertices, or something is wrong with the mesh.
     pub(in crate::scene) fn to_sort(
         mesh: &Mesh,
         materials: &[Material],
         Numbers { firsts, minimum }: Numbers<'_>,
     ) -> Option<(Self, SortedMesh)> {
         let count = mesh.triangles.len();
-        let is_plain = mesh.texture_coordinates.is_empty() && mesh.colours.is_empty();
-        if !is_plain
+        let is_textured = !mesh.texture_coordinates.is_empty()
+            && mesh.materials.iter().any(|&it| materials[it as usize].texture.is_some());
+        if is_textured
+            || !mesh.colours.is_empty()
             || minimum != NumberWidth::Byte
             || count > MOST_TRIANGLES
             || mesh.positions.len() > MovedVertices::MOST

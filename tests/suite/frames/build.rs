@@ -50,6 +50,23 @@ pub fn shared(bytes: &[u8]) -> SharedMemory {
     memory
 }
 
+/// A frame that refits or builds a mesh, with these units, their counter, its record and its code.
+pub fn build_frame(frame: Frame, [units, counter, record, code]: [&SharedMemory; 4]) -> Frame {
+    Frame {
+        features: FEATURE_BUILD.into(),
+        split: SPLIT_UNITS.into(),
+        width: MAX_SIDE.into(),
+        height: MAX_SIDE.into(),
+        stride: (4 * MAX_SIDE).into(),
+        units: units.address().into(),
+        unit_counter: counter.address().into(),
+        scene: record.address().into(),
+        code: code.address().into(),
+        code_bytes: (Program::tracer().build_code().len() as u32).into(),
+        ..frame
+    }
+}
+
 impl Refit {
     fn new(spus: u32) -> Self {
         let fixture = Fixture::of(&scene(), spus);
@@ -103,18 +120,8 @@ impl Refit {
             ..Build::new_zeroed()
         };
         let frame = Frame {
-            features: FEATURE_BUILD.into(),
-            split: SPLIT_UNITS.into(),
-            width: MAX_SIDE.into(),
-            height: MAX_SIDE.into(),
-            stride: (4 * MAX_SIDE).into(),
-            units: units.address().into(),
-            unit_counter: counter.address().into(),
             unit_count: (good.len() as u32).into(),
-            scene: record.address().into(),
-            code: code.address().into(),
-            code_bytes: (Program::tracer().build_code().len() as u32).into(),
-            ..fixture.frame
+            ..build_frame(fixture.frame, [&units, &counter, &record, &code])
         };
         let memory = [sources_memory, code];
         Self {

@@ -4,13 +4,13 @@
 use cellray::spe::Program;
 use cellray::{EngineError, SharedMemory};
 use protocol::layout::{
-    BUILD_PACK, BUILD_SORT, Build, BuildBounds, BuildTriangle, BuildUnit, FEATURE_BUILD, Frame,
-    MAX_SIDE, MESH_BLOCK, MeshVertex, SIDES_SMOOTH, SPLIT_UNITS, UnitCounter,
+    BUILD_PACK, BUILD_SORT, Build, BuildBounds, BuildTriangle, BuildUnit, Frame, MESH_BLOCK,
+    MeshHeader, MeshVertex, SIDES_SMOOTH, UnitCounter,
 };
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes as _, FromZeros as _, Immutable, IntoBytes};
 
-use super::build::{is_refused, shared};
+use super::build::{build_frame, is_refused, shared};
 use super::mesh::scene;
 use crate::frames::fixture::Fixture;
 
@@ -146,19 +146,9 @@ impl Sort {
             ..Build::new_zeroed()
         };
         let frame = Frame {
-            features: FEATURE_BUILD.into(),
-            split: SPLIT_UNITS.into(),
-            width: MAX_SIDE.into(),
-            height: MAX_SIDE.into(),
-            stride: (4 * MAX_SIDE).into(),
-            units: units.address().into(),
-            unit_counter: counter.address().into(),
-            scene: record.address().into(),
-            code: code.address().into(),
-            code_bytes: (Program::tracer().build_code().len() as u32).into(),
             mesh: 0.into(),
             mesh_blocks: (10 * MOST).into(),
-            ..fixture.frame
+            ..build_frame(fixture.frame, [&units, &counter, &record, &code])
         };
         Self {
             fixture,
@@ -255,6 +245,23 @@ fn damaged_records_are_refused() {
     sort.refused("no such task", 3, |_| ());
     sort.refused("fewer blocks", BUILD_PACK, |it| it.frame.mesh_blocks = 100.into());
     sort.refused("fewer words", BUILD_PACK, |it| it.build.source_count = 8.into());
+}
+
+#[test]
+fn one_triangle_is_built_and_none_is_refused() {
+    let mut sort = Sort::new(6);
+    for task in [BUILD_SORT, BUILD_PACK] {
+        sort.refused("no triangle", task, |it| it.build.triangle_count = 0.into());
+    }
+    let triangles = U32::new(1);
+    sort.build.triangle_count = triangles;
+    sort.chunks = vec![BuildUnit { triangles, ..sort.chunks[0] }];
+    sort.ranges = vec![BuildUnit { triangles, ..sort.ranges[0] }];
+    sort.word_memory.write(0, [1 << 24, 0, 0, 0].map(U32::new).as_bytes());
+    let made = sort.made();
+    let (header, _) = MeshHeader::ref_from_prefix(&made).unwrap();
+    assert_eq!([header.triangles, header.vertices, header.nodes], [1, 3, 1].map(U32::new));
+    assert!(made[MESH_BLOCK as usize..].iter().all(|byte| *byte == JUNK));
 }
 
 #[test]

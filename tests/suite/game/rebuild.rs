@@ -109,6 +109,21 @@ fn shown(mesh: &Mesh) -> Option<image::RgbImage> {
     made.map(|_| spus)
 }
 
+/// Few triangles are in local store, where nothing is built.
+#[test]
+fn there_may_be_one_triangle() {
+    assert!(shown(&soup(1)).is_none());
+}
+
+/// Texture coordinates need no space in blocks if there is no texture.
+#[test]
+fn texture_coordinates_may_be_unused() {
+    let mut mesh = soup(600);
+    let expected = shown(&mesh).unwrap();
+    mesh.texture_coordinates = vec![[0.5; 2]; mesh.positions.len()];
+    assert!(shown(&mesh).unwrap() == expected);
+}
+
 /// Copies of one triangle, in no order with triangles that have no area. The picture is that of the
 /// one.
 #[test]
