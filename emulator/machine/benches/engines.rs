@@ -30,17 +30,6 @@ impl Channels for Unused {
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
         Err(Stop::Requested)
     }
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 /// An instruction. `operands` are the numbers of rt, ra, rb, rc.

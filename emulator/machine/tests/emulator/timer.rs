@@ -38,14 +38,6 @@ impl Channels for Open {
             None => false,
         }
     }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 fn i(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {

@@ -147,17 +147,6 @@ impl Channels for Written {
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
         Ok(1)
     }
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 /// The input of a function: registers, and quadwords of memory.
