@@ -27,6 +27,7 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
+use spu_build::for_tests::build_instructions;
 use spu_reports::views::View;
 use spu_reports::{ProfileFile, TimelineFile};
 use spu_scheduler::code::Code;
@@ -223,7 +224,7 @@ fn a_race_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let wait = "        wait_tags 1<<4\n";
     let source = PROGRAM.replace(wait, &format!("        lqa     $23,0x11000\n{wait}"));
-    let image = assemble(folder.path(), &source);
+    let image = build_instructions(&source, folder.path());
     let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new("0")];
     let output = child(&arguments, &[("LIBSPE2_TIMING", OsStr::new("1"))]);
     assert!(output.status.success(), "{output:?}");
@@ -382,27 +383,6 @@ fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
     assert!(stderr.starts_with("libspe2: ") && stderr.contains(message), "{stderr}");
 }
 
-fn assemble(folder: &Path, source: &str) -> std::path::PathBuf {
-    let sources = folder.join("sources");
-    fs::create_dir(&sources).unwrap();
-    let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
-    fs::write(sources.join("program.s"), text).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let image = folder.join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/machine/tests/emulator/machine"))
-            .build(&tools, &folder.join("objects"), &image)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
-    fs::set_permissions(&image, executable).unwrap();
-    image
-}
-
 fn main() {
     let arguments: Vec<_> = std::env::args_os().collect();
     match arguments.get(1).and_then(|mode| mode.to_str()) {
@@ -420,7 +400,7 @@ fn main() {
         _ => {}
     }
     let folder = tempfile::tempdir().unwrap();
-    let image = assemble(folder.path(), PROGRAM);
+    let image = build_instructions(PROGRAM, folder.path());
     a_race_is_told();
 
     let first = report(&image, folder.path(), "0");
