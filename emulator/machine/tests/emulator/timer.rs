@@ -41,7 +41,7 @@ impl Channels for Open {
 }
 
 fn i(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction { op, rt, ra, rb: 0, rc: 0, branch_distance: 0, immediate }
+    Instruction::new(op, [rt, ra, 0, 0], immediate)
 }
 
 fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stopped) {

@@ -37,7 +37,7 @@ fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
 /// An assembly line for an instruction with a constant.
 fn line(op: Op, constant: i32) -> String {
     let row = op.row();
-    let i = Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: constant };
+    let i = Instruction::new(op, [0; 4], constant);
     let operands = row.operands.iter().map(|operand| match operand {
         Operand::Rt => "$3".to_owned(),
         Operand::Ra => "$4".to_owned(),
