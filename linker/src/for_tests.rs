@@ -1,4 +1,4 @@
-//! Programs for tests. What can't be built fails the test.
+//! Programs for tests. A build that fails is a test that fails.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;

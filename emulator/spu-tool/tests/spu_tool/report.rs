@@ -15,8 +15,8 @@ pub fn folder(program: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scheduler/tests/programs").join(program)
 }
 
-/// Builds the program of `emulator/scheduler/tests/programs/<program>`, and returns this file of the
-/// work folder.
+/// Builds the program of `emulator/scheduler/tests/programs/<program>`, and returns this file of
+/// the work folder.
 pub fn build(program: &str, file: &str) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");

@@ -7,7 +7,7 @@ use oracle::{Picture, Settings};
 use serde_json::Value;
 use tempfile::TempDir;
 
-/// What `oracle` says in a folder.
+/// The code and the output of `oracle`.
 struct Said {
     code: Option<i32>,
     stdout: String,
