@@ -5,11 +5,9 @@
 #![allow(clippy::print_stdout, reason = "a test has nothing to lose but its output")]
 
 use std::ffi::CString;
-use std::fs;
 use std::io::{self, BufRead as _, BufReader, Write as _};
 use std::os::unix::ffi::OsStrExt as _;
-use std::os::unix::fs::PermissionsExt as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::ptr;
 use std::thread;
@@ -19,6 +17,7 @@ use spe2::image::{spe_image_open, spe_program_load};
 use spe2::mailbox::spe_in_mbox_write;
 use spe2::run::spe_context_run;
 use spe2::types::{SPE_DEFAULT_ENTRY, SPE_MBOX_ALL_BLOCKING, SpeContext};
+use spu_build::for_tests::build_source;
 use spu_debugger::client::{Client, from_hex};
 
 const SPES: usize = 2;
@@ -106,27 +105,6 @@ fn program(image: &str) {
             run.join().unwrap();
         }
     }
-}
-
-fn assemble(folder: &Path) -> PathBuf {
-    let sources = folder.join("sources");
-    fs::create_dir(&sources).unwrap();
-    fs::write(sources.join("program.s"), PROGRAM).unwrap();
-    let programs =
-        Path::new(env!("CARGO_MANIFEST_DIR")).join("../emulator/spu-tool/tests/programs");
-    let image = folder.join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &programs.join("program.ld"))?.build(
-            &tools,
-            &folder.join("objects"),
-            &image,
-        )
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    fs::set_permissions(&image, fs::Permissions::from_mode(0o755)).unwrap();
-    image
 }
 
 /// The program, and the debugger's connection to it.
@@ -302,7 +280,7 @@ fn main() {
         _ => {}
     }
     let folder = tempfile::tempdir().unwrap();
-    let image = assemble(folder.path());
+    let image = build_source(PROGRAM, "program", folder.path(), &[]);
     two_spes(&image, "0");
     two_spes(&image, "1");
     a_process_is_killed(&image);

@@ -27,6 +27,7 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
+use spu_build::for_tests::build_instructions;
 use spu_reports::views::View;
 use spu_reports::{ProfileFile, TimelineFile};
 use spu_scheduler::code::Code;
@@ -223,7 +224,7 @@ fn a_race_is_told() {
     let folder = tempfile::tempdir().unwrap();
     let wait = "        wait_tags 1<<4\n";
     let source = PROGRAM.replace(wait, &format!("        lqa     $23,0x11000\n{wait}"));
-    let image = assemble(folder.path(), &source);
+    let image = build_instructions(&source, folder.path());
     let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new("0")];
     let output = child(&arguments, &[("LIBSPE2_TIMING", OsStr::new("1"))]);
     assert!(output.status.success(), "{output:?}");
@@ -241,13 +242,10 @@ fn a_race_is_told() {
 
 fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     let mut command = Command::new(std::env::current_exe().unwrap());
-    command.args(arguments).env_remove("LIBSPE2_TIMING");
-    command
-        .env_remove("LIBSPE2_REPORT")
-        .env_remove("LIBSPE2_PROFILE")
-        .env_remove("LIBSPE2_TIMELINE")
-        .env_remove("LIBSPE2_CHECK")
-        .env_remove("LIBSPE2_MFC");
+    command.args(arguments);
+    for name in ["TIMING", "REPORT", "PROFILE", "TIMELINE", "CHECK", "MFC"] {
+        command.env_remove(format!("LIBSPE2_{name}"));
+    }
     command.envs(environment.iter().copied()).output().unwrap()
 }
 
@@ -372,35 +370,17 @@ fn check_report(text: &str) {
     assert!(sum(&report["constants"]) > 0);
 }
 
-/// Checks that creating a context in this environment fails with this errno and this message.
-fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
+/// Checks that creating a context with these words in `LIBSPE2_` variables fails with this errno
+/// and this message.
+fn refused(words: &str, errno: i32, message: &str) {
+    let set = words.split(' ').map(|word| word.split_once('=').unwrap());
+    let set: Vec<_> = set.map(|(name, value)| (format!("LIBSPE2_{name}"), value)).collect();
     let environment: Vec<_> =
-        environment.iter().map(|&(name, value)| (name, OsStr::new(value))).collect();
+        set.iter().map(|(name, value)| (name.as_str(), OsStr::new(value))).collect();
     let output = child(&[OsStr::new("create")], &environment);
-    assert_eq!(output.status.code(), Some(errno), "{environment:?} {output:?}");
+    assert_eq!(output.status.code(), Some(errno), "{words} {output:?}");
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert!(stderr.starts_with("libspe2: ") && stderr.contains(message), "{stderr}");
-}
-
-fn assemble(folder: &Path, source: &str) -> std::path::PathBuf {
-    let sources = folder.join("sources");
-    fs::create_dir(&sources).unwrap();
-    let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
-    fs::write(sources.join("program.s"), text).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let image = folder.join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/machine/tests/emulator/machine"))
-            .build(&tools, &folder.join("objects"), &image)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
-    fs::set_permissions(&image, executable).unwrap();
-    image
 }
 
 fn main() {
@@ -420,7 +400,7 @@ fn main() {
         _ => {}
     }
     let folder = tempfile::tempdir().unwrap();
-    let image = assemble(folder.path(), PROGRAM);
+    let image = build_instructions(PROGRAM, folder.path());
     a_race_is_told();
 
     let first = report(&image, folder.path(), "0");
@@ -462,35 +442,22 @@ fn main() {
     let beside = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(beside, 3);
 
-    refused(&[("LIBSPE2_TIMING", "yes")], libc::EINVAL, "LIBSPE2_TIMING");
-    refused(&[("LIBSPE2_TIMING", "")], libc::EINVAL, "LIBSPE2_TIMING");
-    refused(&[("LIBSPE2_REPORT", "/tmp/x")], libc::EINVAL, "LIBSPE2_TIMING=1");
-    refused(
-        &[("LIBSPE2_PROFILE", "/tmp/x"), ("LIBSPE2_TIMING", "0")],
-        libc::EINVAL,
-        "LIBSPE2_PROFILE is about simulated time: set LIBSPE2_TIMING=1",
-    );
-    let on = ("LIBSPE2_TIMING", "1");
-    refused(&[on, ("LIBSPE2_CHECK", "2")], libc::EINVAL, "LIBSPE2_CHECK");
-    refused(
-        &[on, ("LIBSPE2_MACHINE", "/nowhere/at/all")],
-        libc::EINVAL,
-        "LIBSPE2_MACHINE: /nowhere/at/all: ",
-    );
-    refused(
-        &[("LIBSPE2_MACHINE", "/nowhere/at/all")],
-        libc::EINVAL,
-        "LIBSPE2_MACHINE is about simulated time: set LIBSPE2_TIMING=1",
-    );
-    refused(
-        &[on, ("LIBSPE2_PROFILE", "/nowhere/at/all")],
-        libc::ENOENT,
-        "LIBSPE2_PROFILE: /nowhere/at/all",
-    );
-    refused(&[on, ("LIBSPE2_REPORT", "")], libc::EINVAL, "LIBSPE2_REPORT");
-    refused(&[on, ("LIBSPE2_REPORT", "/")], libc::EISDIR, "LIBSPE2_REPORT: /:");
-    let nowhere = ("LIBSPE2_REPORT", "/nowhere/at/all");
-    refused(&[on, nowhere], libc::ENOENT, "LIBSPE2_REPORT: /nowhere/at/all");
-    refused(&[on, ("LIBSPE2_MFC", "at-last")], libc::ENOTSUP, "LIBSPE2_MFC=at-last");
+    let needs = |name| format!("{name} is about simulated time: set LIBSPE2_TIMING=1");
+    for (words, errno, message) in [
+        ("TIMING=yes", libc::EINVAL, "LIBSPE2_TIMING"),
+        ("TIMING=", libc::EINVAL, "LIBSPE2_TIMING"),
+        ("REPORT=/tmp/x", libc::EINVAL, "LIBSPE2_TIMING=1"),
+        ("PROFILE=/tmp/x TIMING=0", libc::EINVAL, &needs("LIBSPE2_PROFILE")),
+        ("TIMING=1 CHECK=2", libc::EINVAL, "LIBSPE2_CHECK"),
+        ("TIMING=1 MACHINE=/no/where", libc::EINVAL, "LIBSPE2_MACHINE: /no/where: "),
+        ("MACHINE=/no/where", libc::EINVAL, &needs("LIBSPE2_MACHINE")),
+        ("TIMING=1 PROFILE=/no/where", libc::ENOENT, "LIBSPE2_PROFILE: /no/where"),
+        ("TIMING=1 REPORT=", libc::EINVAL, "LIBSPE2_REPORT"),
+        ("TIMING=1 REPORT=/", libc::EISDIR, "LIBSPE2_REPORT: /:"),
+        ("TIMING=1 REPORT=/no/where", libc::ENOENT, "LIBSPE2_REPORT: /no/where"),
+        ("TIMING=1 MFC=at-last", libc::ENOTSUP, "LIBSPE2_MFC=at-last"),
+    ] {
+        refused(words, errno, message);
+    }
     println!("timing: ok");
 }

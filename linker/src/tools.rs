@@ -56,7 +56,7 @@ impl Tools {
 
     /// Assembles one source without line tables and names of constants, so that objects are the
     /// same if their code is.
-    pub(crate) fn assemble_code(
+    pub fn assemble_code(
         &self,
         includes: &[PathBuf],
         object: &Path,

@@ -16,65 +16,14 @@ pub(crate) struct Stack {
 }
 
 /// The directives of the GNU assembler for which its preprocessor or other files are needed.
-const MACROS: [&str; 24] = [
-    "macro", "endm", "exitm", "purgem", "rept", "irp", "irpc", "endr", "if", "ifdef", "ifndef",
-    "ifb", "ifnb", "ifc", "ifnc", "ifeq", "ifne", "else", "elseif", "endif", "include", "incbin",
-    "altmacro", "error",
-];
+const MACROS: &str = "macro endm exitm purgem rept irp irpc endr if ifdef ifndef ifb ifnb ifc ifnc \
+    ifeq ifne else elseif endif include incbin altmacro error";
 
 /// All others, for advice.
-const DIRECTIVES: [&str; 50] = [
-    ".text",
-    ".data",
-    ".bss",
-    ".rodata",
-    ".section",
-    ".pushsection",
-    ".popsection",
-    ".previous",
-    ".align",
-    ".p2align",
-    ".balign",
-    ".byte",
-    ".short",
-    ".hword",
-    ".half",
-    ".2byte",
-    ".word",
-    ".int",
-    ".long",
-    ".4byte",
-    ".quad",
-    ".8byte",
-    ".float",
-    ".single",
-    ".double",
-    ".ascii",
-    ".asciz",
-    ".string",
-    ".space",
-    ".skip",
-    ".zero",
-    ".fill",
-    ".set",
-    ".equ",
-    ".equiv",
-    ".global",
-    ".globl",
-    ".weak",
-    ".extern",
-    ".comm",
-    ".size",
-    ".type",
-    ".ident",
-    ".file",
-    ".include",
-    ".macro",
-    ".rept",
-    ".irp",
-    ".if",
-    ".endif",
-];
+const DIRECTIVES: &str = ".text .data .bss .rodata .section .pushsection .popsection .previous \
+    .align .p2align .balign .byte .short .hword .half .2byte .word .int .long .4byte .quad .8byte \
+    .float .single .double .ascii .asciz .string .space .skip .zero .fill .set .equ .equiv .global \
+    .globl .weak .extern .comm .size .type .ident .file .include .macro .rept .irp .if .endif";
 
 impl Source<'_> {
     /// Carries out the directive with this name in small letters. The point before it may be
@@ -149,7 +98,7 @@ impl Source<'_> {
             }
             // The names of sources are in line tables only.
             "file" => drop(cursor.string()?),
-            _ if MACROS.contains(&bare) => {
+            _ if MACROS.split(' ').any(|name| name == bare) => {
                 self.uses_macros = true;
                 let message = format!(
                     "{name} is for the SPU binutils: macros, conditions and other files are not \
@@ -159,7 +108,7 @@ impl Source<'_> {
             }
             _ => {
                 let what = if name.starts_with('.') { "directive" } else { "instruction" };
-                let near = similar(name, DIRECTIVES.into_iter());
+                let near = similar(name, DIRECTIVES.split(' '));
                 return Err(Fault::new(at, format!("there is no {what} {name}{near}")));
             }
         }

@@ -159,8 +159,7 @@ impl Source<'_> {
     ) -> Result<(), Fault> {
         cursor.skip_space();
         let start = cursor.at;
-        let mut i =
-            Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: features };
+        let mut i = Instruction::new(op, [0; 4], features);
         let all = match name {
             "lr" => &[Operand::Rt, Operand::Ra],
             "hbrp" => &[][..],

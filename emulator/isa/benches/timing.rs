@@ -14,15 +14,8 @@ const ROUNDS: u32 = 2_000_000;
 
 /// An instruction on a few registers, so that some instructions have to wait.
 fn instruction(op: Op, number: u8) -> Instruction {
-    Instruction {
-        op,
-        rt: 10 + number % 7,
-        ra: 10 + (number + 3) % 7,
-        rb: 20,
-        rc: 10 + (number + 1) % 7,
-        branch_distance: 0,
-        immediate: 0,
-    }
+    let [rt, ra, rc] = [0, 3, 1].map(|offset| 10 + (number + offset) % 7);
+    Instruction::new(op, [rt, ra, 20, rc], 0)
 }
 
 fn measure(name: &str, rules: Rules, ops: [Op; 5]) {

@@ -30,31 +30,14 @@ impl Channels for Unused {
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
         Err(Stop::Requested)
     }
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
-}
-
-/// An instruction. `operands` are the numbers of rt, ra, rb, rc.
-fn instruction(op: Op, operands: [u8; 4], immediate: i32) -> Instruction {
-    let [rt, ra, rb, rc] = operands;
-    Instruction { op, rt, ra, rb, rc, branch_distance: 0, immediate }
 }
 
 fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
     let local_store = LocalStore::new();
     let back = -4 * (body.len() as i32 + 1);
-    let count = instruction(Op::Ai, [COUNTER, COUNTER, 0, 0], -1);
-    let branch = instruction(Op::Brnz, [COUNTER, 0, 0, 0], back);
-    let stop = instruction(Op::Stop, [0; 4], 0);
+    let count = Instruction::new(Op::Ai, [COUNTER, COUNTER, 0, 0], -1);
+    let branch = Instruction::new(Op::Brnz, [COUNTER, 0, 0, 0], back);
+    let stop = Instruction::new(Op::Stop, [0; 4], 0);
     let code = body.iter().chain([&count, &branch, &stop]);
     for (address, instruction) in (0u32..).step_by(4).zip(code) {
         local_store.write(address, &instruction.encode().to_be_bytes());
@@ -112,7 +95,7 @@ fn main() {
     use Op::*;
     println!("| loop | interpreted | compiled | times as fast |");
     println!("|---|---|---|---|");
-    let r = instruction;
+    let r = Instruction::new;
     let near_one = |n: u32| 0x3f80_0000 + n * 0x1_2345;
     let integer = [
         r(A, [20, 16, 17, 0], 0),

@@ -4,7 +4,8 @@ use crate::stop::{ChannelAccess, Stop};
 
 /// The channels as the instructions `rdch`, `wrch`, `rchcnt` and `bisled` use them. Behind them
 /// are the MFC, mailboxes, signals, events and the decrementer. The interpreter is generic over
-/// this trait, so that instructions can be tested without an MFC.
+/// this trait, so that instructions can be tested without an MFC. By default, there are no events,
+/// no stop requests and no interrupts.
 pub trait Channels {
     /// `rdch`: returns the channel's value. Sleeps while the channel's count is 0.
     fn read(&mut self, channel: u8) -> Result<u32, Stop>;
@@ -13,16 +14,22 @@ pub trait Channels {
     /// `rchcnt`: how many reads or writes would succeed without sleeping.
     fn count(&mut self, channel: u8) -> Result<u32, Stop>;
     /// The condition that `bisled` and interrupts test: whether the count of channel 0 is not 0.
-    fn external_condition(&mut self) -> bool;
+    fn external_condition(&mut self) -> bool {
+        false
+    }
     /// Whether another thread has asked the SPU to stop. The interpreter asks at every taken
     /// branch, so this must be cheap.
-    fn stop_requested(&self) -> bool;
+    fn stop_requested(&self) -> bool {
+        false
+    }
     /// Informs the channels whether the SPU's interrupts are enabled (`SPU_RdMachStat`).
-    fn set_interrupts_enabled(&mut self, enabled: bool);
+    fn set_interrupts_enabled(&mut self, _enabled: bool) {}
     /// The value of `SRR0`. It is kept here because channels 14 and 15 access it too.
-    fn srr0(&self) -> u32;
+    fn srr0(&self) -> u32 {
+        0
+    }
     /// Sets `SRR0`, as taking an interrupt does.
-    fn set_srr0(&mut self, address: u32);
+    fn set_srr0(&mut self, _address: u32) {}
 }
 
 /// An SPU without channels, for programs that only compute.
@@ -41,20 +48,4 @@ impl Channels for NoChannels {
     fn count(&mut self, channel: u8) -> Result<u32, Stop> {
         Err(Stop::InvalidChannel(channel, ChannelAccess::Count))
     }
-
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-
-    fn stop_requested(&self) -> bool {
-        false
-    }
-
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-
-    fn srr0(&self) -> u32 {
-        0
-    }
-
-    fn set_srr0(&mut self, _: u32) {}
 }

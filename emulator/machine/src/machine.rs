@@ -29,37 +29,35 @@ fn translations(engine: Engine, timed: bool, watches: bool) -> Option<Arc<Transl
 }
 
 impl Machine {
+    fn made(
+        memory: Arc<dyn MainMemory>,
+        clock: Arc<dyn Clock>,
+        simulation: Option<Arc<Simulation>>,
+        translations: Option<Arc<Translations>>,
+        turns: Option<Arc<Turns>>,
+    ) -> Arc<Self> {
+        let in_flight = simulation.clone().map(|simulation| simulation as Arc<dyn InFlight>);
+        let interconnect = Interconnect::new(memory, in_flight);
+        Arc::new(Self { interconnect, clock, simulation, translations, turns })
+    }
+
     /// A machine with this memory. Its time base is the host's time.
     #[must_use]
     pub fn new(memory: Arc<dyn MainMemory>) -> Arc<Self> {
-        Self::with_clock(memory, Arc::new(HostClock))
+        Self::with_engine(memory, Engine::default())
     }
 
     /// A machine with this memory and time base.
     #[must_use]
     pub fn with_clock(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
-        Self::with_clock_and_engine(memory, clock, Engine::default())
+        Self::made(memory, clock, None, translations(Engine::default(), false, false), None)
     }
 
     /// A machine with this memory, whose time base is the host's time and whose SPEs run their
     /// instructions so.
     #[must_use]
     pub fn with_engine(memory: Arc<dyn MainMemory>, engine: Engine) -> Arc<Self> {
-        Self::with_clock_and_engine(memory, Arc::new(HostClock), engine)
-    }
-
-    fn with_clock_and_engine(
-        memory: Arc<dyn MainMemory>,
-        clock: Arc<dyn Clock>,
-        engine: Engine,
-    ) -> Arc<Self> {
-        Arc::new(Self {
-            interconnect: Interconnect::new(memory, None),
-            clock,
-            simulation: None,
-            translations: translations(engine, false, false),
-            turns: None,
-        })
+        Self::made(memory, Arc::new(HostClock), None, translations(engine, false, false), None)
     }
 
     /// A machine with this memory, in simulated time with these latencies and rates.
@@ -71,17 +69,6 @@ impl Machine {
     #[must_use]
     pub fn simulated(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
         Self::simulated_with(memory, timing, SimulationOptions::default())
-    }
-
-    /// As [`simulated`](Self::simulated), and records the [profile](Simulation::profile).
-    ///
-    /// # Panics
-    ///
-    /// As [`simulated`](Self::simulated) does.
-    #[must_use]
-    pub fn profiled(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        let options = SimulationOptions { profile: true, ..SimulationOptions::default() };
-        Self::simulated_with(memory, timing, options)
     }
 
     /// As [`simulated`](Self::simulated). `options` select the records and the method of counting.
@@ -96,26 +83,14 @@ impl Machine {
         options: SimulationOptions,
     ) -> Arc<Self> {
         let simulation = Simulation::new(timing, options);
-        let in_flight: Arc<dyn InFlight> = simulation.clone();
-        Arc::new(Self {
-            interconnect: Interconnect::new(memory, Some(in_flight)),
-            clock: Arc::new(HostClock),
-            simulation: Some(simulation),
-            translations: translations(options.engine, true, options.races),
-            turns: None,
-        })
+        let translations = translations(options.engine, true, options.races);
+        Self::made(memory, Arc::new(HostClock), Some(simulation), translations, None)
     }
 
     /// A machine with this memory and time base whose SPEs run [in turn](crate::in_turn).
     #[must_use]
     pub fn in_turn(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
-        Arc::new(Self {
-            interconnect: Interconnect::new(memory, None),
-            clock,
-            simulation: None,
-            translations: None,
-            turns: Some(Arc::default()),
-        })
+        Self::made(memory, clock, None, None, Some(Arc::default()))
     }
 
     /// As [`simulated_with`](Self::simulated_with), with SPEs that run [in turn](crate::in_turn)
@@ -132,14 +107,7 @@ impl Machine {
     ) -> Arc<Self> {
         let turns = Arc::<Turns>::default();
         let simulation = Simulation::in_turn(timing, options, Arc::clone(&turns));
-        let in_flight: Arc<dyn InFlight> = simulation.clone();
-        Arc::new(Self {
-            interconnect: Interconnect::new(memory, Some(in_flight)),
-            clock: Arc::new(HostClock),
-            simulation: Some(simulation),
-            translations: None,
-            turns: Some(turns),
-        })
+        Self::made(memory, Arc::new(HostClock), Some(simulation), None, Some(turns))
     }
 
     /// The machine's simulated time, if it has one.

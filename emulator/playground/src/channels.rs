@@ -125,14 +125,6 @@ impl Channels for PlaygroundChannels {
         }
     }
 
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-
-    fn stop_requested(&self) -> bool {
-        false
-    }
-
     fn set_interrupts_enabled(&mut self, enabled: bool) {
         self.interrupts_enabled = enabled;
     }

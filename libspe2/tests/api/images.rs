@@ -8,7 +8,9 @@ use std::ptr;
 use spe2::image::{spe_image_close, spe_image_open, spe_program_load};
 use spe2::types::SpeProgramHandle;
 
-use crate::support::{Context, assemble, assert_fails, assert_null, open_image};
+use spu_build::for_tests::build_instructions;
+
+use crate::support::{Context, assert_fails, assert_null, open_image};
 
 fn file(folder: &Path, contents: &[u8], mode: u32) -> std::path::PathBuf {
     let path = folder.join("image");
@@ -23,7 +25,7 @@ fn missing_or_invalid_files_are_not_opened() {
     assert_null(open_image(&folder.path().join("missing")), libc::ENOENT);
     assert_null(unsafe { spe_image_open(ptr::null()) }, libc::EFAULT);
     assert_null(open_image(folder.path()), libc::EINVAL);
-    let program = fs::read(assemble(folder.path(), "stop 0x2000")).unwrap();
+    let program = fs::read(build_instructions("stop 0x2000", folder.path())).unwrap();
     assert_null(open_image(&file(folder.path(), &program, 0o644)), libc::EACCES);
     for garbage in [&b""[..], b"#!/bin/sh\n", &program[..60], &[0xff; 5000]] {
         assert_null(open_image(&file(folder.path(), garbage, 0o755)), libc::EINVAL);
@@ -36,7 +38,7 @@ fn missing_or_invalid_files_are_not_opened() {
 #[test]
 fn opening_leaves_no_file_open() {
     let folder = tempfile::tempdir().unwrap();
-    let path = assemble(folder.path(), "stop 0x2000");
+    let path = build_instructions("stop 0x2000", folder.path());
     let links = || {
         fs::read_dir("/proc/self/fd")
             .unwrap()
@@ -56,7 +58,8 @@ fn null_programs() {
     unsafe {
         assert_fails(spe_image_close(ptr::null_mut()), libc::EINVAL);
         assert_fails(spe_program_load(context.pointer(), ptr::null_mut()), libc::EINVAL);
-        let handle = open_image(&assemble(tempfile::tempdir().unwrap().path(), "stop 0x2000"));
+        let handle =
+            open_image(&build_instructions("stop 0x2000", tempfile::tempdir().unwrap().path()));
         assert_fails(spe_program_load(ptr::null_mut(), handle), libc::ESRCH);
         assert_eq!(spe_image_close(handle), 0);
     }
@@ -65,7 +68,7 @@ fn null_programs() {
 #[test]
 fn embedded_image_is_loaded_from_its_address() {
     let folder = tempfile::tempdir().unwrap();
-    let mut program = fs::read(assemble(folder.path(), "stop 0x2007")).unwrap();
+    let mut program = fs::read(build_instructions("stop 0x2007", folder.path())).unwrap();
     let mut handle = SpeProgramHandle {
         handle_size: 24,
         elf_image: program.as_mut_ptr().cast(),
@@ -86,15 +89,13 @@ fn embedded_image_is_loaded_from_its_address() {
 fn toe_contains_image_address() {
     let folder = tempfile::tempdir().unwrap();
     // The linker script has no place for it, so the linker puts it after the rest.
-    let path = assemble(
-        folder.path(),
-        "
+    let source = "
         stop    0x2000
         .section .toe,\"a\",@nobits
         .global _EAR_
 _EAR_:  .space  16
-",
-    );
+";
+    let path = build_instructions(source, folder.path());
     let handle = open_image(&path);
     assert!(!handle.is_null());
     let context = Context::new(0);

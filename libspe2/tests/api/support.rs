@@ -1,10 +1,8 @@
 //! Contexts that clean up after themselves, programs, and errno checks.
 
 use std::ffi::CString;
-use std::fs;
 use std::os::unix::ffi::OsStrExt;
-use std::os::unix::fs::PermissionsExt;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::ptr;
 use std::sync::mpsc;
 use std::thread;
@@ -17,6 +15,7 @@ use spe2::run::spe_context_run;
 use spe2::types::{
     SPE_DEFAULT_ENTRY, SPE_EVENTS_ENABLE, SpeContext, SpeProgramHandle, SpeStopInfo, SpeStopResult,
 };
+use spu_build::for_tests::build_instructions;
 
 /// How long any call in these tests may take, on a machine that is busy with other things.
 pub const PATIENCE: Duration = Duration::from_secs(600);
@@ -39,27 +38,6 @@ pub fn assert_null<T>(returned: *mut T, errno: i32) {
 
 pub fn last_errno() -> i32 {
     std::io::Error::last_os_error().raw_os_error().unwrap()
-}
-
-/// Assembles a program into an executable file in `folder`.
-pub fn assemble(folder: &Path, source: &str) -> PathBuf {
-    let sources = folder.join("sources");
-    fs::create_dir_all(&sources).unwrap();
-    let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
-    fs::write(sources.join("program.s"), text).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let image = folder.join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/machine/tests/emulator/machine"))
-            .build(&tools, &folder.join("objects"), &image)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    fs::set_permissions(&image, fs::Permissions::from_mode(0o755)).unwrap();
-    image
 }
 
 pub fn open_image(path: &Path) -> *mut SpeProgramHandle {
@@ -130,7 +108,7 @@ impl Context {
 
     pub fn load(&self, source: &str) {
         let folder = tempfile::tempdir().unwrap();
-        let program = open_image(&assemble(folder.path(), source));
+        let program = open_image(&build_instructions(source, folder.path()));
         assert!(!program.is_null(), "errno {}", last_errno());
         assert_eq!(unsafe { spe_program_load(self.0, program) }, 0);
         assert_eq!(unsafe { spe_image_close(program) }, 0);

@@ -35,15 +35,8 @@ const fn place_branch_distance(bytes: i16, high_last: u32) -> u32 {
 impl Format {
     /// The fields of `word`, which holds an `op` with this format.
     const fn unpack(self, op: Op, word: u32) -> Instruction {
-        let mut i = Instruction {
-            op,
-            rt: field(word, 31, 7) as u8,
-            ra: field(word, 24, 7) as u8,
-            rb: 0,
-            rc: 0,
-            branch_distance: 0,
-            immediate: 0,
-        };
+        let (rt, ra) = (field(word, 31, 7) as u8, field(word, 24, 7) as u8);
+        let mut i = Instruction::new(op, [rt, ra, 0, 0], 0);
         match self {
             Self::Rr => i.rb = field(word, 17, 7) as u8,
             Self::Rrr => {

@@ -36,6 +36,12 @@ pub struct Instruction {
 }
 
 impl Instruction {
+    /// An instruction with rt, ra, rb and rc.
+    #[must_use]
+    pub const fn new(op: Op, [rt, ra, rb, rc]: [u8; 4], immediate: i32) -> Self {
+        Self { op, rt, ra, rb, rc, branch_distance: 0, immediate }
+    }
+
     /// The mnemonic, with the letters of the feature bits.
     #[must_use]
     pub fn mnemonic(self) -> String {

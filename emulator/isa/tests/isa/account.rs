@@ -167,9 +167,7 @@ proptest! {
     fn no_loop_beats_its_bound(rules in rules(), words in prop::collection::vec(word(), 1..60)) {
         let start = 0x100;
         let distance = -(words.len() as i32) * 4;
-        let back = Instruction {
-            op: Op::Br, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: distance,
-        };
+        let back = Instruction::new(Op::Br, [0; 4], distance);
         let words = words.into_iter().chain([back.encode()]);
         let code: Vec<_> = (start..).step_by(4).zip(words).collect();
         for found in find_loops(&code, rules) {

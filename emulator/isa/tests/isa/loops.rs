@@ -8,7 +8,7 @@ use spu_isa::{Instruction, Op};
 const START: u32 = 0x100;
 
 fn i(op: Op, rt: u8, ra: u8, rb: u8) -> Instruction {
-    Instruction { op, rt, ra, rb, rc: 0, branch_distance: 0, immediate: 0 }
+    Instruction::new(op, [rt, ra, rb, 0], 0)
 }
 
 /// The loop of `body` and a branch back, which is hinted from far ahead.

@@ -91,16 +91,11 @@ fn instances() -> Vec<Instruction> {
             Operand::Displacement7,
             Operand::Displacement14,
         ];
-        let base = Instruction {
-            op: row.op,
-            // The assembler ignores the operand of nop.
-            rt: if row.op == Op::Nop { 0 } else { register(Operand::Rt, 3) },
-            ra: if in_ra.into_iter().any(has) { 70 } else { 0 },
-            rb: register(Operand::Rb, 101),
-            rc: register(Operand::Rc, 127),
-            branch_distance: 0,
-            immediate: 0,
-        };
+        // The assembler ignores the operand of nop.
+        let rt = if row.op == Op::Nop { 0 } else { register(Operand::Rt, 3) };
+        let ra = if in_ra.into_iter().any(has) { 70 } else { 0 };
+        let [rb, rc] = [register(Operand::Rb, 101), register(Operand::Rc, 127)];
+        let base = Instruction::new(row.op, [rt, ra, rb, rc], 0);
         match row.format {
             Format::Hint => {
                 for branch_distance in [-1024, -4, 4, 1020] {

@@ -6,15 +6,8 @@ use spu_isa::{Instruction, Op};
 /// An instruction with target `rt` and its sources in the order ra, rb, rc.
 pub fn i(mnemonic: &str, rt: u8, sources: &[u8]) -> Instruction {
     let source = |n: usize| sources.get(n).copied().unwrap_or(0);
-    Instruction {
-        op: Op::of_mnemonic(mnemonic).unwrap(),
-        rt,
-        ra: source(0),
-        rb: source(1),
-        rc: source(2),
-        branch_distance: 0,
-        immediate: 0,
-    }
+    let op = Op::of_mnemonic(mnemonic).unwrap();
+    Instruction::new(op, [rt, source(0), source(1), source(2)], 0)
 }
 
 pub fn hint(mnemonic: &str, branch_distance: i16, immediate: i32) -> Instruction {

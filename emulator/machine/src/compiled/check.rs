@@ -290,15 +290,7 @@ mod tests {
         let code = CodeCache::new(estimates, UnitOptions::default())
             .expect("the hosts of the tests have AVX2 and FMA");
         let mut compiler = Compiler::new(&code, Tier::Baseline);
-        let instruction = Instruction {
-            op: Op::Frest,
-            rt: 5,
-            ra: 4,
-            rb: 0,
-            rc: 0,
-            branch_distance: 0,
-            immediate: 0,
-        };
+        let instruction = Instruction::new(Op::Frest, [5, 4, 0, 0], 0);
         let word = instruction.encode();
         let step = Step { pc: 0, word, instruction, next: 4 };
         let trace = Trace::new(vec![step]).expect("the instruction can be compiled");

@@ -17,7 +17,7 @@ const DEFAULT_NAN: u64 = DOUBLE.default_nan();
 /// An invalid operation on operands that are not NaNs.
 const INVALID: (u64, Flags) = (DEFAULT_NAN, Flags::DOUBLE_INVALID);
 
-/// Unpacks the operands, and raises the flags that they raise in every operation.
+/// Unpacks an operand, and raises the flags that it raises in every operation.
 fn operand(format: Format, bits: u64, flags: &mut Flags) -> Value {
     let value = unpack(format, bits, flags);
     if let Value::Nan { signalling } = value {
@@ -26,12 +26,17 @@ fn operand(format: Format, bits: u64, flags: &mut Flags) -> Value {
     value
 }
 
-const fn infinity(negative: bool) -> (u64, Flags) {
-    (DOUBLE.infinity(negative), Flags::NONE)
-}
-
-const fn zero(negative: bool) -> (u64, Flags) {
-    (DOUBLE.signed(negative, 0), Flags::NONE)
+/// Unpacks operands, and rounds their exact result, which is invalid if there is none.
+fn operation<const N: usize>(
+    operands: [u64; N],
+    rounding: Rounding,
+    exact: impl FnOnce([Value; N]) -> Option<Value>,
+) -> (u64, Flags) {
+    let mut flags = Flags::NONE;
+    let operands = operands.map(|bits| operand(DOUBLE, bits, &mut flags));
+    let result = exact(operands);
+    let (value, raised) = result.map_or(INVALID, |value| value.round(DOUBLE, rounding));
+    (value, raised | flags)
 }
 
 /// The exact product of two operands, with unlimited range. `None` if the operation is invalid.
@@ -58,33 +63,24 @@ const fn is_negative(value: Value) -> bool {
     }
 }
 
-/// `x + y`, rounded once.
-fn sum(x: Value, y: Value, rounding: Rounding) -> (u64, Flags) {
+/// The exact `x + y`. `None` if the operation is invalid.
+fn sum(x: Value, y: Value, rounding: Rounding) -> Option<Value> {
     use Value::{Finite, Infinity, Nan, Zero};
     // An exact zero is negative only if both terms are, or if the mode rounds down.
-    let cancelled = zero(rounding == Rounding::Down);
-    match (x, y) {
-        (Nan { .. }, _) | (_, Nan { .. }) => (DEFAULT_NAN, Flags::NONE),
-        (Infinity { negative: x }, Infinity { negative: y }) if x != y => INVALID,
-        (Infinity { negative }, _) | (_, Infinity { negative }) => infinity(negative),
-        (Zero { negative: x }, Zero { negative: y }) if x == y => zero(x),
+    let cancelled = Zero { negative: rounding == Rounding::Down };
+    Some(match (x, y) {
+        (Nan { signalling }, _) | (_, Nan { signalling }) => Nan { signalling },
+        (Infinity { negative: x }, Infinity { negative: y }) if x != y => return None,
+        (Infinity { negative }, _) | (_, Infinity { negative }) => Infinity { negative },
+        (Zero { negative: x }, Zero { negative: y }) if x == y => Zero { negative: x },
         (Zero { .. }, Zero { .. }) => cancelled,
-        (Zero { .. }, Finite(number)) | (Finite(number), Zero { .. }) => {
-            number.round(DOUBLE, rounding)
-        }
-        (Finite(x), Finite(y)) => match x.plus(y) {
-            Some(sum) => sum.round(DOUBLE, rounding),
-            None => cancelled,
-        },
-    }
+        (Zero { .. }, Finite(number)) | (Finite(number), Zero { .. }) => Finite(number),
+        (Finite(x), Finite(y)) => x.plus(y).map_or(cancelled, Finite),
+    })
 }
 
 fn negated(value: u64) -> u64 {
     if value == DEFAULT_NAN { value } else { value ^ SIGN }
-}
-
-fn raise((value, raised): (u64, Flags), flags: Flags) -> (u64, Flags) {
-    (value, raised | flags)
 }
 
 /// `a + b`
@@ -95,10 +91,7 @@ pub fn dfa(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
     {
         return sum;
     }
-    let mut flags = Flags::NONE;
-    let a = operand(DOUBLE, a, &mut flags);
-    let b = operand(DOUBLE, b, &mut flags);
-    raise(sum(a, b, rounding), flags)
+    operation([a, b], rounding, |[a, b]| sum(a, b, rounding))
 }
 
 /// `a - b`
@@ -115,17 +108,7 @@ pub fn dfm(a: u64, b: u64, rounding: Rounding) -> (u64, Flags) {
     {
         return product;
     }
-    let mut flags = Flags::NONE;
-    let a = operand(DOUBLE, a, &mut flags);
-    let b = operand(DOUBLE, b, &mut flags);
-    let result = match product(a, b) {
-        None => INVALID,
-        Some(Value::Nan { .. }) => (DEFAULT_NAN, Flags::NONE),
-        Some(Value::Infinity { negative }) => infinity(negative),
-        Some(Value::Zero { negative }) => zero(negative),
-        Some(Value::Finite(number)) => number.round(DOUBLE, rounding),
-    };
-    raise(result, flags)
+    operation([a, b], rounding, |[a, b]| product(a, b))
 }
 
 /// `a * b + t`
@@ -136,15 +119,7 @@ pub fn dfma(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
     {
         return fused;
     }
-    let mut flags = Flags::NONE;
-    let a = operand(DOUBLE, a, &mut flags);
-    let b = operand(DOUBLE, b, &mut flags);
-    let t = operand(DOUBLE, t, &mut flags);
-    let result = match product(a, b) {
-        None => INVALID,
-        Some(product) => sum(product, t, rounding),
-    };
-    raise(result, flags)
+    operation([a, b, t], rounding, |[a, b, t]| sum(product(a, b)?, t, rounding))
 }
 
 /// `a * b - t`
@@ -170,29 +145,21 @@ pub fn dfnma(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
 /// An IEEE single as a double.
 #[must_use]
 pub fn fesd(single: u32) -> (u64, Flags) {
-    let mut flags = Flags::NONE;
-    let result = match operand(SINGLE, u64::from(single), &mut flags) {
-        Value::Nan { .. } => (DEFAULT_NAN, Flags::NONE),
-        Value::Infinity { negative } => infinity(negative),
-        Value::Zero { negative } => zero(negative),
-        // A double can represent every single, so the rounding mode has no effect.
-        Value::Finite(number) => number.round(DOUBLE, Rounding::NearestEven),
-    };
-    raise(result, flags)
+    // A double can represent every single, so the rounding mode has no effect.
+    converted(SINGLE, u64::from(single), DOUBLE, Rounding::NearestEven)
 }
 
 /// A double as an IEEE single.
 #[must_use]
 pub fn frds(double: u64, rounding: Rounding) -> (u32, Flags) {
-    let mut flags = Flags::NONE;
-    let result = match operand(DOUBLE, double, &mut flags) {
-        Value::Nan { .. } => (SINGLE.default_nan(), Flags::NONE),
-        Value::Infinity { negative } => (SINGLE.infinity(negative), Flags::NONE),
-        Value::Zero { negative } => (SINGLE.signed(negative, 0), Flags::NONE),
-        Value::Finite(number) => number.round(SINGLE, rounding),
-    };
-    let (bits, flags) = raise(result, flags);
+    let (bits, flags) = converted(DOUBLE, double, SINGLE, rounding);
     (bits as u32, flags)
+}
+
+fn converted(from: Format, bits: u64, to: Format, rounding: Rounding) -> (u64, Flags) {
+    let mut flags = Flags::NONE;
+    let (bits, raised) = operand(from, bits, &mut flags).round(to, rounding);
+    (bits, raised | flags)
 }
 
 /// The order of two operands. `None` if one is a NaN.

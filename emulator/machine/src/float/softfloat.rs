@@ -72,6 +72,18 @@ pub(super) enum Value {
     Finite(Number),
 }
 
+impl Value {
+    /// The value in a format, with one rounding. Every NaN becomes the default NaN.
+    pub fn round(self, format: Format, rounding: Rounding) -> (u64, Flags) {
+        match self {
+            Self::Nan { .. } => (format.default_nan(), Flags::NONE),
+            Self::Infinity { negative } => (format.infinity(negative), Flags::NONE),
+            Self::Zero { negative } => (format.signed(negative, 0), Flags::NONE),
+            Self::Finite(number) => number.round(format, rounding),
+        }
+    }
+}
+
 /// Decodes a bit pattern. A denormal becomes a zero with its sign, and raises its flag.
 pub(super) fn unpack(format: Format, bits: u64, flags: &mut Flags) -> Value {
     let negative = bits >> format.sign_shift() & 1 != 0;
@@ -150,7 +162,7 @@ impl Number {
     }
 
     /// Converts the number to a format, with one rounding.
-    pub fn round(self, format: Format, rounding: Rounding) -> (u64, Flags) {
+    fn round(self, format: Format, rounding: Rounding) -> (u64, Flags) {
         let tiny = self.exponent < format.smallest_exponent();
         let below = format.smallest_exponent().saturating_sub(self.exponent).max(0) as u32;
         let dropped = (TOP - format.fraction_bits + below).min(127);

@@ -64,91 +64,49 @@ fn halfword(spu: &Spu, i: Instruction) -> u16 {
     word(spu, i) as u16
 }
 
-#[inline]
-pub(super) fn br(_: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    relative(pc, i)
+/// Defines instructions, one a line.
+macro_rules! branches {
+    ($($name:ident($spu:ident, $channels:ident, $pc:ident, $i:ident) => $flow:expr;)*) => {$(
+        #[inline]
+        pub(super) fn $name(
+            $spu: &mut Spu,
+            $channels: &mut impl Channels,
+            $pc: u32,
+            $i: Instruction,
+        ) -> Flow {
+            $flow
+        }
+    )*};
 }
 
-#[inline]
-pub(super) fn bra(_: &mut Spu, _: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    absolute(i)
-}
-
-#[inline]
-pub(super) fn brsl(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    set_link(spu, pc, i);
-    relative(pc, i)
-}
-
-#[inline]
-pub(super) fn brasl(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    set_link(spu, pc, i);
-    absolute(i)
-}
-
-#[inline]
-pub(super) fn brz(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    relative_if(word(spu, i) == 0, pc, i)
-}
-
-#[inline]
-pub(super) fn brnz(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    relative_if(word(spu, i) != 0, pc, i)
-}
-
-#[inline]
-pub(super) fn brhz(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    relative_if(halfword(spu, i) == 0, pc, i)
-}
-
-#[inline]
-pub(super) fn brhnz(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    relative_if(halfword(spu, i) != 0, pc, i)
-}
-
-#[inline]
-pub(super) fn bi(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    indirect_if(true, spu, channels, i)
-}
-
-#[inline]
-pub(super) fn bisl(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    let target = spu.ra(i).preferred();
-    set_link(spu, pc, i);
-    indirect(spu, channels, i, target)
-}
-
-#[inline]
-pub(super) fn bisled(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    let target = spu.ra(i).preferred();
-    set_link(spu, pc, i);
-    if channels.external_condition() { indirect(spu, channels, i, target) } else { Flow::Next }
-}
-
-#[inline]
-pub(super) fn iret(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    let target = channels.srr0();
-    indirect(spu, channels, i, target)
-}
-
-#[inline]
-pub(super) fn biz(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    indirect_if(word(spu, i) == 0, spu, channels, i)
-}
-
-#[inline]
-pub(super) fn binz(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    indirect_if(word(spu, i) != 0, spu, channels, i)
-}
-
-#[inline]
-pub(super) fn bihz(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    indirect_if(halfword(spu, i) == 0, spu, channels, i)
-}
-
-#[inline]
-pub(super) fn bihnz(spu: &mut Spu, channels: &mut impl Channels, _: u32, i: Instruction) -> Flow {
-    indirect_if(halfword(spu, i) != 0, spu, channels, i)
+branches! {
+    br(_spu, _channels, pc, i) => relative(pc, i);
+    bra(_spu, _channels, _pc, i) => absolute(i);
+    brsl(spu, _channels, pc, i) => { set_link(spu, pc, i); relative(pc, i) };
+    brasl(spu, _channels, pc, i) => { set_link(spu, pc, i); absolute(i) };
+    brz(spu, _channels, pc, i) => relative_if(word(spu, i) == 0, pc, i);
+    brnz(spu, _channels, pc, i) => relative_if(word(spu, i) != 0, pc, i);
+    brhz(spu, _channels, pc, i) => relative_if(halfword(spu, i) == 0, pc, i);
+    brhnz(spu, _channels, pc, i) => relative_if(halfword(spu, i) != 0, pc, i);
+    bi(spu, channels, _pc, i) => indirect_if(true, spu, channels, i);
+    bisl(spu, channels, pc, i) => {
+        let target = spu.ra(i).preferred();
+        set_link(spu, pc, i);
+        indirect(spu, channels, i, target)
+    };
+    bisled(spu, channels, pc, i) => {
+        let target = spu.ra(i).preferred();
+        set_link(spu, pc, i);
+        if channels.external_condition() { indirect(spu, channels, i, target) } else { Flow::Next }
+    };
+    iret(spu, channels, _pc, i) => {
+        let target = channels.srr0();
+        indirect(spu, channels, i, target)
+    };
+    biz(spu, channels, _pc, i) => indirect_if(word(spu, i) == 0, spu, channels, i);
+    binz(spu, channels, _pc, i) => indirect_if(word(spu, i) != 0, spu, channels, i);
+    bihz(spu, channels, _pc, i) => indirect_if(halfword(spu, i) == 0, spu, channels, i);
+    bihnz(spu, channels, _pc, i) => indirect_if(halfword(spu, i) != 0, spu, channels, i);
 }
 
 #[inline]
@@ -157,39 +115,15 @@ fn halt_if(condition: bool, pc: u32) -> Flow {
 }
 
 #[inline]
-fn preferred(spu: &Spu, i: Instruction) -> (u32, u32) {
-    (spu.ra(i).preferred(), spu.rb(i).preferred())
+fn compare(spu: &Spu, i: Instruction, compare: impl Fn(u32, u32) -> bool) -> bool {
+    compare(spu.ra(i).preferred(), spu.rb(i).preferred())
 }
 
-#[inline]
-pub(super) fn heq(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    let (a, b) = preferred(spu, i);
-    halt_if(a == b, pc)
-}
-
-#[inline]
-pub(super) fn heqi(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    halt_if(spu.ra(i).preferred() == i.immediate as u32, pc)
-}
-
-#[inline]
-pub(super) fn hgt(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    let (a, b) = preferred(spu, i);
-    halt_if(a as i32 > b as i32, pc)
-}
-
-#[inline]
-pub(super) fn hgti(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    halt_if(spu.ra(i).preferred() as i32 > i.immediate, pc)
-}
-
-#[inline]
-pub(super) fn hlgt(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    let (a, b) = preferred(spu, i);
-    halt_if(a > b, pc)
-}
-
-#[inline]
-pub(super) fn hlgti(spu: &mut Spu, _: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
-    halt_if(spu.ra(i).preferred() > i.immediate as u32, pc)
+branches! {
+    heq(spu, _channels, pc, i) => halt_if(compare(spu, i, |a, b| a == b), pc);
+    heqi(spu, _channels, pc, i) => halt_if(spu.ra(i).preferred() == i.immediate as u32, pc);
+    hgt(spu, _channels, pc, i) => halt_if(compare(spu, i, |a, b| a as i32 > b as i32), pc);
+    hgti(spu, _channels, pc, i) => halt_if(spu.ra(i).preferred() as i32 > i.immediate, pc);
+    hlgt(spu, _channels, pc, i) => halt_if(compare(spu, i, |a, b| a > b), pc);
+    hlgti(spu, _channels, pc, i) => halt_if(spu.ra(i).preferred() > i.immediate as u32, pc);
 }

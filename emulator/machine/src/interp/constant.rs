@@ -10,19 +10,10 @@ const fn both_halves(i: Instruction) -> u32 {
     (i.immediate as u32 & 0xffff) * 0x0001_0001
 }
 
-#[inline]
-pub(super) fn il(spu: &mut Spu, i: Instruction) {
-    spu.set_rt(i, Quad::splat(i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn ilh(spu: &mut Spu, i: Instruction) {
-    spu.set_rt(i, Quad::splat(both_halves(i)));
-}
-
-#[inline]
-pub(super) fn ilhu(spu: &mut Spu, i: Instruction) {
-    spu.set_rt(i, Quad::splat((i.immediate as u32) << 16));
+instructions! {
+    il(i): set_rt(Quad::splat(i.immediate as u32));
+    ilh(i): set_rt(Quad::splat(both_halves(i)));
+    ilhu(i): set_rt(Quad::splat((i.immediate as u32) << 16));
 }
 
 #[inline]
@@ -31,12 +22,7 @@ pub(super) fn iohl(spu: &mut Spu, i: Instruction) {
     spu.set_rt(i, Quad(spu.rt(i).0.map(|word| word | lower)));
 }
 
-#[inline]
-pub(super) fn ila(spu: &mut Spu, i: Instruction) {
-    spu.set_rt(i, Quad::splat(i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn fsmbi(spu: &mut Spu, i: Instruction) {
-    spu.set_rt(i, super::integer::spread_over_bytes(i.immediate as u32));
+instructions! {
+    ila(i): set_rt(Quad::splat(i.immediate as u32));
+    fsmbi(i): set_rt(super::integer::spread_over_bytes(i.immediate as u32));
 }

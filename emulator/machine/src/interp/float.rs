@@ -128,34 +128,13 @@ fn split(lanes: [(u32, Flags); 4]) -> Lanes<4> {
     (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1))
 }
 
-#[inline]
-pub(super) fn fa(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, ordinary::fa, single::fa_lanes);
-}
-
-#[inline]
-pub(super) fn fs(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, ordinary::fs, single::fs_lanes);
-}
-
-#[inline]
-pub(super) fn fm(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, ordinary::fm, single::fm_lanes);
-}
-
-#[inline]
-pub(super) fn fma(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, ordinary::fma, single::fma_lanes);
-}
-
-#[inline]
-pub(super) fn fms(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, ordinary::fms, single::fms_lanes);
-}
-
-#[inline]
-pub(super) fn fnms(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, ordinary::fnms, single::fnms_lanes);
+instructions! {
+    fa(i): single_binary(ordinary::fa, single::fa_lanes);
+    fs(i): single_binary(ordinary::fs, single::fs_lanes);
+    fm(i): single_binary(ordinary::fm, single::fm_lanes);
+    fma(i): single_ternary(ordinary::fma, single::fma_lanes);
+    fms(i): single_ternary(ordinary::fms, single::fms_lanes);
+    fnms(i): single_ternary(ordinary::fnms, single::fnms_lanes);
 }
 
 #[inline]
@@ -180,9 +159,8 @@ pub(super) fn frsqest(spu: &mut Spu, i: Instruction) {
     estimate(spu, i, estimate::frsqest);
 }
 
-#[inline]
-pub(super) fn fi(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, ordinary::fi, |a, b| split(from_fn(|n| estimate::fi_flagged(a[n], b[n]))));
+instructions! {
+    fi(i): single_binary(ordinary::fi, |a, b| split(from_fn(|n| estimate::fi_flagged(a[n], b[n]))));
 }
 
 #[inline]
@@ -199,69 +177,20 @@ pub(super) fn cuflt(spu: &mut Spu, i: Instruction) {
     });
 }
 
-#[inline]
-pub(super) fn cflts(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| convert::cflts(a, i.immediate));
-}
-
-#[inline]
-pub(super) fn cfltu(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| convert::cfltu(a, i.immediate));
-}
-
-#[inline]
-pub(super) fn fceq(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, single::fceq);
-}
-
-#[inline]
-pub(super) fn fcmeq(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, single::fcmeq);
-}
-
-#[inline]
-pub(super) fn fcgt(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, single::fcgt);
-}
-
-#[inline]
-pub(super) fn fcmgt(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, single::fcmgt);
-}
-
-#[inline]
-pub(super) fn dfa(spu: &mut Spu, i: Instruction) {
-    spu.double_binary(i, double::dfa);
-}
-
-#[inline]
-pub(super) fn dfs(spu: &mut Spu, i: Instruction) {
-    spu.double_binary(i, double::dfs);
-}
-
-#[inline]
-pub(super) fn dfm(spu: &mut Spu, i: Instruction) {
-    spu.double_binary(i, double::dfm);
-}
-
-#[inline]
-pub(super) fn dfma(spu: &mut Spu, i: Instruction) {
-    spu.double_accumulate(i, double::dfma);
-}
-
-#[inline]
-pub(super) fn dfms(spu: &mut Spu, i: Instruction) {
-    spu.double_accumulate(i, double::dfms);
-}
-
-#[inline]
-pub(super) fn dfnms(spu: &mut Spu, i: Instruction) {
-    spu.double_accumulate(i, double::dfnms);
-}
-
-#[inline]
-pub(super) fn dfnma(spu: &mut Spu, i: Instruction) {
-    spu.double_accumulate(i, double::dfnma);
+instructions! {
+    cflts(i): word_unary(|a| convert::cflts(a, i.immediate));
+    cfltu(i): word_unary(|a| convert::cfltu(a, i.immediate));
+    fceq(i): word_binary(single::fceq);
+    fcmeq(i): word_binary(single::fcmeq);
+    fcgt(i): word_binary(single::fcgt);
+    fcmgt(i): word_binary(single::fcmgt);
+    dfa(i): double_binary(double::dfa);
+    dfs(i): double_binary(double::dfs);
+    dfm(i): double_binary(double::dfm);
+    dfma(i): double_accumulate(double::dfma);
+    dfms(i): double_accumulate(double::dfms);
+    dfnms(i): double_accumulate(double::dfnms);
+    dfnma(i): double_accumulate(double::dfnma);
 }
 
 #[inline]
@@ -291,24 +220,11 @@ pub(super) fn fscrwr(spu: &mut Spu, i: Instruction) {
     spu.fpscr = Fpscr::from_words(spu.ra(i).0);
 }
 
-#[inline]
-pub(super) fn dfceq(spu: &mut Spu, i: Instruction) {
-    spu.double_compare(i, double::dfceq);
-}
-
-#[inline]
-pub(super) fn dfcmeq(spu: &mut Spu, i: Instruction) {
-    spu.double_compare(i, double::dfcmeq);
-}
-
-#[inline]
-pub(super) fn dfcgt(spu: &mut Spu, i: Instruction) {
-    spu.double_compare(i, double::dfcgt);
-}
-
-#[inline]
-pub(super) fn dfcmgt(spu: &mut Spu, i: Instruction) {
-    spu.double_compare(i, double::dfcmgt);
+instructions! {
+    dfceq(i): double_compare(double::dfceq);
+    dfcmeq(i): double_compare(double::dfcmeq);
+    dfcgt(i): double_compare(double::dfcgt);
+    dfcmgt(i): double_compare(double::dfcmgt);
 }
 
 #[inline]

@@ -5,49 +5,16 @@ use super::spu::Spu;
 use spu_isa::Instruction;
 use std::array::from_fn;
 
-#[inline]
-pub(super) fn a(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, u32::wrapping_add);
-}
-
-#[inline]
-pub(super) fn ah(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, u16::wrapping_add);
-}
-
-#[inline]
-pub(super) fn ai(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a.wrapping_add_signed(i.immediate));
-}
-
-#[inline]
-pub(super) fn ahi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| a.wrapping_add(i.immediate as u16));
-}
-
-#[inline]
-pub(super) fn sf(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| b.wrapping_sub(a));
-}
-
-#[inline]
-pub(super) fn sfh(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, |a, b| b.wrapping_sub(a));
-}
-
-#[inline]
-pub(super) fn sfi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| (i.immediate as u32).wrapping_sub(a));
-}
-
-#[inline]
-pub(super) fn sfhi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| (i.immediate as u16).wrapping_sub(a));
-}
-
-#[inline]
-pub(super) fn addx(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| a.wrapping_add(b).wrapping_add(t & 1));
+instructions! {
+    a(i): word_binary(u32::wrapping_add);
+    ah(i): halfword_binary(u16::wrapping_add);
+    ai(i): word_unary(|a| a.wrapping_add_signed(i.immediate));
+    ahi(i): halfword_unary(|a| a.wrapping_add(i.immediate as u16));
+    sf(i): word_binary(|a, b| b.wrapping_sub(a));
+    sfh(i): halfword_binary(|a, b| b.wrapping_sub(a));
+    sfi(i): word_unary(|a| (i.immediate as u32).wrapping_sub(a));
+    sfhi(i): halfword_unary(|a| (i.immediate as u16).wrapping_sub(a));
+    addx(i): word_accumulate(|a, b, t| a.wrapping_add(b).wrapping_add(t & 1));
 }
 
 /// The carry out of `a + b + carry`.
@@ -56,29 +23,12 @@ const fn carry(a: u32, b: u32, carry: u32) -> u32 {
     ((a as u64 + b as u64 + carry as u64) >> 32) as u32
 }
 
-#[inline]
-pub(super) fn cg(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| carry(a, b, 0));
-}
-
-#[inline]
-pub(super) fn cgx(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| carry(a, b, t & 1));
-}
-
-#[inline]
-pub(super) fn sfx(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| b.wrapping_add(!a).wrapping_add(t & 1));
-}
-
-#[inline]
-pub(super) fn bg(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| carry(!a, b, 1));
-}
-
-#[inline]
-pub(super) fn bgx(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| carry(!a, b, t & 1));
+instructions! {
+    cg(i): word_binary(|a, b| carry(a, b, 0));
+    cgx(i): word_accumulate(|a, b, t| carry(a, b, t & 1));
+    sfx(i): word_accumulate(|a, b, t| b.wrapping_add(!a).wrapping_add(t & 1));
+    bg(i): word_binary(|a, b| carry(!a, b, 1));
+    bgx(i): word_accumulate(|a, b, t| carry(!a, b, t & 1));
 }
 
 #[inline]
@@ -101,79 +51,22 @@ const fn high(x: u32) -> u32 {
     x >> 16
 }
 
-#[inline]
-pub(super) fn mpy(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| (signed_low(a) * signed_low(b)) as u32);
-}
-
-#[inline]
-pub(super) fn mpyu(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| low(a) * low(b));
-}
-
-#[inline]
-pub(super) fn mpyi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| (signed_low(a) * i.immediate) as u32);
-}
-
-#[inline]
-pub(super) fn mpyui(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| low(a) * low(i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn mpya(spu: &mut Spu, i: Instruction) {
-    spu.word_ternary(i, |a, b, c| c.wrapping_add_signed(signed_low(a) * signed_low(b)));
-}
-
-#[inline]
-pub(super) fn mpyh(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| (high(a) * low(b)) << 16);
-}
-
-#[inline]
-pub(super) fn mpys(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| ((signed_low(a) * signed_low(b)) >> 16) as u32);
-}
-
-#[inline]
-pub(super) fn mpyhh(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| (signed_high(a) * signed_high(b)) as u32);
-}
-
-#[inline]
-pub(super) fn mpyhhu(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| high(a) * high(b));
-}
-
-#[inline]
-pub(super) fn mpyhha(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| t.wrapping_add_signed(signed_high(a) * signed_high(b)));
-}
-
-#[inline]
-pub(super) fn mpyhhau(spu: &mut Spu, i: Instruction) {
-    spu.word_accumulate(i, |a, b, t| t.wrapping_add(high(a) * high(b)));
-}
-
-#[inline]
-pub(super) fn clz(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, u32::leading_zeros);
-}
-
-#[inline]
-pub(super) fn cntb(spu: &mut Spu, i: Instruction) {
-    spu.byte_unary(i, |a| a.count_ones() as u8);
-}
-
-#[inline]
-pub(super) fn avgb(spu: &mut Spu, i: Instruction) {
-    spu.byte_binary(i, |a, b| ((u16::from(a) + u16::from(b) + 1) >> 1) as u8);
-}
-
-#[inline]
-pub(super) fn absdb(spu: &mut Spu, i: Instruction) {
-    spu.byte_binary(i, u8::abs_diff);
+instructions! {
+    mpy(i): word_binary(|a, b| (signed_low(a) * signed_low(b)) as u32);
+    mpyu(i): word_binary(|a, b| low(a) * low(b));
+    mpyi(i): word_unary(|a| (signed_low(a) * i.immediate) as u32);
+    mpyui(i): word_unary(|a| low(a) * low(i.immediate as u32));
+    mpya(i): word_ternary(|a, b, c| c.wrapping_add_signed(signed_low(a) * signed_low(b)));
+    mpyh(i): word_binary(|a, b| (high(a) * low(b)) << 16);
+    mpys(i): word_binary(|a, b| ((signed_low(a) * signed_low(b)) >> 16) as u32);
+    mpyhh(i): word_binary(|a, b| (signed_high(a) * signed_high(b)) as u32);
+    mpyhhu(i): word_binary(|a, b| high(a) * high(b));
+    mpyhha(i): word_accumulate(|a, b, t| t.wrapping_add_signed(signed_high(a) * signed_high(b)));
+    mpyhhau(i): word_accumulate(|a, b, t| t.wrapping_add(high(a) * high(b)));
+    clz(i): word_unary(u32::leading_zeros);
+    cntb(i): byte_unary(|a| a.count_ones() as u8);
+    avgb(i): byte_binary(|a, b| ((u16::from(a) + u16::from(b) + 1) >> 1) as u8);
+    absdb(i): byte_binary(u8::abs_diff);
 }
 
 #[inline]
@@ -182,14 +75,9 @@ pub(super) fn sumb(spu: &mut Spu, i: Instruction) {
     spu.word_binary(i, |a, b| sum(b) << 16 | sum(a));
 }
 
-#[inline]
-pub(super) fn xsbh(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| a as i8 as u16);
-}
-
-#[inline]
-pub(super) fn xshw(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a as i16 as u32);
+instructions! {
+    xsbh(i): halfword_unary(|a| a as i8 as u16);
+    xshw(i): word_unary(|a| a as i16 as u32);
 }
 
 #[inline]
@@ -198,44 +86,15 @@ pub(super) fn xswd(spu: &mut Spu, i: Instruction) {
     spu.set_rt(i, Quad::from_doublewords(doublewords.map(|a| a as i32 as u64)));
 }
 
-#[inline]
-pub(super) fn and(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| a & b);
-}
-
-#[inline]
-pub(super) fn or(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| a | b);
-}
-
-#[inline]
-pub(super) fn xor(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| a ^ b);
-}
-
-#[inline]
-pub(super) fn nand(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| !(a & b));
-}
-
-#[inline]
-pub(super) fn nor(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| !(a | b));
-}
-
-#[inline]
-pub(super) fn eqv(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| !(a ^ b));
-}
-
-#[inline]
-pub(super) fn andc(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| a & !b);
-}
-
-#[inline]
-pub(super) fn orc(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, |a, b| a | !b);
+instructions! {
+    and(i): word_binary(|a, b| a & b);
+    or(i): word_binary(|a, b| a | b);
+    xor(i): word_binary(|a, b| a ^ b);
+    nand(i): word_binary(|a, b| !(a & b));
+    nor(i): word_binary(|a, b| !(a | b));
+    eqv(i): word_binary(|a, b| !(a ^ b));
+    andc(i): word_binary(|a, b| a & !b);
+    orc(i): word_binary(|a, b| a | !b);
 }
 
 /// The immediate in both halves of a word.
@@ -250,49 +109,16 @@ const fn bytes(i: Instruction) -> u32 {
     i.immediate as u8 as u32 * 0x0101_0101
 }
 
-#[inline]
-pub(super) fn andi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a & i.immediate as u32);
-}
-
-#[inline]
-pub(super) fn ori(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a | i.immediate as u32);
-}
-
-#[inline]
-pub(super) fn xori(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a ^ i.immediate as u32);
-}
-
-#[inline]
-pub(super) fn andhi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a & halfwords(i));
-}
-
-#[inline]
-pub(super) fn orhi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a | halfwords(i));
-}
-
-#[inline]
-pub(super) fn xorhi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a ^ halfwords(i));
-}
-
-#[inline]
-pub(super) fn andbi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a & bytes(i));
-}
-
-#[inline]
-pub(super) fn orbi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a | bytes(i));
-}
-
-#[inline]
-pub(super) fn xorbi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| a ^ bytes(i));
+instructions! {
+    andi(i): word_unary(|a| a & i.immediate as u32);
+    ori(i): word_unary(|a| a | i.immediate as u32);
+    xori(i): word_unary(|a| a ^ i.immediate as u32);
+    andhi(i): word_unary(|a| a & halfwords(i));
+    orhi(i): word_unary(|a| a | halfwords(i));
+    xorhi(i): word_unary(|a| a ^ halfwords(i));
+    andbi(i): word_unary(|a| a & bytes(i));
+    orbi(i): word_unary(|a| a | bytes(i));
+    xorbi(i): word_unary(|a| a ^ bytes(i));
 }
 
 #[inline]
@@ -301,9 +127,8 @@ pub(super) fn orx(spu: &mut Spu, i: Instruction) {
     spu.set_rt(i, Quad::scalar(a | b | c | d));
 }
 
-#[inline]
-pub(super) fn selb(spu: &mut Spu, i: Instruction) {
-    spu.word_ternary(i, |a, b, c| b & c | a & !c);
+instructions! {
+    selb(i): word_ternary(|a, b, c| b & c | a & !c);
 }
 
 /// Which of eight words a control selects, and whether it selects a whole word.

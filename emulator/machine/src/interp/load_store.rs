@@ -33,46 +33,25 @@ fn store(spu: &Spu, ls: &LocalStore, i: Instruction, address: u32) {
     ls.store_quadword(address, spu.rt(i).0);
 }
 
-#[inline]
-pub(super) fn lqd(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    let address = displaced(spu, i);
-    load(spu, ls, i, address);
+/// Defines instructions, one a line.
+macro_rules! accesses {
+    ($($name:ident($spu:ident, $ls:ident, $pc:ident, $i:ident) => $effect:expr;)*) => {$(
+        #[inline]
+        pub(super) fn $name($spu: &mut Spu, $ls: &LocalStore, $pc: u32, $i: Instruction) {
+            $effect;
+        }
+    )*};
 }
 
-#[inline]
-pub(super) fn lqx(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    let address = indexed(spu, i);
-    load(spu, ls, i, address);
-}
-
-#[inline]
-pub(super) fn lqa(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    load(spu, ls, i, i.immediate as u32);
-}
-
-#[inline]
-pub(super) fn lqr(spu: &mut Spu, ls: &LocalStore, pc: u32, i: Instruction) {
-    load(spu, ls, i, relative(pc, i));
-}
-
-#[inline]
-pub(super) fn stqd(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    store(spu, ls, i, displaced(spu, i));
-}
-
-#[inline]
-pub(super) fn stqx(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    store(spu, ls, i, indexed(spu, i));
-}
-
-#[inline]
-pub(super) fn stqa(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
-    store(spu, ls, i, i.immediate as u32);
-}
-
-#[inline]
-pub(super) fn stqr(spu: &mut Spu, ls: &LocalStore, pc: u32, i: Instruction) {
-    store(spu, ls, i, relative(pc, i));
+accesses! {
+    lqd(spu, ls, _pc, i) => { let address = displaced(spu, i); load(spu, ls, i, address); };
+    lqx(spu, ls, _pc, i) => { let address = indexed(spu, i); load(spu, ls, i, address); };
+    lqa(spu, ls, _pc, i) => load(spu, ls, i, i.immediate as u32);
+    lqr(spu, ls, pc, i) => load(spu, ls, i, relative(pc, i));
+    stqd(spu, ls, _pc, i) => store(spu, ls, i, displaced(spu, i));
+    stqx(spu, ls, _pc, i) => store(spu, ls, i, indexed(spu, i));
+    stqa(spu, ls, _pc, i) => store(spu, ls, i, i.immediate as u32);
+    stqr(spu, ls, pc, i) => store(spu, ls, i, relative(pc, i));
 }
 
 /// A `shufb` control that keeps rb's bytes except the `size` bytes at `address`. Those come from
@@ -94,42 +73,13 @@ fn insertion(address: u32, size: u32) -> Quad {
     Quad::from_u128(KEEP & !(u128::from(ones) << shift) | u128::from(scalar) << shift)
 }
 
-#[inline]
-pub(super) fn cbd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(displaced(spu, i), 1));
-}
-
-#[inline]
-pub(super) fn chd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(displaced(spu, i), 2));
-}
-
-#[inline]
-pub(super) fn cwd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(displaced(spu, i), 4));
-}
-
-#[inline]
-pub(super) fn cdd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(displaced(spu, i), 8));
-}
-
-#[inline]
-pub(super) fn cbx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(indexed(spu, i), 1));
-}
-
-#[inline]
-pub(super) fn chx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(indexed(spu, i), 2));
-}
-
-#[inline]
-pub(super) fn cwx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(indexed(spu, i), 4));
-}
-
-#[inline]
-pub(super) fn cdx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
-    spu.set_rt(i, insertion(indexed(spu, i), 8));
+accesses! {
+    cbd(spu, _ls, _pc, i) => spu.set_rt(i, insertion(displaced(spu, i), 1));
+    chd(spu, _ls, _pc, i) => spu.set_rt(i, insertion(displaced(spu, i), 2));
+    cwd(spu, _ls, _pc, i) => spu.set_rt(i, insertion(displaced(spu, i), 4));
+    cdd(spu, _ls, _pc, i) => spu.set_rt(i, insertion(displaced(spu, i), 8));
+    cbx(spu, _ls, _pc, i) => spu.set_rt(i, insertion(indexed(spu, i), 1));
+    chx(spu, _ls, _pc, i) => spu.set_rt(i, insertion(indexed(spu, i), 2));
+    cwx(spu, _ls, _pc, i) => spu.set_rt(i, insertion(indexed(spu, i), 4));
+    cdx(spu, _ls, _pc, i) => spu.set_rt(i, insertion(indexed(spu, i), 8));
 }

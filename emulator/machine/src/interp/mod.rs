@@ -1,10 +1,22 @@
 //! The interpreter. It defines the effect of each instruction.
 //!
-//! Each instruction has one short function, and the functions are grouped as the architecture's
-//! chapters are. The dispatch is generated from the instruction table. The interpreter uses local
-//! store and the [`Channels`] trait, and does not depend on the units that serve the channels. It
-//! counts instructions, not cycles. No guest program can make it panic, or loop without a call of
-//! [`Channels::stop_requested`].
+//! Each instruction has one short function, or a line of which a macro makes one. They are grouped
+//! as the architecture's chapters are. The dispatch is generated from the instruction table. The
+//! interpreter uses local store and the [`Channels`] trait, and does not depend on the units that
+//! serve the channels. It counts instructions, not cycles. No guest program can make it panic, or
+//! loop without a call of [`Channels::stop_requested`].
+
+/// Defines instructions that use registers only, one a line: `name(i): form(arguments);` calls a
+/// method of [`Spu`] with the instruction `i` and the arguments.
+macro_rules! instructions {
+    ($($(#[$doc:meta])* $name:ident($i:ident): $form:ident($($argument:expr),*);)*) => {$(
+        $(#[$doc])*
+        #[inline]
+        pub(super) fn $name(spu: &mut Spu, $i: Instruction) {
+            spu.$form($i, $($argument),*);
+        }
+    )*};
+}
 
 mod block;
 mod branch;

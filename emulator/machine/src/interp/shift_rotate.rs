@@ -47,84 +47,23 @@ const fn right_signed_halfword(a: u16, negated: u32) -> u16 {
     (a as i16 as i32 >> (negated.wrapping_neg() & 31)) as u16
 }
 
-#[inline]
-pub(super) fn shl(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, left);
-}
-
-#[inline]
-pub(super) fn shli(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| left(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn shlh(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, |a, b| left_halfword(a, b.into()));
-}
-
-#[inline]
-pub(super) fn shlhi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| left_halfword(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rot(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, rotated);
-}
-
-#[inline]
-pub(super) fn roti(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| rotated(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn roth(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, |a, b| rotated_halfword(a, b.into()));
-}
-
-#[inline]
-pub(super) fn rothi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| rotated_halfword(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotm(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, right);
-}
-
-#[inline]
-pub(super) fn rotmi(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| right(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rothm(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, |a, b| right_halfword(a, b.into()));
-}
-
-#[inline]
-pub(super) fn rothmi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| right_halfword(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotma(spu: &mut Spu, i: Instruction) {
-    spu.word_binary(i, right_signed);
-}
-
-#[inline]
-pub(super) fn rotmai(spu: &mut Spu, i: Instruction) {
-    spu.word_unary(i, |a| right_signed(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotmah(spu: &mut Spu, i: Instruction) {
-    spu.halfword_binary(i, |a, b| right_signed_halfword(a, b.into()));
-}
-
-#[inline]
-pub(super) fn rotmahi(spu: &mut Spu, i: Instruction) {
-    spu.halfword_unary(i, |a| right_signed_halfword(a, i.immediate as u32));
+instructions! {
+    shl(i): word_binary(left);
+    shli(i): word_unary(|a| left(a, i.immediate as u32));
+    shlh(i): halfword_binary(|a, b| left_halfword(a, b.into()));
+    shlhi(i): halfword_unary(|a| left_halfword(a, i.immediate as u32));
+    rot(i): word_binary(rotated);
+    roti(i): word_unary(|a| rotated(a, i.immediate as u32));
+    roth(i): halfword_binary(|a, b| rotated_halfword(a, b.into()));
+    rothi(i): halfword_unary(|a| rotated_halfword(a, i.immediate as u32));
+    rotm(i): word_binary(right);
+    rotmi(i): word_unary(|a| right(a, i.immediate as u32));
+    rothm(i): halfword_binary(|a, b| right_halfword(a, b.into()));
+    rothmi(i): halfword_unary(|a| right_halfword(a, i.immediate as u32));
+    rotma(i): word_binary(right_signed);
+    rotmai(i): word_unary(|a| right_signed(a, i.immediate as u32));
+    rotmah(i): halfword_binary(|a, b| right_signed_halfword(a, b.into()));
+    rotmahi(i): halfword_unary(|a| right_signed_halfword(a, i.immediate as u32));
 }
 
 #[inline]
@@ -168,78 +107,22 @@ const fn bytes_of(bits: u32) -> u32 {
     bits >> 3
 }
 
-#[inline]
-pub(super) fn shlqbi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, left_bits);
-}
-
-#[inline]
-pub(super) fn shlqbii(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| left_bits(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn shlqby(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, left_bytes);
-}
-
-#[inline]
-pub(super) fn shlqbyi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| left_bytes(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn shlqbybi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, |a, b| left_bytes(a, bytes_of(b)));
-}
-
-#[inline]
-pub(super) fn rotqbi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, rotated_bits);
-}
-
-#[inline]
-pub(super) fn rotqbii(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| rotated_bits(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotqby(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, rotated_bytes);
-}
-
-#[inline]
-pub(super) fn rotqbyi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| rotated_bytes(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotqbybi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, |a, b| rotated_bytes(a, bytes_of(b)));
-}
-
-#[inline]
-pub(super) fn rotqmbi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, right_bits);
-}
-
-#[inline]
-pub(super) fn rotqmbii(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| right_bits(a, i.immediate as u32));
-}
-
-#[inline]
-pub(super) fn rotqmby(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, right_bytes);
-}
-
-#[inline]
-pub(super) fn rotqmbyi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_unary(i, |a| right_bytes(a, i.immediate as u32));
-}
-
-/// The instruction negates the field of bytes, not the count of bits: -12 bits are 2 bytes, not 1.
-#[inline]
-pub(super) fn rotqmbybi(spu: &mut Spu, i: Instruction) {
-    spu.quadword_by_scalar(i, |a, b| right_bytes(a, bytes_of(b)));
+instructions! {
+    shlqbi(i): quadword_by_scalar(left_bits);
+    shlqbii(i): quadword_unary(|a| left_bits(a, i.immediate as u32));
+    shlqby(i): quadword_by_scalar(left_bytes);
+    shlqbyi(i): quadword_unary(|a| left_bytes(a, i.immediate as u32));
+    shlqbybi(i): quadword_by_scalar(|a, b| left_bytes(a, bytes_of(b)));
+    rotqbi(i): quadword_by_scalar(rotated_bits);
+    rotqbii(i): quadword_unary(|a| rotated_bits(a, i.immediate as u32));
+    rotqby(i): quadword_by_scalar(rotated_bytes);
+    rotqbyi(i): quadword_unary(|a| rotated_bytes(a, i.immediate as u32));
+    rotqbybi(i): quadword_by_scalar(|a, b| rotated_bytes(a, bytes_of(b)));
+    rotqmbi(i): quadword_by_scalar(right_bits);
+    rotqmbii(i): quadword_unary(|a| right_bits(a, i.immediate as u32));
+    rotqmby(i): quadword_by_scalar(right_bytes);
+    rotqmbyi(i): quadword_unary(|a| right_bytes(a, i.immediate as u32));
+    /// The instruction negates the field of bytes, not the count of bits: -12 bits are 2 bytes, not
+    /// 1.
+    rotqmbybi(i): quadword_by_scalar(|a, b| right_bytes(a, bytes_of(b)));
 }

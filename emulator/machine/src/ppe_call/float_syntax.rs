@@ -1,5 +1,8 @@
 //! The syntax of floating-point numbers in C, for `scanf`.
 
+use std::ffi::CString;
+use std::ptr;
+
 /// How far a number has been read.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
@@ -93,76 +96,9 @@ pub(super) fn is_prefix(text: &[u8]) -> bool {
 /// The value of `text`, if it is a complete number.
 pub(super) fn value(text: &[u8]) -> Option<f64> {
     state(text).filter(|state| state.is_whole_number())?;
-    let text = std::str::from_utf8(text).ok()?.to_ascii_lowercase();
-    let (negative, magnitude) = match text.strip_prefix('-') {
-        Some(rest) => (true, rest),
-        None => (false, text.strip_prefix('+').unwrap_or(&text)),
-    };
-    let value = match magnitude.strip_prefix("0x") {
-        Some(digits) => hexadecimal(digits),
-        None => magnitude.parse().ok()?,
-    };
-    Some(if negative { -value } else { value })
-}
-
-/// The value of a hexadecimal number. Digits beyond those that fit only determine whether there is
-/// a remainder.
-fn hexadecimal(text: &str) -> f64 {
-    let (digits, exponent) = text.split_once('p').unwrap_or((text, "0"));
-    // An exponent that does not fit is too large for any number of digits that fits.
-    let limit = if exponent.starts_with('-') { -(1 << 20) } else { 1 << 20 };
-    let mut exponent: i64 = exponent.parse().unwrap_or(limit).clamp(-(1 << 20), 1 << 20);
-    let mut mantissa: u64 = 0;
-    let mut after_point = false;
-    for byte in digits.bytes() {
-        if byte == b'.' {
-            after_point = true;
-            continue;
-        }
-        let digit = u64::from((byte as char).to_digit(16).unwrap_or(0));
-        if mantissa >> 58 == 0 {
-            mantissa = mantissa << 4 | digit;
-            exponent -= if after_point { 4 } else { 0 };
-        } else {
-            mantissa |= u64::from(digit != 0);
-            exponent += if after_point { 0 } else { 4 };
-        }
-    }
-    scale(mantissa, exponent)
-}
-
-/// `mantissa * 2^exponent`, rounded once, with ties to even.
-fn scale(mantissa: u64, exponent: i64) -> f64 {
-    if mantissa == 0 {
-        return 0.0;
-    }
-    let shift = i64::from(mantissa.leading_zeros());
-    let mantissa = mantissa << shift;
-    // The value is mantissa / 2^63 * 2^top.
-    let top = exponent - shift + 63;
-    if top > 1023 {
-        return f64::INFINITY;
-    }
-    // A normal number keeps 53 bits, a subnormal one as many as remain.
-    let kept = (top + 1075).clamp(0, 53);
-    if kept == 0 && top < -1075 {
-        return 0.0;
-    }
-    let dropped = (64 - kept) as u32;
-    let whole = u128::from(mantissa);
-    let mut rounded = whole >> dropped;
-    let rest = whole & ((1 << dropped) - 1);
-    let half = 1_u128 << (dropped - 1);
-    if rest > half || (rest == half && rounded & 1 == 1) {
-        rounded += 1;
-    }
-    // The implicit bit adds one to the exponent field, and so does a carry.
-    let field = (top + 1022).max(0) as u64;
-    if top >= -1022 {
-        f64::from_bits((field << 52) + rounded as u64)
-    } else {
-        f64::from_bits(rounded as u64)
-    }
+    let text = CString::new(text).ok()?;
+    // SAFETY: the text ends in 0, and nobody asks where its number ends.
+    Some(unsafe { libc::strtod(text.as_ptr(), ptr::null_mut()) })
 }
 
 #[cfg(test)]

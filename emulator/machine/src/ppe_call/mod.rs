@@ -29,7 +29,6 @@ mod guest;
 mod host;
 mod libea;
 mod linux;
-mod number;
 mod posix;
 mod print;
 mod scan;

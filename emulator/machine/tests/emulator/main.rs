@@ -9,7 +9,7 @@ mod filetests;
 mod float;
 mod instructions;
 mod machine;
-mod program;
 mod simulated;
 mod spu_calls;
+mod support;
 mod timer;

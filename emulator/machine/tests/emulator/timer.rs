@@ -38,18 +38,10 @@ impl Channels for Open {
             None => false,
         }
     }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 fn i(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction { op, rt, ra, rb: 0, rc: 0, branch_distance: 0, immediate }
+    Instruction::new(op, [rt, ra, 0, 0], immediate)
 }
 
 fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stopped) {

@@ -65,5 +65,5 @@ fn no_operation(op: Op, stage: u32) -> Node {
 
 /// An instruction with registers and a constant as operands.
 pub(super) fn plain(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
-    Instruction { op, rt, ra, rb: 0, rc: 0, branch_distance: 0, immediate }
+    Instruction::new(op, [rt, ra, 0, 0], immediate)
 }

@@ -13,27 +13,21 @@ fn folder(program: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs").join(program)
 }
 
-/// Builds `tests/programs/<program>` and returns the file in the work folder that `of` names.
-fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
+/// Builds `tests/programs/<program>`, and returns this file of the work folder.
+fn build(program: &str, file: &str) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        let image = spu_build::Image::from_folder(&folder(program), &script)?;
-        image.build(&tools, work.path(), &work.path().join("program"))
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    fs::read(of(work.path())).unwrap()
+    let image = spu_build::Image::from_folder(&folder(program), &script).unwrap();
+    spu_build::for_tests::build(&image, &work.path().join("program"));
+    fs::read(work.path().join(file)).unwrap()
 }
 
 fn program(name: &str) -> Code {
-    Code::parse(&build(name, |work| work.join("program"))).unwrap()
+    Code::parse(&build(name, "program")).unwrap()
 }
 
 fn object(name: &str) -> Code {
-    let object = format!("00-{name}.o");
-    Code::parse(&build(name, |work| work.join(&object))).unwrap()
+    Code::parse(&build(name, &format!("objects/00-{name}.o"))).unwrap()
 }
 
 #[test]
@@ -147,7 +141,7 @@ fn a_source_that_is_not_in_the_table_is_an_error() {
 #[test]
 fn file_of_another_format_is_an_error() {
     assert!(matches!(Code::parse(b"no"), Err(CodeError::Elf(_))));
-    let mut image = build("straight", |work| work.join("program"));
+    let mut image = build("straight", "program");
     // e_machine is at offset 18, big-endian.
     image[19] = 20;
     assert!(matches!(Code::parse(&image), Err(CodeError::Machine(20))));

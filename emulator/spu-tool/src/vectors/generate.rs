@@ -255,8 +255,7 @@ impl Iterator for Generator {
 /// The cycles of an instruction at `pc` that goes on at `next`, or in the other word of its pair,
 /// from which it could issue together with another.
 fn cycles(i: Instruction, pc: u32, next: u32) -> Cycles {
-    let no_operation =
-        |op| Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: 0 };
+    let no_operation = |op| Instruction::new(op, [0; 4], 0);
     let row = i.op.row();
     let double_extension = row.machine == Machine::DoubleExtension;
     let nop = no_operation(Op::Nop);

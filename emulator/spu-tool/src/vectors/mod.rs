@@ -208,12 +208,6 @@ impl Channels for Unit {
         self.event
     }
 
-    fn stop_requested(&self) -> bool {
-        false
-    }
-
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-
     fn srr0(&self) -> u32 {
         self.srr0
     }

@@ -3,7 +3,6 @@
 //! Provenance: `model`. The figures are derived by hand in the comments next to them.
 
 use std::fs;
-use std::path::Path;
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
@@ -11,9 +10,9 @@ use std::time::{Duration, Instant};
 use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine;
-use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
+use spu_emulator::memory::{Access, RegisteredMemory};
 use spu_emulator::profile::{ProgramId, Tally};
-use spu_emulator::simulated::{CYCLES_PER_SECOND, Report, Timing};
+use spu_emulator::simulated::{CYCLES_PER_SECOND, Report, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::timing::Cause;
@@ -53,39 +52,21 @@ const BASE: u64 = 0x3_4000_0000;
 /// How long a program may take on a host that is busy with other things.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// The ELF image of a program from the emulator's tests. `_start` is put before the source.
+/// The ELF image of a program. `_start` is put before the source.
 fn assemble(source: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
-    let sources = folder.path().join("sources");
-    fs::create_dir(&sources).unwrap();
-    let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
-    fs::write(sources.join("program.s"), text).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let image = folder.path().join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &root.join("../../linker/spu.ld"))?
-            .include(&root.join("../machine/tests/emulator/machine"))
-            .build(&tools, &folder.path().join("objects"), &image)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    fs::read(image).unwrap()
+    fs::read(spu_build::for_tests::build_instructions(source, folder.path())).unwrap()
 }
 
 struct Machine(Arc<machine::Machine>);
 
 impl Machine {
-    fn of(make: fn(Arc<dyn MainMemory>, Timing) -> Arc<machine::Machine>) -> Self {
+    /// A machine that may keep a profile.
+    fn new(profile: bool) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory.register(BASE, vec![0; 1 << 20], Access::ReadWrite).unwrap();
-        Self(make(memory, Timing::default()))
-    }
-
-    /// A machine that keeps a profile.
-    fn profiled() -> Self {
-        Self::of(machine::Machine::profiled)
+        let options = SimulationOptions { profile, ..SimulationOptions::default() };
+        Self(machine::Machine::simulated_with(memory, Timing::default(), options))
     }
 
     /// An SPE with a loaded program that will run soon, and its entry point.
@@ -175,7 +156,7 @@ fn check(machine: &Machine) -> ProfileFile {
 
 #[test]
 fn every_cycle_of_the_account_is_charged_once() {
-    let machine = Machine::profiled();
+    let machine = Machine::new(true);
     let image = assemble(BUSY);
     let spes: Vec<_> = (0..3).map(|_| machine.loaded(&image)).collect();
     let running: Vec<_> = spes.iter().map(|(spe, entry)| start(spe, *entry)).collect();
@@ -195,7 +176,7 @@ fn every_cycle_of_the_account_is_charged_once() {
 
 #[test]
 fn a_machine_keeps_a_profile_only_if_it_is_to() {
-    let machine = Machine::of(machine::Machine::simulated);
+    let machine = Machine::new(false);
     let (spe, entry) = machine.loaded(&assemble(BUSY));
     run(&machine, &spe, entry);
     assert!(machine.profile().is_none());
@@ -233,7 +214,7 @@ next:   fa      $21,$21,$22
         stop    0x2000
         .size   work,.-work
 ";
-    let machine = Machine::profiled();
+    let machine = Machine::new(true);
     let image = assemble(source);
     let (spe, entry) = machine.loaded(&image);
     let running = start(&spe, entry);
@@ -280,7 +261,7 @@ fn programs_one_after_the_other_have_profiles_of_their_own() {
     let one = assemble("        il $5,1\n        stop 0x2000\n");
     let other = assemble("        il $5,2\n        il $6,3\n        stop 0x2000\n");
     let third = assemble("        stop 0x2001\n");
-    let machine = Machine::profiled();
+    let machine = Machine::new(true);
     let (spe, entry) = machine.loaded(&one);
     run(&machine, &spe, entry);
     for image in [&other, &one] {

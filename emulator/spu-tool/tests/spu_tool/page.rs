@@ -5,15 +5,15 @@
 use std::collections::HashSet;
 
 use spu_isa::timing::Rules;
-use spu_scheduler::code::Code;
 use spu_tool::report::Report;
 
-use crate::report::build;
-
 fn page(program: &str) -> String {
-    let code = Code::parse(&build(program, |work| work.join("program"))).unwrap();
-    let report = Report::new(&code, None, Rules::default()).unwrap();
-    report.html(program)
+    titled(program, program)
+}
+
+fn titled(program: &str, title: &str) -> String {
+    let code = crate::report::program(program);
+    Report::new(&code, None, Rules::default()).unwrap().html(title)
 }
 
 /// What stands between each `before` and the next `after`.
@@ -83,9 +83,7 @@ fn a_page_needs_neither_scripts_nor_a_network() {
 
 #[test]
 fn names_are_escaped() {
-    let code = Code::parse(&build("saxpy", |work| work.join("program"))).unwrap();
-    let report = Report::new(&code, None, Rules::default()).unwrap();
-    let page = report.html("<b>a&b</b>");
+    let page = titled("saxpy", "<b>a&b</b>");
     assert!(page.contains("&lt;b&gt;a&amp;b&lt;/b&gt;"));
     assert!(!page.contains("<b>a"));
 }

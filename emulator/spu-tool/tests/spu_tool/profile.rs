@@ -1,17 +1,18 @@
 //! `spu profile` as a command: tables, listing, exit status, messages.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 use std::sync::Arc;
 
+use spu_build::for_tests::build_source;
 use spu_emulator::elf::Image;
 use spu_emulator::machine::Machine;
 use spu_emulator::memory::RegisteredMemory;
 use spu_emulator::profile::ProgramId;
-use spu_emulator::simulated::{CYCLES_PER_SECOND, Timing};
+use spu_emulator::simulated::{CYCLES_PER_SECOND, SimulationOptions, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_reports::ProfileFile;
+
+use super::support::{Bench, Outcome};
 
 const SOURCE: &str = "        .globl _start
         .type _start,@function
@@ -32,22 +33,12 @@ never:  stop 0
 ";
 
 /// A folder with a program and the profile of its run.
-fn profiled() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().unwrap();
-    let sources = folder.path().join("sources");
-    fs::create_dir(&sources).unwrap();
-    fs::write(sources.join("calls.s"), SOURCE).unwrap();
-    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");
-    let program = folder.path().join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        let image = spu_build::Image::from_folder(&sources, &script)?;
-        image.build(&tools, &folder.path().join("objects"), &program)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    let bytes = fs::read(program).unwrap();
-    let machine = Machine::profiled(Arc::new(RegisteredMemory::new()), Timing::default());
+fn profiled() -> Bench {
+    let bench = Bench::new();
+    let bytes = fs::read(build_source(SOURCE, "calls", bench.folder.path(), &[])).unwrap();
+    let options = SimulationOptions { profile: true, ..SimulationOptions::default() };
+    let memory = Arc::new(RegisteredMemory::new());
+    let machine = Machine::simulated_with(memory, Timing::default(), options);
     let spe = Spe::new(&machine, Config::default());
     let image = Image::parse(&bytes).unwrap();
     image.load(spe.local_store(), 0);
@@ -55,24 +46,18 @@ fn profiled() -> tempfile::TempDir {
     spe.run(image.entry());
     let profile = machine.simulation().unwrap().profile().unwrap();
     let text = serde_json::to_vec(&ProfileFile::new(CYCLES_PER_SECOND, &profile)).unwrap();
-    fs::write(folder.path().join("run.json"), text).unwrap();
-    folder
+    bench.write("run.json", text);
+    bench
 }
 
-fn profile(within: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_spu"))
-        .arg("profile")
-        .args(arguments)
-        .current_dir(within)
-        .output()
-        .unwrap()
+fn profile(within: &Bench, arguments: &[&str]) -> Outcome {
+    within.spu(&[&["profile"], arguments].concat())
 }
 
-fn shown(within: &Path, arguments: &[&str]) -> String {
-    let output = profile(within, &[&["program", "run.json"], arguments].concat());
-    assert!(output.status.success(), "{output:?}");
-    assert!(output.stderr.is_empty(), "{output:?}");
-    String::from_utf8(output.stdout).unwrap()
+fn shown(within: &Bench, arguments: &[&str]) -> String {
+    let shown = profile(within, &[&["program", "run.json"], arguments].concat());
+    assert_eq!((shown.status, shown.error.as_str()), (0, ""));
+    shown.output
 }
 
 /// The words of the first line that ends like this.
@@ -84,8 +69,8 @@ fn row<'t>(text: &'t str, end: &str) -> Vec<&'t str> {
 
 #[test]
 fn functions_are_told_with_their_calls() {
-    let folder = profiled();
-    let text = shown(folder.path(), &[]);
+    let bench = profiled();
+    let text = shown(&bench, &[]);
     // il, which pairs with brsl the first time: 1. brsl: 2 and three misses. ai: 3. brnz: 3, each
     // after one cycle of waiting for ai's result, and two misses. stop: 1.
     assert_eq!(row(&text, " _start")[..4], ["103", "57.9%", "1", "103.0"]);
@@ -99,24 +84,23 @@ fn functions_are_told_with_their_calls() {
 
 #[test]
 fn the_listing_shows_every_instruction_with_its_line() {
-    let folder = profiled();
-    let text = shown(folder.path(), &["--function", "inner"]);
+    let bench = profiled();
+    let text = shown(&bench, &["--function", "inner"]);
     let sum = row(&text, "inner: fa $6,$6,$6 # a sum");
     assert_eq!(sum[..4], ["3", "4.0%", "3", "1.00"]);
     assert!(sum.contains(&"sources/calls.s:10"), "{text}");
     let back = row(&text, " bi $0");
     assert_eq!(back[..5], ["54", "72.0%", "3", "18.00", "100%"]);
     assert!(text.contains("3 calls, "), "{text}");
-    let refused = profile(folder.path(), &["program", "run.json", "--function", "never"]);
-    assert_eq!(refused.status.code(), Some(127));
-    let message = String::from_utf8(refused.stderr).unwrap();
-    assert!(message.contains("no function never"), "{message}");
+    let refused = profile(&bench, &["program", "run.json", "--function", "never"]);
+    assert_eq!(refused.status, 127);
+    assert!(refused.error.contains("no function never"), "{}", refused.error);
 }
 
 #[test]
 fn lines_and_json_have_the_same_cycles() {
-    let folder = profiled();
-    let json: serde_json::Value = serde_json::from_str(&shown(folder.path(), &["--json"])).unwrap();
+    let bench = profiled();
+    let json: serde_json::Value = serde_json::from_str(&shown(&bench, &["--json"])).unwrap();
     let cycles = |value: &serde_json::Value| value["total"]["cycles"].as_u64().unwrap();
     let all = json["total"]["cycles"].as_u64().unwrap();
     for part in ["functions", "lines"] {
@@ -125,7 +109,7 @@ fn lines_and_json_have_the_same_cycles() {
         // The most expensive come first.
         assert!(parts.is_sorted_by_key(|part| std::cmp::Reverse(cycles(part))));
     }
-    let text = shown(folder.path(), &["--lines"]);
+    let text = shown(&bench, &["--lines"]);
     let shown = text.lines().skip(1).map(|line| {
         let cycles = line.split_whitespace().next().unwrap();
         cycles.parse::<u64>().unwrap()
@@ -135,8 +119,8 @@ fn lines_and_json_have_the_same_cycles() {
 
 #[test]
 fn damaged_profiles_and_other_programs_are_refused() {
-    let folder = profiled();
-    let whole = fs::read_to_string(folder.path().join("run.json")).unwrap();
+    let bench = profiled();
+    let whole = bench.read("run.json");
     let damaged = |from: &str, to: &str| {
         assert!(whole.contains(from), "{from}: {whole}");
         whole.replacen(from, to, 1)
@@ -153,10 +137,10 @@ fn damaged_profiles_and_other_programs_are_refused() {
         (damaged("\"program\":\"", "\"program\":\"x"), "not a profile: "),
         (damaged("\"program\":\"", "\"program\":\"0"), "not a profile"),
     ] {
-        fs::write(folder.path().join("damaged.json"), &text).unwrap();
-        let output = profile(folder.path(), &["program", "damaged.json"]);
-        assert_eq!(output.status.code(), Some(127), "{text}");
-        let message = String::from_utf8(output.stderr).unwrap();
+        bench.write("damaged.json", &text);
+        let output = profile(&bench, &["program", "damaged.json"]);
+        assert_eq!(output.status, 127, "{text}");
+        let message = output.error;
         assert!(
             message.starts_with("spu: damaged.json: ") && message.contains(expected),
             "{expected}: {message}"
@@ -167,9 +151,9 @@ fn damaged_profiles_and_other_programs_are_refused() {
         (["program", "nothing"], "nothing: "),
         (["run.json", "run.json"], "run.json: not an ELF file"),
     ] {
-        let output = profile(folder.path(), &arguments);
-        assert_eq!(output.status.code(), Some(127));
-        let message = String::from_utf8(output.stderr).unwrap();
+        let output = profile(&bench, &arguments);
+        assert_eq!(output.status, 127);
+        let message = output.error;
         assert!(message.contains(expected), "{message}");
     }
 }

@@ -15,23 +15,18 @@ pub fn folder(program: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scheduler/tests/programs").join(program)
 }
 
-/// Builds the program of `emulator/scheduler/tests/programs/<program>` and returns the file in the
-/// work folder that `of` names.
-pub fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
+/// Builds the program of `emulator/scheduler/tests/programs/<program>`, and returns this file of
+/// the work folder.
+pub fn build(program: &str, file: &str) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        let image = spu_build::Image::from_folder(&folder(program), &script)?;
-        image.build(&tools, work.path(), &work.path().join("program"))
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(ci/setup installs the SPU binutils)");
-    }
-    fs::read(of(work.path())).unwrap()
+    let image = spu_build::Image::from_folder(&folder(program), &script).unwrap();
+    spu_build::for_tests::build(&image, &work.path().join("program"));
+    fs::read(work.path().join(file)).unwrap()
 }
 
-fn program(name: &str) -> Code {
-    Code::parse(&build(name, |work| work.join("program"))).unwrap()
+pub fn program(name: &str) -> Code {
+    Code::parse(&build(name, "program")).unwrap()
 }
 
 fn kept(file: &str, text: &str) {
@@ -110,8 +105,8 @@ fn hints_are_measured_to_their_branches() {
 #[test]
 fn damaged_files_do_no_harm() {
     for name in ["saxpy", "macros"] {
-        for of in ["program".to_owned(), format!("00-{name}.o")] {
-            let whole = build(name, |work| work.join(&of));
+        for of in ["program".to_owned(), format!("objects/00-{name}.o")] {
+            let whole = build(name, &of);
             let mut seed = 1u32;
             for _ in 0..4000 {
                 let mut damaged = whole.clone();

@@ -6,6 +6,8 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use spu_build::for_tests::build;
+
 pub struct Bench {
     pub folder: tempfile::TempDir,
 }
@@ -60,16 +62,11 @@ impl Bench {
         let sources = self.path(&format!("{name}-sources"));
         fs::create_dir_all(&sources).unwrap();
         fs::write(sources.join(format!("{name}.s")), source).unwrap();
-        let image = self.path(&format!("{name}.elf"));
-        let built = spu_build::Tools::find().and_then(|tools| {
-            spu_build::Image::from_folder(&sources, &programs().join("program.ld"))?
-                .include(&programs())
-                .build(&tools, &self.path("objects"), &image)
-        });
-        if let Err(error) = built {
-            panic!("{error}\n(ci/setup installs the SPU binutils)");
-        }
-        image
+        let script = programs().join("program.ld");
+        let image = spu_build::Image::from_folder(&sources, &script).unwrap();
+        let program = self.path(&format!("{name}.elf"));
+        build(&image.include(&programs()), &program);
+        program
     }
 
     pub fn spu<S: AsRef<OsStr>>(&self, arguments: &[S]) -> Outcome {

@@ -138,9 +138,9 @@ impl Entry {
         let registers: Vec<_> =
             before.iter().map(|&(.., value)| (free.next().unwrap(), Quad::splat(value))).collect();
         let operations = before.iter().zip(&registers).map(|(&(op, channel, _), &(rt, _))| {
-            Instruction { rt, ra: channel, ..instruction(op, 0) }.encode()
+            Instruction::new(op, [rt, channel, 0, 0], 0).encode()
         });
-        let branch = instruction(Op::Bra, vector.initial.pc as i32).encode();
+        let branch = Instruction::new(Op::Bra, [0; 4], vector.initial.pc as i32).encode();
         let mut code = operations.chain([branch]);
         let code = Quad(from_fn(|_| code.next().unwrap_or(0)));
         Self { at, code, registers }
@@ -152,10 +152,6 @@ impl Entry {
         }
         spu.set_pc(self.at);
     }
-}
-
-fn instruction(op: Op, immediate: i32) -> Instruction {
-    Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate }
 }
 
 /// What every register has that a vector does not mention.
@@ -353,7 +349,7 @@ fn check_mode_in_simulated_time_passes_all_vectors() {
 /// Compares SRR0 and the count of channel 0, and lowers the count.
 fn assert_channels(spe: &Spe, after: &State) {
     let code = [(Op::Rchcnt, 0), (Op::Rdch, SRR0[1]), (Op::Rdch, 0)].into_iter().zip(1..);
-    let code = code.map(|((op, ra), rt)| Instruction { rt, ra, ..instruction(op, 0) }.encode());
+    let code = code.map(|((op, ra), rt)| Instruction::new(op, [rt, ra, 0, 0], 0).encode());
     let words = if after.event { 3 } else { 2 };
     let mut code = code.take(words);
     let code = from_fn(|_| code.next().unwrap_or(0));

@@ -185,12 +185,6 @@ impl Channels for TestChannels<'_> {
         self.looks.is_multiple_of(7)
     }
 
-    fn stop_requested(&self) -> bool {
-        false
-    }
-
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-
     fn srr0(&self) -> u32 {
         self.srr0
     }

@@ -1,65 +1,85 @@
 //! The program `oracle` from outside.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Command, Output};
 
 use oracle::{Picture, Settings};
+use serde_json::Value;
+use tempfile::TempDir;
 
-/// Runs `oracle` in `folder`.
-fn oracle(folder: &Path, arguments: &[&str]) -> Output {
-    let program = env!("CARGO_BIN_EXE_oracle");
-    Command::new(program).args(arguments).current_dir(folder).output().expect("oracle runs")
+/// The code and the output of `oracle`.
+struct Said {
+    code: Option<i32>,
+    stdout: String,
+    stderr: String,
 }
 
-fn text(bytes: &[u8]) -> &str {
-    str::from_utf8(bytes).expect("UTF-8")
+/// Runs `oracle` with these words in `folder`.
+fn oracle(folder: &TempDir, words: &str) -> Said {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_oracle"));
+    command.args(words.split_whitespace()).current_dir(folder.path());
+    let Output { status, stdout, stderr } = command.output().expect("oracle runs");
+    let [stdout, stderr] = [stdout, stderr].map(|text| String::from_utf8(text).expect("UTF-8"));
+    Said { code: status.code(), stdout, stderr }
+}
+
+/// As [`oracle`], which must succeed.
+fn succeeds(folder: &TempDir, words: &str) -> Said {
+    let said = oracle(folder, words);
+    assert_eq!(said.code, Some(0), "{words}: {}", said.stderr);
+    said
+}
+
+/// As [`oracle`], which must fail with this code and this message.
+fn fails(folder: &TempDir, words: &str, code: i32, message: &str) -> Said {
+    let said = oracle(folder, words);
+    assert_eq!(said.code, Some(code), "{words}");
+    assert!(said.stderr.contains(message), "{words}: {}", said.stderr);
+    said
+}
+
+fn json(said: &Said) -> Value {
+    serde_json::from_str(&said.stdout).expect("JSON")
+}
+
+fn empty_folder() -> TempDir {
+    tempfile::tempdir().expect("a folder")
+}
+
+/// Changes a picture and its settings.
+fn change(folder: &TempDir, name: &str, change: impl FnOnce(&mut Picture, &mut Settings)) {
+    let file = folder.path().join(name);
+    let mut settings = Settings::of_png(&file).expect("settings");
+    let mut picture = Picture::read_png(&file).expect("a PNG");
+    change(&mut picture, &mut settings);
+    picture.write_png_with(&file, &settings).expect("written");
 }
 
 /// A folder with a picture of the sphereflake, one byte of which is wrong by 5. Its metadata holds
 /// the settings.
-fn folder() -> tempfile::TempDir {
-    let folder = tempfile::tempdir().expect("a folder");
-    let done = oracle(
-        folder.path(),
-        &[
-            "render",
-            "sphereflake:1",
-            "--size",
-            "64x48",
-            "--model",
-            "depth",
-            "--antialias",
-            "1",
-            "--out",
-            "a.png",
-        ],
-    );
-    assert!(done.status.success(), "{}", text(&done.stderr));
-    assert!(done.stdout.is_empty());
-    let file = folder.path().join("a.png");
-    let settings = Settings::of_png(&file).expect("settings");
-    let mut picture = Picture::read_png(&file).expect("a PNG");
-    assert_eq!((picture.width(), picture.height()), (64, 48));
-    // The upper left corner shows the background, far from every sphere.
-    assert_eq!(picture.pixels()[0], [20, 92, 192]);
-    picture.pixels_mut()[0][2] -= 5;
-    picture.write_png_with(&file, &settings).expect("written");
+fn folder() -> TempDir {
+    let folder = empty_folder();
+    let words = "render sphereflake:1 --size 64x48 --model depth --antialias 1 --out a.png";
+    assert!(succeeds(&folder, words).stdout.is_empty());
+    change(&folder, "a.png", |picture, _| {
+        assert_eq!((picture.width(), picture.height()), (64, 48));
+        // The upper left corner shows the background, far from every sphere.
+        assert_eq!(picture.pixels()[0], [20, 92, 192]);
+        picture.pixels_mut()[0][2] -= 5;
+    });
     folder
 }
 
 #[test]
 fn a_comparison_as_json_has_exactly_its_fields() {
     let folder = folder();
-    let done =
-        oracle(folder.path(), &["compare", "a.png", "sphereflake:1", "--json", "--diff", "d.png"]);
-    assert!(done.status.success(), "{}", text(&done.stderr));
-    assert!(text(&done.stderr).contains("d.png: the difference, 16 times amplified"));
-    assert!(
-        text(&done.stderr)
-            .contains("sphereflake:1:13: polygons are not drawn by depth shading (1 in this file)")
-    );
-    let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let said = succeeds(&folder, "compare a.png sphereflake:1 --json --diff d.png");
+    for line in [
+        "d.png: the difference, 16 times amplified",
+        "sphereflake:1:13: polygons are not drawn by depth shading (1 in this file)",
+    ] {
+        assert!(said.stderr.contains(line), "{}", said.stderr);
+    }
     let expected = serde_json::json!({
         "wrong_pixels": 1,
         "wrong_fraction": 1.0 / 3072.0,
@@ -68,7 +88,7 @@ fn a_comparison_as_json_has_exactly_its_fields() {
         "max_error_off_silhouette": 5,
         "mean_error": 5.0 / 9216.0,
     });
-    assert_eq!(found, expected);
+    assert_eq!(json(&said), expected);
     let difference = Picture::read_png(&folder.path().join("d.png")).expect("a PNG");
     assert_eq!(difference.pixels()[0], [0, 0, 80]);
     assert!(difference.pixels()[1..].iter().all(|pixel| *pixel == [0; 3]));
@@ -77,10 +97,8 @@ fn a_comparison_as_json_has_exactly_its_fields() {
 #[test]
 fn a_comparison_as_text() {
     let folder = folder();
-    let done = oracle(folder.path(), &["compare", "a.png", "sphereflake:1"]);
-    assert!(done.status.success());
     assert_eq!(
-        text(&done.stdout),
+        succeeds(&folder, "compare a.png sphereflake:1").stdout,
         "wrong pixels   1 of 3072 (0.0326 %), 1 off silhouettes\n\
          largest error  5/255, 5/255 off silhouettes\n\
          mean error     0.0005/255\n"
@@ -94,28 +112,24 @@ fn errors_name_their_file_and_exit_1() {
     fs::write(folder.path().join("bad.png"), "no PNG").expect("written");
     let grey = image::GrayImage::new(4, 4);
     grey.save(folder.path().join("grey.png")).expect("written");
-    let cases: [(&[&str], &str); 8] = [
-        (&["compare", "missing.png", "sphereflake:1"], "missing.png: "),
-        (&["compare", "bad.png", "sphereflake:1"], "bad.png: "),
-        (&["compare", "grey.png", "sphereflake:1"], "grey.png: the PNG has pixels of the kind L8"),
-        (&["compare", "a.png", "bad.nff"], "bad.nff:2: from z `x` is not a number"),
-        (&["compare", "a.png", "missing.nff"], "missing.nff: "),
-        (&["compare", "a.png", "sphereflake:1", "--diff", "no/d.png"], "no/d.png: "),
-        (&["render", "sphereflake:9", "--out", "b.png"], "435848050 spheres"),
-        (&["render", "tetra:12", "--out", "b.png"], "67108864 polygons"),
-    ];
-    for (arguments, message) in cases {
-        let done = oracle(folder.path(), arguments);
-        assert_eq!(done.status.code(), Some(1), "{arguments:?}");
-        assert!(done.stdout.is_empty(), "{arguments:?}");
-        let said = text(&done.stderr);
-        assert!(said.contains("oracle: ") && said.contains(message), "{arguments:?}: {said}");
+    for (words, message) in [
+        ("compare missing.png sphereflake:1", "missing.png: "),
+        ("compare bad.png sphereflake:1", "bad.png: "),
+        ("compare grey.png sphereflake:1", "grey.png: the PNG has pixels of the kind L8"),
+        ("compare a.png bad.nff", "bad.nff:2: from z `x` is not a number"),
+        ("compare a.png missing.nff", "missing.nff: "),
+        ("compare a.png sphereflake:1 --diff no/d.png", "no/d.png: "),
+        ("render sphereflake:9 --out b.png", "435848050 spheres"),
+        ("render tetra:12 --out b.png", "67108864 polygons"),
+    ] {
+        let said = fails(&folder, words, 1, message);
+        assert!(said.stdout.is_empty() && said.stderr.contains("oracle: "), "{words}");
     }
 }
 
 #[test]
 fn invalid_sizes_are_usage_errors() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = empty_folder();
     let form = "a size is written as WIDTHxHEIGHT";
     let limit = "each side must be 1 to 8192";
     for (size, message) in [
@@ -129,35 +143,31 @@ fn invalid_sizes_are_usage_errors() {
         ("16384x16384", limit),
         ("99999999999x1", limit),
     ] {
-        let arguments = ["render", "sphereflake:1", "--size", size, "--out", "b.png"];
-        let done = oracle(folder.path(), &arguments);
-        assert_eq!(done.status.code(), Some(2), "{size}");
-        let said = text(&done.stderr);
-        assert!(said.contains("--size <WxH>") && said.contains(message), "{said}");
+        let words = format!("render sphereflake:1 --size {size} --out b.png");
+        let said = fails(&folder, &words, 2, message);
+        assert!(said.stderr.contains("--size <WxH>"), "{}", said.stderr);
     }
 }
 
 #[test]
 fn the_help_has_examples() {
-    let done = oracle(Path::new("."), &["--help"]);
-    assert!(done.status.success());
-    assert!(text(&done.stdout).contains("oracle compare frame.png scenes/paper16.nff"));
+    let help = succeeds(&empty_folder(), "--help").stdout;
+    assert!(help.contains("oracle compare frame.png scenes/paper16.nff"));
 }
 
 #[test]
 fn whitted_render_counts_rays_and_compares() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = ["sphereflake:1", "--model", "whitted", "--ray-depth", "3"];
-    let size = ["--size", "64x48", "--out", "w.png", "--stats", "--corners"];
-    let done = oracle(folder.path(), &[&["render"], &scene[..], &size].concat());
-    assert!(done.status.success(), "{}", text(&done.stderr));
+    let folder = empty_folder();
+    let words = "render sphereflake:1 --model whitted --ray-depth 3 --size 64x48 --out w.png --stats \
+                 --corners";
+    let said = succeeds(&folder, words);
     // Everything is drawn, so the only output is the picture's name, its share and its settings.
     assert_eq!(
-        text(&done.stderr),
+        said.stderr,
         "w.png: 64x48, objects cover 100.0 %; made with --antialias 1 --colour linear --corners --model \
          whitted --ray-depth 3\n"
     );
-    let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let found = json(&said);
     let count = |name: &str| found[name].as_u64().expect("a count");
     assert_eq!(count("eye"), 65 * 49);
     assert_eq!(count("eye_hit"), count("eye"));
@@ -167,55 +177,33 @@ fn whitted_render_counts_rays_and_compares() {
     );
     assert!(count("shadow") > count("hit"));
 
-    let compare = |options: &[&str]| {
-        let arguments = [&["compare", "w.png", "--json"], options].concat();
-        let done = oracle(folder.path(), &arguments);
-        assert!(done.status.success(), "{}", text(&done.stderr));
-        let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
-        found["wrong_pixels"].as_u64().expect("a count")
+    let compare = |options: &str| {
+        let said = succeeds(&folder, &format!("compare w.png --json {options}"));
+        json(&said)["wrong_pixels"].as_u64().expect("a count")
     };
-    assert_eq!(compare(&[]), 0);
-    assert_eq!(compare(&["sphereflake:1"]), 0);
-    assert!(compare(&["--corners=false"]) > 100);
-    assert!(compare(&["--ray-depth", "1"]) > 100);
+    assert_eq!(compare(""), 0);
+    assert_eq!(compare("sphereflake:1"), 0);
+    assert!(compare("--corners=false") > 100);
+    assert!(compare("--ray-depth 1") > 100);
 }
 
 #[test]
 fn options_without_effect_on_depth_shading_are_usage_errors() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let base = ["render", "sphereflake:1", "--out", "b.png", "--model", "depth"];
-    for option in [
-        &["--stats"][..],
-        &["--no-shadows"],
-        &["--fresnel"],
-        &["--spd-rays"],
-        &["--ray-depth", "3"],
-    ] {
-        let done = oracle(folder.path(), &[&base, option].concat());
-        assert_eq!(done.status.code(), Some(2), "{option:?}");
-        let message = format!("{} needs --model whitted", option[0]);
-        assert!(text(&done.stderr).contains(&message), "{option:?}");
+    let folder = empty_folder();
+    let base = "render sphereflake:1 --out b.png --model depth";
+    for option in ["--stats", "--no-shadows", "--fresnel", "--spd-rays", "--ray-depth 3"] {
+        let name = option.split(' ').next().unwrap_or(option);
+        fails(&folder, &format!("{base} {option}"), 2, &format!("{name} needs --model whitted"));
     }
     for depth in ["0", "17", "-1", "x"] {
-        let option = ["--ray-depth", depth];
-        let done = oracle(folder.path(), &[&base[..], &option].concat());
-        assert_eq!(done.status.code(), Some(2), "{depth}");
-        assert!(text(&done.stderr).contains("--ray-depth <N>"), "{depth}");
+        fails(&folder, &format!("{base} --ray-depth {depth}"), 2, "--ray-depth <N>");
     }
-}
-
-/// The messages of `oracle` for a comparison, and its exit code.
-fn said(folder: &Path, arguments: &[&str]) -> (String, Option<i32>) {
-    let done = oracle(folder, &[&["compare"], arguments].concat());
-    (text(&done.stderr).to_owned(), done.status.code())
 }
 
 #[test]
 fn settings_are_printed_with_their_sources() {
     let folder = folder();
-    let path = folder.path();
-    let (stderr, code) = said(path, &["a.png", "--colour", "srgb", "--angle", "40"]);
-    assert_eq!(code, Some(0), "{stderr}");
+    let stderr = succeeds(&folder, "compare a.png --colour srgb --angle 40").stderr;
     for line in [
         concat!(
             "oracle: a.png by oracle ",
@@ -229,16 +217,13 @@ fn settings_are_printed_with_their_sources() {
     }
     assert!(!stderr.contains("assumed"), "{stderr}");
     // Another scene than the picture's is a mistake more often than not.
-    let (stderr, code) = said(path, &["a.png", "sphereflake:2"]);
-    assert_eq!(code, Some(0), "{stderr}");
+    let stderr = succeeds(&folder, "compare a.png sphereflake:2").stderr;
     assert!(stderr.contains("note: the picture is of sphereflake:1"), "{stderr}");
 
     // Without settings, the defaults of `cellray render` are assumed.
-    let file = path.join("a.png");
-    let picture = Picture::read_png(&file).expect("a PNG");
-    picture.write_png(&file).expect("written");
-    let (stderr, code) = said(path, &["a.png", "sphereflake:1", "--ray-depth", "3"]);
-    assert_eq!(code, Some(0), "{stderr}");
+    let file = folder.path().join("a.png");
+    Picture::read_png(&file).expect("a PNG").write_png(&file).expect("written");
+    let stderr = succeeds(&folder, "compare a.png sphereflake:1 --ray-depth 3").stderr;
     for line in [
         "oracle: a.png, 64x48, is compared with",
         "oracle: settings of the command line: --ray-depth 3\n",
@@ -248,56 +233,28 @@ fn settings_are_printed_with_their_sources() {
         assert!(stderr.contains(line), "no {line:?} in {stderr}");
     }
     assert!(!stderr.contains("settings of the picture"), "{stderr}");
-    let (stderr, code) = said(path, &["a.png"]);
-    assert_eq!(code, Some(1));
-    assert!(stderr.contains("a.png has no description of its scene"), "{stderr}");
+    fails(&folder, "compare a.png", 1, "a.png has no description of its scene");
 }
 
 #[test]
 fn every_setting_is_read_from_the_picture_again() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let options = [
-        "--from=3,-2,1",
-        "--look-at=0,0,0.25",
-        "--up=0,1,1",
-        "--angle=30",
-        "--model=whitted",
-        "--ray-depth=2",
-        "--fresnel",
-        "--spd-rays",
-        "--no-shadows",
-        "--antialias=16",
-        "--contrast=8",
-        "--colour=srgb",
-        "--roll-off",
-        "--corners",
-    ];
-    let out = ["render", "sphereflake:1", "--size", "40x30", "--out", "s.png"];
-    let done = oracle(folder.path(), &[&out[..], &options].concat());
-    assert!(done.status.success(), "{}", text(&done.stderr));
+    let folder = empty_folder();
+    let options = "--from=3,-2,1 --look-at=0,0,0.25 --up=0,1,1 --angle=30 --model=whitted \
+                   --ray-depth=2 --fresnel --spd-rays --no-shadows --antialias=16 --contrast=8 \
+                   --colour=srgb --roll-off --corners";
+    succeeds(&folder, &format!("render sphereflake:1 --size 40x30 --out s.png {options}"));
     let settings = Settings::of_png(&folder.path().join("s.png")).expect("settings");
-    let mut expected = options.map(|option| option.replace('=', " "));
+    let mut expected: Vec<_> =
+        options.split_whitespace().map(|option| option.replace('=', " ")).collect();
     expected.sort();
     assert_eq!(settings.followed(), expected);
-    let (stderr, code) = said(folder.path(), &["s.png", "--max-wrong", "0"]);
-    assert_eq!(code, Some(0), "{stderr}");
+    succeeds(&folder, "compare s.png --max-wrong 0");
     // Each of them matters.
-    for other in [
-        "--from=3,-2,2",
-        "--look-at=0,0,0",
-        "--up=0,0,1",
-        "--angle=31",
-        "--model=depth",
-        "--ray-depth=1",
-        "--no-shadows=false",
-        "--antialias=4",
-        "--contrast=200",
-        "--colour=linear",
-        "--corners=false",
-    ] {
-        let (stderr, code) = said(folder.path(), &["s.png", "--max-wrong", "0", other]);
-        assert_eq!(code, Some(1), "{other}: {stderr}");
-        assert!(stderr.contains("more than --max-wrong 0"), "{other}: {stderr}");
+    let others = "--from=3,-2,2 --look-at=0,0,0 --up=0,0,1 --angle=31 --model=depth --ray-depth=1 \
+                  --no-shadows=false --antialias=4 --contrast=200 --colour=linear --corners=false";
+    for other in others.split_whitespace() {
+        let words = format!("compare s.png --max-wrong 0 {other}");
+        fails(&folder, &words, 1, "more than --max-wrong 0");
     }
 }
 
@@ -305,55 +262,39 @@ fn every_setting_is_read_from_the_picture_again() {
 fn the_share_of_wrong_pixels_that_is_allowed() {
     let folder = folder();
     for (most, code) in [("0.0003", 1), ("0.0004", 0), ("0", 1), ("1", 0)] {
-        let (stderr, found) = said(folder.path(), &["a.png", "--max-wrong", most]);
-        assert_eq!(found, Some(code), "{most}: {stderr}");
+        let said = oracle(&folder, &format!("compare a.png --max-wrong {most}"));
+        assert_eq!(said.code, Some(code), "{most}: {}", said.stderr);
     }
     for share in ["-0.1", "1.5", "5%", "nan"] {
-        let (stderr, code) = said(folder.path(), &["a.png", "--max-wrong", share]);
-        assert_eq!(code, Some(2), "{share}");
-        assert!(stderr.contains("a number from 0 to 1"), "{stderr}");
+        let words = format!("compare a.png --max-wrong {share}");
+        fails(&folder, &words, 2, "a number from 0 to 1");
     }
 }
 
 #[test]
 fn unknown_settings_are_reported() {
     let folder = folder();
-    let file = folder.path().join("a.png");
-    let mut settings = Settings::of_png(&file).expect("settings");
-    let picture = Picture::read_png(&file).expect("a PNG");
-    settings.set("fog", "thick\u{1b}");
-    settings.set("quality", "fast");
-    picture.write_png_with(&file, &settings).expect("written");
-    let (stderr, code) = said(folder.path(), &["a.png"]);
-    assert_eq!(code, Some(0), "{stderr}");
+    change(&folder, "a.png", |_, settings| {
+        settings.set("fog", "thick\u{1b}");
+        settings.set("quality", "fast");
+    });
+    let stderr = succeeds(&folder, "compare a.png").stderr;
     // Text from a file must not control a terminal.
     assert!(stderr.contains("unknown here: --fog thick\\u{1b}\n"), "{stderr}");
     assert!(stderr.contains("of no use to the reference: --quality fast\n"), "{stderr}");
-    settings.set("contrast", "much");
-    picture.write_png_with(&file, &settings).expect("written");
-    let (stderr, code) = said(folder.path(), &["a.png"]);
-    assert_eq!(code, Some(1));
+    change(&folder, "a.png", |_, settings| settings.set("contrast", "much"));
     let message =
         "a.png: its setting contrast is \"much\", which is not a whole number from 0 to 255";
-    assert!(stderr.contains(message), "{stderr}");
+    fails(&folder, "compare a.png", 1, message);
 }
 
 #[test]
 fn a_reference_has_nothing_to_explain_and_a_wrong_pixel_no_explanation() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = ["sphereflake:1", "--size", "64x48", "--antialias", "1", "--out", "a.png"];
-    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
-    let explained = || {
-        let done = oracle(folder.path(), &["explain", "a.png", "--json"]);
-        assert!(done.status.success(), "{}", text(&done.stderr));
-        serde_json::from_slice::<serde_json::Value>(&done.stdout).expect("JSON")
-    };
+    let folder = empty_folder();
+    succeeds(&folder, "render sphereflake:1 --size 64x48 --antialias 1 --out a.png");
+    let explained = || json(&succeeds(&folder, "explain a.png --json"));
     assert_eq!(explained()["wrong_pixels"], serde_json::json!([]));
-    let file = folder.path().join("a.png");
-    let settings = Settings::of_png(&file).expect("settings");
-    let mut picture = Picture::read_png(&file).expect("a PNG");
-    picture.pixels_mut()[64 * 2 + 5][1] ^= 0x40;
-    picture.write_png_with(&file, &settings).expect("written");
+    change(&folder, "a.png", |picture, _| picture.pixels_mut()[64 * 2 + 5][1] ^= 0x40);
     let found = explained();
     let pixels = found["wrong_pixels"].as_array().expect("an array");
     assert_eq!(pixels.len(), 1);
@@ -368,43 +309,33 @@ fn a_reference_has_nothing_to_explain_and_a_wrong_pixel_no_explanation() {
 /// from the other side of the edge.
 #[test]
 fn wrong_pixel_on_an_edge_is_ill_conditioned() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = empty_folder();
     let scene = "v\nfrom 0 -10 0\nat 0.3 0 0\nup 0 0 1\nangle 40\nhither 0\nresolution 65 65\n\
                  b 0 0 1\nl 0.3 -10 5\nf 1 0 0 1 0 0 0 1\n\
                  p 4\n0.3 0 -1\n2.3 0 -1\n2.3 0 1\n0.3 0 1\n";
     fs::write(folder.path().join("edge.nff"), scene).expect("written");
-    let scene = ["edge.nff", "--antialias", "1", "--out", "a.png"];
-    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
-    let file = folder.path().join("a.png");
-    let settings = Settings::of_png(&file).expect("settings");
-    let mut picture = Picture::read_png(&file).expect("a PNG");
-    let [left, middle, right] = [31, 32, 33].map(|x| picture.pixels()[65 * 32 + x]);
-    picture.pixels_mut()[65 * 32 + 32] = if middle == left { right } else { left };
-    picture.write_png_with(&file, &settings).expect("written");
-    let done = oracle(folder.path(), &["explain", "a.png"]);
-    assert!(done.status.success(), "{}", text(&done.stderr));
+    succeeds(&folder, "render edge.nff --antialias 1 --out a.png");
+    change(&folder, "a.png", |picture, _| {
+        let [left, middle, right] = [31, 32, 33].map(|x| picture.pixels()[65 * 32 + x]);
+        picture.pixels_mut()[65 * 32 + 32] = if middle == left { right } else { left };
+    });
+    let said = succeeds(&folder, "explain a.png").stdout;
     for line in ["wrong pixels   1", "within  1 ulp  1", "condition from 1000000  1"] {
-        assert!(text(&done.stdout).lines().any(|found| found == line), "{}", text(&done.stdout));
+        assert!(said.lines().any(|found| found == line), "{said}");
     }
 }
 
 #[test]
 fn samples_can_not_be_explained() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let scene = ["sphereflake:1", "--size", "64x48", "--antialias", "4", "--out", "a.png"];
-    assert!(oracle(folder.path(), &[&["render"], &scene[..]].concat()).status.success());
-    let done = oracle(folder.path(), &["explain", "a.png"]);
-    assert!(!done.status.success());
-    assert!(text(&done.stderr).contains("--antialias 1"), "{}", text(&done.stderr));
+    let folder = empty_folder();
+    succeeds(&folder, "render sphereflake:1 --size 64x48 --antialias 4 --out a.png");
+    fails(&folder, "explain a.png", 1, "--antialias 1");
 }
 
 #[test]
 fn truncated_rays_are_wrong_in_more_pixels_than_the_scene() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let floor = ["floor", "sphereflake:4", "--size", "256x256", "--antialias", "1", "--json"];
-    let done = oracle(folder.path(), &floor);
-    assert!(done.status.success(), "{}", text(&done.stderr));
-    let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let words = "floor sphereflake:4 --size 256x256 --antialias 1 --json";
+    let found = json(&succeeds(&empty_folder(), words));
     let wrong = |name: &str| found[name]["wrong_pixels"].as_u64().expect("a number");
     assert!(wrong("truncated") > wrong("scene") && wrong("nearest") > 0, "{found}");
 }

@@ -9,10 +9,28 @@ use crate::local_store::SIZE;
 /// The largest number of pieces in `readv` and `writev`.
 const MOST_PIECES: u32 = 1024;
 
-pub(super) fn close(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `close` accepts any number, and no code here relies on a descriptor that it could
-    // close.
-    check(unsafe { libc::close(block.int(0)) })
+/// Functions of the C library that get numbers.
+macro_rules! with_numbers {
+    ($($name:ident($block:ident, $($argument:expr),*);)*) => {$(
+        pub(super) fn $name($block: Block<'_>) -> Result<i32, Errno> {
+            // SAFETY: it accepts any numbers, and no code here relies on a descriptor that it could
+            // close.
+            check(unsafe { libc::$name($($argument),*) })
+        }
+    )*};
+}
+
+with_numbers! {
+    close(block, block.int(0));
+    ftruncate(block, block.int(0), block.int(1).into());
+    dup(block, block.int(0));
+    dup2(block, block.int(0), block.int(1));
+    fchdir(block, block.int(0));
+    fchmod(block, block.int(0), block.word(1));
+    fchown(block, block.int(0), block.word(1), block.word(2));
+    fsync(block, block.int(0));
+    fdatasync(block, block.int(0));
+    lockf(block, block.int(0), block.int(1), block.int(2).into());
 }
 
 pub(super) fn read(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
@@ -97,54 +115,8 @@ pub(super) fn lseek(block: Block<'_>) -> Result<i32, Errno> {
     i32::try_from(at).map_err(|_| Errno(libc::EOVERFLOW))
 }
 
-pub(super) fn ftruncate(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `ftruncate` accepts any numbers.
-    check(unsafe { libc::ftruncate(block.int(0), block.int(1).into()) })
-}
-
-pub(super) fn dup(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `dup` accepts any number.
-    check(unsafe { libc::dup(block.int(0)) })
-}
-
-pub(super) fn dup2(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `dup2` accepts any numbers, and no code here relies on a descriptor that it could
-    // close.
-    check(unsafe { libc::dup2(block.int(0), block.int(1)) })
-}
-
-pub(super) fn fchdir(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `fchdir` accepts any number.
-    check(unsafe { libc::fchdir(block.int(0)) })
-}
-
-pub(super) fn fchmod(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `fchmod` accepts any numbers.
-    check(unsafe { libc::fchmod(block.int(0), block.word(1)) })
-}
-
-pub(super) fn fchown(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `fchown` accepts any numbers.
-    check(unsafe { libc::fchown(block.int(0), block.word(1), block.word(2)) })
-}
-
 pub(super) fn sync() -> Reply {
     // SAFETY: `sync` has no arguments.
     unsafe { libc::sync() };
     Reply::Nothing
-}
-
-pub(super) fn fsync(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `fsync` accepts any number.
-    check(unsafe { libc::fsync(block.int(0)) })
-}
-
-pub(super) fn fdatasync(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `fdatasync` accepts any number.
-    check(unsafe { libc::fdatasync(block.int(0)) })
-}
-
-pub(super) fn lockf(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: `lockf` accepts any numbers.
-    check(unsafe { libc::lockf(block.int(0), block.int(1), block.int(2).into()) })
 }

@@ -27,10 +27,29 @@ pub(super) fn open(block: Block<'_>) -> Result<i32, Errno> {
     cpuinfo::open(&path, flags, mode)
 }
 
-pub(super) fn creat(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::creat(path.as_ptr(), block.word(1)) })
+/// Functions of the C library on the path of cell 0, with these further arguments.
+macro_rules! on_path {
+    ($($name:ident($block:ident $(, $argument:expr)*);)*) => {$(
+        pub(super) fn $name($block: Block<'_>) -> Result<i32, Errno> {
+            let path = path($block, 0)?;
+            // SAFETY: the path ends in 0.
+            check(unsafe { libc::$name(path.as_ptr() $(, $argument)*) })
+        }
+    )*};
+}
+
+on_path! {
+    creat(block, block.word(1));
+    unlink(block);
+    access(block, block.int(1));
+    chdir(block);
+    mkdir(block, block.word(1));
+    mknod(block, block.word(1), block.word(2).into());
+    rmdir(block);
+    chmod(block, block.word(1));
+    chown(block, block.word(1), block.word(2));
+    lchown(block, block.word(1), block.word(2));
+    truncate(block, block.int(1).into());
 }
 
 /// Writes a status to local store, if the call that fills it succeeds.
@@ -83,60 +102,6 @@ pub(super) fn ftok(block: Block<'_>) -> Result<i32, Errno> {
     if key == -1 { Err(Errno::last()) } else { Ok(key) }
 }
 
-pub(super) fn unlink(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::unlink(path.as_ptr()) })
-}
-
-pub(super) fn access(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::access(path.as_ptr(), block.int(1)) })
-}
-
-pub(super) fn chdir(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::chdir(path.as_ptr()) })
-}
-
-pub(super) fn mkdir(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::mkdir(path.as_ptr(), block.word(1)) })
-}
-
-pub(super) fn mknod(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::mknod(path.as_ptr(), block.word(1), block.word(2).into()) })
-}
-
-pub(super) fn rmdir(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::rmdir(path.as_ptr()) })
-}
-
-pub(super) fn chmod(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::chmod(path.as_ptr(), block.word(1)) })
-}
-
-pub(super) fn chown(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::chown(path.as_ptr(), block.word(1), block.word(2)) })
-}
-
-pub(super) fn lchown(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::lchown(path.as_ptr(), block.word(1), block.word(2)) })
-}
-
 pub(super) fn link(block: Block<'_>) -> Result<i32, Errno> {
     let (from, to) = (path(block, 0)?, path(block, 1)?);
     // SAFETY: the paths end in 0.
@@ -158,12 +123,6 @@ pub(super) fn readlink(block: Block<'_>) -> Result<i32, Errno> {
             as usize;
     block.guest.write(block.word(1), &bytes[..length]);
     moved(length)
-}
-
-pub(super) fn truncate(block: Block<'_>) -> Result<i32, Errno> {
-    let path = path(block, 0)?;
-    // SAFETY: the path ends in 0.
-    check(unsafe { libc::truncate(path.as_ptr(), block.int(1).into()) })
 }
 
 /// Writes the working directory's path with its terminating 0, if it fits into cell 1's bytes.

@@ -177,15 +177,7 @@ fn specials_do_not_fail_in_doubles() {
 fn selections_between_operands_and_results() {
     let mut rng = ChaCha8Rng::seed_from_u64(6);
     let states: Vec<_> = (0..20).map(|_| state(&mut rng, false)).collect();
-    let instruction = |op, [rt, ra, rb, rc]: [u8; 4]| Instruction {
-        op,
-        rt,
-        ra,
-        rb,
-        rc,
-        branch_distance: 0,
-        immediate: 0,
-    };
+    let instruction = |op, operands| Instruction::new(op, operands, 0);
     let arithmetic = [Op::Fa, Op::Fs, Op::Fm, Op::Fma];
     compare_all(&mut rng, 40, &states, |rng| {
         let op = arithmetic[rng.random_range(0..arithmetic.len())];

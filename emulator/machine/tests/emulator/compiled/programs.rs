@@ -33,8 +33,12 @@ fn load(local_store: &LocalStore, address: u32, code: &[u32]) {
     }
 }
 
+fn translations() -> Arc<Translations> {
+    Translations::new(false, false).expect("the hosts of the tests have a compiler")
+}
+
 fn runner() -> Runner {
-    Runner::new(&Translations::new(false, false).expect("the hosts of the tests have a compiler"))
+    Runner::new(&translations())
 }
 
 /// Runs the code on both engines, and asserts that they agree on all visible state. Returns the
@@ -65,20 +69,21 @@ fn compare_engines(code: &[u32], prepare: impl Fn(&mut Spu, &LocalStore)) -> (St
     (stopped, spu, runner.compiled())
 }
 
-/// A loop that runs `body` `count` times. $2 is the counter, and is 0 after the loop.
-fn counted_loop(body: &[u32], count: u32) -> Vec<u32> {
+/// A loop that runs `body` `count` times, and then a stop. $2 is the counter, and is 0 after the
+/// loop.
+fn counted_loop(body: &[u32], count: u32, stop: i32) -> Vec<u32> {
     let mut code = vec![word(Op::Ila, [2, 0, 0], count as i32)];
     code.extend(body);
     code.push(word(Op::Ai, [2, 2, 0], -1));
     let back = -4 * (body.len() as i32 + 1);
     code.push(word(Op::Brnz, [2, 0, 0], back));
+    code.push(word(Op::Stop, [0; 3], stop));
     code
 }
 
 #[test]
 fn a_loop_runs_compiled() {
-    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 7));
+    let code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS, 7);
     let (stopped, spu, compiled) = compare_engines(&code, |_, _| ());
     assert_eq!((stopped.reason, stopped.pc), (Stop::Signal(7), 16));
     assert_eq!(spu.register(3), Quad::splat(3 * ROUNDS));
@@ -93,8 +98,7 @@ fn a_halt_in_a_compiled_loop_is_where_it_was() {
         word(Op::Heqi, [0, 3, 0], 500),
         word(Op::Ai, [4, 4, 0], 1),
     ];
-    let mut code = counted_loop(&body, ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 0));
+    let code = counted_loop(&body, ROUNDS, 0);
     let (stopped, spu, compiled) = compare_engines(&code, |_, _| ());
     assert_eq!((stopped.reason, stopped.pc, stopped.npc), (Stop::Halt, 12, 16));
     assert_eq!(spu.register(4), Quad::splat(499));
@@ -104,7 +108,8 @@ fn a_halt_in_a_compiled_loop_is_where_it_was() {
 #[test]
 fn an_invalid_word_behind_a_compiled_loop_is_where_it_was() {
     const INVALID: u32 = 0xffe0_0000;
-    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 1)], ROUNDS);
+    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 1)], ROUNDS, 0);
+    code.pop();
     code.push(word(Op::Lnop, [0; 3], 0));
     code.push(word(Op::Nop, [0; 3], 0));
     let invalid =
@@ -136,8 +141,7 @@ fn self_modifying_code_is_recompiled() {
         ];
         let mut code = vec![word(Op::Br, [0; 3], 64); 1];
         code.resize(16, word(Op::Nop, [0; 3], 0));
-        code.extend(counted_loop(&body, ROUNDS));
-        code.push(word(Op::Stop, [0; 3], 0));
+        code.extend(counted_loop(&body, ROUNDS, 0));
         let additions = [11, 12, 13, 14].map(|n| word(Op::Ai, [3, 3, 0], n));
         let others = [21, 22, 23, 24].map(|n| word(Op::Ai, [3, 3, 0], n));
         compare_engines(&code, |spu, _| {
@@ -157,8 +161,7 @@ fn limits_are_exact() {
         word(Op::Nop, [0; 3], 0),
         word(Op::Stqa, [3, 0, 0], 0x1000),
     ];
-    let mut code = counted_loop(&body, ROUNDS * 100);
-    code.push(word(Op::Stop, [0; 3], 0));
+    let code = counted_loop(&body, ROUNDS * 100, 0);
     let stores = [LocalStore::new(), LocalStore::new()];
     for store in &stores {
         load(store, 0, &code);
@@ -189,17 +192,6 @@ impl Channels for CodeWriter<'_> {
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
         Ok(1)
     }
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 #[test]
@@ -212,8 +204,7 @@ fn code_replaced_by_a_channel_write_runs_at_once() {
         word(Op::Brasl, [0, 0, 0], 0x1000),
         word(Op::Nop, [0; 3], 0),
     ];
-    let mut code = counted_loop(&body, 8 * ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 0));
+    let code = counted_loop(&body, 8 * ROUNDS, 0);
     let function = [word(Op::Ai, [3, 3, 0], 1), word(Op::Bi, [0; 3], 0)];
     let mut results = Vec::new();
     let mut runner = runner();
@@ -274,10 +265,8 @@ fn a_stop_request_ends_an_endless_loop() {
 
 #[test]
 fn spes_share_translations() {
-    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 7));
-    let translations =
-        Translations::new(false, false).expect("the hosts of the tests have a compiler");
+    let code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS, 7);
+    let translations = translations();
     for _ in 0..3 {
         let local_store = LocalStore::new();
         load(&local_store, 0, &code);
@@ -295,8 +284,7 @@ const HOT_ROUNDS: u32 = 260_000;
 
 /// Runs a loop that becomes hot.
 fn run_hot_loop(translations: &Arc<Translations>) {
-    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], HOT_ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 7));
+    let code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], HOT_ROUNDS, 7);
     let local_store = LocalStore::new();
     load(&local_store, 0, &code);
     let (mut runner, mut spu) = (Runner::new(translations), Spu::new());
@@ -307,16 +295,14 @@ fn run_hot_loop(translations: &Arc<Translations>) {
 
 #[test]
 fn a_hot_loop_is_optimized() {
-    let translations =
-        Translations::new(false, false).expect("the hosts of the tests have a compiler");
+    let translations = translations();
     run_hot_loop(&translations);
     assert_eq!(translations.units(), 2);
 }
 
 #[test]
 fn a_thread_optimizes_in_the_background() {
-    let translations =
-        Translations::new(false, false).expect("the hosts of the tests have a compiler");
+    let translations = translations();
     translations.optimize_in_background();
     run_hot_loop(&translations);
     let start = Instant::now();
@@ -336,8 +322,7 @@ fn a_loop_of_specials_stays_compiled() {
         word(Op::Fm, [21, 16, 18], 0),
         word(Op::Fs, [22, 20, 21], 0),
     ];
-    let mut code = counted_loop(&body, 10 * ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 0));
+    let code = counted_loop(&body, 10 * ROUNDS, 0);
     let (_, spu, compiled) = compare_engines(&code, |spu, _| {
         spu.set_register(16, Quad([0x7fff_ffff, 0x3f80_0000, 0x7fff_ffff, 1]));
         spu.set_register(17, Quad([0x7fff_ffff, 0x4000_0000, 0, 0x8000_0000]));
@@ -354,8 +339,7 @@ fn the_check_finds_nothing() {
         word(Op::Lqa, [21, 0, 0], 0x2000),
         word(Op::Frest, [22, 21, 0], 0),
     ];
-    let mut code = counted_loop(&body, ROUNDS);
-    code.push(word(Op::Stop, [0; 3], 0));
+    let code = counted_loop(&body, ROUNDS, 0);
     let machine = Machine::with_engine(Arc::new(RegisteredMemory::new()), Engine::Check);
     let spe = Spe::new(&machine, Config::default());
     load(spe.local_store(), 0, &code);

@@ -33,10 +33,13 @@ pub enum Item {
     ReadOnly(u64),
     Mapped(u64),
     Stop(Vec<String>),
-    Cycles(u64),
+    Figure(String, u64),
+    Races(Vec<String>),
+    RaceText(Vec<String>),
 }
 
 pub struct Expected {
+    pub spe: usize,
     pub line: usize,
     pub text: String,
     pub moment: Option<Moment>,
@@ -48,6 +51,7 @@ pub struct Case {
     pub line: usize,
     pub name: String,
     pub code: String,
+    pub spes: u64,
     pub only: Option<Moment>,
     pub given: Vec<Item>,
     pub expected: Vec<Expected>,
@@ -105,14 +109,29 @@ fn item(text: &str) -> Option<Item> {
         "readonly" => Item::ReadOnly(number(rest)?),
         "mapped" => Item::Mapped(number(rest)?),
         "stop" => Item::Stop(vec![format!("stop {:#06x} ", number(rest)?)]),
-        "cycles" => Item::Cycles(number(rest)?),
+        "cycles" | "stopped" => Item::Figure(key.into(), number(rest)?),
+        "races" if rest == "none" => Item::Races(Vec::new()),
+        "races" => Item::Races(rest.split(',').map(str::to_owned).collect()),
+        _ if key.contains('.') => Item::Figure(key.into(), number(rest)?),
         _ => return None,
     })
 }
 
 impl Item {
     fn can_be_given(&self) -> bool {
-        !matches!(self, Self::Outbound(_) | Self::Stop(_) | Self::Cycles(_))
+        !matches!(
+            self,
+            Self::Outbound(_)
+                | Self::Stop(_)
+                | Self::Figure(..)
+                | Self::Races(_)
+                | Self::RaceText(_)
+        )
+    }
+
+    /// The number and the value of a register.
+    pub fn register(&self) -> Option<(u8, spu_emulator::interp::Quad)> {
+        if let Self::Register(number, value) = self { Some((*number, value.quad())) } else { None }
     }
 
     fn can_be_expected(&self) -> bool {
@@ -157,7 +176,7 @@ fn cases(file: &str, text: &Text) -> Vec<Case> {
 fn case(file: &str, text: &Text, line: usize, row: &[&str]) -> Case {
     let name = [&[text.name], row].concat().join(" | ");
     let (given, expected) = (Vec::new(), Vec::new());
-    let mut case = Case { line, name, code: String::new(), only: None, given, expected };
+    let mut case = Case { line, name, code: String::new(), spes: 1, only: None, given, expected };
     for &(at, raw) in &text.lines {
         let filled = row.iter().enumerate().fold(raw.to_owned(), |line, (column, cell)| {
             line.replace(&format!("{{{column}}}"), &cell.replace("; ", "\n "))
@@ -178,6 +197,7 @@ fn case(file: &str, text: &Text, line: usize, row: &[&str]) -> Case {
             _ => None,
         };
         match what {
+            "spes" => case.spes = rest.parse().unwrap_or_else(|_| bad(rest)),
             "only" => case.only = Some(moment(rest).unwrap_or_else(|| bad(rest))),
             "given" => {
                 for part in rest.split_whitespace() {
@@ -190,16 +210,27 @@ fn case(file: &str, text: &Text, line: usize, row: &[&str]) -> Case {
                 if moment.is_none() && what != "then" {
                     bad(what);
                 }
-                let mut expect = |text: &str, item| {
-                    case.expected.push(Expected { line: at, text: text.into(), moment, item });
+                let mut expect = |text: &str, spe, item| {
+                    case.expected.push(Expected { spe, line: at, text: text.into(), moment, item });
                 };
-                if let Some(parts) = rest.strip_prefix("error ") {
-                    expect(rest, Item::Stop(parts.split(" & ").map(str::to_owned).collect()));
+                let parts = |text: &str| text.split(" & ").map(str::to_owned).collect();
+                if let Some(text) = rest.strip_prefix("error ") {
+                    expect(rest, 0, Item::Stop(parts(text)));
+                    continue;
+                }
+                if let Some(text) = rest.strip_prefix("race ") {
+                    expect(rest, 0, Item::RaceText(parts(text)));
                     continue;
                 }
                 for part in rest.split_whitespace() {
-                    let item = item(part).filter(Item::can_be_expected);
-                    expect(part, item.unwrap_or_else(|| bad(part)));
+                    let (spe, text) = match part.split_once(':') {
+                        Some((spe, text)) if spe.parse().is_ok_and(|spe: u64| spe < case.spes) => {
+                            (spe.parse().unwrap(), text)
+                        }
+                        _ => (0, part),
+                    };
+                    let item = item(text).filter(Item::can_be_expected);
+                    expect(part, spe, item.unwrap_or_else(|| bad(part)));
                 }
             }
         }

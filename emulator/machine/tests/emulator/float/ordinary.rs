@@ -24,53 +24,32 @@ struct Case {
     full: fn(Operands) -> Lanes<4>,
 }
 
+/// A case by the name that an instruction and its functions share.
+macro_rules! case {
+    ($op:ident $name:ident $full:expr, $($operand:ident)* $(; $other:pat)?) => {
+        Case {
+            name: stringify!($name),
+            op: Op::$op,
+            ordinary: |[$($operand,)* $($other)?]| ordinary::$name($($operand),*),
+            full: |[$($operand,)* $($other)?]| $full($($operand),*),
+        }
+    };
+}
+
 const CASES: [Case; 7] = [
-    Case {
-        name: "fa",
-        op: Op::Fa,
-        ordinary: |[a, b, _]| ordinary::fa(a, b),
-        full: |[a, b, _]| single::fa_lanes(a, b),
-    },
-    Case {
-        name: "fs",
-        op: Op::Fs,
-        ordinary: |[a, b, _]| ordinary::fs(a, b),
-        full: |[a, b, _]| single::fs_lanes(a, b),
-    },
-    Case {
-        name: "fm",
-        op: Op::Fm,
-        ordinary: |[a, b, _]| ordinary::fm(a, b),
-        full: |[a, b, _]| single::fm_lanes(a, b),
-    },
-    Case {
-        name: "fma",
-        op: Op::Fma,
-        ordinary: |[a, b, c]| ordinary::fma(a, b, c),
-        full: |[a, b, c]| single::fma_lanes(a, b, c),
-    },
-    Case {
-        name: "fms",
-        op: Op::Fms,
-        ordinary: |[a, b, c]| ordinary::fms(a, b, c),
-        full: |[a, b, c]| single::fms_lanes(a, b, c),
-    },
-    Case {
-        name: "fnms",
-        op: Op::Fnms,
-        ordinary: |[a, b, c]| ordinary::fnms(a, b, c),
-        full: |[a, b, c]| single::fnms_lanes(a, b, c),
-    },
-    Case {
-        name: "fi",
-        op: Op::Fi,
-        ordinary: |[a, b, _]| ordinary::fi(a, b),
-        full: |[a, b, _]| {
-            let lanes: [_; 4] = from_fn(|n| estimate::fi_flagged(a[n], b[n]));
-            (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1))
-        },
-    },
+    case!(Fa fa single::fa_lanes, a b; _),
+    case!(Fs fs single::fs_lanes, a b; _),
+    case!(Fm fm single::fm_lanes, a b; _),
+    case!(Fma fma single::fma_lanes, a b c),
+    case!(Fms fms single::fms_lanes, a b c),
+    case!(Fnms fnms single::fnms_lanes, a b c),
+    case!(Fi fi interpolated, a b; _),
 ];
+
+fn interpolated(a: [u32; 4], b: [u32; 4]) -> Lanes<4> {
+    let lanes: [_; 4] = from_fn(|n| estimate::fi_flagged(a[n], b[n]));
+    (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1))
+}
 
 /// Whether there was a result. If there was, it must be correct.
 fn has_correct_result(case: &Case, operands: Operands) -> bool {

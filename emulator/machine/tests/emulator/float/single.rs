@@ -57,43 +57,22 @@ struct Case {
     operands: usize,
 }
 
+const fn case(
+    name: &'static str,
+    operands: usize,
+    operation: Operation,
+    model: fn(&Exact, &Exact, &Exact) -> Exact,
+) -> Case {
+    Case { name, operation, model, operands }
+}
+
 const CASES: [Case; 6] = [
-    Case {
-        name: "fa",
-        operation: |a, b, _| single::fa_lanes(a, b),
-        model: |a, b, _| a.plus(b),
-        operands: 2,
-    },
-    Case {
-        name: "fs",
-        operation: |a, b, _| single::fs_lanes(a, b),
-        model: |a, b, _| a.plus(&negated(b)),
-        operands: 2,
-    },
-    Case {
-        name: "fm",
-        operation: |a, b, _| single::fm_lanes(a, b),
-        model: |a, b, _| a.times(b),
-        operands: 2,
-    },
-    Case {
-        name: "fma",
-        operation: single::fma_lanes,
-        model: |a, b, c| a.times(b).plus(c),
-        operands: 3,
-    },
-    Case {
-        name: "fms",
-        operation: single::fms_lanes,
-        model: |a, b, c| a.times(b).plus(&negated(c)),
-        operands: 3,
-    },
-    Case {
-        name: "fnms",
-        operation: single::fnms_lanes,
-        model: |a, b, c| c.plus(&negated(&a.times(b))),
-        operands: 3,
-    },
+    case("fa", 2, |a, b, _| single::fa_lanes(a, b), |a, b, _| a.plus(b)),
+    case("fs", 2, |a, b, _| single::fs_lanes(a, b), |a, b, _| a.plus(&negated(b))),
+    case("fm", 2, |a, b, _| single::fm_lanes(a, b), |a, b, _| a.times(b)),
+    case("fma", 3, single::fma_lanes, |a, b, c| a.times(b).plus(c)),
+    case("fms", 3, single::fms_lanes, |a, b, c| a.times(b).plus(&negated(c))),
+    case("fnms", 3, single::fnms_lanes, |a, b, c| c.plus(&negated(&a.times(b)))),
 ];
 
 fn check(case: &Case, [a, b, c]: [u32; 3]) {
@@ -201,37 +180,18 @@ fn random_operands(random: &mut Random) -> [u32; 3] {
     }
 }
 
-fn random(case: &Case) {
-    let mut random = Random::new(case.name);
-    for _ in 0..rounds(RANDOM_OPERANDS) {
-        check(case, random_operands(&mut random));
-    }
+macro_rules! random {
+    ($($name:ident of $case:literal)*) => {$(
+        #[test]
+        fn $name() {
+            let mut random = Random::new(CASES[$case].name);
+            for _ in 0..rounds(RANDOM_OPERANDS) {
+                check(&CASES[$case], random_operands(&mut random));
+            }
+        }
+    )*};
 }
-
-#[test]
-fn fa_random() {
-    random(&CASES[0]);
-}
-#[test]
-fn fs_random() {
-    random(&CASES[1]);
-}
-#[test]
-fn fm_random() {
-    random(&CASES[2]);
-}
-#[test]
-fn fma_random() {
-    random(&CASES[3]);
-}
-#[test]
-fn fms_random() {
-    random(&CASES[4]);
-}
-#[test]
-fn fnms_random() {
-    random(&CASES[5]);
-}
+random!(fa_random of 0 fs_random of 1 fm_random of 2 fma_random of 3 fms_random of 4 fnms_random of 5);
 
 #[test]
 fn four_lanes_are_four_times_one() {

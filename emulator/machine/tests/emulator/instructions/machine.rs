@@ -58,7 +58,7 @@ impl Channels for Script {
 
 /// An instruction with rt = $3, ra = $4, rb = $5, rc = $6.
 pub fn instruction(op: Op, immediate: i32) -> Instruction {
-    Instruction { op, rt: 3, ra: 4, rb: 5, rc: 6, branch_distance: 0, immediate }
+    Instruction::new(op, [3, 4, 5, 6], immediate)
 }
 
 pub fn put(local_store: &LocalStore, address: u32, instruction: Instruction) {

@@ -8,7 +8,7 @@ use spu_emulator::memory::{Access, LINE, MainMemory, MemoryFault, Place, Registe
 use spu_emulator::mfc::Policy;
 use spu_emulator::spe::{Config, Spe};
 
-use super::support::{BASE, MEMORY, Machine, assemble, load, register, run_to_stop, soon, start};
+use crate::support::{BASE, MEMORY, Machine, assemble, load, register, run_to_stop, soon, start};
 
 /// Adds 1 to the word at the base, $5 times.
 const COUNT: &str = "

@@ -4,7 +4,7 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::Config;
 use spu_emulator::stop::{ChannelAccess, Stop};
 
-use super::support::{Machine, run, run_to_stop};
+use crate::support::{Machine, run, run_to_stop};
 
 /// Channel number, whether it can be read, and its count when idle, as the architecture's manual
 /// has them.

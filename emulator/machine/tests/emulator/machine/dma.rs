@@ -7,7 +7,7 @@ use spu_emulator::signal::SignalRegister;
 use spu_emulator::spe::{Config, ProxyCommand, TagWait};
 use spu_emulator::stop::{Stop, Stopped};
 
-use super::support::{BASE, Machine, register, run_to_stop, soon, start};
+use crate::support::{BASE, Machine, register, run_to_stop, soon, start};
 
 const POLICIES: [Policy; 2] = [Policy::AtOnce, Policy::AtLast];
 
@@ -24,7 +24,7 @@ fn a_sleeping_spu_does_not_keep_its_data_for_ever() {
     let running = start(&spe, entry);
     let begin = std::time::Instant::now();
     while machine.read(0, 1) != [9] {
-        assert!(begin.elapsed() < super::support::TIMEOUT);
+        assert!(begin.elapsed() < crate::support::TIMEOUT);
         std::thread::sleep(Duration::from_millis(1));
     }
     assert!(spe.write_inbound(0, soon()));

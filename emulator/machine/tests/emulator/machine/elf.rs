@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use spu_emulator::elf::{ElfError, Image, file_length};
 use spu_emulator::local_store::{LocalStore, SIZE};
 
-use super::support::assemble;
+use crate::support::assemble;
 
 const SOURCE: &str = "
         il      $3,1

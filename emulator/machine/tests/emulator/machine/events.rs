@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use spu_emulator::mfc::Policy;
 use spu_emulator::signal::SignalRegister;
 
-use super::support::{Machine, at_once, register, run_to_stop, soon, start};
+use crate::support::{Machine, at_once, register, run_to_stop, soon, start};
 
 #[test]
 fn the_decrementers_event_wakes_the_sleeper() {

@@ -3,7 +3,7 @@
 use spu_emulator::mfc::Policy;
 use spu_emulator::stop::Stop;
 
-use super::support::{BASE, Machine, register, run_to_stop, start};
+use crate::support::{BASE, Machine, register, run_to_stop, start};
 
 const POLICIES: [Policy; 2] = [Policy::AtOnce, Policy::AtLast];
 const STALL: u32 = 0x8000_0000;

@@ -5,7 +5,7 @@ use spu_emulator::signal::{SignalMode, SignalRegister};
 use spu_emulator::spe::Config;
 use spu_emulator::stop::Stop;
 
-use super::support::{Machine, assemble, at_once, load, register, run_to_stop, soon, start};
+use crate::support::{Machine, assemble, at_once, load, register, run_to_stop, soon, start};
 
 const ECHO: &str = "
 again:  rdch    $10,$ch29

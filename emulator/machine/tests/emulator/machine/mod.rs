@@ -9,4 +9,3 @@ mod events;
 mod lists;
 mod mailboxes;
 mod random;
-pub mod support;

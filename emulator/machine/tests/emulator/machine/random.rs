@@ -7,7 +7,7 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::Config;
 use spu_emulator::stop::Stop;
 
-use super::support::{BASE, MEMORY, Machine, run, start};
+use crate::support::{BASE, MEMORY, Machine, run, start};
 
 /// `ilhu`, `iohl` and `wrch` of a value.
 fn write_channel(channel: u32, value: u32) -> [u32; 3] {

@@ -2,14 +2,14 @@
 //! methods of counting.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use spu_emulator::memory::MainMemory;
 use spu_emulator::signal::SignalRegister;
-use spu_emulator::simulated::{MemoryFigures, Method, SpeReport};
+use spu_emulator::simulated::{MemoryFigures, Method, SimulationOptions, SpeReport, Timing};
 use spu_emulator::spe::Spe;
 
-use super::support::{BASE, Disturbance, Load, Machine, assemble, register, start};
+use super::disturbance::{Disturbance, Load};
+use crate::support::{BASE, Machine, assemble, register, start_later};
 
 const LOCAL_STORE_LATENCY: u64 = MemoryFigures::CONSOLE.local_store_latency;
 
@@ -69,8 +69,8 @@ fn trace(
     let mut running = Vec::new();
     for number in 0..SPES {
         disturbance.sleep();
-        let (spe, entry) = machine.loaded(image);
-        running.push(start(&spe, entry, number as u32, disturbance.delay()));
+        let (spe, entry) = machine.with_image(image);
+        running.push(start_later(&spe, entry, number as u32, disturbance.delay()));
         spes.push((spe, entry));
     }
     let mut replies = Vec::new();
@@ -147,7 +147,7 @@ fn contended_line_has_same_winners_in_every_run() {
         spes
     };
     let first = contend(Method::ByInstruction);
-    let alone = Machine::new().run_all(1, CONTEND);
+    let alone = Machine::simulated().run_all(1, CONTEND);
     // An SPE that loses a race needs additional commands.
     assert!(first.iter().all(|spe| spe.commands.atomic >= 200));
     assert!(first.iter().map(|spe| spe.commands.atomic).sum::<u64>() > 1200);
@@ -202,24 +202,18 @@ next:   ai      $5,$5,-1
 fn asynchronous_puts_complete_in_turn() {
     let share = |machine: Machine| {
         let image = assemble(SHARE);
-        let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();
-        let running: Vec<_> = (0..)
-            .zip(&spes)
-            .map(|(number, (spe, entry))| start(spe, *entry, number, Duration::ZERO))
-            .collect();
-        machine.depart();
-        for one in running {
-            one.end();
-        }
+        let spes: Vec<_> = (0..SPES).map(|_| machine.with_image(&image)).collect();
+        let figures = machine.run_together(&spes);
         let sums: Vec<_> = spes.iter().map(|(spe, _)| register(spe, 30)).collect();
-        (machine.report().spes, sums)
+        (figures, sums)
     };
-    let waiting = share(Machine::recording());
+    let timeline = SimulationOptions { timeline: true, ..SimulationOptions::default() };
+    let waiting = share(Machine::simulated_with(Timing::default(), timeline));
     assert!(waiting.0.iter().all(|spe| spe.commands.queued > 300));
     assert!(waiting.1.windows(2).any(|pair| pair[0] != pair[1]));
     let _load = Load::new(3);
     for _ in 0..5 {
-        assert_eq!(share(Machine::new()), waiting);
+        assert_eq!(share(Machine::simulated()), waiting);
     }
 }
 
@@ -248,14 +242,14 @@ const STORE_EA: u64 = 0x3_5000_0000;
 
 fn watch(image: &[u8], disturbance: &Disturbance, method: Method) -> (u32, Vec<SpeReport>) {
     let machine = Machine::counting(method);
-    let (watcher, entry) = machine.loaded(image);
-    let (sender, _) = machine.loaded(image);
+    let (watcher, entry) = machine.with_image(image);
+    let (sender, _) = machine.with_image(image);
     let store = Arc::clone(watcher.local_store());
     machine.memory.register_local_store(STORE_EA, store).unwrap();
     watcher.map_local_store(STORE_EA);
     machine.simulation().serialise();
-    let first = start(&watcher, entry, 0, disturbance.delay());
-    let second = start(&sender, entry, 1, disturbance.delay());
+    let first = start_later(&watcher, entry, 0, disturbance.delay());
+    let second = start_later(&sender, entry, 1, disturbance.delay());
     machine.depart();
     first.end();
     second.end();
@@ -293,21 +287,14 @@ fn signals_go_round_and_take_their_time() {
     let image = assemble(RING);
     let ring = |method| {
         let machine = Machine::counting(method);
-        let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();
+        let spes: Vec<_> = (0..SPES).map(|_| machine.with_image(&image)).collect();
         for (number, (spe, _)) in (0_u64..).zip(&spes) {
             // SPE n sends to the address at which the register of SPE n + 1 is mapped.
             let sender = (number + SPES as u64 - 1) % SPES as u64;
             spe.map_signal(SignalRegister::One, BASE + sender * 16);
         }
-        let running: Vec<_> = (0..)
-            .zip(&spes)
-            .map(|(number, (spe, entry))| start(spe, *entry, number, Duration::ZERO))
-            .collect();
         spes[0].0.signal(SignalRegister::One, 7);
-        machine.depart();
-        for one in running {
-            one.end();
-        }
+        machine.run_together(&spes);
         machine.report()
     };
     let first = ring(Method::Memoised);

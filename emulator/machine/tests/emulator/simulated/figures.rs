@@ -2,10 +2,10 @@
 //! A value that delays the start of a transfer is a multiple of the slots of ports and of memory,
 //! because a transfer waits for the next slot.
 
-use spu_emulator::simulated::{MemoryFigures, PpeFigures, SpeReport, Timing};
+use spu_emulator::simulated::{MemoryFigures, PpeFigures, SimulationOptions, SpeReport, Timing};
 use spu_isa::timing::{Cause, Rules};
 
-use super::support::Machine;
+use crate::support::Machine;
 
 /// A line from main memory, an atomic command, and ten branches without hints, of which nine are
 /// taken.
@@ -21,7 +21,7 @@ again:  ai      $5,$5,-1
 ";
 
 fn time(timing: Timing) -> SpeReport {
-    Machine::with(timing).run_all(1, PROGRAM).remove(0)
+    Machine::simulated_with(timing, SimulationOptions::default()).run_all(1, PROGRAM).remove(0)
 }
 
 #[test]
@@ -30,8 +30,11 @@ fn the_default_is_the_console() {
     assert_eq!(timing.rules, Rules::default());
     assert_eq!(timing.memory, MemoryFigures::CONSOLE);
     assert_eq!(timing.ppe, PpeFigures::CONSOLE);
-    assert_eq!(Machine::with(timing).simulation().timing(), &timing);
-    assert_eq!(time(timing), Machine::new().run_all(1, PROGRAM).remove(0));
+    assert_eq!(
+        Machine::simulated_with(timing, SimulationOptions::default()).simulation().timing(),
+        &timing
+    );
+    assert_eq!(time(timing), Machine::simulated().run_all(1, PROGRAM).remove(0));
 }
 
 #[test]
@@ -78,5 +81,5 @@ fn figures_of_the_ppe() {
 fn zero_outstanding_lines_are_refused() {
     let mut timing = Timing::default();
     timing.memory.outstanding_lines = 0;
-    Machine::with(timing);
+    Machine::simulated_with(timing, SimulationOptions::default());
 }

@@ -8,71 +8,44 @@ use std::time::Duration;
 use spu_emulator::decrementer::Clock;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine;
-use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
 use spu_emulator::simulated::{SimulationOptions, SpeReport, Timing};
-use spu_emulator::spe::{Config, Spe};
+use spu_emulator::spe::Spe;
 use spu_emulator::stop::Stop;
 
-use super::support::{self, BASE, MEMORY, assemble};
-use spu_emulator::elf::Image;
+use crate::support::{Machine, assemble, base_registers};
 
 /// Each SPE counts in a line that all share, by atomic commands, as SPUs take work units, and puts
 /// what it got into main memory.
 const COUNTERS: &str = "
-        .text
-        .global _start
-_start: il      $20,200
-again:  ila     $10,0x2000
-        wrch    $ch16,$10
-        wrch    $ch17,$2
-        wrch    $ch18,$3
-        il      $11,0xd0
-        wrch    $ch21,$11
+        il      $20,200
+again:  command GETLLAR, 0x2000, $3, 128, 0
         rdch    $12,$ch27
-        lqd     $13,0($10)
+        lqa     $13,0x2000
         ai      $13,$13,1
-        stqd    $13,0($10)
-        wrch    $ch16,$10
-        wrch    $ch17,$2
-        wrch    $ch18,$3
-        il      $11,0xb4
-        wrch    $ch21,$11
+        stqa    $13,0x2000
+        command PUTLLC, 0x2000, $3, 128, 0
         rdch    $12,$ch27
         brnz    $12,again
         shli    $14,$13,7
         a       $14,$14,$3
-        wrch    $ch16,$10
-        wrch    $ch17,$2
-        wrch    $ch18,$14
-        il      $11,128
-        wrch    $ch19,$11
-        il      $11,0
-        wrch    $ch20,$11
-        il      $11,0x20
-        wrch    $ch21,$11
-        il      $11,1
-        wrch    $ch22,$11
-        il      $11,2
-        wrch    $ch23,$11
-        rdch    $12,$ch24
+        command PUT, 0x2000, $14, 128, 0
+        wait_tags 1
         ai      $20,$20,-1
         brnz    $20,again
         stop    0x2000
 ";
 
 const ECHO: &str = "
-        .text
-        .global _start
-_start: rdch    $10,$ch29
+again:  rdch    $10,$ch29
         brz     $10,done
         ai      $10,$10,1
         wrch    $ch30,$10
-        br      _start
+        br      again
 done:   stop    0x2000
 ";
 
-/// A machine whose SPEs run in turn, in simulated time or without, and its memory.
-fn in_turn(simulated: bool) -> (Arc<machine::Machine>, Arc<RegisteredMemory>) {
+/// A machine whose SPEs run in turn, in simulated time or without.
+fn in_turn(simulated: bool) -> Machine {
     /// Ticks at each reading.
     struct Readings(AtomicU64);
 
@@ -85,36 +58,20 @@ fn in_turn(simulated: bool) -> (Arc<machine::Machine>, Arc<RegisteredMemory>) {
             Duration::ZERO
         }
     }
-    let memory = Arc::new(RegisteredMemory::new());
-    memory.register(BASE, vec![0; MEMORY], Access::ReadWrite).unwrap();
-    let machine = match simulated {
-        true => machine::Machine::simulated_in_turn(
-            memory.clone(),
-            Timing::default(),
-            SimulationOptions::default(),
-        ),
-        false => machine::Machine::in_turn(memory.clone(), Arc::new(Readings(AtomicU64::new(0)))),
-    };
-    (machine, memory)
+    let options = SimulationOptions::default();
+    Machine::made(|memory| match simulated {
+        true => machine::Machine::simulated_in_turn(memory, Timing::default(), options),
+        false => machine::Machine::in_turn(memory, Arc::new(Readings(AtomicU64::new(0)))),
+    })
 }
 
-fn begin(machine: &Arc<machine::Machine>, source: &str, number: u32) -> Arc<Spe> {
-    let spe = Spe::new(machine, Config::default());
-    let elf = assemble(source);
-    let image = Image::parse(&elf).unwrap();
-    image.load(spe.local_store(), 0);
-    spe.begin(image.entry(), |spu: &mut Spu| {
-        spu.set_register(2, Quad::scalar((BASE >> 32) as u32));
-        spu.set_register(3, Quad::scalar(BASE as u32));
+fn begin(machine: &Machine, source: &str, number: u32) -> Arc<Spe> {
+    let (spe, entry) = machine.with_image(&assemble(source));
+    spe.begin(entry, |spu: &mut Spu| {
+        base_registers(spu);
         spu.set_register(4, Quad::scalar(number));
     });
     spe
-}
-
-fn count(memory: &RegisteredMemory) -> u32 {
-    let mut bytes = [0; 4];
-    memory.read(BASE, &mut bytes).unwrap();
-    u32::from_be_bytes(bytes)
 }
 
 /// The parts of a report that don't depend on when the PPE started the SPEs.
@@ -125,18 +82,18 @@ fn figures(report: &SpeReport) -> impl PartialEq + std::fmt::Debug + use<> {
 #[test]
 fn they_take_the_cycles_of_threads() {
     const SPES: u32 = 6;
-    let threads = support::Machine::new();
+    let threads = Machine::simulated();
     let expected = threads.run_all(SPES, COUNTERS);
-    let (machine, memory) = in_turn(true);
+    let machine = in_turn(true);
     let spes: Vec<_> = (0..SPES).map(|number| begin(&machine, COUNTERS, number)).collect();
     // A call that waits for nothing else lets them run to their ends.
-    let simulation = machine.simulation().unwrap();
+    let simulation = machine.simulation();
     let limit = Some(Duration::from_secs(1));
     assert_eq!(simulation.wait(simulation.new_key(), limit, || None::<()>), None);
     for spe in &spes {
         assert_eq!(spe.ended().unwrap().reason, Stop::Signal(0x2000));
     }
-    assert_eq!((count(&memory), threads.word(0)), (200 * SPES, 200 * SPES));
+    assert_eq!((machine.word(0), threads.word(0)), (200 * SPES, 200 * SPES));
     let (mut taken, mut wanted) = (Vec::new(), Vec::new());
     taken.extend(simulation.report().spes.iter().map(figures));
     wanted.extend(expected.iter().map(figures));
@@ -146,9 +103,9 @@ fn they_take_the_cycles_of_threads() {
 #[test]
 fn words_go_to_and_fro() {
     for simulated in [true, false] {
-        let (machine, _) = in_turn(simulated);
+        let machine = in_turn(simulated);
         let spe = begin(&machine, ECHO, 0);
-        let turns = machine.turns().unwrap();
+        let turns = machine.machine.turns().unwrap();
         let run = || while turns.go_on() {};
         for word in 1..=50 {
             assert!(spe.write_inbound(word, None));
@@ -158,7 +115,7 @@ fn words_go_to_and_fro() {
             assert_eq!(spe.read_outbound_interrupt(None), Some(word + 1));
         }
         assert!(spe.write_inbound(0, None));
-        match machine.simulation() {
+        match machine.machine.simulation() {
             Some(simulation) => {
                 let limit = Some(Duration::from_millis(1));
                 simulation.wait(simulation.new_key(), limit, || None::<()>);
@@ -171,7 +128,7 @@ fn words_go_to_and_fro() {
 
 #[test]
 fn waiting_for_nothing_ends() {
-    let (machine, _) = in_turn(true);
+    let machine = in_turn(true);
     let spe = begin(&machine, ECHO, 0);
     // The SPU waits for mail, and nobody sends any.
     assert_eq!(spe.read_outbound_interrupt(None), None);
@@ -183,12 +140,12 @@ fn waiting_for_nothing_ends() {
 
 #[test]
 fn without_simulated_time_all_get_their_turns() {
-    let (machine, memory) = in_turn(false);
+    let machine = in_turn(false);
     let spes: Vec<_> = (0..3).map(|number| begin(&machine, COUNTERS, number)).collect();
-    let turns = machine.turns().unwrap();
+    let turns = machine.machine.turns().unwrap();
     turns.go_on();
     assert!(spes.iter().all(|spe| spe.with_spu(Spu::executed) > 0 && spe.ended().is_none()));
     while turns.go_on() {}
     assert!(spes.iter().all(|spe| spe.ended().is_some()));
-    assert_eq!(count(&memory), 600);
+    assert_eq!(machine.word(0), 600);
 }

@@ -33,8 +33,7 @@ const MOST: u64 = 1500;
 const HOT: u16 = 3;
 
 fn word(op: Op, rt: u8, [ra, rb, rc]: [u8; 3], immediate: i32) -> u32 {
-    let instruction = Instruction { op, rt, ra, rb, rc, branch_distance: 0, immediate };
-    instruction.encode()
+    Instruction::new(op, [rt, ra, rb, rc], immediate).encode()
 }
 
 /// A piece of a program. It is entered only at its start.
@@ -125,15 +124,9 @@ impl Piece {
                 code.push(word(op, rt, [PLACES + to, 0, 0], bits));
             }
             Self::Hint(on, to, named) => {
-                let hint = Instruction {
-                    op: if named { Op::Hbr } else { Op::Hbrr },
-                    rt: 0,
-                    ra: 50,
-                    rb: 0,
-                    rc: 0,
-                    branch_distance: 4 * i16::from(on),
-                    immediate: if named { 0 } else { distance(to) },
-                };
+                let (op, immediate) = if named { (Op::Hbr, 0) } else { (Op::Hbrr, distance(to)) };
+                let hint = Instruction::new(op, [0, 50, 0, 0], immediate);
+                let hint = Instruction { branch_distance: 4 * i16::from(on), ..hint };
                 if named {
                     code.push(load(50, start(to) as i32));
                 }

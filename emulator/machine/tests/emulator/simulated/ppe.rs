@@ -4,9 +4,11 @@ use std::sync::{Arc, Barrier, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use spu_emulator::simulated::{PpeFigures, Simulation, ticks};
+use spu_emulator::simulated::{PpeFigures, ticks};
+use spu_emulator::stop::Stop;
 
-use super::support::{Disturbance, Load, Machine, TIMEOUT, assemble, register, start};
+use super::disturbance::{Disturbance, Load};
+use crate::support::{Machine, TIMEOUT, assemble, register, start, start_later};
 
 const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
 const PPE_WAKE_CYCLES: u64 = PpeFigures::CONSOLE.wake_cycles;
@@ -23,20 +25,15 @@ again:  rdch    $5,$ch29
 over:   stop    0x2000
 ";
 
-fn simulation(machine: &Machine) -> &Arc<Simulation> {
-    machine.simulation()
-}
-
 #[test]
 fn mails_come_one_call_after_the_other() {
-    let machine = Machine::new();
+    let machine = Machine::simulated();
     let image = assemble(ECHO);
-    let spes: Vec<_> = (0..6).map(|_| machine.loaded(&image)).collect();
-    let running: Vec<_> =
-        spes.iter().map(|(spe, entry)| start(spe, *entry, 0, Duration::ZERO)).collect();
+    let spes: Vec<_> = (0..6).map(|_| machine.with_image(&image)).collect();
+    let running: Vec<_> = spes.iter().map(|(spe, entry)| start(spe, *entry)).collect();
     let settle = Some(Duration::from_micros(100));
-    let key = simulation(&machine).new_key();
-    assert!(simulation(&machine).wait(key, settle, || None::<()>).is_none());
+    let key = machine.simulation().new_key();
+    assert!(machine.simulation().wait(key, settle, || None::<()>).is_none());
     for (spe, _) in &spes {
         spe.write_inbound(1, None);
     }
@@ -67,9 +64,9 @@ work:   ai      $6,$6,-1
 ",
     );
     let looks = |disturbance: &Disturbance| {
-        let machine = Machine::new();
-        let (spe, entry) = machine.loaded(&image);
-        let running = start(&spe, entry, 0, disturbance.delay());
+        let machine = Machine::simulated();
+        let (spe, entry) = machine.with_image(&image);
+        let running = start_later(&spe, entry, 0, disturbance.delay());
         let mut looks = 0;
         while spe.outbound_waiting() == 0 {
             looks += 1;
@@ -91,19 +88,19 @@ work:   ai      $6,$6,-1
 
 #[test]
 fn a_limit_is_simulated_time() {
-    let machine = Machine::new();
+    let machine = Machine::simulated();
     let image = assemble("        br _start\n");
-    let (spe, entry) = machine.loaded(&image);
-    let running = start(&spe, entry, 0, Duration::ZERO);
-    let key = simulation(&machine).new_key();
+    let (spe, entry) = machine.with_image(&image);
+    let running = start(&spe, entry);
+    let key = machine.simulation().new_key();
     let limit = Duration::from_millis(1);
-    assert!(simulation(&machine).wait(key, Some(limit), || None::<()>).is_none());
+    assert!(machine.simulation().wait(key, Some(limit), || None::<()>).is_none());
     let now = || Some(Instant::now());
     let accepted = (0..9).take_while(|word| spe.write_inbound(*word, now()));
     assert_eq!(accepted.count(), 4);
     spe.request_stop();
     machine.depart();
-    assert!(running.stopped());
+    assert_eq!(running.wait().reason, Stop::Requested);
     // Three million cycles passed while it ran. How soon it notices the request depends on the
     // host.
     assert!(machine.report().spes[0].clock >= 3_192_000);
@@ -111,20 +108,20 @@ fn a_limit_is_simulated_time() {
 
 #[test]
 fn a_sleeper_that_is_left_alone_lets_the_hosts_time_pass_too() {
-    let machine = Machine::new();
-    let key = simulation(&machine).new_key();
+    let machine = Machine::simulated();
+    let key = machine.simulation().new_key();
     let limit = Duration::from_millis(50);
     let start = Instant::now();
-    assert!(simulation(&machine).wait(key, Some(limit), || None::<()>).is_none());
+    assert!(machine.simulation().wait(key, Some(limit), || None::<()>).is_none());
     assert!(start.elapsed() >= limit);
 }
 
 #[test]
 fn absent_threads_delay_others_briefly() {
-    let machine = Machine::new();
+    let machine = Machine::simulated();
     let image = assemble(ECHO);
-    let (spe, entry) = machine.loaded(&image);
-    let running = start(&spe, entry, 0, Duration::ZERO);
+    let (spe, entry) = machine.with_image(&image);
+    let running = start(&spe, entry);
     // This thread sends a mail, and then sleeps until the program has ended, which waits for it.
     spe.write_inbound(0, None);
     running.end();
@@ -156,9 +153,9 @@ delay:  dfa     $7,$7,$7
         stop    0x2000
 ",
     );
-    let machine = Machine::new();
-    let spes = [machine.loaded(&image), machine.loaded(&image)];
-    let later = start(&spes[1].0, spes[1].1, 1, Duration::ZERO);
+    let machine = Machine::simulated();
+    let spes = [machine.with_image(&image), machine.with_image(&image)];
+    let later = start_later(&spes[1].0, spes[1].1, 1, Duration::ZERO);
     let (done, finished) = mpsc::channel();
     thread::spawn(move || {
         let (spe, entry) = &spes[0];
@@ -174,11 +171,11 @@ delay:  dfa     $7,$7,$7
 
 #[test]
 fn an_spe_that_is_loaded_and_never_run_holds_nobody_up_for_good() {
-    let machine = Machine::new();
+    let machine = Machine::simulated();
     let image = assemble(ECHO);
-    let never_run = machine.loaded(&image);
-    let (spe, entry) = machine.loaded(&image);
-    let running = start(&spe, entry, 0, Duration::ZERO);
+    let never_run = machine.with_image(&image);
+    let (spe, entry) = machine.with_image(&image);
+    let running = start(&spe, entry);
     spe.write_inbound(5, None);
     assert_eq!(spe.read_outbound(None), Some(5));
     spe.write_inbound(0, None);
@@ -189,7 +186,7 @@ fn an_spe_that_is_loaded_and_never_run_holds_nobody_up_for_good() {
 
 #[test]
 fn several_ppe_threads_and_a_full_mailbox() {
-    let machine = Machine::new();
+    let machine = Machine::simulated();
     let image = assemble(
         "
         ila     $5,4000
@@ -200,8 +197,8 @@ again:  rdch    $6,$ch29
         stop    0x2000
 ",
     );
-    let (spe, entry) = machine.loaded(&image);
-    let running = start(&spe, entry, 0, Duration::ZERO);
+    let (spe, entry) = machine.with_image(&image);
+    let running = start(&spe, entry);
     let ready = Arc::new(Barrier::new(4));
     let (done, finished) = mpsc::channel();
     for _ in 0..4 {

@@ -3,7 +3,7 @@
 use spu_emulator::memory::LINE;
 use spu_emulator::simulated::{MemoryFigures, Tenths};
 
-use super::support::Machine;
+use crate::support::Machine;
 
 /// The bytes that main memory can move in a cycle if a line takes this time.
 fn bytes_a_cycle(line: Tenths) -> f64 {
@@ -35,7 +35,7 @@ over:   stop    0x2000
 #[test]
 fn computing_is_six_times_as_fast_on_six_spes() {
     let clock = |spes| {
-        let spes = Machine::new().run_all(spes, COMPUTE);
+        let spes = Machine::simulated().run_all(spes, COMPUTE);
         // The times count from the first instruction.
         spes.iter().map(|spe| spe.clock - spe.stopped).max().unwrap()
     };
@@ -66,7 +66,7 @@ const STREAMED: u64 = 66 * 16384;
 
 /// The bytes per cycle of all SPEs together.
 fn rate(spes: u32, direction: &str) -> f64 {
-    let spes = Machine::new().run_all(spes, &STREAM.replace("\\direction", direction));
+    let spes = Machine::simulated().run_all(spes, &STREAM.replace("\\direction", direction));
     let cycles = spes.iter().map(|spe| spe.clock - spe.stopped).max().unwrap();
     for spe in &spes {
         let commands = &spe.commands;
@@ -101,8 +101,8 @@ again:  command GET, 0x10000, $3, 128, 1
         brnz    $5,again
         stop    0x2000
 ";
-    let one = Machine::new().run_all(1, source);
-    let six = Machine::new().run_all(6, source);
+    let one = Machine::simulated().run_all(1, source);
+    let six = Machine::simulated().run_all(6, source);
     let cycles = one[0].account.cycles();
     assert!(cycles > 100 * 309 && cycles < 100 * 400, "{cycles}");
     for spe in &six {

@@ -3,7 +3,7 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::os::unix::fs::MetadataExt as _;
 use std::path::PathBuf;
 
-use super::support::{GuestProgram, HEAP_EA, POSIX, Reply, Value};
+use super::support::{GuestProgram, HEAP_EA, Reply, Value};
 
 const O_RDWR: u32 = 2;
 const O_CREAT: u32 = 64;
@@ -31,20 +31,14 @@ impl Files {
         self.guest.text(path.as_os_str().as_bytes())
     }
 
-    /// Calls a function by its name, from which the opcode is found.
     fn call(&mut self, name: &str, arguments: &[u32]) -> Reply {
-        self.guest.call(POSIX, opcode(name), arguments)
+        self.guest.call(name, arguments)
     }
 
     fn open(&mut self, name: &str, flags: u32) -> Reply {
         let path = self.path(name);
         self.call("open", &[path, flags, 0o640])
     }
-}
-
-fn opcode(name: &str) -> u8 {
-    let class = spu_emulator::ppe_call::Class::Posix;
-    (1..=68).find(|&n| class.function(n) == Some(name)).unwrap()
 }
 
 #[test]
@@ -221,7 +215,7 @@ fn directories() {
     let directory = Value::Long(directory.doubleword());
     let call = |files: &mut Files, name: &str, argument: u32| {
         let cells = [directory.clone(), Value::Word(argument)];
-        files.guest.serve(POSIX, opcode(name), &cells).unwrap()
+        files.guest.serve(name, &cells)
     };
     let mut found = Vec::new();
     while call(&mut files, "readdir", BUFFER).value != 0 {
@@ -257,7 +251,7 @@ fn files_in_effective_address_space() {
     let map = |files: &mut Files, words: [u32; 5]| {
         let mut cells = vec![Value::Long(0)];
         cells.extend(words.map(Value::Word));
-        files.guest.serve(POSIX, opcode("mmap"), &cells).unwrap()
+        files.guest.serve("mmap", &cells)
     };
     let private = map(&mut files, [100, 3, 2, fd, 0]);
     assert_eq!(private.errno, 0);
@@ -271,7 +265,7 @@ fn files_in_effective_address_space() {
     let at = |files: &mut Files, name: &str, words: [u32; 3]| {
         let mut cells = vec![Value::Long(private.doubleword())];
         cells.extend(words.map(Value::Word));
-        files.guest.serve(POSIX, opcode(name), &cells).unwrap()
+        files.guest.serve(name, &cells)
     };
     assert_eq!(at(&mut files, "msync", [100, 0, 0]), Reply::ok(0));
     assert_eq!(at(&mut files, "mremap", [100, 8192, 0]).errno, libc::ENOMEM);

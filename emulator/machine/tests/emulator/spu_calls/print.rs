@@ -2,17 +2,12 @@ use std::ffi::CString;
 
 use proptest::prelude::*;
 
-use super::support::{C99, GuestProgram, Reply, Value};
-
-const VFPRINTF: u8 = 35;
-const VPRINTF: u8 = 37;
-const VSNPRINTF: u8 = 39;
-const VSPRINTF: u8 = 40;
+use super::support::{GuestProgram, Reply, Value};
 
 fn print(format: &str, arguments: &[Value]) -> String {
     let mut guest = GuestProgram::new("");
     let format = guest.text(format);
-    let reply = guest.variadic(VPRINTF, &[format], arguments);
+    let reply = guest.variadic("vprintf", &[format], arguments);
     let output = guest.output();
     assert_eq!(reply, Reply::ok(output.len() as i32));
     output
@@ -105,7 +100,7 @@ proptest! {
         let mut guest = GuestProgram::new("");
         let format = guest.text(format);
         let arguments: Vec<Value> = (0..72).map(|_| Value::Word(word)).collect();
-        guest.variadic(VSNPRINTF, &[0x2_0000, 64, format], &arguments);
+        guest.variadic("vsnprintf", &[0x2_0000, 64, format], &arguments);
     }
 }
 
@@ -125,7 +120,7 @@ fn characters_and_strings() {
         word(0x1_2340),
         word(0),
     ];
-    guest.variadic(VPRINTF, &[format], &arguments);
+    guest.variadic("vprintf", &[format], &arguments);
     assert_eq!(guest.output(), "moon|    moon|moon    |mo|A|    B|%|0x12340|(nil)|%k");
 }
 
@@ -144,7 +139,7 @@ fn the_count_so_far_is_stored_at_its_length() {
     let format = guest.text("12345%hhn%hn%n%lln");
     guest.store.write(0x8000, &[0xff; 64]);
     let at = [0x8000, 0x8010, 0x8020, 0x8030].map(Value::Word);
-    guest.variadic(VPRINTF, &[format], &at);
+    guest.variadic("vprintf", &[format], &at);
     let stored = [0x8000, 0x8010, 0x8020, 0x8030].map(|at| guest.words::<2>(at));
     let rest = u32::MAX;
     let expected = [[0x05ff_ffff, rest], [0x0005_ffff, rest], [5, rest], [0, 5]];
@@ -164,13 +159,13 @@ fn strings_are_truncated_to_buffer() {
     let mut guest = GuestProgram::new("");
     let format = guest.text("number %d");
     guest.store.write(0x8000, &[0xee; 32]);
-    let reply = guest.variadic(VSNPRINTF, &[0x8000, 8, format], &[Value::Word(123)]);
+    let reply = guest.variadic("vsnprintf", &[0x8000, 8, format], &[Value::Word(123)]);
     assert_eq!(reply, Reply::ok(10));
     assert_eq!(guest.read_text(0x8000), "number ");
     assert_eq!(guest.words::<1>(0x8008), [0xeeee_eeee]);
-    let reply = guest.variadic(VSNPRINTF, &[0x8010, 0, format], &[Value::Word(123)]);
+    let reply = guest.variadic("vsnprintf", &[0x8010, 0, format], &[Value::Word(123)]);
     assert_eq!((reply, guest.words::<1>(0x8010)), (Reply::ok(10), [0xeeee_eeee]));
-    let reply = guest.variadic(VSPRINTF, &[0x8000, format], &[Value::Word(123)]);
+    let reply = guest.variadic("vsprintf", &[0x8000, format], &[Value::Word(123)]);
     assert_eq!(reply, Reply::ok(10));
     assert_eq!(guest.read_text(0x8000), "number 123");
 }
@@ -179,9 +174,9 @@ fn strings_are_truncated_to_buffer() {
 fn streams_other_than_standard_output() {
     let mut guest = GuestProgram::new("");
     let format = guest.text("to %x\n");
-    guest.variadic(VFPRINTF, &[3, format], &[Value::Word(0xe)]);
+    guest.variadic("vfprintf", &[3, format], &[Value::Word(0xe)]);
     assert_eq!(guest.console(|console| console.error.clone()), b"to e\n");
-    let closed = guest.variadic(VFPRINTF, &[9, format], &[Value::Word(1)]);
+    let closed = guest.variadic("vfprintf", &[9, format], &[Value::Word(1)]);
     assert_eq!(closed, Reply::failed(-1, libc::EBADF));
 }
 
@@ -190,10 +185,10 @@ fn an_endless_field_is_an_error() {
     let mut guest = GuestProgram::new("");
     for format in ["%2147483647d", "%.99999999999999999999d", "%16000000d%16000000d"] {
         let format = guest.text(format);
-        let reply = guest.variadic(VPRINTF, &[format], &[Value::Word(1), Value::Word(2)]);
+        let reply = guest.variadic("vprintf", &[format], &[Value::Word(1), Value::Word(2)]);
         assert_eq!(reply, Reply::failed(-1, libc::EOVERFLOW));
     }
-    let reply = guest.call(C99, 25, &[0x3_0000]);
+    let reply = guest.call("puts", &[0x3_0000]);
     assert_eq!(reply, Reply::ok(1), "the library goes on");
 }
 

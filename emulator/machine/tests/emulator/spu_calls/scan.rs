@@ -2,12 +2,7 @@ use std::ffi::CString;
 
 use proptest::prelude::*;
 
-use super::support::{C99, GuestProgram, Reply, Value};
-
-const VFSCANF: u8 = 36;
-const VSCANF: u8 = 38;
-const VSSCANF: u8 = 41;
-const GETCHAR: u8 = 20;
+use super::support::{GuestProgram, Reply, Value};
 
 /// The addresses of results, a line apart.
 const RESULTS: u32 = 0x8000;
@@ -15,7 +10,7 @@ const RESULTS: u32 = 0x8000;
 fn scan(guest: &mut GuestProgram, text: &str, format: &str) -> i32 {
     let (text, format) = (guest.text(text), guest.text(format));
     let results: Vec<Value> = (0..8).map(|n| Value::Word(RESULTS + 128 * n)).collect();
-    let reply = guest.variadic(VSSCANF, &[text, format], &results);
+    let reply = guest.variadic("vsscanf", &[text, format], &results);
     assert_eq!(reply.errno, 0);
     reply.value
 }
@@ -96,7 +91,7 @@ fn wide_characters_take_four_bytes_each() {
     assert_eq!(text(&guest, 0, 3), "ab\0");
     assert_eq!(text(&guest, 1, 1), "é");
     let (input, format) = (guest.text(b"\xff"), guest.text("%lc"));
-    let reply = guest.variadic(VSSCANF, &[input, format], &[Value::Word(RESULTS)]);
+    let reply = guest.variadic("vsscanf", &[input, format], &[Value::Word(RESULTS)]);
     assert_eq!(reply, Reply::failed(-1, libc::EILSEQ));
 }
 
@@ -137,10 +132,10 @@ fn a_scan_leaves_the_rest_of_the_stream() {
     let mut guest = GuestProgram::new("12 34x");
     let format = guest.text("%d%d");
     let results = [Value::Word(RESULTS), Value::Word(RESULTS + 128)];
-    assert_eq!(guest.variadic(VSCANF, &[format], &results), Reply::ok(2));
+    assert_eq!(guest.variadic("vscanf", &[format], &results), Reply::ok(2));
     assert_eq!([word(&guest, 0), word(&guest, 1)], [12, 34]);
-    assert_eq!(guest.call(C99, GETCHAR, &[]), Reply::ok(i32::from(b'x')));
-    assert_eq!(guest.variadic(VFSCANF, &[1, format], &results), Reply::ok(-1));
-    let closed = guest.variadic(VFSCANF, &[7, format], &results);
+    assert_eq!(guest.call("getchar", &[]), Reply::ok(i32::from(b'x')));
+    assert_eq!(guest.variadic("vfscanf", &[1, format], &results), Reply::ok(-1));
+    let closed = guest.variadic("vfscanf", &[7, format], &results);
     assert_eq!(closed, Reply::failed(-1, libc::EBADF));
 }

@@ -4,11 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::memory::RegisteredMemory;
-use spu_emulator::ppe_call::{Arena, CallError, Errno, Host, Library, Process};
-
-pub const C99: u8 = 0;
-pub const POSIX: u8 = 1;
-pub const LIBEA: u8 = 5;
+use spu_emulator::ppe_call::{Arena, CallError, Class, Errno, Host, Library, Process};
 
 pub const HEAP_EA: u64 = 0x1_0000_0000;
 pub const HEAP: usize = 1 << 20;
@@ -140,7 +136,20 @@ impl GuestProgram {
         std::array::from_fn(|n| self.store.load_word(address + 4 * n as u32))
     }
 
-    pub fn serve(&mut self, class: u8, opcode: u8, cells: &[Value]) -> Result<Reply, CallError> {
+    /// A call of the function with this name, which determines class and opcode.
+    pub fn serve(&mut self, name: &str, cells: &[Value]) -> Reply {
+        let functions = [0, 1, 5].into_iter().flat_map(|class| (1..=68).map(move |n| (class, n)));
+        let known = |&(class, n): &(u8, u8)| Class::of(class).unwrap().function(n) == Some(name);
+        let (class, opcode) = functions.into_iter().find(known).expect(name);
+        self.serve_opcode(class, opcode, cells).unwrap()
+    }
+
+    pub fn serve_opcode(
+        &mut self,
+        class: u8,
+        opcode: u8,
+        cells: &[Value],
+    ) -> Result<Reply, CallError> {
         for (n, cell) in (0..).zip(cells) {
             // The other words of a register must not matter.
             self.store.write(BLOCK + 16 * n, &[0xa5; 16]);
@@ -163,14 +172,14 @@ impl GuestProgram {
     }
 
     /// A call with words as arguments.
-    pub fn call(&mut self, class: u8, opcode: u8, arguments: &[u32]) -> Reply {
+    pub fn call(&mut self, name: &str, arguments: &[u32]) -> Reply {
         let cells: Vec<Value> = arguments.iter().map(|&word| Value::Word(word)).collect();
-        self.serve(class, opcode, &cells).unwrap()
+        self.serve(name, &cells)
     }
 
     /// A call with a variadic list, laid out as newlib's functions do it: the fixed arguments, the
     /// list, the saved registers, and the remaining arguments beyond the caller's frame header.
-    pub fn variadic(&mut self, opcode: u8, fixed: &[u32], arguments: &[Value]) -> Reply {
+    pub fn variadic(&mut self, name: &str, fixed: &[u32], arguments: &[Value]) -> Reply {
         let list = BLOCK + 16 * fixed.len() as u32;
         let first = list + 32;
         let in_registers = SAVED - fixed.len();
@@ -181,6 +190,6 @@ impl GuestProgram {
         }
         let mut cells: Vec<Value> = fixed.iter().map(|&word| Value::Word(word)).collect();
         cells.extend([Value::Word(first), Value::Word(caller_stack)]);
-        self.serve(C99, opcode, &cells).unwrap()
+        self.serve(name, &cells)
     }
 }

@@ -34,14 +34,14 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let path = &arguments.source;
     let bytes = image::read_file(path)?;
-    let program = assemble(path, &bytes).map_err(Failure::command)?;
+    let program = assemble(path, &bytes)?;
     let (bytes, extension) = match arguments.program {
-        true => (program.link(0).map_err(Failure::command)?.elf(), "elf"),
+        true => (program.link(0)?.elf(), "elf"),
         false => (program.elf(), "o"),
     };
     let output = arguments.output.clone().unwrap_or_else(|| path.with_extension(extension));
     if output == *path {
-        return Err(Failure::Usage(format!("{} is the source", output.display())));
+        return Err(Failure::new(format!("{} is the source", output.display())));
     }
     fs::write(&output, bytes).map_err(Failure::file(&output))?;
     Ok(ExitCode::SUCCESS)

@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
             console = console.interrupted_by(interrupt::has_come);
         }
         let end = machine.run_in_console(&arguments.run, image, &mut console)?;
-        messages::unless_closed(console.finish()).map_err(Failure::Output)?;
+        messages::unless_closed(console.finish())?;
         machine.dump(&arguments.run)?;
         Ok(end.status())
     })
@@ -62,7 +62,7 @@ fn refuse(options: &run::Options) -> Result<(), Failure> {
     ];
     match given.into_iter().find(|(_, is_given)| *is_given) {
         Some((name, _)) => {
-            Err(Failure::Usage(format!("{name} does not go with spu debug; use spu run")))
+            Err(Failure::new(format!("{name} does not go with spu debug; use spu run")))
         }
         None => Ok(()),
     }

@@ -1,12 +1,9 @@
 //! Error messages and exit statuses of the subcommands.
 
 use std::error::Error;
-use std::io;
-use std::path::{Path, PathBuf};
+use std::fmt::Display;
+use std::path::Path;
 use std::process::ExitCode;
-
-use spu_emulator::elf::ElfError;
-use thiserror::Error;
 
 /// The file is not an SPU program.
 pub const BAD_ELF: u8 = 126;
@@ -14,46 +11,42 @@ pub const BAD_ELF: u8 = 126;
 pub const USAGE: u8 = 127;
 
 /// Why a subcommand could not do its work.
-#[derive(Debug, Error)]
-pub enum Failure {
-    #[error("{path}: {error}")]
-    File { path: PathBuf, error: io::Error },
-    #[error("{path}: {error}{advice}")]
-    Elf {
-        path: PathBuf,
-        error: ElfError,
-        /// A remedy, or empty.
-        advice: String,
-    },
-    #[error("{path}: {what}")]
-    Contents { path: PathBuf, what: String },
-    #[error(transparent)]
-    Output(io::Error),
-    /// A mistake in the command line, and its correction.
-    #[error("{0}")]
-    Usage(String),
-    /// An error that only one subcommand has.
-    #[error(transparent)]
-    Command(Box<dyn Error>),
+#[derive(Debug)]
+pub struct Failure {
+    message: String,
+    status: u8,
 }
 
 impl Failure {
-    pub fn command(error: impl Error + 'static) -> Self {
-        Self::Command(Box::new(error))
+    pub fn new(message: impl Into<String>) -> Self {
+        Self { message: message.into(), status: USAGE }
     }
 
-    pub fn file(path: &Path) -> impl FnOnce(io::Error) -> Self {
-        let path = path.to_path_buf();
-        |error| Self::File { path, error }
+    /// The file is not an SPU program.
+    pub fn bad_elf(message: String) -> Self {
+        Self { message, status: BAD_ELF }
+    }
+
+    /// An error in a file.
+    pub fn file<E: Display>(path: &Path) -> impl FnOnce(E) -> Self {
+        Self::of(path.display())
+    }
+
+    /// An error in something with this name.
+    pub fn of<E: Display>(what: impl Display) -> impl FnOnce(E) -> Self {
+        let what = what.to_string();
+        move |error| Self::new(format!("{what}: {error}"))
+    }
+}
+
+impl<E: Error> From<E> for Failure {
+    fn from(error: E) -> Self {
+        Self::new(error.to_string())
     }
 }
 
 /// Prints a failure and returns the exit status.
 pub fn fail(failure: &Failure) -> ExitCode {
-    messages::print!("spu: {failure}");
-    let status = match failure {
-        Failure::Elf { .. } => BAD_ELF,
-        _ => USAGE,
-    };
-    status.into()
+    messages::print!("spu: {}", failure.message);
+    failure.status.into()
 }

@@ -19,7 +19,7 @@ pub fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     if !asm::is_source(path) {
         return Ok(bytes);
     }
-    let made = asm::program(path, &bytes).map_err(Failure::command)?;
+    let made = asm::program(path, &bytes)?;
     Ok(made.unwrap_or(bytes))
 }
 
@@ -29,7 +29,7 @@ pub fn parse<'data>(path: &Path, bytes: &'data [u8]) -> Result<Image<'data>, Fai
 
 /// The file is no SPU program for this reason.
 pub fn refused(path: &Path, bytes: &[u8], error: ElfError) -> Failure {
-    Failure::Elf { path: path.to_path_buf(), advice: advice(path, bytes, &error), error }
+    Failure::bad_elf(format!("{}: {error}{}", path.display(), advice(path, bytes, &error)))
 }
 
 /// What to do with a file that is no SPU program.

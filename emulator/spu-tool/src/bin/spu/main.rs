@@ -18,7 +18,7 @@ use std::process::ExitCode;
 use clap::error::ErrorKind;
 use clap::{CommandFactory as _, Parser, Subcommand};
 
-use failure::{Failure, USAGE, fail};
+use failure::{USAGE, fail};
 
 /// Assembles, runs, debugs, times and disassembles programs of the Cell Broadband Engine's SPU.
 #[derive(Parser)]
@@ -70,13 +70,13 @@ fn main() -> ExitCode {
         Command::Asm(arguments) => asm::run(&arguments),
         Command::Debug(arguments) => debug::run(&arguments),
         Command::Dump(options) => dump::dump(&options),
-        Command::Time(arguments) => time::run(&arguments).map_err(Into::into),
-        Command::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
-        Command::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
+        Command::Time(arguments) => time::run(&arguments),
+        Command::Profile(arguments) => profile::run(&arguments),
+        Command::Schedule(arguments) => schedule::run(&arguments),
         Command::Vectors(arguments) => vectors::run(&arguments),
         Command::Pages(arguments) => messages::manual::write(CommandLine::command(), &arguments)
             .map(|()| ExitCode::SUCCESS)
-            .map_err(Failure::command),
+            .map_err(Into::into),
     };
     done.unwrap_or_else(|failure| fail(&failure))
 }

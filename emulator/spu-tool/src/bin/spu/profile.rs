@@ -1,17 +1,16 @@
 //! `spu profile`: shows where a run's cycles went.
 
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::Args;
-use spu_reports::views::{View, ViewError};
-use spu_reports::{ProfileError, ProfileFile};
-use spu_scheduler::code::{Code, CodeError};
-use thiserror::Error;
+use spu_reports::ProfileFile;
+use spu_reports::views::View;
+use spu_scheduler::code::Code;
 
 use crate::failure::Failure;
+use crate::image::read_file;
 
 /// Shows which functions, instructions and source lines a run in simulated time spent its cycles
 /// on
@@ -42,42 +41,16 @@ pub struct Arguments {
     json: bool,
 }
 
-/// Why nothing could be shown.
-#[derive(Debug, Error)]
-pub enum Error {
-    #[error("{path}: {source}")]
-    File { path: PathBuf, source: io::Error },
-    #[error("{path}: {source}")]
-    Code { path: PathBuf, source: CodeError },
-    #[error("{path}: {source}")]
-    Profile { path: PathBuf, source: ProfileError },
-    #[error("{path}: {source}")]
-    View { path: PathBuf, source: ViewError },
-    #[error("{0}: the file has no line table")]
-    NoLines(PathBuf),
-    #[error(transparent)]
-    Output(io::Error),
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        Self::command(error)
-    }
-}
-
 /// Runs the subcommand.
-pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let image = read(&arguments.program)?;
-    let code = Code::parse(&image)
-        .map_err(|source| Error::Code { path: arguments.program.clone(), source })?;
-    let profile = read(&arguments.profile)?;
-    let profile = ProfileFile::parse(&profile)
-        .map_err(|source| Error::Profile { path: arguments.profile.clone(), source })?;
-    let strange = |source| Error::View { path: arguments.profile.clone(), source };
-    let view = View::new(&code, &image, &profile).map_err(strange)?;
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let image = read_file(&arguments.program)?;
+    let code = Code::parse(&image).map_err(Failure::file(&arguments.program))?;
+    let profile = read_file(&arguments.profile)?;
+    let profile = ProfileFile::parse(&profile).map_err(Failure::file(&arguments.profile))?;
+    let view = View::new(&code, &image, &profile).map_err(Failure::file(&arguments.profile))?;
     let name = arguments.function.as_deref();
     let function = name.map(|name| view.function(name));
-    let function = function.transpose().map_err(strange)?;
+    let function = function.transpose().map_err(Failure::file(&arguments.profile))?;
     let mut source = |path: &Path| {
         let text = fs::read(path).ok()?;
         Some(String::from_utf8_lossy(&text).into_owned())
@@ -86,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         view.json(function.as_ref())
     } else if arguments.lines {
         if code.sources().is_empty() {
-            return Err(Error::NoLines(arguments.program.clone()));
+            return Err(Failure::file(&arguments.program)("the file has no line table"));
         }
         let within = function.as_ref().map(|figures| &figures.function);
         view.lines_text(within, &mut source)
@@ -95,10 +68,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     } else {
         view.functions_text()
     };
-    messages::write_data(text).map_err(Error::Output)?;
+    messages::write_data(text)?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn read(path: &Path) -> Result<Vec<u8>, Error> {
-    fs::read(path).map_err(|source| Error::File { path: path.to_path_buf(), source })
 }

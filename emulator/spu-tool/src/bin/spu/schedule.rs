@@ -1,16 +1,15 @@
 //! `spu schedule`: turns plain assembly into scheduled assembly.
 
 use std::fs;
-use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
 use spu_build::Tools;
 use spu_scheduler::{Figures, Outcome, ScheduleError};
-use thiserror::Error;
 
 use crate::failure::Failure;
+use crate::image::read_file;
 
 /// Writes an assembly source again with its functions scheduled for both pipes
 ///
@@ -54,40 +53,18 @@ pub struct Arguments {
     verbose: bool,
 }
 
-/// Why nothing could be scheduled.
-#[derive(Debug, Error)]
-pub enum Error {
-    #[error("{path}: {source}")]
-    File { path: PathBuf, source: io::Error },
-    #[error("{path}: {source}")]
-    Object { path: PathBuf, source: ScheduleError },
-    #[error(transparent)]
-    Line(ScheduleError),
-    #[error(transparent)]
-    Output(io::Error),
-}
-
-impl From<Error> for Failure {
-    fn from(error: Error) -> Self {
-        Self::command(error)
-    }
-}
-
 /// Runs the subcommand.
-pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
-    let read = |path: &PathBuf| {
-        fs::read(path).map_err(|source| Error::File { path: path.clone(), source })
-    };
-    let object = read(&arguments.object)?;
-    let text = read(&arguments.source)?;
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
+    let object = read_file(&arguments.object)?;
+    let text = read_file(&arguments.source)?;
     let path = arguments.source.to_string_lossy();
     let scheduled =
         spu_scheduler::schedule(&object, &path, &String::from_utf8_lossy(&text), |text| {
             assemble(arguments, text)
         });
     let scheduled = scheduled.map_err(|source| match source {
-        at @ (ScheduleError::At { .. } | ScheduleError::Assembler(_)) => Error::Line(at),
-        source => Error::Object { path: arguments.object.clone(), source },
+        at @ (ScheduleError::At { .. } | ScheduleError::Assembler(_)) => at.into(),
+        error => Failure::file(&arguments.object)(error),
     })?;
     for found in &scheduled.loops {
         let result = match &found.outcome {
@@ -98,9 +75,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         messages::print!("{path}:{}: loop {}: {result}", found.line, found.name);
     }
     match &arguments.output {
-        Some(output) => fs::write(output, scheduled.text)
-            .map_err(|source| Error::File { path: output.clone(), source })?,
-        None => messages::write_data(scheduled.text).map_err(Error::Output)?,
+        Some(output) => fs::write(output, scheduled.text).map_err(Failure::file(output))?,
+        None => messages::write_data(scheduled.text)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -1,19 +1,16 @@
 //! `spu time`: the static analyser.
 
 use std::fs;
-use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
-use spu_assembler::Errors;
-use spu_emulator::simulated::{Timing, TimingFileError};
+use spu_emulator::simulated::Timing;
 use spu_isa::timing::Rules;
 use spu_isa::timing::rules::MISS_CYCLES;
-use spu_scheduler::check::{self, CheckError};
-use spu_scheduler::code::{Code, CodeError};
+use spu_scheduler::check;
+use spu_scheduler::code::Code;
 use spu_tool::report::Report;
-use thiserror::Error;
 
 use crate::asm;
 use crate::failure::Failure;
@@ -85,9 +82,9 @@ struct Model {
 }
 
 impl Model {
-    fn rules(&self) -> Result<Rules, TimeError> {
+    fn rules(&self) -> Result<Rules, Failure> {
         if let Some(path) = &self.machine {
-            return Ok(Timing::read(path).map_err(TimeError::Machine)?.rules);
+            return Ok(Timing::read(path)?.rules);
         }
         Ok(Rules {
             miss_cycles: self.miss_cycles,
@@ -101,45 +98,14 @@ impl Model {
     }
 }
 
-/// Why nothing could be shown.
-#[derive(Debug, Error)]
-pub enum TimeError {
-    #[error("{path}: {source}")]
-    Read { path: PathBuf, source: io::Error },
-    #[error("{path}: {source}")]
-    Code { path: PathBuf, source: CodeError },
-    #[error("{path}: {source}")]
-    Check { path: PathBuf, source: CheckError },
-    #[error("{path}: no function {name}; it has {functions}")]
-    NoFunction { path: PathBuf, name: String, functions: String },
-    #[error("{0}: the file has no schedule note")]
-    NoNotes(String),
-    #[error(transparent)]
-    Assembler(Errors),
-    #[error(transparent)]
-    Machine(TimingFileError),
-    #[error("{path}: {source}")]
-    Write { path: PathBuf, source: io::Error },
-    #[error(transparent)]
-    Output(io::Error),
-}
-
-impl From<TimeError> for Failure {
-    fn from(error: TimeError) -> Self {
-        Self::command(error)
-    }
-}
-
 /// Runs the subcommand. The exit status is 1 if a note differs.
-pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
+pub fn run(arguments: &Arguments) -> Result<ExitCode, Failure> {
     let path = &arguments.file;
-    let mut data =
-        fs::read(path).map_err(|source| TimeError::Read { path: path.clone(), source })?;
+    let mut data = fs::read(path).map_err(Failure::file(path))?;
     if asm::is_source(path) {
-        data = asm::assemble(path, &data).map_err(TimeError::Assembler)?.elf();
+        data = asm::assemble(path, &data)?.elf();
     }
-    let code =
-        Code::parse(&data).map_err(|source| TimeError::Code { path: path.clone(), source })?;
+    let code = Code::parse(&data).map_err(Failure::file(path))?;
     if arguments.check {
         return compare(arguments, &code);
     }
@@ -147,15 +113,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     let report = Report::new(&code, name, arguments.model.rules()?);
     let report = report.ok_or_else(|| {
         let names: Vec<_> = code.functions().iter().map(|f| f.name.as_str()).collect();
-        TimeError::NoFunction {
-            path: path.clone(),
-            name: name.unwrap_or_default().to_owned(),
-            functions: names.join(", "),
-        }
+        let (name, names) = (name.unwrap_or_default(), names.join(", "));
+        Failure::file(path)(format_args!("no function {name}; it has {names}"))
     })?;
     if let Some(page) = &arguments.html {
         let text = report.html(&path.display().to_string());
-        fs::write(page, &text).map_err(|source| TimeError::Write { path: page.clone(), source })?;
+        fs::write(page, &text).map_err(Failure::file(page))?;
         messages::print!("{}: {} bytes", page.display(), text.len());
         return Ok(ExitCode::SUCCESS);
     }
@@ -163,11 +126,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
         true => report.json(),
         false => report.text(),
     };
-    messages::write_data(text).map_err(TimeError::Output)?;
+    messages::write_data(text)?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
+fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, Failure> {
     let named = if arguments.sources.is_empty() {
         check::source_files(code)
     } else {
@@ -175,18 +138,18 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
     };
     let read = |path: &PathBuf| match fs::read(path) {
         Ok(text) => Ok((path.clone(), String::from_utf8_lossy(&text).into_owned())),
-        Err(source) => Err(TimeError::Read { path: path.clone(), source }),
+        Err(error) => Err(Failure::file(path)(error)),
     };
     let sources = named.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let outcome = check::check(code, &sources, arguments.model.rules()?)
-        .map_err(|source| TimeError::Check { path: arguments.file.clone(), source })?;
+        .map_err(Failure::file(&arguments.file))?;
     if outcome.notes == 0 {
         let names: Vec<_> = named.iter().map(|path| path.display().to_string()).collect();
-        return Err(TimeError::NoNotes(names.join(", ")));
+        return Err(Failure::of(names.join(", "))("the file has no schedule note"));
     }
     let lines = outcome.differences.iter();
     let text: String = lines.map(|difference| format!("{difference}\n")).collect();
-    messages::write_data(text).map_err(TimeError::Output)?;
+    messages::write_data(text)?;
     let wrong = outcome.differences.len();
     messages::print!("{} notes, {wrong} differ from the model", outcome.notes);
     Ok(ExitCode::from(u8::from(wrong > 0)))

@@ -69,7 +69,7 @@ fn write(arguments: &Arguments, row: &Row) -> Result<(), Failure> {
         bytes.extend(to_binary(&vector));
         binary_file.write_all(&bytes).map_err(Failure::file(&binary))?;
         bytes.clear();
-        let line = serde_json::to_string(&vector).map_err(Failure::command)?;
+        let line = serde_json::to_string(&vector)?;
         writeln!(line_file, "{line}").map_err(Failure::file(&lines))?;
     }
     line_file.flush().map_err(Failure::file(&lines))?;

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use super::support::{Workshop, stderr};
+use super::support::{Workshop, kernels, stderr, tools};
 
 const START: &str = "        .include \"kernel.inc\"\nfunction f\n        il $3,1\n";
 const END: &str = "        bi $lr\nendfunction f\n";
@@ -10,7 +10,7 @@ const END: &str = "        bi $lr\nendfunction f\n";
 /// The messages for a function with this body.
 fn messages(body: &str, status: i32) -> String {
     let shop = Workshop::new(&format!("{START}{body}{END}"));
-    shop.assemble("plain.s", "plain.o", &["-g"]);
+    shop.assemble("plain.s", "plain.o");
     let output = shop.spu_schedule(&["plain.o", "plain.s"]);
     assert_eq!(output.status.code(), Some(status), "{}", stderr(&output));
     assert_eq!(output.stdout.is_empty(), status != 0);
@@ -59,16 +59,17 @@ fn unpipelined_loops_are_named_with_reason() {
 fn unsuitable_files_are_refused() {
     let good = format!("{START}        il $3,1\n{END}");
     let shop = Workshop::new(&good);
-    shop.assemble("plain.s", "plain.o", &["-g"]);
-    shop.assemble("plain.s", "bare.o", &[]);
+    shop.assemble("plain.s", "plain.o");
+    let bare = tools().assemble_code(&[kernels()], &shop.path("bare.o"), &shop.path("plain.s"));
+    bare.unwrap_or_else(|error| panic!("{error}"));
     fs::write(shop.path("other.s"), &good).unwrap();
     fs::write(shop.path("text.o"), "no object").unwrap();
     let broken = Workshop::new(
         "        .text\n        nop\n        .global f\n        .type f,@function\nf:\n        bi $lr\n        .size f,.-f\n",
     );
-    broken.assemble("plain.s", "plain.o", &["-g"]);
+    broken.assemble("plain.s", "plain.o");
     let empty = Workshop::new("        .text\n        il $3,1\n");
-    empty.assemble("plain.s", "plain.o", &["-g"]);
+    empty.assemble("plain.s", "plain.o");
     for (shop, arguments, expected) in [
         (&shop, ["none.o", "plain.s"], "none.o: "),
         (&shop, ["plain.o", "none.s"], "none.s: "),

@@ -37,7 +37,7 @@ fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
 /// An assembly line for an instruction with a constant.
 fn line(op: Op, constant: i32) -> String {
     let row = op.row();
-    let i = Instruction { op, rt: 0, ra: 0, rb: 0, rc: 0, branch_distance: 0, immediate: constant };
+    let i = Instruction::new(op, [0; 4], constant);
     let operands = row.operands.iter().map(|operand| match operand {
         Operand::Rt => "$3".to_owned(),
         Operand::Ra => "$4".to_owned(),
@@ -193,7 +193,7 @@ endfunction f
 "
         );
         let shop = Workshop::new(&source);
-        shop.assemble("plain.s", "plain.o", &["-g"]);
+        shop.assemble("plain.s", "plain.o");
         let output = shop.spu_schedule(&["plain.o", "plain.s"]);
         let message = stderr(&output);
         assert_eq!(output.status.code(), Some(127), "{word:08x}: {message}");
@@ -222,12 +222,12 @@ table:  .space  32
 /// The library's error if the assembler receives another text than the scheduler's.
 fn schedule_changed(change: impl Fn(&str) -> String) -> Result<(), ScheduleError> {
     let shop = Workshop::new(&format!("{START}{BODY}"));
-    shop.assemble("plain.s", "plain.o", &["-g"]);
+    shop.assemble("plain.s", "plain.o");
     let object = fs::read(shop.path("plain.o")).unwrap();
     let source = fs::read_to_string(shop.path("plain.s")).unwrap();
     let scheduled = spu_scheduler::schedule(&object, "plain.s", &source, |text| {
         fs::write(shop.path("scheduled.s"), change(text))?;
-        shop.assemble("scheduled.s", "scheduled.o", &["-g"]);
+        shop.assemble("scheduled.s", "scheduled.o");
         fs::read(shop.path("scheduled.o"))
     });
     scheduled.map(|_| ())
@@ -276,7 +276,7 @@ fn a_text_that_says_something_else_is_an_error() {
 #[test]
 fn assembler_messages_are_reported() {
     let shop = Workshop::new(&format!("{START}{BODY}"));
-    shop.assemble("plain.s", "plain.o", &["-g"]);
+    shop.assemble("plain.s", "plain.o");
     let object = fs::read(shop.path("plain.o")).unwrap();
     let refused = spu_scheduler::schedule(&object, "plain.s", BODY, |_| Err("not today"));
     let message = refused.map(|_| ()).unwrap_err().to_string();

@@ -1,10 +1,10 @@
 //! Assembles, schedules, links and runs test programs.
 
-use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use spu_build::Tools;
 use spu_emulator::channel::Channels;
 use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
@@ -33,18 +33,10 @@ impl Workshop {
     }
 
     /// Assembles a source in the folder in the way that `spu schedule` needs.
-    pub fn assemble(&self, source: &str, object: &str, options: &[&str]) {
-        let output = Command::new(assembler())
-            .args(["--fatal-warnings", "-I"])
-            .arg(kernels())
-            .args(options)
-            .arg(self.path(source))
-            .arg("-o")
-            .arg(self.path(object))
-            .output()
-            .unwrap();
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{errors}");
+    pub fn assemble(&self, source: &str, object: &str) {
+        let (source, object) = (self.path(source), self.path(object));
+        let made = tools().assemble(&[kernels()], &[], &object, &source);
+        made.unwrap_or_else(|error| panic!("{error}"));
     }
 
     pub fn spu(&self, arguments: &[&str]) -> Output {
@@ -64,11 +56,11 @@ impl Workshop {
 
     /// Schedules the source, checks the notes, and returns the messages about its loops.
     pub fn schedule(&self) -> String {
-        self.assemble("plain.s", "plain.o", &["-g"]);
+        self.assemble("plain.s", "plain.o");
         let output = self.spu_schedule(&["-v", "plain.o", "plain.s", "-o", "scheduled.s"]);
         let messages = stderr(&output);
         assert_eq!(output.status.code(), Some(0), "{messages}");
-        self.assemble("scheduled.s", "scheduled.o", &["-g"]);
+        self.assemble("scheduled.s", "scheduled.o");
         let check = self.spu(&["time", "--check", "scheduled.o", "scheduled.s"]);
         assert_eq!(
             check.status.code(),
@@ -92,18 +84,10 @@ impl Workshop {
         }
         fs::write(sources.join("caller.s"), caller).unwrap();
         let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../linker/spu.ld");
-        let image = self.path(&format!("{source}.elf"));
-        let built = spu_build::Tools::find().and_then(|tools| {
-            spu_build::Image::from_folder(&sources, &script)?.include(&kernels()).build(
-                &tools,
-                &self.path(&format!("{source}.objects")),
-                &image,
-            )
-        });
-        if let Err(error) = built {
-            panic!("{error}\n(ci/setup installs the SPU binutils)");
-        }
-        Program(fs::read(image).unwrap())
+        let image = spu_build::Image::from_folder(&sources, &script).unwrap();
+        let program = sources.join("program");
+        spu_build::for_tests::build(&image.include(&kernels()), &program);
+        Program(fs::read(program).unwrap())
     }
 }
 
@@ -111,25 +95,12 @@ pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-fn kernels() -> PathBuf {
+pub fn kernels() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schedule-kernels")
 }
 
-/// The assembler that the build would use.
-fn assembler() -> PathBuf {
-    if let Some(named) = env::var_os("SPU_AS") {
-        return named.into();
-    }
-    let cache = env::var_os("XDG_CACHE_HOME")
-        .map(PathBuf::from)
-        .or_else(|| env::var_os("HOME").map(|home| Path::new(&home).join(".cache")));
-    let set_up = cache.map(|cache| cache.join("cellray/spu-binutils/bin"));
-    let in_path = env::var_os("PATH").unwrap_or_default();
-    env::split_paths(&in_path)
-        .chain(set_up)
-        .flat_map(|folder| ["spu-elf-as", "spu-as"].map(|name| folder.join(name)))
-        .find(|path| path.is_file())
-        .expect("ci/setup installs the SPU binutils")
+pub fn tools() -> Tools {
+    Tools::find().unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Channels that accept every value and record it.
@@ -147,17 +118,6 @@ impl Channels for Written {
     fn count(&mut self, _: u8) -> Result<u32, Stop> {
         Ok(1)
     }
-    fn external_condition(&mut self) -> bool {
-        false
-    }
-    fn stop_requested(&self) -> bool {
-        false
-    }
-    fn set_interrupts_enabled(&mut self, _: bool) {}
-    fn srr0(&self) -> u32 {
-        0
-    }
-    fn set_srr0(&mut self, _: u32) {}
 }
 
 /// The input of a function: registers, and quadwords of memory.

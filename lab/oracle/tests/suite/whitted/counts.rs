@@ -20,119 +20,45 @@ fn counts(scene: &scenes::Scene, options: &Options) -> Counts {
     counts
 }
 
-/// What SPD publishes of a scene at its default size.
-struct Published {
-    name: &'static str,
-    primitives: usize,
-    eye_hit: u64,
-    reflected: u64,
-    /// Total reflections among them.
-    refracted: u64,
-    shadow: u64,
-}
-
 /// Traces a scene with SPD's rays. All counts are within 0.1 % of the published ones.
-fn check(published: &Published) {
-    let name = published.name;
+fn check(name: &str, primitives: usize, published: [u64; 4]) {
     let scene = scenes::load(Path::new(name)).expect("a scene");
     let triangles = scene.mesh.as_ref().map_or(0, |mesh| mesh.triangles.len());
-    assert_eq!(scene.objects.len() + triangles, published.primitives);
+    assert_eq!(scene.objects.len() + triangles, primitives);
     let found = counts(&scene, &SPD);
     assert_eq!(found.eye, 513 * 513);
-    for (kind, found, published) in [
-        ("eye_hit", found.eye_hit, published.eye_hit),
-        ("reflected", found.reflected, published.reflected),
-        ("refracted", found.refracted + found.totally_reflected, published.refracted),
-        ("shadow", found.shadow + found.shadow_behind, published.shadow),
-    ] {
+    let found = [
+        ("eye_hit", found.eye_hit),
+        ("reflected", found.reflected),
+        ("refracted", found.refracted + found.totally_reflected),
+        ("shadow", found.shadow + found.shadow_behind),
+    ];
+    for ((kind, found), published) in found.into_iter().zip(published) {
         let off = found.abs_diff(published);
         assert!(1000 * off <= published, "{name}: {kind} {found}, published {published}");
     }
 }
 
-#[test]
-fn the_published_counts_of_balls() {
-    check(&Published {
-        name: "sphereflake:4",
-        primitives: 7382,
-        eye_hit: 263_169,
-        reflected: 175_095,
-        refracted: 0,
-        shadow: 954_368,
-    });
+macro_rules! published {
+    ($($test:ident $name:literal $primitives:literal $counts:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            check($name, $primitives, $counts);
+        }
+    )*};
 }
 
-#[test]
-fn the_published_counts_of_gears() {
-    check(&Published {
-        name: "gears",
-        primitives: 9345,
-        eye_hit: 245_086,
-        reflected: 304_643,
-        refracted: 207_564,
-        shadow: 2_246_955,
-    });
-}
-
-#[test]
-fn the_published_counts_of_mount() {
-    check(&Published {
-        name: "mount",
-        primitives: 8196,
-        eye_hit: 173_125,
-        reflected: 354_769,
-        refracted: 354_769,
-        shadow: 412_922,
-    });
-}
-
-#[test]
-fn the_published_counts_of_rings() {
-    check(&Published {
-        name: "rings",
-        primitives: 8401,
-        eye_hit: 263_169,
-        reflected: 315_236,
-        refracted: 0,
-        shadow: 1_085_002,
-    });
-}
-
-#[test]
-fn the_published_counts_of_teapot() {
-    check(&Published {
-        name: "teapot",
-        // SPD's 9264, with two triangles for each of its 144 squares.
-        primitives: 9408,
-        eye_hit: 161_120,
-        reflected: 225_248,
-        refracted: 0,
-        shadow: 407_656,
-    });
-}
-
-#[test]
-fn the_published_counts_of_tetra() {
-    check(&Published {
-        name: "tetra:5",
-        primitives: 4096,
-        eye_hit: 49_788,
-        reflected: 0,
-        refracted: 0,
-        shadow: 46_112,
-    });
-}
-
-#[test]
-fn the_published_counts_of_tree() {
-    check(&Published {
-        name: "tree",
-        primitives: 8191,
-        eye_hit: 169_836,
-        reflected: 0,
-        refracted: 0,
-        shadow: 1_097_419,
-    });
+// A scene's primitives at its default size, and its rays: eye rays that hit, reflected, refracted
+// with total reflections among them, and to lights. The teapot has SPD's 9264 primitives, with two
+// triangles for each of its 144 squares.
+published! {
+    the_published_counts_of_balls "sphereflake:4" 7382 [263_169, 175_095, 0, 954_368];
+    the_published_counts_of_gears "gears" 9345 [245_086, 304_643, 207_564, 2_246_955];
+    the_published_counts_of_mount "mount" 8196 [173_125, 354_769, 354_769, 412_922];
+    the_published_counts_of_rings "rings" 8401 [263_169, 315_236, 0, 1_085_002];
+    the_published_counts_of_teapot "teapot" 9408 [161_120, 225_248, 0, 407_656];
+    the_published_counts_of_tetra "tetra:5" 4096 [49_788, 0, 0, 46_112];
+    the_published_counts_of_tree "tree" 8191 [169_836, 0, 0, 1_097_419];
 }
 
 #[test]

@@ -39,8 +39,8 @@ pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
     map.write(&mut text);
     if !options.map {
         let listed = listing::write(&bytes, &image, &mut text);
-        listed.map_err(|what| Failure::Contents { path: options.program.clone(), what })?;
+        listed.map_err(Failure::file(&options.program))?;
     }
-    messages::write_data(text).map_err(Failure::Output)?;
+    messages::write_data(text)?;
     Ok(ExitCode::SUCCESS)
 }

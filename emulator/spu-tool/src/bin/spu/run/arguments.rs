@@ -6,9 +6,9 @@ use spu_emulator::interp::Quad;
 use spu_emulator::local_store::SIZE;
 use spu_emulator::memory::{Access, RegisteredMemory};
 
-use super::error::RunError;
 use super::map::ARGUMENTS_EA;
 use super::options::{Options, Register, Start};
+use crate::failure::Failure;
 
 /// The handle that libspe2 passes to a program. Any number except 0 will do.
 const SPE_ID: u64 = 1;
@@ -18,7 +18,7 @@ const MAX_SIZE: usize = 16 << 10;
 const QUADWORD: usize = 16;
 
 /// Puts the arguments into memory and returns the registers from $3 on.
-pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>, RunError> {
+pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>, Failure> {
     if !options.registers.is_empty() {
         let quad = |register: &Register| match *register {
             Register::Word(word) => Quad::scalar(word),
@@ -36,7 +36,7 @@ pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>
         Start::Elfspe => copy_for_local_store(&strings)?,
     };
     let registered = memory.register(ARGUMENTS_EA, block, Access::ReadWrite);
-    registered.map_err(|error| RunError::Region { what: "the arguments".into(), error })?;
+    registered.map_err(Failure::of("the arguments"))?;
     Ok(registers)
 }
 
@@ -59,13 +59,14 @@ fn vector_of_addresses(strings: &[Vec<u8>]) -> (Vec<u8>, Vec<Quad>) {
 
 /// The data that crt2.o copies to the top of local store: 32-bit addresses in local store with a 0
 /// after the last, followed by the strings. $4 holds the destination, the source and the size.
-fn copy_for_local_store(strings: &[Vec<u8>]) -> Result<(Vec<u8>, Vec<Quad>), RunError> {
+fn copy_for_local_store(strings: &[Vec<u8>]) -> Result<(Vec<u8>, Vec<Quad>), Failure> {
     const POINTER: usize = 4;
     let texts = (strings.len() + 1) * POINTER;
     let size = texts + strings.iter().map(Vec::len).sum::<usize>();
     let size = size.next_multiple_of(QUADWORD);
     if size > MAX_SIZE {
-        return Err(RunError::Arguments(size));
+        let message = format!("the arguments take {size} bytes; they don't fit into local store");
+        return Err(Failure::new(message));
     }
     let address = SIZE - size as u32;
     let mut text: Vec<u8> = Vec::new();

@@ -29,7 +29,6 @@ use spu_scheduler::code::Code;
 
 use super::arguments;
 use super::bench::Bench;
-use super::error::RunError;
 use super::map::{HEAP_EA, IMAGE_EA, LOCAL_STORE_EA};
 use super::options::Options;
 use super::output::{json, write_file, write_text};
@@ -77,9 +76,7 @@ impl Machine {
     pub fn new(options: &Options, bytes: &[u8], image: &Image<'_>) -> Result<Self, Failure> {
         let memory = Arc::new(RegisteredMemory::new());
         let register = |what: &str, ea, bytes, access| {
-            let what = what.to_owned();
-            let registered = memory.register(ea, bytes, access);
-            registered.map_err(|error| RunError::Region { what, error })
+            memory.register(ea, bytes, access).map_err(Failure::of(what))
         };
         register("the program's file", IMAGE_EA, bytes.to_vec(), Access::ReadOnly)?;
         let machine = match options.is_simulated() {
@@ -94,7 +91,7 @@ impl Machine {
                     ..SimulationOptions::default()
                 };
                 let timing = match &options.machine {
-                    Some(path) => Timing::read(path).map_err(RunError::Machine)?,
+                    Some(path) => Timing::read(path)?,
                     None => Timing::default(),
                 };
                 machine::Machine::simulated_with(memory.clone(), timing, simulation)
@@ -108,15 +105,13 @@ impl Machine {
         spe.profile_as(ProgramId::of(bytes));
         memory
             .register_local_store(LOCAL_STORE_EA, Arc::clone(spe.local_store()))
-            .map_err(|error| RunError::Region { what: "local store".into(), error })?;
+            .map_err(Failure::of("local store"))?;
         for region in &options.main_memory {
             let what = format!("--main-memory {}@{:#x}", region.size.0, region.ea);
             register(&what, region.ea, vec![0; region.size.0], Access::ReadWrite)?;
         }
-        let heap = Arena::new(&memory, HEAP_EA, options.heap.0).map_err(|error| {
-            let what = format!("--heap {}", options.heap.0);
-            RunError::Region { what, error }
-        })?;
+        let heap = Arena::new(&memory, HEAP_EA, options.heap.0);
+        let heap = heap.map_err(Failure::of(format_args!("--heap {}", options.heap.0)))?;
         image.load(spe.local_store(), IMAGE_EA);
         if let Some(toe) = image.toe() {
             spe.local_store().write(toe, &IMAGE_EA.to_be_bytes());
@@ -143,22 +138,19 @@ impl Machine {
             let bytes = fs::read(&file.path).map_err(Failure::file(&file.path))?;
             let end = file.address.saturating_add(bytes.len() as u64);
             if end > u64::from(SIZE) {
-                return Err(RunError::OutsideLocalStore {
-                    path: file.path.clone(),
-                    address: file.address,
-                    size: bytes.len(),
-                }
-                .into());
+                return Err(Failure::new(format!(
+                    "{}: {} bytes at {:#x} do not fit into local store",
+                    file.path.display(),
+                    bytes.len(),
+                    file.address
+                )));
             }
             self.local_store().write(file.address as u32, &bytes);
         }
         for file in &options.load_mem {
             let bytes = fs::read(&file.path).map_err(Failure::file(&file.path))?;
             let written = self.memory.write(file.address, &bytes);
-            written.map_err(|error| RunError::Memory {
-                what: format!("--load-mem {}", file.path.display()),
-                error,
-            })?;
+            written.map_err(Failure::of(format_args!("--load-mem {}", file.path.display())))?;
         }
         Ok(())
     }
@@ -184,7 +176,7 @@ impl Machine {
         Ok(end)
     }
 
-    fn run_with(&mut self, options: &Options, bench: &mut Bench<'_>) -> Result<End, RunError> {
+    fn run_with(&mut self, options: &Options, bench: &mut Bench<'_>) -> Result<End, Failure> {
         if let Some(port) = options.gdb {
             return self.debug(port, bench);
         }
@@ -217,9 +209,9 @@ impl Machine {
     }
 
     /// Waits for a debugger on this port and runs the program under it.
-    fn debug(&mut self, port: u16, bench: &mut Bench<'_>) -> Result<End, RunError> {
+    fn debug(&mut self, port: u16, bench: &mut Bench<'_>) -> Result<End, Failure> {
         let debugger = Debugger::new(|| ());
-        let address = debugger.listen(port).map_err(|error| RunError::Debugger { port, error })?;
+        let address = debugger.listen(port).map_err(Failure::of(format_args!("--gdb {port}")))?;
         messages::print!("spu: waiting for a debugger: target remote {address}");
         let thread = debugger.attach(&self.spe);
         let end = loop {
@@ -383,8 +375,8 @@ impl Machine {
         let spes = simulation.profile().unwrap_or_default();
         let profile = ProfileFile::new(CYCLES_PER_SECOND, &spes);
         let Some(path) = path else {
-            let code = Code::parse(&self.bytes).map_err(Failure::command)?;
-            let view = View::new(&code, &self.bytes, &profile).map_err(Failure::command)?;
+            let code = Code::parse(&self.bytes)?;
+            let view = View::new(&code, &self.bytes, &profile)?;
             return write_text(None, &view.functions_text());
         };
         write_file(path, json(&profile).as_bytes())
@@ -415,10 +407,7 @@ impl Machine {
         for file in &options.dump_mem {
             let mut bytes = vec![0; file.size.0];
             let read = self.memory.read(file.ea, &mut bytes);
-            read.map_err(|error| RunError::Memory {
-                what: format!("--dump-mem {}", file.path.display()),
-                error,
-            })?;
+            read.map_err(Failure::of(format_args!("--dump-mem {}", file.path.display())))?;
             write_file(&file.path, &bytes)?;
         }
         Ok(())

@@ -143,10 +143,8 @@ fn words(path: &Path) -> Result<VecDeque<u32>, Failure> {
             let value = number(word).and_then(|value| {
                 u32::try_from(value).map_err(|_| format!("`{word}` does not fit in 32 bits"))
             });
-            words.push_back(value.map_err(|what| Failure::Contents {
-                path: path.to_path_buf(),
-                what: format!("line {}: {what}", index + 1),
-            })?);
+            let place = format!("{}: line {}", path.display(), index + 1);
+            words.push_back(value.map_err(Failure::of(place))?);
         }
     }
     Ok(words)

@@ -2,7 +2,6 @@
 
 mod arguments;
 mod bench;
-mod error;
 mod machine;
 mod mailboxes;
 mod map;

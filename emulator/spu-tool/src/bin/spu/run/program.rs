@@ -20,7 +20,7 @@ pub fn read(options: &Options) -> Result<Vec<u8>, Failure> {
     let read = image::read(path);
     let is_program = read.as_ref().is_ok_and(|bytes| Image::parse(bytes).is_ok());
     match file_of_an_option(path).filter(|_| !is_program) {
-        Some(option) => Err(Failure::Usage(said_without_equals(option, options))),
+        Some(option) => Err(Failure::new(said_without_equals(option, options))),
         None => read,
     }
 }

@@ -13,10 +13,11 @@ use std::os::unix::ffi::OsStrExt as _;
 use std::path::Path;
 use std::thread;
 
-use super::error::RunError;
+use super::sleep::THREAD;
+use crate::failure::Failure;
 
 /// Gets the right to change a thread's root directory. Must be called before any thread starts.
-pub fn prepare(root: &Path) -> Result<(), RunError> {
+pub fn prepare(root: &Path) -> Result<(), Failure> {
     // SAFETY: these functions take no pointers.
     let (user, group) = unsafe { (libc::geteuid(), libc::getegid()) };
     if user == 0 {
@@ -33,10 +34,7 @@ pub fn prepare(root: &Path) -> Result<(), RunError> {
 }
 
 /// Runs `body` where `root` is the root directory, if there is one.
-pub fn within<T: Send>(
-    root: Option<&Path>,
-    body: impl FnOnce() -> T + Send,
-) -> Result<T, RunError> {
+pub fn within<T: Send>(root: Option<&Path>, body: impl FnOnce() -> T + Send) -> Result<T, Failure> {
     let Some(root) = root else {
         return Ok(body());
     };
@@ -46,7 +44,7 @@ pub fn within<T: Send>(
             Ok(body())
         };
         let thread = thread::Builder::new().spawn_scoped(scope, run);
-        match thread.map_err(RunError::Thread)?.join() {
+        match thread.map_err(Failure::of(THREAD))?.join() {
             Ok(result) => result,
             Err(panic) => std::panic::resume_unwind(panic),
         }
@@ -87,6 +85,6 @@ fn check(result: libc::c_int) -> io::Result<()> {
     Err(io::Error::last_os_error())
 }
 
-fn refused(root: &Path, error: io::Error) -> RunError {
-    RunError::Root { path: root.to_path_buf(), error }
+fn refused(root: &Path, error: io::Error) -> Failure {
+    Failure::of(format!("--root {}", root.display()))(error)
 }

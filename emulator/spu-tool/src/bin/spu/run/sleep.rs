@@ -9,7 +9,10 @@ use std::time::{Duration, Instant};
 
 use spu_emulator::spe::Spe;
 
-use super::error::RunError;
+use crate::failure::Failure;
+
+/// What fails if the system has no more threads.
+pub const THREAD: &str = "can't start the thread that watches the program";
 
 /// The SPU is not in a channel.
 const AWAKE: u64 = u64::MAX;
@@ -26,7 +29,7 @@ pub struct Watchdog {
 }
 
 impl Watchdog {
-    pub fn start(spe: &Arc<Spe>, patience: Duration) -> Result<Self, RunError> {
+    pub fn start(spe: &Arc<Spe>, patience: Duration) -> Result<Self, Failure> {
         let since = Arc::new(AtomicU64::new(AWAKE));
         let started = Instant::now();
         let (alive, ended) = mpsc::channel::<()>();
@@ -45,7 +48,7 @@ impl Watchdog {
             }
         };
         let spawned: io::Result<_> = thread::Builder::new().spawn(watch);
-        spawned.map_err(RunError::Thread)?;
+        spawned.map_err(Failure::of(THREAD))?;
         Ok(Self { since, started, in_channel: false, _alive: alive })
     }
 
