@@ -41,6 +41,8 @@ run_count:
         .skip   16
 eye_way:                                # whether the rays have the way of those from the eye
         .skip   16
+together:                               # a candidate of all packets from the eye, but for the node
+        .int    0,0,0,0
 
         .section .rodata.mesh,"a",@progbits
         .align  4
@@ -190,6 +192,12 @@ next_block:
 block_call:
         brsl    $lr,mesh_block
         ori     $m_block,$3,0
+        lqd     $header,MESH_HEADER_kind&~15($m_block)
+        lqa     $c_end,eye_way
+        rotqbyi $header,$header,MESH_HEADER_kind&15
+        ceqi    $header,$header,MESH_INNER
+        and     $c_end,$c_end,$header
+        brnz    $c_end,all_together
 
         # The block's first node and its packets.
         lqa     $candidate,first_candidate
@@ -224,6 +232,7 @@ block_call:
     .endr
         sf      $4,$3,$a_out
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+first_node:
         lqd     $levels,MESH_HEADER_levels&~15($m_block)
         rotqbyi $m_levels,$levels,MESH_HEADER_levels&15
         tally   cull_tests,$4
@@ -328,20 +337,56 @@ leaf_done:
 eye_bounds:
         ila     $7,arena+MESH_WINDOWS
         brsl    $lr,mesh_eye_bounds_r16
+        mpyi    $step,$w_traced,MESH_WINDOW_SIZE
+        ila     $other,arena+MESH_WINDOWS
+        lqa     $candidate,together
+        a       $step,$step,$other
+        cwd     $m_word,MESH_CANDIDATE_bound($sp)
+        shufb   $candidate,$step,$candidate,$m_word
+        stqa    $candidate,together
         br      bounded
 
-        # A flat leaf's place is kept for mesh_hits.
+        # Packets from the eye go through an inner block as if they were one. Since they are beside
+        # each other, it leaves out about as many children as they do.
+all_together:
+        lqa     $last,farthest
+        lqa     $last+1,farthest+16
+        lqa     $candidate,together
+        ila     $3,arena+MESH_FIRST
+        fcgt    $c_end,$last+1,$last
+        selb    $last,$last,$last+1,$c_end
+        rotqbyi $other,$candidate,MESH_CANDIDATE_bound
+        rotqbyi $last+1,$last,8
+        lqd     $step,MESH_BOUND_farthest&~15($other)
+        fcgt    $c_end,$last+1,$last
+        selb    $last,$last,$last+1,$c_end
+        cwd     $m_word,MESH_BOUND_farthest&15($sp)
+        rotqbyi $last+1,$last,4
+        fcgt    $c_end,$last+1,$last
+        selb    $last,$last,$last+1,$c_end
+        shufb   $step,$last,$step,$m_word
+        stqd    $step,MESH_BOUND_farthest&~15($other)
+        ai      $box,$m_block,MESH_HEADER_SIZE
+        cwd     $m_word,0($sp)
+        shufb   $candidate,$box,$candidate,$m_word
+        stqd    $candidate,0($3)
+        il      $4,1
+        br      first_node
+
+        # The place of a flat leaf, or of a height field's, is kept for mesh_hits.
 known_leaf:
         lqd     $header,MESH_HEADER_magic($m_block)
         lqd     $last,MESH_HEADER_nodes&~15($m_block)
         rotqbyi $header,$header,MESH_HEADER_number
-        andi    $box,$header,MESH_LEAF_PLACES-1
-        shli    $box,$box,4
+        leaf_place $box,$header
+        lqa     $other,kept_from
+        clgt    $other,$other,$header
         mpyi    $near,$last,BOXES_SIZE
         rotqbyi $below,$last,MESH_HEADER_vertices&15
         rotqbyi $last,$last,MESH_HEADER_sides&15
         ilhu    $number,(SIDES_SMOOTH|SIDES_TEXTURED|SIDES_WIDE|SIDES_COLOURED)>>16
         and     $number,$number,$last
+        and     $number,$number,$other
         brnz    $number,not_kept
         a       $near,$near,$m_block
         ai      $near,$near,MESH_HEADER_SIZE
@@ -489,6 +534,9 @@ inner:
         ila     $a_table,arena+MESH_CHILDREN
         ila     $a_met,arena+MESH_MET
         il      $k_first_packet,1<<(SMALL_BATCH-1)
+        lqa     $mask,eye_way
+        lqa     $step,packets
+        selb    $k_first_packet,$k_first_packet,$step,$mask
         lqa     $m_entry,candidate_to_entry
         fsmbi   $m_near,0x00f0
         il      $k_step,CANDIDATE_SIZE
