@@ -45,7 +45,8 @@
         .set    NEXT,colour+4
         registers normal                                # to 50: x, y, z, 0
         .set    NEXT,normal+4
-        registers packed,fold,part,square,t_y,t_e,inverse
+        registers packed,fold,part,square,t_y,t_e,inverse,known
+        registers nothing                               # where other triangles' lanes read, the table
     .if NEXT > 80
         .error  "too many registers"
     .endif
@@ -142,6 +143,8 @@ function height_corners
         lqa     $m_second,second_words
         lqa     $m_fourth,fourth_words
         fsmbi   $m_xyz,0xfff0
+        splat_mask $nothing
+        splat   $nothing,$a_table,$nothing
         il      $k_vertex,0xff0
         il      $k_colour,0x3fc
         ilhu    $k_sign,0x8000
@@ -161,10 +164,18 @@ next_four:
         lqx     $row+\number,$row+\number,$a_table
     .endr
         words_of $vertices,row,$m_second                # of MESH_LEAVES
+        # Others have any face, and might read what a transfer is still writing.
+        words_of $known,row,$m_first
+        ceq     $known,$known,$number
+        shli    $part,$number,8                         # HEIGHT_BLOCK becomes the sign
+        rotmai  $part,$part,-31
+        and     $known,$known,$part
+        selb    $vertices,$nothing,$vertices,$known
         andi    $offset,$object,127
         shli    $offset,$offset,2
         a       $offset,$offset,$vertices
         load_words $face,$offset,FACES_AT
+        and     $face,$face,$known
         corner  a,3
         corner  b,2
         corner  c,1
