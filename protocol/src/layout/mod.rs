@@ -314,7 +314,7 @@ constants! {
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
-    HEIGHT_CODE_CAPACITY = 7680;
+    HEIGHT_CODE_CAPACITY = 7808;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
@@ -531,7 +531,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 39040 for a mesh, 31616 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";
