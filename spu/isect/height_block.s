@@ -85,7 +85,7 @@ targets:
         .int    0x10111213,0x10111213,0x10111213,0x10111213
 # For each four vertices, where in the scratch their samples, those of the next level, and the
 # places of their columns and of their row are.
-# After the last ones anything is read.
+# The ones after the last are read, and what they name, but not used.
 passes:
     .irp row, 0,1,2,3,4
     .irp quad, 0,1,2
@@ -93,6 +93,7 @@ passes:
         .int    COLUMNS_AT+COLUMN_BYTES*\quad,ROWS_AT+ROW_BYTES*\row
     .endr
     .endr
+        .int    HEIGHT_PITCH,COARSE_AT,COLUMNS_AT,ROWS_AT
 # Every second one of eight words, from the first or from the second one on; three words after
 # the first, and another one.
 evens:  .int    0x00010203,0x08090a0b,0x10111213,0x18191a1b

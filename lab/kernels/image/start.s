@@ -10,8 +10,8 @@ _start:
 # and the ones for refitting and building meshes after those for meshes, so that the bench has all
 # the memory in front of them.
         .global depth_place, boxes_place, height_place, sort_place, build_place
-        .set    depth_place,0x27480
-        .set    boxes_place,0x31b00
-        .set    height_place,0x32d80
+        .set    depth_place,0x26b80
+        .set    boxes_place,0x31200
+        .set    height_place,0x32480
         .set    build_place,0x3cd00
         .set    sort_place,0x3db00

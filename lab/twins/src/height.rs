@@ -1,10 +1,11 @@
-//! Twin of `spu/isect/height_block.s`: the triangles of a height field's block.
+//! Twin of `spu/isect/height_block.s` and `height_corners.s`: the triangles of a height field's
+//! block, and the normals at their vertices.
 
 use spu_emulator::float::convert::{cflts, cfltu, csflt};
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fs};
 
 use super::flat::SIGN;
-use super::math::reciprocal;
+use super::math::{reciprocal, rsqrt};
 use super::mesh::{SLACK, maximum, minimum};
 use super::mesh_prepare::{HEADER, LEAF, MAGIC, NO_BOX, NODE, WORDS};
 use super::{ONE, Single, ZERO, select};
@@ -29,6 +30,22 @@ const HALVES: Single = 0x46ff_fe00;
 const FIVE: Single = 0x4204_0000;
 /// From six bits to ten.
 const SIX: Single = 0x4181_e7a0;
+
+/// 1 / 32767.
+const INVERSE: Single = 0x3800_0100;
+
+/// The unit normal whose parts a vertex has in two halves of a word, by `height_corners`: the lower
+/// half of the octahedron is folded back.
+#[must_use]
+pub fn corner_normal(halves: u32) -> [Single; 3] {
+    let part = |half: u32| fm(csflt((half as i16 as i32).cast_unsigned(), 0), INVERSE);
+    let [u, v] = [part(halves >> 16), part(halves)];
+    let z = fs(fs(ONE, u & !SIGN), v & !SIGN);
+    let fold = if z & SIGN == 0 { ZERO } else { z & !SIGN };
+    let [u, v] = [u, v].map(|part| fs(part, part & SIGN | fold));
+    let inverse = rsqrt(fma(z, z, fma(v, v, fm(u, u))));
+    [u, v, z].map(|part| fm(part, inverse))
+}
 
 /// The height field, as far as a block needs it.
 #[derive(Clone, Copy, Debug)]

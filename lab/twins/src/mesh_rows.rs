@@ -64,9 +64,14 @@ fn ordered(a: Single, b: Single) -> [Single; 2] {
     if fcgt(a, b) != 0 { [b, a] } else { [a, b] }
 }
 
-/// The bound of rays from the eye, by `mesh_eye_bounds_r16`.
-#[must_use]
-pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
+/// The extremes of rays' directions along each axis, and of their distances.
+#[derive(Clone, Copy, Debug)]
+struct EyeExtremes {
+    directions: [[Single; 2]; 3],
+    farthest: Single,
+}
+
+fn eye_extremes(rays: &[Ray; 16]) -> EyeExtremes {
     let over = |value: &dyn Fn(&Ray) -> Single, over_rows: fn(Single, Single) -> Single| {
         std::array::from_fn(|lane| {
             let mut rows = (0..4).map(|row| value(&rays[4 * row + lane]));
@@ -75,14 +80,44 @@ pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
         })
     };
     let later = |a: Single, b: Single| select(a, b, b as i32 > a as i32);
-    let slabs = std::array::from_fn(|axis| {
+    let directions = std::array::from_fn(|axis| {
         let along = |ray: &Ray| ray.direction[axis];
         let min = extreme(over(&along, lesser), lesser);
-        let max = extreme(over(&along, greater), greater);
-        slab([ZERO; 2], [min, max])
+        [min, extreme(over(&along, greater), greater)]
     });
     let farthest = over(&|ray| later(ABSENT, ray.t), later);
-    MeshBound { slabs, slack: 0, farthest: extreme(farthest, greater) }
+    EyeExtremes { directions, farthest: extreme(farthest, greater) }
+}
+
+impl EyeExtremes {
+    /// Those of two.
+    fn with(self, other: Self) -> Self {
+        let [own, others] = [self.directions, other.directions];
+        let both = |axis: usize| {
+            let ([min, max], [other_min, other_max]) = (own[axis], others[axis]);
+            [lesser(min, other_min), greater(max, other_max)]
+        };
+        let farthest = greater(self.farthest, other.farthest);
+        Self { directions: [0, 1, 2].map(both), farthest }
+    }
+
+    fn bound(self) -> MeshBound {
+        let slabs = self.directions.map(|extremes| slab([ZERO; 2], extremes));
+        MeshBound { slabs, slack: 0, farthest: self.farthest }
+    }
+}
+
+/// The bound of a packet's rays from the eye, by `mesh_eye_bounds_r16`.
+#[must_use]
+pub fn mesh_eye_bound(rays: &[Ray; 16]) -> MeshBound {
+    eye_extremes(rays).bound()
+}
+
+/// The bound of all packets' rays, by `mesh_eye_bounds_r16`.
+#[must_use]
+pub fn mesh_eye_bound_of_all(packets: &[[Ray; 16]]) -> MeshBound {
+    let none = EyeExtremes { directions: [[LARGEST, SMALLEST]; 3], farthest: SMALLEST };
+    packets.iter().map(eye_extremes).fold(none, EyeExtremes::with).bound()
 }
 
 /// The window of a packet's rays, by `mesh_eye_bounds_r16`.

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 19;
+    VERSION = 20;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -275,7 +275,7 @@ constants! {
     /// Most textures of a mesh.
     MESH_TEXTURES = 256;
     /// Bytes at the end of the scene's memory for the code that traces meshes.
-    MESH_CODE_CAPACITY = 31232;
+    MESH_CODE_CAPACITY = 31616;
     /// Address in local store of that code.
     MESH_CODE = SCENE_ADDRESS + SCENE_CAPACITY - MESH_CODE_CAPACITY;
     /// Bytes in front of it for the code that traces eye rays through meshes without textures.
@@ -314,7 +314,7 @@ constants! {
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
-    HEIGHT_CODE_CAPACITY = 8576;
+    HEIGHT_CODE_CAPACITY = 7808;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
@@ -531,7 +531,7 @@ statuses! {
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
-    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 38656 for a mesh, 31232 for one with textures, and 16 to 5120 to refit one.
+    /// Must be a multiple of 128, and its bytes a multiple of 16: at most 19968 for depth shading, 39040 for a mesh, 31616 for one with textures, and 16 to 5120 to refit one.
     Code = 29, "code, code_bytes";
     /// Must be a multiple of 128, with 1 to 2^24 blocks.
     Mesh = 30, "mesh, mesh_blocks";

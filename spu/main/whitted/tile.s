@@ -168,10 +168,11 @@ endfunction subtiles_copy
 
 # eye_places   lists the packets of the current tile's subtiles that are traced
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
-#   Uses    $14-$30
+#   Uses    $14-$36
 #
 # They are listed column by column, so that a batch's secondary rays come from pixels that are near
-# each other. The rays' packets alternate with the places.
+# each other. With a height field the columns have two rows: a batch that is wider than high meets
+# fewer blocks. The rays' packets alternate with the places.
         .set    a_place,14
         .set    place,15
         .set    step,16
@@ -189,9 +190,17 @@ endfunction subtiles_copy
         .set    subtiles,28
         .set    listed,29
         .set    left_out,30
+        .set    band,31                                 # its first place
+        .set    rows_left,32                            # of packets, with those of the band
+        .set    band_subtiles,33
+        .set    most,34                                 # rows of packets in a band
+        .set    left_columns,35
+        .set    step_band,36
 
         .section .rodata
         .align  4
+next_band_step:                         # two rows of packets
+        .int    0,2*4*SUMS_PITCH,0,2*4
 first_place:                            # without the packet
         .int    0,arena+PIXEL_SUMS,0,0
 next_row_step:
@@ -223,14 +232,27 @@ function eye_places
         shli    $batch_back,$batch_back,4
         and     $batch_back,$batch_back,$m_word
         a       $batch_end,$batch_end,$batch_back
+        ori     $rows_left,$rows,0
+        ori     $band,$place,0
+        lqa     $most,streamed
+        il      $c_end,FEATURE_HEIGHTS
+        and     $most,$most,$c_end
+        cgti    $most,$most,0
+        shli    $most,$most,1
+        ai      $most,$most,4
+        lqa     $band_subtiles,tile_subtiles
+next_band:
+        minimum $rows,$rows_left,$most,$c_end
+        sf      $rows_left,$rows,$rows_left
+        selb    $place,$band,$place,$m_word
         ori     $column,$place,0
         il      $pair,1
+        ori     $left_columns,$columns,0
 next_column:
         ori     $row,$rows,0
         # The bits of this column's subtiles, of which two columns of packets have one.
-        lqa     $subtiles,tile_subtiles
         rotmai  $passed,$pair,-1
-        rotm    $subtiles,$subtiles,$passed
+        rotm    $subtiles,$band_subtiles,$passed
 next_row:
         hbrr    last_row,next_row
         stqd    $place,0($a_place)
@@ -253,8 +275,12 @@ last_row:
         a       $column,$column,$column_step
         selb    $place,$column,$place,$m_word
         ai      $pair,$pair,-1
-        ai      $columns,$columns,-1
-        brnz    $columns,next_column
+        ai      $left_columns,$left_columns,-1
+        brnz    $left_columns,next_column
+        lqa     $step_band,next_band_step
+        rotmi   $band_subtiles,$band_subtiles,-16
+        a       $band,$band,$step_band
+        brnz    $rows_left,next_band
         sf      $w_eye_left,$w_eye_next,$a_place
         rotmi   $w_eye_left,$w_eye_left,-PLACE_SIZE_LOG2
         bi      $lr

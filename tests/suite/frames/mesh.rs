@@ -196,7 +196,7 @@ fn invalid_mesh_fields_are_refused() {
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0.into()),
         ("mesh_blocks", "1 to 2^24 blocks", |frame| frame.mesh_blocks = 0x100_0001.into()),
         ("code", "a multiple of 128", |frame| frame.code = (frame.code.get() + 64).into()),
-        ("code_bytes", "38656 for a mesh", |frame| frame.code_bytes = 38672.into()),
+        ("code_bytes", "39040 for a mesh", |frame| frame.code_bytes = 39056.into()),
         ("code_bytes", "a multiple of 16", |frame| {
             frame.code_bytes = (frame.code_bytes.get() - 4).into()
         }),

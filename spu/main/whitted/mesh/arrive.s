@@ -3,11 +3,16 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "whitted.inc"
+        .include "mesh.inc"
 
         .section .data.mesh,"aw",@progbits
         .align  4
 arrived:                                # the block's number
         .skip   16
+        .global height_scratch
+height_scratch:                         # space of HEIGHT_SCRATCH bytes that nobody needs then
+        .int    arena+MATERIAL_FIRST,0,0,0
 
         .set    NEXT,10
         registers a_frame

@@ -12,13 +12,15 @@
 
         .section .data.mesh,"aw",@progbits
         .align  4
-        .global sides_known, own_blocks, block_limit
+        .global sides_known, own_blocks, block_limit, kept_from
 sides_known:                            # the bits of `sides` that blocks may have
         .skip   16
 own_blocks:                             # how many blocks the mesh has
         .skip   16
 block_limit:                            # children of inner blocks have numbers below this
         .skip   16
+kept_from:                              # the first leaf of a height field, if they are kept
+        .int    -1,-1,-1,-1
 
 # mesh_begin   checks the fields, and those of the textures; gives up if one of them is wrong
 #   Out     sides_known

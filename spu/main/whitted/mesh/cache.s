@@ -6,6 +6,7 @@
         .include "macros.inc"
         .include "driver.inc"
         .include "whitted.inc"
+        .include "mesh_block.inc"
 
         .section .data.mesh,"aw",@progbits
         .align  4
@@ -106,9 +107,8 @@ ready:  ila     $slots,numbers
         shufb   $in_slot,$number,$in_slot,$mask
         stqd    $in_slot,0($offset)
         # The block that leaves is no known leaf any more.
-        andi    $size,$size,MESH_LEAF_PLACES-1
-        shli    $size,$size,4
-        ila     $address,mesh_leaves
+        leaf_place $address,$size
+        ila     $size,mesh_leaves
         il      $high,-1
         stqx    $high,$address,$size
 

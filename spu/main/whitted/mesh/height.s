@@ -12,8 +12,6 @@
         .section .data.height,"aw",@progbits
         .align  4
 field:  .skip   HEIGHTS_SIZE
-scratch:
-        .skip   HEIGHT_SCRATCH
 
         .set    status,3
         .set    NEXT,15
@@ -55,6 +53,13 @@ function height_begin
         stqd    $value,FRAME_mesh_blocks($a_frame)
         ilhu    $limit,MESH_BLOCKS>>16
         stqa    $limit,block_limit
+        # mesh_materials wants all hits to be made one by one.
+        lqa     $value,streamed
+        andi    $value,$value,FEATURE_MATERIALS
+        brnz    $value,none_kept
+        ilhu    $limit,HEIGHT_BLOCK>>16
+        stqa    $limit,kept_from
+none_kept:
         leave
 refused:
         br      give_up
@@ -168,6 +173,6 @@ endfunction height_fetch
 function height_arrive
         ori     $5,$4,0
         ila     $4,field
-        ila     $6,scratch
+        lqa     $6,height_scratch
         br      height_block
 endfunction height_arrive

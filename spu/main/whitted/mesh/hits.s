@@ -101,7 +101,17 @@ list_call:
         rotmi   $4,$4,-16
         ai      $4,$4,3
         rotmi   $4,$4,-2
+        stqa    $4,hit
+        lqa     $5,kept_from
+        ai      $5,$5,1
+        brz     $5,patches
         ori     $3,$address,0
+        ila     $5,mesh_leaves
+        ila     $6,arena+COLOUR_TABLE
+        brsl    $lr,height_corners
+        lqa     $4,hit
+patches:
+        ila     $3,arena+MESH_POOL
         ila     $5,mesh_leaves
         ila     $6,arena+MESH_HIT_LIST
         ila     $7,frame

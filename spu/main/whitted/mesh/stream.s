@@ -112,6 +112,8 @@ last_packet:
 decided:
         lqa     $count,together
         brnz    $count,as_packets
+        ila     $left,arena+MESH_LIST
+        stqa    $left,height_scratch
         ori     $4,$w_traced,0
         ila     $5,arena+MESH_RAYS
 rays_call:
@@ -391,7 +393,9 @@ as_packets:
         ori     $3,$count,0
         leave
 traced: il      $3,0
-done:   lqa     $count,ray_tests
+done:   ila     $left,arena+MATERIAL_FIRST
+        stqa    $left,height_scratch
+        lqa     $count,ray_tests
         rotmi   $count,$count,-4
         tally   cull_tests,$count
         leave

@@ -1,10 +1,13 @@
-//! The kernel that makes triangles of a height field's samples.
+//! The kernels that make triangles of a height field's samples, and find what is at the vertices
+//! of those that were hit.
 
-use protocol::layout::{HeightLevel, Heights};
+use protocol::layout::{
+    HEIGHT_BLOCK, HeightLevel, Heights, MESH_HIT, MESH_LEAF_PLACES, MeshLeaf, Patch,
+};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
-use twins::height::{Field, block};
+use twins::height::{Field, block, corner_normal};
 use twins::mesh_prepare::WORDS;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::{F32, U32};
@@ -12,23 +15,38 @@ use zerocopy::big_endian::{F32, U32};
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::put;
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
+use crate::description::{Description, LENGTHS_FROM_0};
 
 /// Words of the kernel's scratch.
 const SCRATCH: usize = 604;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[Kernel {
-    rays: 1,
-    cases: &[Case {
-        name: "block",
-        objects: Objects::Fixed(1),
-        place: |bench, _| {
-            HeightBlock::sensible(1, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-        },
-    }],
-    ..Kernel::of::<HeightBlock>()
-}];
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "block",
+            objects: Objects::Fixed(1),
+            place: |bench, _| {
+                HeightBlock::sensible(1, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
+            },
+        }],
+        ..Kernel::of::<HeightBlock>()
+    },
+    Kernel {
+        rays: 1,
+        cases: &[Case {
+            name: "patches",
+            objects: Objects::List(24, 48),
+            place: |bench, count| {
+                HeightCorners::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1))
+                    .place(bench)
+                    .1
+            },
+        }],
+        ..Kernel::of::<HeightCorners>()
+    },
+];
 
 /// A block whose samples have arrived.
 #[derive(Debug)]
@@ -112,5 +130,126 @@ impl Description for HeightBlock {
         let mut words = self.block;
         block(&mut words, &self.field, self.number);
         words
+    }
+}
+
+/// The first vertex, face and colour of a block, in words.
+const VERTICES: usize = 92;
+const FACES: usize = VERTICES + 4 * 60;
+const COLOURS: usize = FACES + 64;
+
+/// Hit triangles, and the leaves that are there.
+#[derive(Debug)]
+pub struct HeightCorners {
+    /// The patches' objects.
+    objects: Vec<u32>,
+    /// Numbers and blocks of the leaves.
+    leaves: Vec<(u32, [u32; WORDS])>,
+}
+
+impl HeightCorners {
+    /// Where a leaf is in the table.
+    pub fn place_of(number: u32) -> usize {
+        ((number + (number >> 7)) % MESH_LEAF_PLACES) as usize
+    }
+
+    /// The leaf of an object.
+    fn leaf(&self, object: u32) -> Option<&[u32; WORDS]> {
+        let number = (object & !MESH_HIT) >> 7;
+        self.leaves.iter().find(|leaf| leaf.0 == number).map(|leaf| &leaf.1)
+    }
+}
+
+impl Description for HeightCorners {
+    const KERNEL: &'static str = "height_corners";
+    const ROUNDS: [usize; 2] = [60, 100];
+    const LENGTHS: &'static [usize] = LENGTHS_FROM_0;
+    type Placed = [Place; 2];
+    /// The vertices, their normals and their colours.
+    type Found = Vec<([[[u32; 3]; 3]; 2], [u32; 3])>;
+
+    /// Hits in three leaves beside each other, some in one that is not there.
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        let first = HEIGHT_BLOCK + random.random_range(0..1 << 22);
+        let leaves = [0, 1, 1 << 9].map(|beside| {
+            let mut block: [u32; WORDS] = std::array::from_fn(|_| random.random());
+            for face in &mut block[FACES..COLOURS] {
+                let vertices = [(); 3].map(|()| random.random_range(0..60_u8));
+                *face = u32::from_be_bytes([vertices[0], vertices[1], vertices[2], 0]);
+            }
+            (first + beside, block)
+        });
+        let object = |_| {
+            let number = match random.random_range(0..8) {
+                0 => first + 2,
+                _ => leaves[random.random_range(0..leaves.len())].0,
+            };
+            MESH_HIT + (number << 7) + random.random_range(0..64)
+        };
+        Self { objects: (0..count).map(object).collect(), leaves: leaves.to_vec() }
+    }
+
+    /// Any normals and colours are sensible.
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self::sensible(count, random)
+    }
+
+    fn place(&self, bench: &mut Bench) -> ([Place; 2], Vec<u32>) {
+        let mut patches = vec![Patch::new_zeroed(); self.objects.len().next_multiple_of(4)];
+        for (patch, object) in patches.iter_mut().zip(&self.objects) {
+            patch.triangle[..4].fill((*object).into());
+        }
+        let patches = put(bench, &patches);
+        let fours = self.objects.len().div_ceil(4);
+        let colours = put(bench, &vec![[U32::ZERO; 4]; 4 * fours]);
+        let mut table = [MeshLeaf::new_zeroed(); MESH_LEAF_PLACES as usize];
+        for (number, block) in &self.leaves {
+            let vertices = put(bench, &block.map(U32::new)).address + 4 * VERTICES as u32;
+            table[Self::place_of(*number)] = MeshLeaf {
+                number: (*number).into(),
+                vertices: vertices.into(),
+                ..MeshLeaf::new_zeroed()
+            };
+        }
+        // Nothing that changes follows the table, which lanes without a leaf read beyond.
+        let table = put(bench, &table).address;
+        let arguments = vec![patches.address, fours as u32, table, colours.address];
+        ([patches, colours], arguments)
+    }
+
+    fn found(&self, bench: &Bench, &[patches, colours]: &[Place; 2], _: u32) -> Self::Found {
+        let three = |four: &[u32]| [four[0], four[1], four[2]];
+        let patches: Vec<Patch> = bench.read_all(patches);
+        let colours: Vec<[U32; 4]> = bench.read_all(colours);
+        let each = self.objects.iter().zip(patches.into_iter().zip(colours));
+        let known = each.filter(|(object, _)| self.leaf(**object).is_some());
+        known
+            .map(|(_, (patch, [a, b, c, _]))| {
+                let words: [U32; size_of::<Patch>() / 4] = zerocopy::transmute!(patch);
+                let words = words.map(U32::get);
+                let at = |quad: usize| three(&words[4 * quad..]);
+                ([[3, 4, 5], [6, 7, 8]].map(|quads| quads.map(at)), [a, b, c].map(U32::get))
+            })
+            .collect()
+    }
+
+    fn twin(&self, _: &[Place; 2]) -> Self::Found {
+        let corners = |object: &u32| {
+            let block = self.leaf(*object)?;
+            let [a, b, c, _] = block[FACES + (object & 127) as usize].to_be_bytes();
+            let corners = [a, b, c].map(usize::from);
+            let vertex = |corner: usize| -> [u32; 4] {
+                std::array::from_fn(|word| block[VERTICES + 4 * corner + word])
+            };
+            let vertices = corners.map(vertex);
+            let places = vertices.map(|[x, y, z, _]| [x, y, z]);
+            let normals = vertices.map(|[_, _, _, halves]| corner_normal(halves));
+            Some(([places, normals], corners.map(|corner| block[COLOURS + corner])))
+        };
+        self.objects.iter().filter_map(corners).collect()
+    }
+
+    fn part(&self, found: &Self::Found) -> [usize; 2] {
+        [found.len(), self.objects.len()]
     }
 }

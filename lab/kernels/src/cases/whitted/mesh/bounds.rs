@@ -5,10 +5,10 @@ use std::ops::Range;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use twins::mesh::{MeshBound, mesh_bound, mesh_farthest};
-use twins::mesh_rows::{mesh_eye_bound, mesh_window};
+use twins::mesh_rows::{mesh_eye_bound, mesh_eye_bound_of_all, mesh_window};
 use twins::primary_rays::Ray;
 use twins::sphere_ray;
-use zerocopy::FromZeros as _;
+use zerocopy::{FromBytes as _, FromZeros as _};
 
 use super::call::{bound, bound_record, window_record};
 use super::triangles::aimed;
@@ -108,6 +108,8 @@ impl Description for Farthest {
     }
 }
 
+type Bound = Bits<layout::MeshBound>;
+
 /// Packets from the eye, which are bounded.
 #[derive(Clone, Debug)]
 pub struct EyeBounds {
@@ -121,7 +123,8 @@ impl Description for EyeBounds {
     const LENGTHS: &'static [usize] = &[0, 1, 2, 3, 4, 5, 6, 7, 8];
     const SHARES: [Range<f64>; 2] = [0.01..0.9, ANY_SHARE];
     type Placed = [Place; 2];
-    type Found = Vec<(Bits<layout::MeshBound>, Bits<MeshWindow>)>;
+    /// Those of the packets, and after the last window the bound of them all.
+    type Found = (Vec<(Bound, Bits<MeshWindow>)>, Option<Bound>);
 
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         Self { packets: aimed(random).1[..count].to_vec() }
@@ -135,23 +138,31 @@ impl Description for EyeBounds {
         let packets = put(bench, &isect::call::packets(&self.packets, 0)).address;
         let count = self.packets.len();
         let bounds = put(bench, &vec![layout::MeshBound::new_zeroed(); count]);
-        let windows = put(bench, &vec![MeshWindow::new_zeroed(); count]);
+        let of_all = if count > 0 { size_of::<layout::MeshBound>() } else { 0 };
+        let windows = bench.place(&vec![0; count * size_of::<MeshWindow>() + of_all]);
         let arguments = vec![packets, count as u32, bounds.address, SHEARS, windows.address];
         ([bounds, windows], arguments)
     }
 
     fn found(&self, bench: &Bench, &[bounds, windows]: &[Place; 2], _: u32) -> Self::Found {
         let bounds = bench.read_all(bounds).into_iter().map(Bits);
-        bounds.zip(bench.read_all(windows).into_iter().map(Bits)).collect()
+        let bytes: Vec<u8> = bench.read_all(windows);
+        let length = self.packets.len() * size_of::<MeshWindow>();
+        let (windows, of_all) = bytes.split_at(length);
+        let windows = windows.chunks(size_of::<MeshWindow>());
+        let windows = windows.filter_map(|bytes| MeshWindow::read_from_bytes(bytes).ok()).map(Bits);
+        (bounds.zip(windows).collect(), layout::MeshBound::read_from_bytes(of_all).ok().map(Bits))
     }
 
     fn twin(&self, _: &[Place; 2]) -> Self::Found {
         let each = self.packets.iter().zip((SHEARS..).step_by(size_of::<Shear>()));
-        each.map(|(rays, shears)| {
+        let each = each.map(|(rays, shears)| {
             let window = window_record(&mesh_window(rays));
             (Bits(bound_record(&mesh_eye_bound(rays), shears)), Bits(window))
-        })
-        .collect()
+        });
+        let after = SHEARS + (self.packets.len() * size_of::<Shear>()) as u32;
+        let of_all = bound_record(&mesh_eye_bound_of_all(&self.packets), after);
+        (each.collect(), (!self.packets.is_empty()).then_some(Bits(of_all)))
     }
 
     /// How many windows have no limits.

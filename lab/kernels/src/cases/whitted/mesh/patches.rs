@@ -13,6 +13,7 @@ use zerocopy::{FromBytes as _, FromZeros as _, IntoBytes as _};
 use super::call::{leaf, sides};
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
+use crate::cases::whitted::height::HeightCorners;
 use crate::cases::whitted::isect::shape::Shape as _;
 use crate::cases::whitted::isect::triangle::TriangleObject;
 use crate::description::{Bits, Description, LENGTHS_FROM_0};
@@ -107,7 +108,7 @@ const MATERIALS: u32 = 0x1_2340;
 pub struct FlatPatches {
     /// The patches' objects.
     pub objects: Vec<u32>,
-    /// The leaves, whose numbers differ in their last bits.
+    /// The leaves, whose places in the table differ.
     pub leaves: Vec<MeshBlock>,
     /// Fills the fields that have no meaning here.
     pub anything: u32,
@@ -153,7 +154,9 @@ fn leaves(
     random: &mut ChaCha8Rng,
 ) -> Vec<MeshBlock> {
     let leaf = |leaf| MeshBlock {
-        number: random.random_range(0..1 << 10) * MESH_LEAF_PLACES + leaf,
+        number: (random.random_range(0..1 << 15)..)
+            .find(|number| HeightCorners::place_of(*number) == leaf)
+            .expect("each place is one of the next numbers'"),
         both: random.random(),
         vertices: vertices(random),
         faces: (0..100).map(|_| [(); 3].map(|()| random.random_range(0..24))).collect(),
@@ -204,7 +207,7 @@ impl Description for FlatPatches {
             let place = bench.place(&leaf(block, 2, *anything)).address as usize;
             let vertices = place + size_of::<MeshHeader>() + 2 * size_of::<Boxes>();
             let faces = vertices + block.vertices.len() * size_of::<MeshVertex>();
-            table[(block.number % MESH_LEAF_PLACES) as usize] = MeshLeaf {
+            table[HeightCorners::place_of(block.number)] = MeshLeaf {
                 number: block.number.into(),
                 vertices: (vertices as u32).into(),
                 faces: (faces as u32).into(),
