@@ -9,8 +9,8 @@
 #           first three words. Where the leaf is another one, or not there, they are anything
 #   Uses    $3-$6, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  any normals and colours
-#   Error   3e-7 of 1 in each part of a normal
-#   Twin    lab/twins/src/height_corners.rs
+#   Error   3 ulp of 1, each part of a normal
+#   Twin    lab/twins/src/height.rs
 #
 # Four triangles are in the four lanes. The loop counts up, so that it isn't pipelined, which would
 # multiply its size.

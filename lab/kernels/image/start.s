@@ -6,12 +6,15 @@
 _start:
         stop    0x1ffd
 
-# The kernels for depth shading, boxes and height fields are directly in front of those for colours,
-# and the ones for refitting and building meshes after those for meshes, so that the bench has all
-# the memory in front of them.
-        .global depth_place, boxes_place, height_place, sort_place, build_place
-        .set    depth_place,0x26b80
-        .set    boxes_place,0x31200
-        .set    height_place,0x32480
+# The kernels for depth shading, boxes, height fields, colours and textures are directly in front of
+# those for eye rays, and the ones for refitting and building meshes after those for meshes, so that
+# the bench has all the memory in front of them.
+        .global depth_place, boxes_place, height_place, colour_place, texture_place
+        .global sort_place, build_place
+        .set    depth_place,0x27780
+        .set    boxes_place,0x31e00
+        .set    height_place,0x33080
+        .set    colour_place,0x34a00
+        .set    texture_place,0x34e80
         .set    build_place,0x3cd00
         .set    sort_place,0x3db00

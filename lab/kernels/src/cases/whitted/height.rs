@@ -6,7 +6,7 @@ use protocol::layout::{
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
+use spu_emulator::float::single::{from_f64, to_f64};
 use twins::height::{Field, block, corner_normal};
 use twins::mesh_prepare::WORDS;
 use zerocopy::FromZeros as _;
@@ -16,6 +16,7 @@ use crate::bench::{Bench, Place};
 use crate::cases::eye::call::put;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::{Description, LENGTHS_FROM_0};
+use crate::vector::{Vector, unit};
 
 /// Words of the kernel's scratch.
 const SCRATCH: usize = 604;
@@ -44,9 +45,36 @@ pub const KERNELS: &[Kernel] = &[
                     .1
             },
         }],
+        error: Some(normal_error),
         ..Kernel::of::<HeightCorners>()
     },
 ];
+
+/// The largest error of a component of a normal, in ulps of 1.
+fn normal_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..200 {
+        let corners = HeightCorners::sensible(32, random);
+        let hits = corners.objects.iter().filter_map(|object| corners.vertices(*object));
+        let made = corners.call(bench);
+        for (vertices, ([_, normals], _)) in hits.zip(made) {
+            for ([.., halves], normal) in vertices.into_iter().zip(normals) {
+                let exact = unit(unfolded([halves >> 16, halves]));
+                let errors = normal.map(to_f64).into_iter().zip(exact).map(|(x, y)| (x - y).abs());
+                worst = errors.fold(worst, f64::max);
+            }
+        }
+    }
+    worst * 2_f64.powi(23)
+}
+
+/// A direction from its two halves: the octahedron's lower half is folded over its upper one.
+fn unfolded(halves: [u32; 2]) -> Vector {
+    let [u, v] = halves.map(|half| f64::from(half as i16) / f64::from(i16::MAX));
+    let z = 1.0 - u.abs() - v.abs();
+    let fold = (-z).max(0.0);
+    [u - fold.copysign(u), v - fold.copysign(v), z]
+}
 
 /// A block whose samples have arrived.
 #[derive(Debug)]
@@ -158,6 +186,16 @@ impl HeightCorners {
         let number = (object & !MESH_HIT) >> 7;
         self.leaves.iter().find(|leaf| leaf.0 == number).map(|leaf| &leaf.1)
     }
+
+    /// The vertices of a hit triangle, if its leaf is there: place, colour, and the normal's halves.
+    fn vertices(&self, object: u32) -> Option<[[u32; 5]; 3]> {
+        let block = self.leaf(object)?;
+        let [a, b, c, _] = block[FACES + (object & 127) as usize].to_be_bytes();
+        Some([a, b, c].map(usize::from).map(|corner| {
+            let [x, y, z, halves] = std::array::from_fn(|word| block[VERTICES + 4 * corner + word]);
+            [x, y, z, block[COLOURS + corner], halves]
+        }))
+    }
 }
 
 impl Description for HeightCorners {
@@ -235,16 +273,10 @@ impl Description for HeightCorners {
 
     fn twin(&self, _: &[Place; 2]) -> Self::Found {
         let corners = |object: &u32| {
-            let block = self.leaf(*object)?;
-            let [a, b, c, _] = block[FACES + (object & 127) as usize].to_be_bytes();
-            let corners = [a, b, c].map(usize::from);
-            let vertex = |corner: usize| -> [u32; 4] {
-                std::array::from_fn(|word| block[VERTICES + 4 * corner + word])
-            };
-            let vertices = corners.map(vertex);
-            let places = vertices.map(|[x, y, z, _]| [x, y, z]);
-            let normals = vertices.map(|[_, _, _, halves]| corner_normal(halves));
-            Some(([places, normals], corners.map(|corner| block[COLOURS + corner])))
+            let vertices = self.vertices(*object)?;
+            let places = vertices.map(|[x, y, z, ..]| [x, y, z]);
+            let normals = vertices.map(|[.., halves]| corner_normal(halves));
+            Some(([places, normals], vertices.map(|[_, _, _, colour, _]| colour)))
         };
         self.objects.iter().filter_map(corners).collect()
     }
