@@ -73,12 +73,12 @@ fn filled(text: &str) -> String {
     let mut filled = String::new();
     for line in text.lines() {
         let mut column = 0;
-        for word in line.split(' ') {
+        for (at, word) in line.split(' ').enumerate() {
             let is_long = column + 1 + word.chars().count() > COLUMNS;
             if column > 0 && is_long && !line.starts_with(['|', '!']) {
                 filled.push('\n');
                 column = 0;
-            } else if column > 0 {
+            } else if at > 0 {
                 filled.push(' ');
                 column += 1;
             }

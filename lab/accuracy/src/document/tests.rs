@@ -45,4 +45,5 @@ fn a_part_is_replaced_or_added_and_the_rest_stays() {
     let lines = filled(&long);
     assert_eq!(lines.replace('\n', " ").split_whitespace().count(), 46);
     assert!(lines.lines().all(|line| line.len() <= COLUMNS) && lines.lines().count() == 4);
+    assert_eq!(lines.lines().last(), Some("  indented"));
 }
