@@ -3,11 +3,12 @@
 //! [`embed`] is a complete build script, and [`prebuilt`] has the tracer's images for machines
 //! without an SPU assembler. [`Tools::find`] finds the SPU assembler and linker. [`Image`] turns
 //! `.s` files into one SPU ELF image, and [`Schedules`] makes the forms of kernels that it contains.
-//! [`for_tests`] builds programs for tests. [`stub`] makes a shared library that contains only
-//! names, so that programs can be linked where the real library is not installed. [`tracer`] is the
-//! tracer's own program, to which another crate's build script may add shaders. The other modules
-//! do not depend on what the programs do.
+//! [`stub`] makes a shared library that contains only names, so that programs can be linked where
+//! the real library is not installed. [`tracer`] is the tracer's own program, to which another
+//! crate's build script may add shaders. The other modules do not depend on what the programs do.
+//! With the feature `for-tests`, `for_tests` builds programs for tests.
 
+#[cfg(feature = "for-tests")]
 pub mod for_tests;
 mod image;
 pub mod prebuilt;
