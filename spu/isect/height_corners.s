@@ -46,7 +46,7 @@
         registers normal                                # to 50: x, y, z, 0
         .set    NEXT,normal+4
         registers packed,fold,part,square,t_y,t_e,inverse,known
-        registers nothing                               # where other triangles' lanes read, the table
+        registers nothing                               # where lanes without a leaf read: a_table
     .if NEXT > 80
         .error  "too many registers"
     .endif

@@ -81,8 +81,8 @@ record! {
     /// A triangle to sort.
     BuildTriangle as "BUILD_TRIANGLE" {
         /// Its code, which an SPU writes: `SIDES_BOTH` and `SIDES_SMOOTH` times 2, then 30 bits.
-        /// Those of the cell's z, y and x take turns, from the last bit on, and each is combined with
-        /// all above it by an exclusive or.
+        /// Those of the cell's z, y and x take turns, from the last bit on, and each is combined
+        /// with all above it by an exclusive or.
         code: U32,
         /// Vertex of its first corner, plus its material's number times 2^24.
         first: U32,

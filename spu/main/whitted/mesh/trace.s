@@ -612,13 +612,13 @@ traced: phase_ends $g_ticks_cull,$t_sum
 seen:   leave
 endfunction mesh_trace
 
-# height_together   makes one candidate of all packets from the eye and the first node of an inner block
+# height_together   makes one candidate of all the eye's packets and an inner block's first node
 #   Out     $3, $4 1
 #   Uses    $c_end, $last, $candidate, $other, $step, $m_word, $box
 #
-# Above a height field they go through inner blocks as if they were one packet. Since they are beside
-# each other, it leaves out about as many children as they do. Small triangles apart from each other,
-# as in tetra:9, would take a tenth more time with it.
+# Above a height field, these packets go through inner blocks as if they were one. They are beside
+# each other, so one bound leaves out about as many children as all of theirs. Triangles that are
+# small and apart, as in tetra:9, would take a tenth more time with it.
 function height_together
         lqa     $last,farthest
         lqa     $last+1,farthest+16

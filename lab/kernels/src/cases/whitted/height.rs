@@ -187,7 +187,7 @@ impl HeightCorners {
         self.leaves.iter().find(|leaf| leaf.0 == number).map(|leaf| &leaf.1)
     }
 
-    /// The vertices of a hit triangle, if its leaf is there: place, colour, and the normal's halves.
+    /// The vertices of a hit triangle, if its leaf is there: place, colour, the normal's halves.
     fn vertices(&self, object: u32) -> Option<[[u32; 5]; 3]> {
         let block = self.leaf(object)?;
         let [a, b, c, _] = block[FACES + (object & 127) as usize].to_be_bytes();
