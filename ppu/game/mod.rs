@@ -19,7 +19,10 @@ use std::path::Path;
 
 pub use glam::{DAffine3, DVec3};
 pub use scenes::depth::DepthShading;
-pub use scenes::{Fog, HeightField, LightKind, Mesh, Shader, Shape, Sky, Texture, View, Wrap};
+pub use scenes::{
+    Fog, HeightField, HeightRegion, HeightSample, LightKind, Mesh, Shader, Shape, Sky, Texture,
+    View, Wrap,
+};
 
 pub use camera::{OrbitCamera, WalkCamera};
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};

@@ -9,6 +9,7 @@
 //! | nose down, nose up | up and down arrow, W S, mouse dragged | left stick |
 //! | faster, slower | page keys, wheel | R2, L2 |
 //! | let it fly itself | Space | Cross |
+//! | drop a rock, which makes a crater | B | Square |
 
 use std::f64::consts::TAU;
 use std::sync::Arc;
@@ -19,6 +20,7 @@ use cellray::game::{
 };
 use meshes::mountains;
 
+use crate::rock::Rock;
 use crate::steps::{STEP, Steps};
 
 /// The game's name.
@@ -29,6 +31,7 @@ pub const CONTROLS: &[&str] = &[
     "up and down arrow, W S, mouse dragged, left stick: nose down, nose up",
     "page keys, wheel, R2 and L2: faster, slower",
     "Space, Cross: let it fly itself",
+    "B, Square: drop a rock, which makes a crater",
 ];
 /// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
@@ -68,10 +71,11 @@ const INSIDE: f64 = 0.8;
 
 /// The game.
 pub struct Flight {
-    ground: Option<Arc<HeightField>>,
+    ground: Option<HeightField>,
     /// The fuselage, both wings, the tailplane's halves, and the fin.
     parts: [ObjectId; 6],
     beads: [ObjectId; BEADS],
+    rock: Rock,
     steps: Steps,
     place: DVec3,
     /// Angles in radians: from -z towards x, upwards, and to the right.
@@ -95,6 +99,7 @@ impl Default for Flight {
             ground: None,
             parts: [ObjectId::default(); 6],
             beads: [ObjectId::default(); BEADS],
+            rock: Rock::default(),
             steps: Steps::default(),
             place: DVec3::ZERO,
             heading: 0.0,
@@ -207,6 +212,10 @@ impl Flight {
         if input.key_pressed(Key::Space) || pad.is_some_and(|pad| pad.pressed(Button::Cross)) {
             self.flies_itself = true;
         }
+        if input.key_pressed(Key::B) || pad.is_some_and(|pad| pad.pressed(Button::Square)) {
+            let [forward, up, _] = self.axes();
+            self.rock.drop(self.place - 4.0 * up, self.speed * forward);
+        }
         self.stick = steers.map(|way| way.clamp(-1.0, 1.0));
         let faster = key(Key::PageDown, Key::PageUp) + axis(Axis::R2) - axis(Axis::L2);
         let change = 60.0 * faster * seconds + 15.0 * f64::from(mouse.wheel[1]);
@@ -301,9 +310,9 @@ impl Game for Flight {
         world.set_fog(Some(mountains::HAZE))?;
         world.set_ambient(DVec3::new(0.16, 0.19, 0.24))?;
         world.add_light(Light::sun(DVec3::new(-0.8, 0.55, -0.25)).coloured(0.95, 0.88, 0.76))?;
-        let ground = Arc::new(mountains::field(SQUARES));
+        let ground = mountains::field(SQUARES);
         let white = world.add_material(Material::matte(1.0, 1.0, 1.0))?;
-        world.add_terrain(ground.clone(), white)?;
+        world.add_terrain(Arc::new(ground.clone()), white)?;
         let lake = world.add_material((&mountains::lake()).into())?;
         let (low, high) = ground.bounds();
         let corners = [(low.x, low.z), (low.x, high.z), (high.x, high.z), (high.x, low.z)];
@@ -326,6 +335,7 @@ impl Game for Flight {
         for bead in &mut self.beads {
             *bead = world.add_sphere(before, BEAD, glow)?;
         }
+        self.rock = Rock::new(world)?;
         self.place_ring(world)?;
         self.look(world)
     }
@@ -335,6 +345,7 @@ impl Game for Flight {
         for _ in 0..self.steps.of(frame.delta) {
             let before = self.place;
             self.step();
+            self.rock.step();
             if self.has_met(before) {
                 self.met += 1;
                 self.next = (self.next + 1) % RINGS;
@@ -343,6 +354,9 @@ impl Game for Flight {
         }
         for (&part, shape) in self.parts.iter().zip(self.shapes()) {
             world.reshape(part, shape)?;
+        }
+        if let Some(ground) = &mut self.ground {
+            self.rock.show(world, ground)?;
         }
         self.look(world)
     }

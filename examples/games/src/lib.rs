@@ -14,6 +14,7 @@ pub mod demo;
 pub mod flight;
 pub mod marbles;
 pub mod orrery;
+mod rock;
 pub mod screensaver;
 pub mod station;
 pub mod steps;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use scenes::Mesh;
+use scenes::{HeightRegion, Mesh};
 
 use super::ids::{LightId, MaterialId, ObjectId};
 use crate::scene::Scene;
@@ -45,6 +45,8 @@ pub(super) struct Edits {
     pub lights: Vec<LightId>,
     /// Whether meshes have other places.
     pub moved_meshes: bool,
+    /// Where the ground was changed.
+    pub ground: HeightRegion,
     /// Numbers of removed objects.
     pub removed: Vec<usize>,
 }
@@ -77,6 +79,7 @@ impl Edits {
     pub fn clear(&mut self) {
         self.rebuild = false;
         self.moved_meshes = false;
+        self.ground = HeightRegion::default();
         self.objects.clear();
         self.materials.clear();
         self.lights.clear();

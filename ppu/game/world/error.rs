@@ -29,6 +29,9 @@ pub enum WorldErrorKind {
     /// A world has one height field at most.
     #[error("the world has a height field already")]
     SecondTerrain,
+    /// The world has no height field that could be changed.
+    #[error("the world has no height field")]
+    NoTerrain,
     /// A mesh whose parts don't belong together.
     #[error("the mesh is not valid: {0}")]
     BadMesh(String),

@@ -1,8 +1,9 @@
 //! The ground of a world: a height field.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use scenes::HeightField;
+use glam::DVec3;
+use scenes::{HeightField, HeightRegion, HeightSample};
 use slotmap::SecondaryMap;
 
 use super::checksum::Checksum;
@@ -12,14 +13,35 @@ use super::{MaterialId, World, WorldError, WorldErrorKind, check};
 pub(super) struct Terrain {
     field: Arc<HeightField>,
     material: MaterialId,
-    /// A checksum of all but the material.
-    sum: u64,
+    /// A checksum of all but the material, once it is asked for.
+    sum: OnceLock<u64>,
 }
 
 impl Terrain {
     /// Adds the height field to the world's checksum.
     pub fn sum(&self, sum: &mut Checksum) {
-        sum.word(self.sum);
+        sum.word(*self.sum.get_or_init(|| {
+            let field = &self.field;
+            let mut sum = Checksum::new();
+            sum.vector(field.corner);
+            sum.float(field.step());
+            sum.float(field.unit());
+            let [columns, rows] = field.size();
+            sum.word(u64::from(columns));
+            for row in 0..rows {
+                for column in 0..columns {
+                    let HeightSample { height, colour: [red, green, blue] } = field.at(column, row);
+                    let [high, low] = height.to_be_bytes();
+                    sum.word(u64::from_be_bytes([0, 0, 0, high, low, red, green, blue]));
+                }
+            }
+            sum.number()
+        }));
+    }
+
+    /// The height field.
+    pub fn field(&self) -> &HeightField {
+        &self.field
     }
 
     /// Its material.
@@ -59,26 +81,63 @@ impl World {
         if self.terrain.is_some() {
             return Err(WorldErrorKind::SecondTerrain.into());
         }
+        // Its samples may get any height.
+        let highest = DVec3::Y * (field.unit() * f64::from(u16::MAX));
         let (low, high) = field.bounds();
-        check::vector("the corner of the ground", low)?;
-        check::vector("the corner of the ground", high)?;
+        for corner in [field.corner, field.corner + highest, low, high] {
+            check::vector("a corner of the ground", corner)?;
+        }
         let entry = self.materials.get_mut(material).ok_or(WorldErrorKind::NoMaterial)?;
         entry.users += 1;
-        let mut sum = Checksum::new();
-        sum.vector(field.corner);
-        sum.float(field.step());
-        sum.float(field.unit());
-        let [columns, rows] = field.size().map(i64::from);
-        sum.word(u64::from(field.size()[0]));
-        for row in 0..rows {
-            for column in 0..columns {
-                let [red, green, blue] = field.colour(column, row);
-                let [high, low] = field.sample(column, row).to_be_bytes();
-                sum.word(u64::from_be_bytes([0, 0, 0, high, low, red, green, blue]));
-            }
-        }
-        self.terrain = Some(Terrain { field, material, sum: sum.number() });
+        self.terrain = Some(Terrain { field, material, sum: OnceLock::new() });
         self.edits.rebuild = true;
+        Ok(())
+    }
+
+    /// Changes the samples of a region of the ground, as [`HeightField::shape`] does: a brush, or a
+    /// crater. A game that asks its own height field for heights shapes that one as well.
+    ///
+    /// Only what depends on the region is made anew, except that the first change takes as long as
+    /// [`World::add_terrain`] did. If the ground becomes higher or lower than ever, a new scene is
+    /// made.
+    ///
+    /// ```
+    /// # use std::sync::Arc;
+    /// # use cellray::game::{HeightField, Material, World};
+    /// use cellray::game::{DVec3, HeightSample};
+    ///
+    /// # let mut world = World::new();
+    /// # let white = world.add_material(Material::matte(1.0, 1.0, 1.0))?;
+    /// # let slope = HeightField::new([64, 64], vec![900; 64 * 64], Vec::new(), 1.0, 0.01);
+    /// # let slope = Arc::new(slope.expect("a slope"));
+    /// # world.add_terrain(slope.clone(), white)?;
+    /// let pit = slope.around(DVec3::new(3.0, 0.0, 5.0), 4.0);
+    /// world.shape_terrain(&pit, |_, sample| HeightSample {
+    ///     height: sample.height.saturating_sub(100),
+    ///     ..sample
+    /// })?;
+    /// # Ok::<(), cellray::game::WorldError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The world has no height field.
+    #[track_caller]
+    pub fn shape_terrain(
+        &mut self,
+        region: &HeightRegion,
+        change: impl FnMut([u32; 2], HeightSample) -> HeightSample,
+    ) -> Result<(), WorldError> {
+        let terrain = self.terrain.as_mut().ok_or(WorldErrorKind::NoTerrain)?;
+        let region = region.within(terrain.field.size());
+        if region.is_empty() {
+            return Ok(());
+        }
+        let before = terrain.field.bounds();
+        let field = Arc::make_mut(&mut terrain.field);
+        field.shape(&region, change);
+        self.edits.rebuild |= field.bounds() != before;
+        terrain.sum.take();
+        self.edits.ground = self.edits.ground.with(&region);
         Ok(())
     }
 

@@ -179,7 +179,10 @@ impl World {
         scene.set_view(&self.view);
         let (background, sky) = self.backdrop();
         scene.set_background(background, sky, self.fog, shaders)?;
-        if scene.block().is_some() {
+        if let Some(block) = scene.block_mut() {
+            if let Some(terrain) = self.terrain.as_ref().filter(|_| !self.edits.ground.is_empty()) {
+                block.shape_ground(terrain.field(), &self.edits.ground);
+            }
             return Ok(self.keeps_polygons(*has_gathered)
                 && self.move_meshes(scene, mesh, *can_refit, has_other_view)
                 && self.change_whitted(scene, shaders)?);

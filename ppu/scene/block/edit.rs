@@ -7,7 +7,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::{Fog, LightKind, Material, Mesh, Shape, Sky};
+use scenes::{Fog, HeightField, HeightRegion, LightKind, Material, Mesh, Shape, Sky};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
@@ -52,6 +52,13 @@ impl SceneBlock {
         let most = self.options.refit_pictures;
         let worn = self.streamed.as_mut().filter(|it| it.wear() > 1.0);
         worn.is_none_or(|streamed| streamed.is_worth_keeping(most))
+    }
+
+    /// Takes over a region of a changed height field. The first time, that allocates memory.
+    pub(crate) fn shape_ground(&mut self, field: &HeightField, region: &HeightRegion) {
+        if let Some(heights) = self.streamed.as_mut().and_then(|it| it.heights.as_mut()) {
+            heights.shape(field, region);
+        }
     }
 
     /// Whether spheres or cones are in main memory. Then none can be changed in place.

@@ -10,9 +10,12 @@
 //! Distances are those across the ground, together with the eye's height above the ground below
 //! it. So they don't depend on heights elsewhere, and levels change by one from block to block.
 
+mod levels;
 mod samples;
+mod shaped;
 #[cfg(test)]
 mod tests;
 mod view;
 
-pub(crate) use view::{HeightView, HeightViews};
+pub(crate) use shaped::HeightViews;
+pub(crate) use view::HeightView;

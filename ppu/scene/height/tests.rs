@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use scenes::HeightField;
+use scenes::{HeightField, HeightRegion, HeightSample};
 
-use super::view::HeightViews;
+use super::levels::{Levels, Packing};
+use super::samples::HeightSamples;
+use super::shaped::HeightViews;
 use crate::scene::colour::Colour;
 
 fn field(columns: u32, rows: u32) -> Arc<HeightField> {
@@ -17,7 +19,7 @@ fn field(columns: u32, rows: u32) -> Arc<HeightField> {
 #[test]
 fn samples_of_all_levels_take_less_than_six_bytes_each() {
     let views = HeightViews::new(&field(1025, 1025), DVec3::ZERO, Colour::Srgb);
-    let bytes = views.view().samples().bytes() as f64 / f64::from(1025 * 1025);
+    let bytes = views.samples().bytes() as f64 / f64::from(1025 * 1025);
     println!("{bytes} bytes a sample");
     assert!(bytes < 6.0, "{bytes}");
 }
@@ -57,5 +59,46 @@ fn views_are_used_in_turn() {
             shown.remove(0);
         }
     }
-    assert!(views.count() <= 3, "{}", views.count());
+    assert_eq!(views.count(), [3, 1]);
+}
+
+/// After each of many changes, anywhere and of any size, the samples are the same bytes as those
+/// of a new field, while the two last pictures keep theirs.
+#[test]
+fn shaped_samples_are_those_of_a_new_field() {
+    for (columns, rows) in [(2, 2), (9, 100), (64, 33), (345, 404)] {
+        let mut field = HeightField::clone(&field(columns, rows));
+        let packing = Packing::new(Colour::Srgb);
+        let made = Arc::new(field.clone());
+        let mut views = HeightViews::new(&made, DVec3::ZERO, Colour::Srgb);
+        let mut shown = Vec::new();
+        let mut state = 1_u32;
+        let mut random = |below: u32| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) % below
+        };
+        for round in 0..40 {
+            let mut range = |count: u32| {
+                let start = random(count);
+                start..start + 1 + random(1 + (count - start) / (1 + round % 5))
+            };
+            let region = HeightRegion { columns: range(columns), rows: range(rows) };
+            let height = random(65_536) as u16;
+            field.shape(&region, |[column, row], was| HeightSample {
+                height: height ^ was.height >> 3,
+                colour: [column as u8, row as u8, was.colour[0].wrapping_add(77)],
+            });
+            views.shape(&field, &region);
+            if round % 3 > 0 {
+                views.look(DVec3::new(0.0, 9.0, 0.0));
+                shown.push((views.view().clone(), views.samples().clone()));
+            }
+            if shown.len() > 2 {
+                shown.remove(0);
+            }
+            let new = HeightSamples::new(&field, &Levels::new(&field, &packing), &packing);
+            assert!(*views.samples() == new, "{columns} x {rows}, round {round}, {region:?}");
+        }
+        assert!(views.count().iter().all(|count| *count <= 3), "{:?}", views.count());
+    }
 }

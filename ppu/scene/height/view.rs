@@ -13,7 +13,6 @@ use zerocopy::big_endian::F32;
 use zerocopy::{FromBytes as _, FromZeros as _, IntoBytes as _};
 
 use super::samples::{HeightSamples, Level};
-use crate::scene::colour::Colour;
 use crate::scene::mesh::{Block, block_header};
 use crate::scene::single::{single, singles};
 
@@ -79,7 +78,8 @@ struct AlignedRecord(Heights);
 /// A height field as it is seen by an eye: what a frame has of it. The engine keeps it for as long
 /// as SPUs may read it.
 pub(crate) struct HeightView {
-    samples: Arc<HeightSamples>,
+    /// What its record names. A view that is not in use keeps none, so that they can be changed.
+    samples: Option<Arc<HeightSamples>>,
     record: Box<AlignedRecord>,
     tree: Vec<Block>,
     /// Buffers.
@@ -96,9 +96,9 @@ impl std::fmt::Debug for HeightView {
 }
 
 impl HeightView {
-    fn new(samples: &Arc<HeightSamples>) -> Self {
+    pub(super) fn new() -> Self {
         Self {
-            samples: samples.clone(),
+            samples: None,
             record: Box::new(AlignedRecord(Heights::new_zeroed())),
             tree: Vec::with_capacity(BLOCKS / CHILDREN * 4),
             found: Vec::with_capacity(BLOCKS),
@@ -115,10 +115,9 @@ impl HeightView {
         (&raw const *self.record).expose_provenance() as u64
     }
 
-    /// The samples.
-    #[cfg(test)]
-    pub fn samples(&self) -> &Arc<HeightSamples> {
-        &self.samples
+    /// Lets go of the samples, since the view is not in use.
+    pub(super) fn rest(&mut self) {
+        self.samples = None;
     }
 
     /// The numbers of the blocks of samples.
@@ -129,9 +128,14 @@ impl HeightView {
     }
 
     /// Chooses the blocks for an eye and builds the tree, in coordinates relative to `origin`.
-    fn look(&mut self, field: &HeightField, eye: DVec3, origin: DVec3) {
-        let samples = self.samples.clone();
-        let chooser = Chooser::new(field, &samples, eye, origin);
+    pub(super) fn look(
+        &mut self,
+        field: &HeightField,
+        samples: &Arc<HeightSamples>,
+        eye: DVec3,
+        origin: DVec3,
+    ) {
+        let chooser = Chooser::new(field, samples, eye, origin);
         let mut wrapped = std::mem::take(&mut self.wrapped);
         wrapped.children.clear();
         wrapped.blocks.clear();
@@ -157,6 +161,7 @@ impl HeightView {
             *to = chooser.record(number, level);
         }
         self.record.0 = record;
+        self.samples = Some(samples.clone());
     }
 
     /// Writes the inner blocks. The last one that was wrapped is the root, which comes first: a
@@ -251,7 +256,7 @@ struct Chooser<'a> {
 impl<'a> Chooser<'a> {
     fn new(field: &HeightField, samples: &'a HeightSamples, eye: DVec3, origin: DVec3) -> Self {
         let above = eye.y - field.ground(eye);
-        let (low, high) = field.bounds_of(samples.range());
+        let (low, high) = field.bounds();
         let largest = [low - origin, high - origin, eye - origin]
             .map(|corner| corner.abs().max_element())
             .into_iter()
@@ -347,61 +352,5 @@ impl<'a> Chooser<'a> {
             high: corner((column + 1) * columns, (row + 1) * rows, high, 1.0),
             number: HEIGHT_BLOCK | (level as u32) << 19 | row << 9 | column,
         }
-    }
-}
-
-/// A height field of a scene, and its views. These are used in turn, since those of the last
-/// pictures are kept as long as they may be shown.
-#[derive(Clone, Debug)]
-pub(crate) struct HeightViews {
-    field: Arc<HeightField>,
-    samples: Arc<HeightSamples>,
-    /// The origin of the boxes' coordinates.
-    origin: DVec3,
-    views: Vec<Arc<HeightView>>,
-    /// The eye of the current view, the first one.
-    eye: Option<DVec3>,
-}
-
-impl HeightViews {
-    /// Makes the samples of a height field.
-    pub fn new(field: &Arc<HeightField>, origin: DVec3, colour: Colour) -> Self {
-        let samples = Arc::new(HeightSamples::new(field, colour));
-        let views = vec![Arc::new(HeightView::new(&samples))];
-        Self { field: field.clone(), samples, origin, views, eye: None }
-    }
-
-    /// The box around all that may be traced, which is no larger than the samples'.
-    pub fn bounds(&self) -> [DVec3; 2] {
-        let (low, high) = self.field.bounds_of(self.samples.range());
-        [low, high]
-    }
-
-    /// Makes the view of an eye the current one.
-    pub fn look(&mut self, eye: DVec3) {
-        if self.eye == Some(eye) {
-            return;
-        }
-        self.eye = Some(eye);
-        let unused = self.views.iter_mut().position(|view| Arc::get_mut(view).is_some());
-        let at = unused.unwrap_or_else(|| {
-            self.views.push(Arc::new(HeightView::new(&self.samples)));
-            self.views.len() - 1
-        });
-        self.views.swap(0, at);
-        if let Some(view) = Arc::get_mut(&mut self.views[0]) {
-            view.look(&self.field, eye, self.origin);
-        }
-    }
-
-    /// How many views there are.
-    #[cfg(test)]
-    pub fn count(&self) -> usize {
-        self.views.len()
-    }
-
-    /// The current view.
-    pub fn view(&self) -> &Arc<HeightView> {
-        &self.views[0]
     }
 }

@@ -3,6 +3,8 @@
 //! Invariant: there are at least two samples in a row and two rows, at most [`MAX_SAMPLES`] of
 //! each, and a height and a colour for each of them.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use crate::Mesh;
@@ -69,12 +71,63 @@ impl PartialEq for HeightMap {
     }
 }
 
+/// A rectangle of samples: what a brush changes.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct HeightRegion {
+    /// Its samples of each row.
+    pub columns: Range<u32>,
+    /// Its rows.
+    pub rows: Range<u32>,
+}
+
+impl HeightRegion {
+    /// Whether it has no sample.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.columns.is_empty() || self.rows.is_empty()
+    }
+
+    /// The smallest one that has both.
+    #[must_use]
+    pub fn with(&self, other: &Self) -> Self {
+        let both = |own: &Range<u32>, other: &Range<u32>| {
+            own.start.min(other.start)..own.end.max(other.end)
+        };
+        match (self.is_empty(), other.is_empty()) {
+            (true, _) => other.clone(),
+            (false, true) => self.clone(),
+            (false, false) => Self {
+                columns: both(&self.columns, &other.columns),
+                rows: both(&self.rows, &other.rows),
+            },
+        }
+    }
+
+    /// The part of it that is among so many samples in so many rows.
+    #[must_use]
+    pub fn within(&self, [columns, rows]: [u32; 2]) -> Self {
+        let part = |range: &Range<u32>, count: u32| range.start.min(count)..range.end.min(count);
+        Self { columns: part(&self.columns, columns), rows: part(&self.rows, rows) }
+    }
+}
+
+/// A sample of a height field.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct HeightSample {
+    /// Its height, in units.
+    pub height: u16,
+    /// Its colour, encoded as those of materials are, with 255 for 1.
+    pub colour: [u8; 3],
+}
+
 /// A height field. Its rows go along x, one row follows another along z, and y is up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightField {
     columns: u32,
     rows: u32,
     heights: Vec<u16>,
+    /// No sample is lower than the first or higher than the second.
+    range: [u16; 2],
     colours: Vec<[u8; 3]>,
     /// The place of the first sample, if its height is 0.
     pub corner: DVec3,
@@ -120,7 +173,9 @@ impl HeightField {
         }
         let half = |samples: u32| -step * f64::from(samples - 1) / 2.0;
         let corner = DVec3::new(half(columns), 0.0, half(rows));
-        Ok(Self { columns, rows, heights, colours, corner, step, unit, material: 0 })
+        let range = [heights.iter().copied().min(), heights.iter().copied().max()];
+        let range = range.map(Option::unwrap_or_default);
+        Ok(Self { columns, rows, heights, range, colours, corner, step, unit, material: 0 })
     }
 
     /// Samples of a row, and rows.
@@ -153,6 +208,13 @@ impl HeightField {
         self.colours[self.index(column, row)]
     }
 
+    /// A sample, in the same way.
+    #[must_use]
+    pub fn at(&self, column: u32, row: u32) -> HeightSample {
+        let (column, row) = (column.into(), row.into());
+        HeightSample { height: self.sample(column, row), colour: self.colour(column, row) }
+    }
+
     fn index(&self, column: i64, row: i64) -> usize {
         let within = |at: i64, count: u32| at.clamp(0, i64::from(count) - 1) as usize;
         within(row, self.rows) * self.columns as usize + within(column, self.columns)
@@ -171,17 +233,51 @@ impl HeightField {
         self.corner.y + self.unit * (along(row) * (1.0 - z) + along(row + 1) * z)
     }
 
-    /// The lower and the upper corner of the box around it.
-    #[must_use]
-    pub fn bounds(&self) -> (DVec3, DVec3) {
-        let low = self.heights.iter().copied().min().unwrap_or_default();
-        let high = self.heights.iter().copied().max().unwrap_or_default();
-        self.bounds_of([low, high])
+    /// Changes the samples of a region, of which a part beyond the field counts for nothing. Each
+    /// becomes what `change` returns for its column, its row and what it was. The box around the
+    /// field becomes larger if it must, by a quarter of its height at least, so that it does so
+    /// rarely while a brush is at work.
+    pub fn shape(
+        &mut self,
+        region: &HeightRegion,
+        mut change: impl FnMut([u32; 2], HeightSample) -> HeightSample,
+    ) {
+        let HeightRegion { columns, rows } = region.within(self.size());
+        let [mut low, mut high] = self.range;
+        for row in rows {
+            for column in columns.clone() {
+                let at = self.index(column.into(), row.into());
+                let HeightSample { height, colour } = change([column, row], self.at(column, row));
+                self.heights[at] = height;
+                self.colours[at] = colour;
+                low = low.min(height);
+                high = high.max(height);
+            }
+        }
+        let quarter = (high - low) / 4;
+        if low < self.range[0] {
+            self.range[0] = low.saturating_sub(quarter);
+        }
+        if high > self.range[1] {
+            self.range[1] = high.saturating_add(quarter);
+        }
     }
 
-    /// The lower and the upper corner of the box around all between two heights.
+    /// The samples that are no farther from a place than `radius`, along x and along z.
     #[must_use]
-    pub fn bounds_of(&self, [low, high]: [u16; 2]) -> (DVec3, DVec3) {
+    pub fn around(&self, place: DVec3, radius: f64) -> HeightRegion {
+        let [low, high] = [-radius, radius].map(|away| (place - self.corner + away) / self.step);
+        // Numbers below 0 become 0, and too large ones the largest.
+        let range = |low: f64, high: f64| low.ceil() as u32..(high.floor() + 1.0) as u32;
+        HeightRegion { columns: range(low.x, high.x), rows: range(low.z, high.z) }
+            .within(self.size())
+    }
+
+    /// The lower and the upper corner of a box around it. The box is as small as it can be until
+    /// [`HeightField::shape`] changes it.
+    #[must_use]
+    pub fn bounds(&self) -> (DVec3, DVec3) {
+        let [low, high] = self.range;
         let place = |column: u32, height: u16, row: u32| {
             let along = DVec3::new(f64::from(column), 0.0, f64::from(row)) * self.step;
             self.corner + along + DVec3::Y * (self.unit * f64::from(height))

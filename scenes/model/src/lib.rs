@@ -30,7 +30,7 @@ mod write;
 pub use daylight::{Fog, Sky};
 pub use error::{Error, Excerpt, Fault};
 pub use even_odd::even_odd;
-pub use heights::{HeightError, HeightField, HeightMap, MAX_SAMPLES};
+pub use heights::{HeightError, HeightField, HeightMap, HeightRegion, HeightSample, MAX_SAMPLES};
 pub use lines::Limits;
 pub use mesh::{Mesh, cuboid};
 pub use names::{Generated, generated};

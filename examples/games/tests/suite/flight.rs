@@ -53,3 +53,38 @@ fn plane_turns_back_at_the_edge() {
     // It turns from 3,072 m on, and the range ends at 3,840 m.
     assert!((3072.0..3700.0).contains(&farthest), "{farthest}");
 }
+
+/// A rock that falls makes one crater, lower and in another colour, and so does the next one.
+#[test]
+fn dropped_rocks_make_craters() {
+    let mut played = Played::<Flight>::new();
+    let mut last = played.world.to_nff().heights.unwrap();
+    for round in 0..2 {
+        let mut hit = None;
+        for frame in 0..MINUTE / 2 {
+            // A rock that is on its way keeps others from falling.
+            played.frame(STEP, &[(Key::B, frame % 2 == 0 && frame < 20)]);
+            let ground = played.world.to_nff().heights.unwrap();
+            if ground != last {
+                hit = Some((frame, ground));
+                break;
+            }
+        }
+        let (frame, ground) = hit.expect("no crater in half a minute");
+        assert!(frame > 20, "round {round}: a crater after {frame} frames");
+        let [columns, rows] = ground.size();
+        let samples = (0..rows).flat_map(|row| (0..columns).map(move |column| (column, row)));
+        let change = samples.map(|(column, row)| {
+            let [new, old] = [&ground, &last].map(|field| field.at(column, row));
+            (i32::from(new.height) - i32::from(old.height), new.colour != old.colour)
+        });
+        let (deepest, highest, coloured) = change.fold((0, 0, 0), |(low, high, count), it| {
+            (low.min(it.0), high.max(it.0), count + usize::from(it.1))
+        });
+        // Heights count 5 cm, and samples are 10 m apart.
+        assert!((-800..-600).contains(&deepest), "{deepest}");
+        assert!((150..=280).contains(&highest), "{highest}");
+        assert!((400..700).contains(&coloured), "{coloured}");
+        last = ground;
+    }
+}

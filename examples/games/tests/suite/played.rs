@@ -196,8 +196,10 @@ fn replayed_waves_have_same_end() {
     assert!(session.engine().made_blocks().is_some(), "no SPU has refitted the water");
 }
 
-/// The keys of a minute's flight: a turn over the lake, a dive, and back to the rings.
+/// The keys of a minute's flight: a rock, a turn over the lake, a dive, and back to the rings.
 const FLIGHT: &[(u64, Key, bool)] = &[
+    (20, Key::B, true),
+    (21, Key::B, false),
     (95, Key::Left, true),
     (100, Key::Left, false),
     (101, Key::Up, true),
