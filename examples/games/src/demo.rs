@@ -41,7 +41,7 @@ pub const DEMOS: &[Demo] = &[
         keys: &[(Key::Right, 5, 24), (Key::Down, 14, 40), (Key::Left, 34, 60)],
         frame: 62,
     },
-    Demo { name: "flight", game: &flight::ENTRY, keys: &[], frame: 420 },
+    Demo { name: "flight", game: &flight::ENTRY, keys: &[(Key::B, 200, 202)], frame: 420 },
     Demo { name: "orrery", game: &orrery::ENTRY, keys: &[], frame: 240 },
     Demo { name: "orrery-saturn", game: &orrery::ENTRY, keys: &[(Key::Digit6, 2, 4)], frame: 260 },
     Demo { name: "screensaver", game: &screensaver::ENTRY, keys: &[], frame: 130 },

@@ -73,14 +73,14 @@ impl Grid {
     }
 
     /// A sample, or the nearest one at the edge.
-    pub fn at(&self, field: &HeightField, colour: &Packing, column: usize, row: usize) -> Sample {
+    pub fn at(&self, field: &HeightField, packing: &Packing, column: usize, row: usize) -> Sample {
         let [columns, rows] = self.size;
         let (column, row) = (column.min(columns - 1), row.min(rows - 1));
         match &self.samples {
             Some(samples) => samples[row * columns + column],
             None => {
                 let (column, row) = (column as i64, row as i64);
-                let light = |byte: u8| colour.light[usize::from(byte)];
+                let light = |byte: u8| packing.light[usize::from(byte)];
                 let [red, green, blue] = field.colour(column, row).map(light);
                 [field.sample(column, row), red, green, blue]
             }
@@ -88,13 +88,13 @@ impl Grid {
     }
 
     /// A sample of the next level: a mean around one, by the weights 1, 2, 1 across and down.
-    fn mean(&self, field: &HeightField, colour: &Packing, column: usize, row: usize) -> Sample {
+    fn mean(&self, field: &HeightField, packing: &Packing, column: usize, row: usize) -> Sample {
         let [columns, rows] = self.size;
         let (x, z) = ((2 * column).min(columns - 1), (2 * row).min(rows - 1));
         let mut sums = [8_u32; 4];
         for (down, of_row) in [(z.saturating_sub(1), 1), (z, 2), (z + 1, 1)] {
             for (across, of_column) in [(x.saturating_sub(1), 1), (x, 2), (x + 1, 1)] {
-                for (sum, part) in sums.iter_mut().zip(self.at(field, colour, across, down)) {
+                for (sum, part) in sums.iter_mut().zip(self.at(field, packing, across, down)) {
                     *sum += of_row * of_column * u32::from(part);
                 }
             }
@@ -104,9 +104,7 @@ impl Grid {
 
     /// The region of the next level that depends on one of this level.
     pub fn changed_in(&self, region: &HeightRegion, next: &Self) -> HeightRegion {
-        let half = |range: &Range<u32>| {
-            range.start.saturating_sub(1) / 2..range.end / 2 + 2
-        };
+        let half = |range: &Range<u32>| range.start.saturating_sub(1) / 2..range.end / 2 + 2;
         let HeightRegion { columns, rows } = region;
         HeightRegion { columns: half(columns), rows: half(rows) }
             .within(next.size.map(|side| side as u32))
@@ -114,7 +112,7 @@ impl Grid {
 }
 
 impl Levels {
-    pub fn new(field: &HeightField, colour: &Packing) -> Self {
+    pub fn new(field: &HeightField, packing: &Packing) -> Self {
         let mut levels = Self(vec![Grid::of(field)]);
         let half = |samples: usize| (samples - 1).div_ceil(2) + 1;
         // Two more follow the last one that has blocks.
@@ -128,12 +126,12 @@ impl Levels {
             levels.0.push(Grid { size, samples: Some(vec![[0; 4]; size[0] * size[1]]) });
         }
         let [columns, rows] = field.size();
-        levels.update(field, colour, &HeightRegion { columns: 0..columns, rows: 0..rows });
+        levels.update(field, packing, &HeightRegion { columns: 0..columns, rows: 0..rows });
         levels
     }
 
     /// Makes those samples anew that depend on a region of the field.
-    pub fn update(&mut self, field: &HeightField, colour: &Packing, region: &HeightRegion) {
+    pub fn update(&mut self, field: &HeightField, packing: &Packing, region: &HeightRegion) {
         let mut region = region.within(field.size());
         for number in 1..self.0.len() {
             let (before, from) = self.0.split_at_mut(number);
@@ -143,7 +141,7 @@ impl Levels {
             for row in region.rows.clone() {
                 for column in region.columns.clone() {
                     let (column, row) = (column as usize, row as usize);
-                    let mean = of.mean(field, colour, column, row);
+                    let mean = of.mean(field, packing, column, row);
                     if let Some(samples) = &mut next.samples {
                         samples[row * columns + column] = mean;
                     }

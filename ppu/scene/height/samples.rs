@@ -47,9 +47,36 @@ pub(super) struct Level {
 /// The sizes of a block in squares.
 const BLOCK: [usize; 2] = [HEIGHT_COLUMNS as usize, HEIGHT_ROWS as usize];
 
+impl Level {
+    /// The columns or rows of blocks that have samples of a region, or those of the next level
+    /// there.
+    fn changed(&self, side: usize, own: &Range<u32>, next: &Range<u32>) -> Range<u32> {
+        let (size, half) = (BLOCK[side] as u32, BLOCK[side] as u32 / 2);
+        let count = self.blocks[side];
+        let start = (own.start / size).min(next.start / half).saturating_sub(1);
+        let is_last = own.end == self.squares[side] + 1;
+        let end = (own.end / size).max(next.end / half) + 1;
+        start..if is_last { count } else { end.min(count) }
+    }
+}
+
+/// Where a row or column in memory of `count` words or rows has a range of its `samples`: `before`
+/// copies of the first one are in front of them, and the rest are copies of the last one.
+fn copies(range: &Range<u32>, samples: usize, before: usize, count: usize) -> Range<usize> {
+    let start = range.start as usize;
+    let end = range.end as usize;
+    let start = if start == 0 { 0 } else { start + before };
+    start..if end == samples { count } else { end + before }
+}
+
+/// The places of the samples around so many squares.
+fn square([columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
+    (0..=rows).flat_map(move |down| (0..=columns).map(move |across| [across, down]))
+}
+
 impl HeightSamples {
     /// Packs all levels.
-    pub(super) fn new(field: &HeightField, levels: &Levels, colour: &Packing) -> Self {
+    pub(super) fn new(field: &HeightField, levels: &Levels, packing: &Packing) -> Self {
         let mut samples = Self { levels: Vec::new(), memory: Vec::new() };
         for grid in &levels.0[..levels.0.len() - 1] {
             let [columns, rows] = grid.size;
@@ -68,7 +95,7 @@ impl HeightSamples {
         }
         let [columns, rows] = field.size();
         let all = HeightRegion { columns: 0..columns, rows: 0..rows };
-        samples.update(field, levels, colour, &all);
+        samples.update(field, levels, packing, &all);
         samples.within_4_gb()
     }
 
@@ -78,58 +105,38 @@ impl HeightSamples {
         &mut self,
         field: &HeightField,
         levels: &Levels,
-        colour: &Packing,
+        packing: &Packing,
         region: &HeightRegion,
     ) {
-        let mut part = region.within(field.size());
-        for (number, level) in self.levels.iter_mut().enumerate() {
-            let (grid, next) = (&levels.0[number], &levels.0[number + 1]);
-            let of_next = grid.changed_in(&part, next);
-            let at = |column: usize, row: usize| grid.at(field, colour, column, row);
-            let next_at = |column: usize, row: usize| next.at(field, colour, column, row);
-            // What is in front of the first and behind the last one of a row has copies of it.
-            let end = |end: u32, samples: usize, count: usize, before: usize| {
-                if end as usize == samples { count } else { end as usize + before }
-            };
-            let first = |start: u32, before: usize| match start {
-                0 => 0,
-                start => start as usize + before,
-            };
+        let mut region = region.within(field.size());
+        for (level, grids) in self.levels.iter_mut().zip(levels.0.windows(2)) {
+            let [grid, next] = [&grids[0], &grids[1]];
+            let of_next = grid.changed_in(&region, next);
+            let at = |column, row| grid.at(field, packing, column, row);
             let width = level.stride as usize / size_of::<U32>();
             let height = level.blocks[1] as usize * BLOCK[1] + ROWS_BESIDE;
-            let words = first(part.columns.start, BEFORE)
-                ..end(part.columns.end, grid.size[0], width, BEFORE);
-            for row in first(part.rows.start, 1)..end(part.rows.end, grid.size[1], height, 1) {
+            let words = copies(&region.columns, grid.size[0], BEFORE, width);
+            for row in copies(&region.rows, grid.size[1], 1, height) {
                 let start = level.offset as usize / size_of::<Four>() + row * width / 4;
                 for word in words.clone() {
                     let sample = at(word.saturating_sub(BEFORE), row.saturating_sub(1));
-                    self.memory[start + word / 4].0[word % 4] = colour.packed(sample);
+                    self.memory[start + word / 4].0[word % 4] = packing.packed(sample);
                 }
             }
-            let blocks = |side: usize, own: &Range<u32>, next: &Range<u32>| {
-                let (size, half) = (BLOCK[side] as u32, BLOCK[side] as u32 / 2);
-                let count = level.blocks[side];
-                let start = (own.start / size).min(next.start / half).saturating_sub(1);
-                let is_last = own.end as usize == grid.size[side];
-                let end = (own.end / size).max(next.end / half) + 1;
-                start..if is_last { count } else { end.min(count) }
-            };
-            for row in blocks(1, &part.rows, &of_next.rows) {
-                for column in blocks(0, &part.columns, &of_next.columns) {
+            let [across, _] = level.blocks;
+            for row in level.changed(1, &region.rows, &of_next.rows) {
+                for column in level.changed(0, &region.columns, &of_next.columns) {
                     let [x, z] = [column as usize * BLOCK[0], row as usize * BLOCK[1]];
-                    let own = (0..=BLOCK[1])
-                        .flat_map(|down| (0..=BLOCK[0]).map(move |across| (across, down)))
-                        .map(|(across, down)| at(x + across, z + down)[0]);
-                    let other = (0..=BLOCK[1] / 2)
-                        .flat_map(|down| (0..=BLOCK[0] / 2).map(move |across| (across, down)))
-                        .map(|(across, down)| next_at(x / 2 + across, z / 2 + down)[0]);
-                    let range = own
-                        .chain(other)
-                        .fold([u16::MAX, 0], |[low, high], it| [low.min(it), high.max(it)]);
-                    level.ranges[(row * level.blocks[0] + column) as usize] = range;
+                    let own = square(BLOCK).map(|[across, down]| at(x + across, z + down));
+                    let other = square(BLOCK.map(|side| side / 2)).map(|[across, down]| {
+                        next.at(field, packing, x / 2 + across, z / 2 + down)
+                    });
+                    let heights = own.chain(other).map(|[height, ..]| height);
+                    level.ranges[(row * across + column) as usize] =
+                        heights.fold([u16::MAX, 0], |[low, high], it| [low.min(it), high.max(it)]);
                 }
             }
-            part = of_next;
+            region = of_next;
         }
     }
 
