@@ -7,7 +7,7 @@ use cellray::game::{
 use crate::steps::STEP;
 
 /// Its radius in metres, and its acceleration.
-const SIZE: f64 = 5.0;
+const SIZE: f64 = 2.0;
 const GRAVITY: f64 = 9.81;
 /// A crater's radius and depth, and how high its rim is and how far it reaches, in radii.
 const RADIUS: f64 = 90.0;
@@ -28,7 +28,7 @@ pub struct Rock {
 
 impl Rock {
     pub fn new(world: &mut World) -> Result<Self, WorldError> {
-        let stone = world.add_material(Material::matte(0.3, 0.27, 0.25))?;
+        let stone = world.add_material(Material::matte(0.6, 0.54, 0.48))?;
         let ball = world.add_sphere(DVec3::ZERO, SIZE, stone)?;
         world.show(ball, false)?;
         Ok(Self { ball, ..Self::default() })
