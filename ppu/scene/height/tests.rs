@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use glam::DVec3;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
 use scenes::{HeightField, HeightRegion, HeightSample};
 
 use super::levels::{Levels, Packing};
@@ -72,18 +74,14 @@ fn shaped_samples_are_those_of_a_new_field() {
         let made = Arc::new(field.clone());
         let mut views = HeightViews::new(&made, DVec3::ZERO, Colour::Srgb);
         let mut shown = Vec::new();
-        let mut state = 1_u32;
-        let mut random = |below: u32| {
-            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            (state >> 8) % below
-        };
+        let mut random = ChaCha8Rng::seed_from_u64(1);
         for round in 0..40 {
             let mut range = |count: u32| {
-                let start = random(count);
-                start..start + 1 + random(1 + (count - start) / (1 + round % 5))
+                let start = random.random_range(0..count);
+                start..start + random.random_range(1..2 + (count - start) / (1 + round % 5))
             };
             let region = HeightRegion { columns: range(columns), rows: range(rows) };
-            let height = random(65_536) as u16;
+            let height: u16 = random.random();
             field.shape(&region, |[column, row], was| HeightSample {
                 height: height ^ was.height >> 3,
                 colour: [column as u8, row as u8, was.colour[0].wrapping_add(77)],

@@ -62,7 +62,7 @@ fn ground() -> World {
     world.look_from([10.0, 14.0, 40.0], DVec3::ZERO).unwrap();
     world.add_light(Light::sun(DVec3::new(4.0, 6.0, 3.0))).unwrap();
     let white = world.add_material(Material::matte(1.0, 1.0, 1.0)).unwrap();
-    let heights = (0..64 * 64).map(|sample| 300 + (sample % 64 * 7 ^ sample / 64 * 5) as u16);
+    let heights = (0..64 * 64).map(|sample| 300 + ((sample % 64 * 7) ^ (sample / 64 * 5)) as u16);
     let colours = (0..64 * 64).map(|sample| [(sample % 64 * 4) as u8, (sample / 16) as u8, 90]);
     let field = HeightField::new([64, 64], heights.collect(), colours.collect(), 1.0, 0.01);
     world.add_terrain(Arc::new(field.unwrap()), white).unwrap();
