@@ -141,12 +141,12 @@ mod tests {
     #[test]
     fn tracers_shaders_are_sorted_and_numbered() {
         let program = Program::from_image(Program::tracer().image()).expect("a program");
-        assert_eq!(program.shaders().expect("a table"), ["checker", "depth", "sky"]);
+        assert_eq!(program.shaders().expect("a table"), ["checker", "depth", "portal", "sky"]);
         assert_eq!(program.shader("depth").expect("there"), 1);
         let error = program.shader("dept").expect_err("not there");
         assert_eq!(
             error.to_string(),
-            "the SPU program has no shader dept; it has checker, depth, sky"
+            "the SPU program has no shader dept; it has checker, depth, portal, sky"
         );
     }
 

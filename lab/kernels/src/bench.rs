@@ -35,7 +35,7 @@ const ARENA_END: u32 = 0x27780;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
-const ARENA: u32 = 0x1dc80;
+const ARENA: u32 = 0x1df80;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
@@ -70,7 +70,7 @@ pub enum Version {
 pub struct Place {
     /// Its address.
     pub address: u32,
-    size: usize,
+    pub(crate) size: usize,
 }
 
 impl Place {

@@ -50,7 +50,7 @@ pub enum Objects {
 }
 
 /// The families of kernels.
-const FAMILIES: [&[Kernel]; 15] = [
+const FAMILIES: [&[Kernel]; 16] = [
     eye::KERNELS,
     eye::formulation::KERNELS,
     sphere_ray::KERNELS,
@@ -63,6 +63,7 @@ const FAMILIES: [&[Kernel]; 15] = [
     whitted::texture::KERNELS,
     whitted::colour::KERNELS,
     whitted::shaders::KERNELS,
+    whitted::portal::KERNELS,
     whitted::bounce::KERNELS,
     whitted::mesh::KERNELS,
     whitted::height::KERNELS,

@@ -219,6 +219,10 @@ pub(super) fn material(material: &Material) -> Result<(), WorldErrorKind> {
             number("near", *near)?;
             fade(*near, *far)
         }
+        Shader::Portal { by, turn } => {
+            vector("move of a portal", *by)?;
+            number("turn of a portal", *turn)
+        }
         Shader::Own { parameters, .. } => {
             parameters.iter().try_for_each(|value| number("parameter of the shader", *value))
         }

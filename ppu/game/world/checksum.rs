@@ -133,6 +133,11 @@ impl Checksum {
                 self.float(*far);
                 self.float(*near);
             }
+            Shader::Portal { by, turn } => {
+                self.word(6);
+                self.vector(*by);
+                self.float(*turn);
+            }
             Shader::Own { name, parameters } => {
                 self.word(5);
                 self.word(name.len() as u64);

@@ -35,6 +35,7 @@ impl<'a> Key<'a> {
             Shader::Phong => (2, "", [0.0; 4]),
             Shader::Checker { other, size } => (3, "", [other.x, other.y, other.z, *size]),
             Shader::Depth { far, near } => (4, "", [*far, *near, 0.0, 0.0]),
+            Shader::Portal { by, turn } => (6, "", [by.x, by.y, by.z, *turn]),
             Shader::Own { name, parameters } => (5, name.as_str(), *parameters),
         };
         let numbers = [
@@ -98,7 +99,7 @@ mod tests {
             let texels = vec![[1, 2, 3]];
             Texture::new(1, texels, [scenes::Wrap::Clamp; 2]).map(Arc::new)
         };
-        let changes: [fn(&mut Material); 13] = [
+        let changes: [fn(&mut Material); 14] = [
             |it| it.colour.z = 0.4,
             |it| it.diffuse = 0.6,
             |it| it.specular = 0.6,
@@ -116,6 +117,7 @@ mod tests {
                 let (other, size) = (DVec3::ONE, 2.0);
                 it.shader = Shader::Checker { other, size };
             },
+            |it| it.shader = Shader::Portal { by: DVec3::ONE, turn: 2.0 },
             |it| {
                 let (name, parameters) = ("a".into(), [0.0; 4]);
                 it.shader = Shader::Own { name, parameters };

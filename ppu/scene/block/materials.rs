@@ -33,7 +33,12 @@ const COUNTED: f64 = 1.0 / (1_u128 << 64) as f64;
 /// Names of the built-in shaders.
 const CHECKER: &str = "checker";
 const DEPTH: &str = "depth";
+const PORTAL: &str = "portal";
 const SKY: &str = "sky";
+
+/// The largest tangent of half an angle that a portal's record has. A larger one turns a direction
+/// by the same angle, to the precision of singles.
+const MOST_TANGENT: f64 = (1_u64 << 30) as f64;
 
 /// The parts of a material's record that depend on its shader.
 #[derive(Default)]
@@ -45,6 +50,8 @@ struct Shading<'a> {
     shares: bool,
     /// Whether there is a highlight.
     shines: bool,
+    /// Whether all light passes as if there were no surface.
+    passes: bool,
 }
 
 impl<'a> Shading<'a> {
@@ -65,6 +72,12 @@ impl<'a> Shading<'a> {
                 shader: Some((DEPTH, [*far, (far - near).recip(), 0.0, 0.0])),
                 ..Self::default()
             },
+            Shader::Portal { by, turn } => {
+                let half = libm::tan((0.5 * turn).to_radians());
+                let half = half.clamp(-MOST_TANGENT, MOST_TANGENT);
+                let shader = Some((PORTAL, [by.x, by.y, by.z, half]));
+                Self { shader, passes: true, ..Self::default() }
+            }
             Shader::Own { name, parameters } => Self { shader: Some((name, *parameters)), ..phong },
         }
     }
@@ -138,8 +151,9 @@ pub(super) fn record(
     {
         place.number(what, value)?;
     }
+    let shading = Shading::of(material, options.colour);
     // The index of an opaque material is not used, whatever the file has.
-    let index = if transmittance > 0.0 {
+    let index = if transmittance > 0.0 && !shading.passes {
         if refraction_index == 0.0 {
             let file = file.to_owned();
             return Err(BlockError::RefractionIndex { file, line });
@@ -149,7 +163,6 @@ pub(super) fn record(
     } else {
         1.0
     };
-    let shading = Shading::of(material, options.colour);
     let mut shader = 0;
     let mut parameters = [0.0; 4];
     if let Some((name, given)) = shading.shader {
@@ -170,7 +183,8 @@ pub(super) fn record(
     let diffuse = share(diffuse);
     let [mirror, transmittance] =
         [specular, transmittance].map(|seen| options.colour.seen(share(seen)));
-    let (schlick, grazing) = if options.fresnel && transmittance > 0.0 {
+    let transmittance = if shading.passes { 1.0 } else { transmittance };
+    let (schlick, grazing) = if options.fresnel && transmittance > 0.0 && !shading.passes {
         let head_on = (1.0 - index) / (1.0 + index);
         let head_on = head_on * head_on;
         (head_on, 1.0 - head_on)
@@ -186,7 +200,7 @@ pub(super) fn record(
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
         // Transparent materials reflect at least by total reflection.
-        | flag(mirror > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
+        | flag(mirror > 0.0 || transmittance > 0.0 && !shading.passes, MATERIAL_MIRRORS)
         | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
         | flag(highlight > 0.0, MATERIAL_SHINES)
         | flag(shading.shader.is_some(), MATERIAL_SHADED)

@@ -75,9 +75,9 @@ impl Above {
     }
 }
 
-/// The table of a program with four shaders.
+/// The table of a program with five shaders.
 fn entry(name: &str) -> Option<u32> {
-    let names = ["checker", "depth", "rings", "sky"];
+    let names = ["checker", "depth", "portal", "rings", "sky"];
     let at = names.iter().position(|known| *known == name)?;
     Some(at as u32)
 }

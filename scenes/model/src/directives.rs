@@ -122,6 +122,11 @@ fn shader(words: &mut Words<impl BufRead>) -> Result<Shader, LineError> {
             }
             Ok(Shader::Depth { far, near })
         }
+        "portal" => {
+            let by = words.point(["portal x", "portal y", "portal z"])?;
+            let turn = if words.more()? { words.real("portal turn")? } else { 0.0 };
+            Ok(Shader::Portal { by, turn })
+        }
         name => {
             let mut rest = name.chars();
             let begins = rest.next().is_some_and(|c| c.is_ascii_alphabetic());

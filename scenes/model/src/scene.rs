@@ -87,7 +87,8 @@ pub struct Material {
     /// Index of refraction.
     pub refraction_index: f64,
     /// Light that it sends by itself, in addition to what other light does there: red, green and
-    /// blue, encoded as the colour is. [`Shader::Depth`] ignores it.
+    /// blue, encoded as the colour is. [`Shader::Depth`] and
+    /// [`Shader::Portal`] ignore it.
     pub emission: DVec3,
     /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,
@@ -137,6 +138,15 @@ pub enum Shader {
         far: f64,
         /// The distance, below `far`, up to which the surface has full brightness.
         near: f64,
+    },
+    /// Rays go on from another place: what their point and their direction become by a turn around
+    /// the y axis and then, for the point, a move. All light passes, whatever the material's shares
+    /// are.
+    Portal {
+        /// The move.
+        by: DVec3,
+        /// The angle in degrees, from z towards x.
+        turn: f64,
     },
     /// A game's own shader.
     Own {

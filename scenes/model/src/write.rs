@@ -130,6 +130,7 @@ impl fmt::Display for Shader {
             Self::Phong => write!(f, "phong"),
             Self::Checker { other, size } => write!(f, "checker {} {size}", Triple(*other)),
             Self::Depth { far, near } => write!(f, "depth {far} {near}"),
+            Self::Portal { by, turn } => write!(f, "portal {} {turn}", Triple(*by)),
             Self::Own { name, parameters: [a, b, c, d] } => write!(f, "{name} {a} {b} {c} {d}"),
         }
     }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use cellray::game::{
     DAffine3, DVec3, Fog, Light, LightId, Material, MaterialId, MeshId, Model, ObjectId,
-    RenderOptions, World,
+    RenderOptions, Shader, World,
 };
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
@@ -61,6 +61,19 @@ impl Played {
             played.add(random);
         }
         played
+    }
+
+    /// Adds a few portals.
+    fn add_portals(&mut self, random: &mut ChaCha8Rng) {
+        for _ in 0..3 {
+            let shader = Shader::Portal {
+                by: content::vector(random, 2.0),
+                turn: random.random_range(-180.0..=180.0),
+            };
+            let material = Material { shader, ..Material::matte(1.0, 1.0, 1.0) };
+            let material = self.world.add_material(material).unwrap();
+            self.objects.push(self.world.add(content::shape(random), material).unwrap());
+        }
     }
 
     /// Adds pears. Two of them have a texture if their material has one.
@@ -202,6 +215,7 @@ fn play(
     for number in 0..rounds(4) {
         let mut played = Played::new(&mut random, render_options, lights, goes_on);
         if has_meshes {
+            played.add_portals(&mut random);
             played.add_meshes(&mut random);
         }
         for frame in 0..20 {
@@ -247,7 +261,7 @@ fn by_whitteds_model_with_mirrors_and_glass() {
 }
 
 #[test]
-fn with_moving_meshes() {
+fn with_moving_meshes_and_portals() {
     let retained = play(7, render_options(Model::Whitted), 2, true, true);
     assert!(retained > 0.2, "{retained}");
 }

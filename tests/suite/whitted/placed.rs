@@ -1,6 +1,6 @@
 //! Scenes that are moved and scaled.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use scenes::{LightKind, Scene, Shader, Shape};
 
 /// Moves a whole scene, and then scales it about the origin.
@@ -20,6 +20,10 @@ pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {
             Shader::Depth { far, near } => {
                 *far *= scale;
                 *near *= scale;
+            }
+            Shader::Portal { by, turn } => {
+                let turned = DQuat::from_rotation_y(turn.to_radians()) * shift;
+                *by = (*by + shift - turned) * scale;
             }
             Shader::Flat | Shader::Lambert | Shader::Phong | Shader::Own { .. } => {}
         }

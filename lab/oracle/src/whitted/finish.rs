@@ -2,7 +2,7 @@
 //!
 //! Invariant: with NFF's default shader the finish equals the material in the file.
 
-use glam::DVec3;
+use glam::{DAffine3, DQuat, DVec3};
 use scenes::{Material, Shader};
 
 use crate::Colour;
@@ -34,6 +34,8 @@ pub(super) struct Finish {
     pub is_lit: bool,
     /// Whether it has the second colour of a checker.
     pub other: bool,
+    /// Where rays go on from a portal.
+    pub portal: Option<DAffine3>,
 }
 
 impl Finish {
@@ -53,6 +55,7 @@ impl Finish {
             is_flat: false,
             is_lit: true,
             other: false,
+            portal: None,
         };
         match material.shader {
             Shader::Phong | Shader::Own { .. } => plain,
@@ -61,6 +64,11 @@ impl Finish {
             Shader::Depth { far, near } => {
                 let brightness = ((far - distance) / (far - near)).clamp(0.0, 1.0);
                 plain.sends(brightness * own)
+            }
+            Shader::Portal { by, turn } => {
+                let turn = DQuat::from_rotation_y(turn.to_radians());
+                let portal = Some(DAffine3::from_rotation_translation(turn, by));
+                Self { portal, ..plain.sends(DVec3::ZERO) }
             }
             Shader::Checker { other, size } => {
                 let cube = (point / size + OFF_GRID).floor();

@@ -291,6 +291,19 @@ impl<'a> Stage<'a> {
     ) -> DVec3 {
         let is_sent = |share: f64| share > 0.0 && weight * share >= self.min_weight;
         let finish = &hit.finish;
+        if let Some(portal) = finish.portal {
+            if !is_sent(1.0) {
+                return DVec3::ZERO;
+            }
+            path.counts.refracted += 1;
+            let beyond = Hit {
+                point: portal.transform_point3(hit.point),
+                normal: portal.transform_vector3(hit.normal),
+                ..*hit
+            };
+            let ray = self.sent(&beyond, portal.transform_vector3(direction));
+            return self.look(&ray, depth, weight, path);
+        }
         let (mut mirror, mut through) = (finish.mirror, None);
         if finish.transmittance > 0.0 {
             let index = finish.refraction_index;

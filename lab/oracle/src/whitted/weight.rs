@@ -44,6 +44,7 @@ pub(super) fn minimum(
             let others = shares * beyond;
             match &material.shader {
                 Shader::Flat | Shader::Depth { .. } => own,
+                Shader::Portal { .. } => beyond,
                 Shader::Lambert => diffuse(own) + others,
                 Shader::Checker { other, .. } => {
                     diffuse(own.max(largest_channel(*other))) + material.specular * lit + others

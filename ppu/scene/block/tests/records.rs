@@ -328,10 +328,17 @@ fn shaders() {
     assert_eq!((shares(&depth), depth.flags.get()), ([0.0; 4], MATERIAL_SHADED));
     assert_eq!(shading(&depth), (1, [10.0, 0.125, 0.0, 0.0]));
     assert_eq!(wide(depth.colour), colour);
+    let portal = material("portal 1 2 -3 90");
+    assert_eq!(shares(&portal), [0.0, 0.0, 0.0, 1.0]);
+    assert_eq!(portal.flags.get(), MATERIAL_TRANSMITS | MATERIAL_SHADED);
+    assert_eq!([portal.index, portal.schlick, portal.grazing].map(F32::get), [1.0, 0.0, 0.0]);
+    assert_eq!(shading(&portal), (2, [1.0, 2.0, -3.0, 1.0]));
+    let (_, half_a_turn) = shading(&material("portal 0 0 0 -180"));
+    assert_eq!(half_a_turn[3], -((1_u32 << 30) as f32));
     let own = material("rings 1 -2 3");
     assert_eq!(shares(&own), shares(&phong));
     assert_eq!(own.flags.get(), checker.flags.get());
-    assert_eq!(shading(&own), (2, [1.0, -2.0, 3.0, 0.0]));
+    assert_eq!(shading(&own), (3, [1.0, -2.0, 3.0, 0.0]));
 }
 
 #[test]

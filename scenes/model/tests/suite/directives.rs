@@ -93,6 +93,8 @@ fn shader_applies_to_preceding_material() {
         ("phong", Shader::Phong),
         ("checker 0.5 0 1 2", Shader::Checker { other: DVec3::new(0.5, 0.0, 1.0), size: 2.0 }),
         ("depth 9 2.5", Shader::Depth { far: 9.0, near: 2.5 }),
+        ("portal 1 -2 3", Shader::Portal { by: DVec3::new(1.0, -2.0, 3.0), turn: 0.0 }),
+        ("portal 0 0 9 -90", Shader::Portal { by: DVec3::new(0.0, 0.0, 9.0), turn: -90.0 }),
         ("marble_2", own("marble_2", [0.0; 4])),
         ("rings 1 -2", own("rings", [1.0, -2.0, 0.0, 0.0])),
         ("rings 1 2 3 4", own("rings", [1.0, 2.0, 3.0, 4.0])),
@@ -174,6 +176,7 @@ fn faults_name_file_and_line() {
         ("#cellray shader flat 1", "9: shader is followed by `1`, which does not belong there"),
         ("#cellray shader checker 1 1 1", "9: checker size is missing"),
         ("#cellray shader checker 1 1 1 0", "9: checker size 0 is not above 0"),
+        ("#cellray shader portal 1 2", "9: portal z is missing"),
         ("#cellray shader depth 2 2", "9: depth far 2 is not more than near 2"),
         (
             "#cellray shader 2rings",

@@ -47,12 +47,13 @@ fn shader() -> impl Strategy<Value = Shader> {
         .prop_filter("a range", |(a, b)| a.abs() != b.abs())
         .prop_map(|(a, b)| Shader::Depth { far: a.abs().max(b.abs()), near: a.abs().min(b.abs()) });
     let own = ("[a-z][a-zA-Z0-9_]{0,9}", [number(), number(), number(), number()]);
-    let taken = ["flat", "lambert", "phong", "checker", "depth"];
+    let portal = (point(), number()).prop_map(|(by, turn)| Shader::Portal { by, turn });
+    let taken = ["flat", "lambert", "phong", "checker", "depth", "portal"];
     let own = own
         .prop_filter("a name of its own", move |(name, _)| !taken.contains(&name.as_str()))
         .prop_map(|(name, parameters)| Shader::Own { name, parameters });
     let simple = prop::sample::select(vec![Shader::Flat, Shader::Lambert, Shader::Phong]);
-    prop_oneof![simple, checker, depth, own]
+    prop_oneof![simple, checker, depth, portal, own]
 }
 
 fn light() -> impl Strategy<Value = LightKind> {
@@ -166,6 +167,7 @@ fn nearly_a_scene() -> impl Strategy<Value = String> {
         "shader",
         "checker",
         "depth",
+        "portal",
         "own",
         "\r\n",
         "\r",

@@ -5,6 +5,7 @@ pub mod colour;
 pub mod height;
 pub mod isect;
 pub mod mesh;
+pub mod portal;
 pub mod rays;
 pub mod shade;
 pub mod shaders;
