@@ -18,6 +18,7 @@ pub mod ground;
 mod lamps;
 mod movers;
 mod plan;
+mod portals;
 mod things;
 
 use std::error::Error;
@@ -38,6 +39,7 @@ use goals::Goals;
 use ground::Ground;
 use lamps::Lamps;
 use movers::Movers;
+use portals::Portal;
 
 /// The game's name.
 pub const NAME: &str = "station";
@@ -83,6 +85,7 @@ pub struct Station {
     ground: Ground,
     movers: Movers,
     lamps: Lamps,
+    portals: Vec<Portal>,
     goals: Goals,
     automap: Automap,
     /// For each line, whether its special has been set off for the last time.
@@ -198,15 +201,30 @@ impl Station {
         }
     }
 
-    fn step(&mut self, stride: DVec2) {
+    /// Makes a step of the walker. Returns what its next one is, if it goes on as it did.
+    fn step(&mut self, stride: DVec2) -> DVec2 {
         if !self.movers.rest() {
             self.feet = self.movers.step(&mut self.ground, STEP, self.place, self.feet);
         }
         let Some((place, floor)) = self.ground.walk(self.place, self.feet, stride) else {
-            return;
+            return stride;
         };
         let step = [self.place, place];
         (self.place, self.feet) = (place, floor);
+        let is_crossed = |portal: &&Portal| {
+            self.ground.crossed(step).any(|(line, _)| portal.is_in(line))
+        };
+        if let Some(portal) = self.portals.iter().find(is_crossed)
+            && let beyond = portal.beyond(place)
+            && let Ok(feet) = self.ground.stand(beyond, floor + portal.rise)
+        {
+            (self.place, self.feet) = (beyond, feet);
+            self.eye += portal.rise;
+            if let Some(camera) = &mut self.camera {
+                camera.turn += portals::TURN;
+            }
+            return -stride;
+        }
         let crossed = self.ground.crossed(step).find(|(line, _)| {
             let number = self.ground.map.lines[*line as usize].special;
             special(number).is_some_and(|special| special.trigger == Trigger::Walk)
@@ -214,6 +232,7 @@ impl Station {
         if let Some((line, is_from_front)) = crossed {
             self.set_off(line, is_from_front);
         }
+        stride
     }
 
     /// The line before the walker that it could use.
@@ -310,6 +329,9 @@ impl Game for Station {
         let with_sprites = level.with_sprites.clone();
         let things = self.add_level(world, level)?;
         self.lamps = Lamps::add(&self.ground, &with_sprites, world)?;
+        if self.is_own {
+            self.portals = Portal::add(&self.ground, world)?;
+        }
         self.goals = Goals::add(&self.ground, &things, world)?;
         let begins = |kind: &u16| self.ground.map.things.iter().find(|thing| thing.kind == *kind);
         if let Some(&begin) = BEGINNINGS.iter().find_map(begins) {
@@ -333,14 +355,14 @@ impl Game for Station {
         let was_at_rest = self.movers.rest();
         if let Some(camera) = &mut self.camera {
             let stride = camera.steer(frame.input, seconds) / f64::from(count.max(1));
-            let stride = DVec2::new(stride.x, -stride.z);
+            let mut stride = DVec2::new(stride.x, -stride.z);
             if Self::uses(frame.input)
                 && let Some((line, _)) = self.usable()
             {
                 self.set_off(line, true);
             }
             for _ in 0..count {
-                self.step(stride);
+                stride = self.step(stride);
             }
         }
         self.automap.look(&self.ground, self.place);

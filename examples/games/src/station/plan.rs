@@ -5,6 +5,8 @@
 //!            |  window
 //!   begin: hall - corridor - pool - lift - gallery - exit
 //! ```
+//!
+//! A niche of the hall and one of the gallery are joined by portals.
 
 use cellray::game::Random;
 use glam::DVec2;
@@ -15,10 +17,13 @@ use super::goals::CRYSTAL;
 /// The places of which three have a crystal.
 const CRYSTALS: [[i32; 2]; 6] =
     [[448, 320], [432, 656], [144, 448], [976, 192], [1400, 96], [1120, 336]];
+/// The lines, from left to right for whoever is in front of them, at which one goes from one niche
+/// to the other. There is space for a walker behind them.
+pub const PORTALS: [[Point; 2]; 2] = [[[240, -24], [144, -24]], [[1440, 24], [1344, 24]]];
 /// The number of crystals.
 const COUNT: usize = 3;
 
-type Point = [i32; 2];
+pub type Point = [i32; 2];
 
 /// The walls of a map, as they are drawn.
 #[derive(Default)]
@@ -154,6 +159,8 @@ pub fn map(chance: &mut Random) -> Map {
         [512, 240],
         [512, 144],
         [512, 0],
+        [240, 0],
+        [144, 0],
     ];
     let court = [
         [96, 400],
@@ -187,6 +194,8 @@ pub fn map(chance: &mut Random) -> Map {
         [1520, 240],
         [1520, 144],
         [1520, 48],
+        [1440, 48],
+        [1344, 48],
     ];
     draft.sector([0, 160], tiles, 176.0, &[&hall, &pillar]);
     draft.sector([0, 0], tiles, 160.0, &[&court_door]);
@@ -202,9 +211,13 @@ pub fn map(chance: &mut Random) -> Map {
     draft.sector([96, 224], tiles, 192.0, &[&gallery]);
     draft.sector([96, 96], tiles, 160.0, &[&exit_door]);
     draft.sector([96, 192], tiles, 208.0, &[&box_of([1536, 144, 1632, 240])]);
+    draft.sector([0, 112], tiles, 144.0, &[&box_of([144, -24, 240, 0])]);
+    draft.sector([0, 112], tiles, 144.0, &[&box_of([144, -88, 240, -24])]);
+    draft.sector([96, 208], tiles, 144.0, &[&box_of([1344, 24, 1440, 48])]);
+    draft.sector([96, 208], tiles, 144.0, &[&box_of([1344, -40, 1440, 24])]);
     let walls = [
         "BRICK", "STEEL", "STEEL", "STONE", "STONE", "STONE", "STEEL", "PANEL", "BRICK", "STEEL",
-        "STEEL", "PANEL", "STEEL", "PANEL",
+        "STEEL", "PANEL", "STEEL", "PANEL", "STEEL", "STEEL", "STEEL", "STEEL",
     ];
     (0..).zip(walls).for_each(|(sector, picture)| draft.paint(sector, picture));
 

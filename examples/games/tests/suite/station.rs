@@ -188,3 +188,51 @@ fn wrong_levels_are_named() {
     let text = error(&path, Some("E9M9"));
     assert!(text.contains("there is no map E9M9; the file has E1M1, E1M2"), "{text}");
 }
+
+/// Whoever walks into a portal comes out of the other one, as high above the floor, and goes on in
+/// its direction there.
+#[test]
+fn portals_lead_from_niche_to_niche() {
+    let mut play = Play::new(Station::default(), 3);
+    let walked = |play: &mut Play, keys: [(Key, bool); 1]| {
+        let events = keys.map(|(key, down)| InputEvent::Key { key, down });
+        let before = play.game.place();
+        play.frame(&events);
+        play.game.place().distance(before)
+    };
+    // It turns to the south, and goes to the east until the niche is ahead.
+    play.frame(&[]);
+    while play.game.turn().sin().abs() > 0.02 || play.game.turn().cos() > 0.0 {
+        play.frame(&[InputEvent::Key { key: Key::Right, down: true }]);
+    }
+    play.frame(&[InputEvent::Key { key: Key::Right, down: false }]);
+    let begin = play.game.place();
+    while play.game.place().x < 192.0 {
+        walked(&mut play, [(Key::A, true)]);
+    }
+    walked(&mut play, [(Key::A, false)]);
+    let mut longest = 0.0_f64;
+    let mut frames = 0;
+    while play.game.place().x < 1200.0 {
+        longest = longest.max(walked(&mut play, [(Key::W, true)]));
+        frames += 1;
+        assert!(frames < 300, "{begin} {}", play.game.place());
+    }
+    assert!(longest > 1000.0, "{longest}");
+    assert!((play.game.feet() - 96.0).abs() < 1e-9, "{}", play.game.feet());
+    assert!((play.game.turn().cos() - 1.0).abs() < 1e-3, "{}", play.game.turn());
+    let there = play.game.place();
+    for _ in 0..30 {
+        walked(&mut play, [(Key::W, true)]);
+    }
+    assert!(play.game.place().y > there.y + 50.0, "it goes on to the north");
+    // Back again, backwards.
+    walked(&mut play, [(Key::W, false)]);
+    frames = 0;
+    while play.game.place().x > 1200.0 {
+        walked(&mut play, [(Key::S, true)]);
+        frames += 1;
+        assert!(frames < 300, "{}", play.game.place());
+    }
+    assert!(play.game.feet().abs() < 1e-9 && play.game.place().y > -24.0);
+}
