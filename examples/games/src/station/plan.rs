@@ -6,7 +6,7 @@
 //!   begin: hall - corridor - pool - lift - gallery - exit
 //! ```
 //!
-//! A niche of the hall and one of the gallery are joined by portals.
+//! A niche of the hall and one beside the pool are joined by portals.
 
 use cellray::game::Random;
 use glam::DVec2;
@@ -19,7 +19,7 @@ const CRYSTALS: [[i32; 2]; 6] =
     [[448, 320], [432, 656], [144, 448], [976, 192], [1400, 96], [1120, 336]];
 /// The lines, from left to right for whoever is in front of them, at which one goes from one niche
 /// to the other. There is space for a walker behind them.
-pub const PORTALS: [[Point; 2]; 2] = [[[240, -24], [144, -24]], [[1440, 24], [1344, 24]]];
+pub const PORTALS: [[Point; 2]; 2] = [[[240, -24], [144, -24]], [[1024, -24], [928, -24]]];
 /// The number of crystals.
 const COUNT: usize = 3;
 
@@ -184,6 +184,8 @@ pub fn map(chance: &mut Random) -> Map {
         [1168, 240],
         [1168, 144],
         [1168, 0],
+        [1024, 0],
+        [928, 0],
     ];
     let gallery = [
         [1264, 48],
@@ -194,8 +196,6 @@ pub fn map(chance: &mut Random) -> Map {
         [1520, 240],
         [1520, 144],
         [1520, 48],
-        [1440, 48],
-        [1344, 48],
     ];
     draft.sector([0, 160], tiles, 176.0, &[&hall, &pillar]);
     draft.sector([0, 0], tiles, 160.0, &[&court_door]);
@@ -213,8 +213,8 @@ pub fn map(chance: &mut Random) -> Map {
     draft.sector([96, 192], tiles, 208.0, &[&box_of([1536, 144, 1632, 240])]);
     draft.sector([0, 112], tiles, 144.0, &[&box_of([144, -24, 240, 0])]);
     draft.sector([0, 112], tiles, 144.0, &[&box_of([144, -88, 240, -24])]);
-    draft.sector([96, 208], tiles, 144.0, &[&box_of([1344, 24, 1440, 48])]);
-    draft.sector([96, 208], tiles, 144.0, &[&box_of([1344, -40, 1440, 24])]);
+    draft.sector([0, 112], tiles, 144.0, &[&box_of([928, -24, 1024, 0])]);
+    draft.sector([0, 112], tiles, 144.0, &[&box_of([928, -88, 1024, -24])]);
     let walls = [
         "BRICK", "STEEL", "STEEL", "STONE", "STONE", "STONE", "STEEL", "PANEL", "BRICK", "STEEL",
         "STEEL", "PANEL", "STEEL", "PANEL", "STEEL", "STEEL", "STEEL", "STEEL",
