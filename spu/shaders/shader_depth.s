@@ -4,7 +4,7 @@
 #   In      $3 surfaces, $4 rays, $5 four quadwords of lanes to shade, $6 material, $7 shading;
 #           pointers 16-aligned
 #   Out     lit colours; no share of light, mirror or transmittance is left
-#   Uses    $10-$21   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$5, $10-$22   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   2 ulp of 1, each channel of a colour up to 1
 #   Twin    lab/twins/src/shader.rs
@@ -21,7 +21,7 @@
         .set    NEXT,10
         registers k_zero,k_one,k_far,k_scale,m_second,parameters
         # a row
-        registers mask,bright,c_over,colour,lit,part
+        registers mask,bright,c_over,colour,lit,part,a_end
 
         shader_entry depth
 
@@ -32,28 +32,33 @@ function shader_depth
         load_constant $m_second,0x04050607
         splat   $k_scale,$parameters,$m_second
         il      $k_zero,0
+        ai      $a_end,$a_mask,64
         ilhu    $k_one,0x3f80
-    .irp row, 0,1,2,3
-        lqd     $mask,16*\row($a_mask)
-        lqd     $bright,RAYS16_t+16*\row($a_rays)
+next_row:
+        lqd     $mask,0($a_mask)
+        lqd     $bright,RAYS16_t($a_rays)
         fs      $bright,$k_far,$bright
         fm      $bright,$bright,$k_scale
         fcgt    $c_over,$k_zero,$bright
         selb    $bright,$bright,$k_zero,$c_over
         fcgt    $c_over,$bright,$k_one
         selb    $bright,$bright,$k_one,$c_over
-        .irp    channel, red,green,blue
-        lqd     $colour,SURFACES_\channel+16*\row($a_surfaces)
-        lqd     $lit,SURFACES_lit_\channel+16*\row($a_surfaces)
+    .irp channel, red,green,blue
+        lqd     $colour,SURFACES_\channel($a_surfaces)
+        lqd     $lit,SURFACES_lit_\channel($a_surfaces)
         fm      $colour,$colour,$bright
         selb    $lit,$lit,$colour,$mask
-        stqd    $lit,SURFACES_lit_\channel+16*\row($a_surfaces)
-        .endr
-        .irp    share, diffuse,highlight,mirror,transmittance
-        lqd     $part,SURFACES_\share+16*\row($a_surfaces)
-        andc    $part,$part,$mask
-        stqd    $part,SURFACES_\share+16*\row($a_surfaces)
-        .endr
+        stqd    $lit,SURFACES_lit_\channel($a_surfaces)
     .endr
+    .irp share, diffuse,highlight,mirror,transmittance
+        lqd     $part,SURFACES_\share($a_surfaces)
+        andc    $part,$part,$mask
+        stqd    $part,SURFACES_\share($a_surfaces)
+    .endr
+        ai      $a_surfaces,$a_surfaces,16
+        ai      $a_rays,$a_rays,16
+        ai      $a_mask,$a_mask,16
+        ceq     $c_over,$a_mask,$a_end
+        brz     $c_over,next_row
         bi      $lr
 endfunction shader_depth
