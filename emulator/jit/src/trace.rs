@@ -115,6 +115,11 @@ impl Trace {
         Self::new(self.steps[..count].to_vec())
     }
 
+    /// Its words in the order of their addresses.
+    pub fn code(&self) -> impl Iterator<Item = u32> {
+        self.ranges.iter().flat_map(|range| range.words.iter().copied())
+    }
+
     pub(crate) fn ranges(&self) -> &[Range] {
         &self.ranges
     }

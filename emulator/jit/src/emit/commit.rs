@@ -6,7 +6,8 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use super::memory::{Address, Key};
 use super::registers::Id;
 use super::{Emitter, field};
-use crate::cpu::{Exit, Passage};
+use crate::cpu::Passage;
+use crate::exit::Exit;
 use crate::host;
 
 /// The state from which the interpreter continues if the next commit fails.

@@ -1,7 +1,8 @@
 //! Tests every instruction that a trace can contain, alone and after another, on random operands
 //! and on edge cases, in all float modes.
 
-use super::units::{Compiled, State, code_cache, trace};
+use super::units::{Compiled, State, code_cache, compare, trace};
+use super::wasm::Emitted;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::edges::{LARGE, WORDS};
@@ -72,16 +73,17 @@ fn operations() -> impl Iterator<Item = Op> {
     Op::rows().iter().filter(|row| row.machine == Machine::Every).map(|row| row.op)
 }
 
-/// Compares compiled code with the interpreter on every sequence of instructions that `make`
-/// returns. Returns the number of failures in each mode.
+/// Compares code that is compiled for this host and for WebAssembly with the interpreter, on every
+/// sequence of instructions that `make` returns. Returns the number of failures in each mode, of
+/// this host's code and of WebAssembly.
 pub(super) fn compare_all(
     rng: &mut ChaCha8Rng,
     rounds: usize,
     states: &[State],
     mut make: impl FnMut(&mut ChaCha8Rng) -> Option<Vec<Instruction>>,
-) -> [u32; 4] {
+) -> [[u32; 2]; 4] {
     let code_cache = code_cache();
-    let mut failures = [0; 4];
+    let mut failures = [[0; 2]; 4];
     for _ in 0..rounds {
         let Some(code) = make(rng) else { continue };
         let made = rng.random_range(0..states.len());
@@ -90,10 +92,16 @@ pub(super) fn compare_all(
         let tier = if rng.random() { Tier::Baseline } else { Tier::Optimized };
         for (mode, failures) in MODES.into_iter().chain([mixed]).zip(&mut failures) {
             let mut compiled = Compiled::new(&code_cache, tier, &trace, mode);
+            let mut emitted = Emitted::new(&trace, mode);
             for state in states {
-                let exit = compiled.compare(&code, state);
-                *failures += u32::from(matches!(exit, Exit::Failed(_)));
-                assert!(!matches!(exit, Exit::Stale(_)), "{code:?}");
+                let exits = [
+                    compare(&mut compiled, mode, &code, state),
+                    compare(&mut emitted, mode, &code, state),
+                ];
+                for (exit, failures) in exits.into_iter().zip(&mut *failures) {
+                    *failures += u32::from(matches!(exit, Exit::Failed(_)));
+                    assert!(!matches!(exit, Exit::Stale(_)), "{code:?}");
+                }
             }
         }
     }
@@ -153,11 +161,11 @@ fn ordinary_arithmetic_does_not_fail() {
         let op = arithmetic[rng.random_range(0..arithmetic.len())];
         Some(vec![instruction(rng, op)?])
     });
-    assert_eq!(failures, [0; 4]);
+    assert_eq!(failures, [[0; 2]; 4]);
 }
 
 /// In doubles, only sums that may be the largest number are left to the interpreter. With exact
-/// sums nothing is.
+/// sums nothing is, and in WebAssembly nothing at all.
 #[test]
 fn specials_do_not_fail_in_doubles() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
@@ -167,9 +175,9 @@ fn specials_do_not_fail_in_doubles() {
         let op = arithmetic[rng.random_range(0..arithmetic.len())];
         Some(vec![instruction(rng, op)?])
     });
-    assert!(singles > 100, "the operands are not special: {singles} failures");
-    assert!(doubles < singles / 10, "{doubles} of {singles}");
-    assert_eq!(exact, 0);
+    assert!(singles.iter().all(|&count| count > 100), "not special: {singles:?} failures");
+    assert!(doubles[0] < singles[0] / 10, "{doubles:?} of {singles:?}");
+    assert_eq!((doubles[1], exact), (0, [0; 2]));
 }
 
 /// A selection keeps the bits of denormals and of -0, also where arithmetic has read them.
