@@ -25,11 +25,8 @@ pub struct Passage {
 const COUNT_BITS: u32 = 8;
 
 impl Passage {
-    pub(crate) const fn new(unit: u32, count: u32) -> Self {
-        Self { unit, count }
-    }
-
     /// Encodes it as a word of the log.
+    #[cfg(target_arch = "x86_64")]
     pub(crate) const fn to_word(self) -> u32 {
         self.unit << COUNT_BITS | self.count
     }

@@ -1,7 +1,7 @@
 //! Branches and halts, which become side exits where the SPU may leave the path of the trace.
 
 use spu_isa::{Instruction, Op};
-use wasm_encoder::{BlockType, InstructionSink};
+use wasm_encoder::InstructionSink;
 
 use super::emitter::{ADDRESS, Emitter};
 use crate::exit::Exit;
@@ -51,11 +51,14 @@ impl Emitter<'_> {
 
     /// Emits a side exit after this instruction, taken if the value on the stack is not 0.
     fn leave_if(&mut self, pc: Option<u32>) {
-        self.f().if_(BlockType::Empty);
         self.count += 1;
-        self.chain_to(pc);
+        self.aside(|e| {
+            if let Some(pc) = pc {
+                e.f().i32_const(pc as i32).local_set(ADDRESS);
+            }
+            e.chain();
+        });
         self.count -= 1;
-        self.f().end();
     }
 
     /// Pushes whether the tested part of rt is zero, or is not.
@@ -113,9 +116,7 @@ impl Emitter<'_> {
 
     /// Leaves a halt to the interpreter if its condition, which is on the stack, holds.
     fn halt_if(&mut self) {
-        self.f().if_(BlockType::Empty);
-        self.exit(Exit::INTERPRET);
-        self.f().end();
+        self.aside(|e| e.exit(Exit::INTERPRET));
     }
 
     fn halt(&mut self, i: Instruction, compare: Compare) {

@@ -13,12 +13,14 @@ use crate::wasm::{Places, module};
 /// Runs an instruction word, which uses registers only, on 128 registers and an FPSCR.
 pub type Interpret = unsafe extern "C" fn(*mut [u32; 4], *mut [u32; 4], u32);
 
+/// A function, with the code of its trace, which it reads.
+type Made = (*const u8, Box<[u8]>);
+
 /// All units.
 pub struct CodeCache {
     estimates: Estimates,
     interpret: Interpret,
-    /// The functions, each with the code of its trace, which it reads.
-    units: Mutex<Vec<(*const u8, Box<[u8]>)>>,
+    units: Mutex<Vec<Made>>,
     next_unit: AtomicU32,
     /// Kept, because a function may have several addresses.
     exit_stub: *const u8,

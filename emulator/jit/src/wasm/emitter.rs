@@ -1,5 +1,7 @@
 //! The function of a trace: its registers, exits and loop.
 
+use std::collections::HashSet;
+
 use spu_isa::{Instruction, Op, Target};
 use wasm_encoder::{BlockType, InstructionSink, MemArg, MemArgTarget, ValType};
 
@@ -15,7 +17,13 @@ const CONTEXT: u32 = 2;
 const BUDGET: u32 = 3;
 /// The program counter, and from then on any address.
 pub(super) const ADDRESS: u32 = 4;
-const PARAMETERS: u32 = 5;
+/// Why the unit exits.
+const STATUS: u32 = 5;
+/// The number of the first vector.
+const FIRST_VECTOR: u32 = 6;
+
+/// The status with which a unit continues with another one.
+const CHAIN: u32 = u32::MAX;
 
 /// Facts about a register's value.
 #[derive(Clone, Copy, Default)]
@@ -26,15 +34,12 @@ pub(super) struct Facts {
     pub mask: bool,
 }
 
+/// A register that has a local.
 #[derive(Clone, Copy, Default)]
 struct Register {
-    local: Option<u32>,
-    /// Whether the local has the value.
-    held: bool,
-    /// The value, if it is known. It may be in no local.
+    local: u32,
+    /// The value, if it is known.
     constant: Option<[u32; 4]>,
-    /// Whether the value differs from that in memory.
-    changed: bool,
     facts: Facts,
 }
 
@@ -44,7 +49,13 @@ pub(super) struct Emitter<'a> {
     number: u32,
     pub places: Places,
     body: Vec<u8>,
-    registers: [Register; 128],
+    registers: [Option<Register>; 128],
+    /// The registers that differ from those in memory, in the order in which they were changed.
+    changed: Vec<u8>,
+    /// The number of registers that the trace writes.
+    targets: usize,
+    /// The number of blocks around the current place, within those of registers.
+    depth: u32,
     /// The number of locals that are vectors.
     vectors: u32,
     temporaries: Vec<u32>,
@@ -78,7 +89,10 @@ impl<'a> Emitter<'a> {
             number,
             places,
             body: Vec::new(),
-            registers: [Register::default(); 128],
+            registers: [None; 128],
+            changed: Vec::new(),
+            targets: 0,
+            depth: 0,
             vectors: 0,
             temporaries: Vec::new(),
             pc: trace.start(),
@@ -87,25 +101,42 @@ impl<'a> Emitter<'a> {
     }
 
     /// Emits the function. Returns its locals and its body.
+    ///
+    /// Around the instructions there is a block for each register that the trace writes. After each
+    /// block its register is written back, and after all of them the unit exits. So an exit leaves
+    /// the block of the register that was changed last, and all exits share this code.
     pub fn emit(mut self) -> (Vec<(u32, ValType)>, Vec<u8>) {
-        self.exit_if_stale();
         let is_loop = self.trace.is_loop();
+        self.targets = self.targets();
+        for _ in 0..=self.targets {
+            self.f().block(BlockType::Empty);
+        }
+        self.exit_if_stale();
         if is_loop {
             self.hold_all();
             self.f().loop_(BlockType::Empty);
+            self.depth += 1;
         }
         self.enter();
         for step in self.trace.steps() {
             self.step(step);
         }
-        self.pc = self.trace.steps().last().map_or(self.pc, |last| code_address(last.next));
         if is_loop {
-            self.go_round();
+            let count = self.count as i32;
+            self.f().local_get(BUDGET).i32_const(count).i32_sub().local_set(BUDGET);
+            self.f().br(0).end().unreachable();
         } else {
-            self.chain_to(Some(self.pc));
-            self.f().end();
+            let next = self.trace.steps().last().map_or(self.pc, |last| code_address(last.next));
+            self.f().i32_const(next as i32).local_set(ADDRESS);
+            self.leave(CHAIN);
         }
-        (vec![(self.vectors, ValType::V128)], self.body)
+        for register in std::mem::take(&mut self.changed).into_iter().rev() {
+            self.f().end();
+            self.write(register);
+        }
+        self.f().end();
+        self.finish();
+        (vec![(1, ValType::I32), (self.vectors, ValType::V128)], self.body)
     }
 
     fn step(&mut self, step: &Step) {
@@ -114,6 +145,13 @@ impl<'a> Emitter<'a> {
             self.operation(step.instruction);
         }
         self.count += 1;
+    }
+
+    /// The number of registers that the trace writes.
+    fn targets(&self) -> usize {
+        let steps = self.trace.steps().iter().map(|step| step.instruction);
+        let targets = steps.filter(|i| i.op.row().target == Target::Rt).map(|i| i.rt);
+        targets.collect::<HashSet<_>>().len()
     }
 
     /// Loads all registers that the loop reads or writes, because its locals keep them from one
@@ -127,27 +165,22 @@ impl<'a> Emitter<'a> {
             }
             if row.target == Target::Rt {
                 self.hold(i.rt);
-                self.registers[usize::from(i.rt)].changed = true;
+                self.change(i.rt);
             }
         }
     }
 
-    fn go_round(&mut self) {
-        for register in 0..128 {
-            if !self.registers[usize::from(register)].held && self.constant(register).is_some() {
-                self.hold(register);
-            }
+    /// Notes that a register differs from the one in memory.
+    fn change(&mut self, register: u8) {
+        if !self.changed.contains(&register) {
+            self.changed.push(register);
         }
-        let count = self.count as i32;
-        self.f().local_get(BUDGET).i32_const(count).i32_sub().local_set(BUDGET);
-        self.f().br(0).end().unreachable().end();
     }
 
     fn enter(&mut self) {
         let steps = self.trace.steps().len() as i32;
-        self.f().local_get(BUDGET).i32_const(steps).i32_lt_s().if_(BlockType::Empty);
-        self.exit(Exit::LEFT);
-        self.f().end();
+        self.f().local_get(BUDGET).i32_const(steps).i32_lt_s();
+        self.aside(|e| e.exit(Exit::LEFT));
         let entries = word(4 * self.number);
         let mut f = self.f();
         f.local_get(CONTEXT).i32_load(word(field::ENTRIES)).local_tee(ADDRESS);
@@ -178,9 +211,8 @@ impl<'a> Emitter<'a> {
                 at += bytes;
             }
         }
-        self.f().v128_any_true().if_(BlockType::Empty);
-        self.exit(Exit::STALE);
-        self.f().end();
+        self.f().v128_any_true();
+        self.aside(|e| e.exit(Exit::STALE));
     }
 
     /// The quadwords of the trace's code, as addresses of beginnings and ends.
@@ -198,7 +230,7 @@ impl<'a> Emitter<'a> {
 
     fn new_local(&mut self) -> u32 {
         self.vectors += 1;
-        PARAMETERS + self.vectors - 1
+        FIRST_VECTOR + self.vectors - 1
     }
 
     /// One of the locals that keep values within an instruction.
@@ -210,39 +242,28 @@ impl<'a> Emitter<'a> {
         self.temporaries[number]
     }
 
-    fn local(&mut self, register: u8) -> u32 {
-        let at = usize::from(register);
-        let local = self.registers[at].local.unwrap_or_else(|| self.new_local());
-        self.registers[at].local = Some(local);
-        local
-    }
-
     /// Has a local hold the register, so that [`push`](Self::push) may be called on ways that are
     /// not always taken.
     pub fn hold(&mut self, register: u8) {
-        let local = self.local(register);
-        let Register { held, constant, .. } = self.registers[usize::from(register)];
-        if held {
+        if self.registers[usize::from(register)].is_some() {
             return;
         }
-        let mut f = self.f();
-        match constant {
-            Some(words) => f.v128_const(vector(words)),
-            None => f.local_get(REGISTERS).v128_load(quadword(16 * u32::from(register))),
-        };
-        f.local_set(local);
-        self.registers[usize::from(register)].held = true;
+        let local = self.new_local();
+        let place = quadword(16 * u32::from(register));
+        self.f().local_get(REGISTERS).v128_load(place).local_set(local);
+        self.registers[usize::from(register)] = Some(Register { local, ..Register::default() });
     }
 
     /// Pushes a register's value.
     pub fn push(&mut self, register: u8) {
-        if let Some(words) = self.constant(register) {
-            self.f().v128_const(vector(words));
-            return;
-        }
         self.hold(register);
-        let local = self.local(register);
-        self.f().local_get(local);
+        match self.registers[usize::from(register)] {
+            Some(Register { constant: Some(words), .. }) => {
+                self.f().v128_const(vector(words));
+            }
+            Some(Register { local, .. }) => _ = self.f().local_get(local),
+            None => unreachable!("a local holds it"),
+        }
     }
 
     /// Pushes the preferred word of a register.
@@ -257,11 +278,17 @@ impl<'a> Emitter<'a> {
     }
 
     pub fn constant(&self, register: u8) -> Option<[u32; 4]> {
-        self.registers[usize::from(register)].constant
+        self.registers[usize::from(register)].and_then(|register| register.constant)
     }
 
-    pub fn facts(&mut self, register: u8) -> &mut Facts {
-        &mut self.registers[usize::from(register)].facts
+    pub fn facts(&self, register: u8) -> Facts {
+        self.registers[usize::from(register)].map_or_else(Facts::default, |register| register.facts)
+    }
+
+    pub fn set_facts(&mut self, register: u8, facts: Facts) {
+        if let Some(register) = &mut self.registers[usize::from(register)] {
+            register.facts = facts;
+        }
     }
 
     /// Sets a register to the value on the stack.
@@ -270,43 +297,39 @@ impl<'a> Emitter<'a> {
     }
 
     pub fn set_with(&mut self, register: u8, facts: Facts) {
-        let local = self.local(register);
+        let held = self.registers[usize::from(register)];
+        let local = held.map_or_else(|| self.new_local(), |register| register.local);
         self.f().local_set(local);
-        self.registers[usize::from(register)] =
-            Register { local: Some(local), held: true, constant: None, changed: true, facts };
+        self.registers[usize::from(register)] = Some(Register { local, constant: None, facts });
+        self.change(register);
     }
 
     pub fn set_constant(&mut self, register: u8, words: [u32; 4]) {
-        let local = self.registers[usize::from(register)].local;
         let facts = Facts {
             no_denormals: words.iter().all(|word| word << 1 == 0 || word << 1 >> 24 != 0),
             mask: words.iter().all(|&word| word == 0 || word == u32::MAX),
         };
-        self.registers[usize::from(register)] =
-            Register { local, held: false, constant: Some(words), changed: true, facts };
+        self.f().v128_const(vector(words));
+        self.set_with(register, facts);
+        if let Some(register) = &mut self.registers[usize::from(register)] {
+            register.constant = Some(words);
+        }
     }
 
-    /// Writes a register that differs from the one in memory.
+    /// Writes a register to memory.
     fn write(&mut self, register: u8) {
-        let Register { constant, changed, .. } = self.registers[usize::from(register)];
-        if !changed {
-            return;
+        if let Some(Register { local, .. }) = self.registers[usize::from(register)] {
+            let place = quadword(16 * u32::from(register));
+            self.f().local_get(REGISTERS).local_get(local).v128_store(place);
         }
-        self.f().local_get(REGISTERS);
-        match constant {
-            Some(words) => _ = self.f().v128_const(vector(words)),
-            None => {
-                let local = self.local(register);
-                self.f().local_get(local);
-            }
-        }
-        self.f().v128_store(quadword(16 * u32::from(register)));
     }
 
     /// Has the interpreter run an instruction that uses registers only, and pushes its result.
     pub fn interpret(&mut self, i: Instruction) {
-        for &field in i.op.row().reads {
-            self.write(i.register(field));
+        for register in i.op.row().reads.iter().map(|&field| i.register(field)) {
+            if self.changed.contains(&register) {
+                self.write(register);
+            }
         }
         let function = self.places.interpret as i32;
         let mut f = self.f();
@@ -322,42 +345,47 @@ impl<'a> Emitter<'a> {
         self.set_with(i.rt, Facts { no_denormals, mask: false });
     }
 
-    fn write_back(&mut self) {
-        for register in 0..128 {
-            self.write(register);
-        }
+    /// Begins what is done if the value on the stack is not 0, and exits in the end.
+    pub fn aside(&mut self, exit: impl FnOnce(&mut Self)) {
+        self.f().if_(BlockType::Empty);
+        self.depth += 1;
+        exit(self);
+        self.depth -= 1;
+        self.f().end();
     }
 
     /// Exits before the instruction at `pc`.
     pub fn exit(&mut self, status: u32) {
-        self.write_back();
-        let (pc, number, count) = (self.pc as i32, self.number as i32, self.count as i32);
-        let mut f = self.f();
-        f.local_get(CONTEXT).i32_const(pc).i32_store(word(field::PC));
-        f.local_get(CONTEXT).i32_const(number).i32_store(word(field::UNIT));
-        f.local_get(CONTEXT).local_get(BUDGET).i32_const(count).i32_sub().i64_extend_i32_u();
-        f.i64_store(MemArg { align: 3, ..word(field::BUDGET) });
-        f.i32_const(status as i32).return_();
+        let pc = self.pc as i32;
+        self.f().i32_const(pc).local_set(ADDRESS);
+        self.leave(status);
     }
 
-    /// Continues with the unit at this address, or at [`ADDRESS`], which is a multiple of 4.
-    pub fn chain_to(&mut self, pc: Option<u32>) {
-        self.write_back();
+    /// Continues with the unit at the address, which is a multiple of 4.
+    pub fn chain(&mut self) {
+        self.leave(CHAIN);
+    }
+
+    fn leave(&mut self, status: u32) {
         let count = self.count as i32;
+        let block = self.depth + (self.targets - self.changed.len()) as u32;
         let mut f = self.f();
-        f.local_get(REGISTERS).local_get(LOCAL_STORE).local_get(CONTEXT);
-        f.local_get(BUDGET).i32_const(count).i32_sub();
-        match pc {
-            Some(pc) => {
-                f.i32_const(pc as i32);
-                f.local_get(CONTEXT).i32_load(word(field::TABLE)).i32_load(word(pc));
-            }
-            None => {
-                f.local_get(ADDRESS);
-                f.local_get(CONTEXT).i32_load(word(field::TABLE));
-                f.local_get(ADDRESS).i32_add().i32_load(word(0));
-            }
-        }
-        f.return_call_indirect(0, UNIT_TYPE);
+        f.local_get(BUDGET).i32_const(count).i32_sub().local_set(BUDGET);
+        f.i32_const(status as i32).local_set(STATUS).br(block);
+    }
+
+    /// Exits, after all registers are written back.
+    fn finish(&mut self) {
+        let number = self.number as i32;
+        let mut f = self.f();
+        f.local_get(STATUS).i32_const(CHAIN as i32).i32_eq().if_(BlockType::Empty);
+        f.local_get(REGISTERS).local_get(LOCAL_STORE).local_get(CONTEXT).local_get(BUDGET);
+        f.local_get(ADDRESS).local_get(CONTEXT).i32_load(word(field::TABLE));
+        f.local_get(ADDRESS).i32_add().i32_load(word(0)).return_call_indirect(0, UNIT_TYPE).end();
+        f.local_get(CONTEXT).local_get(ADDRESS).i32_store(word(field::PC));
+        f.local_get(CONTEXT).i32_const(number).i32_store(word(field::UNIT));
+        f.local_get(CONTEXT).local_get(BUDGET).i64_extend_i32_u();
+        f.i64_store(MemArg { align: 3, ..word(field::BUDGET) });
+        f.local_get(STATUS).end();
     }
 }

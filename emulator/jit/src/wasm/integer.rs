@@ -9,6 +9,9 @@ use super::emitter::{ADDRESS, Emitter, Facts, splat};
 pub(super) type Operation =
     for<'a, 'b> fn(&'b mut InstructionSink<'a>) -> &'b mut InstructionSink<'a>;
 
+/// What is known of the result of a compare.
+pub(super) const MASK: Facts = Facts { no_denormals: false, mask: true };
+
 /// The half of a word that a multiplication uses.
 #[derive(Clone, Copy)]
 pub(super) enum Half {
@@ -48,7 +51,7 @@ impl Emitter<'_> {
     }
 
     /// rt = word - ra.
-    pub(super) fn from_constant(&mut self, i: Instruction, word: u32, operation: Operation) {
+    pub(super) fn subtract_from(&mut self, i: Instruction, word: u32, operation: Operation) {
         self.f().v128_const(splat(word));
         self.push(i.ra);
         operation(&mut self.f());
@@ -57,7 +60,7 @@ impl Emitter<'_> {
 
     /// `ori` with 0 copies a register.
     pub(super) fn or_constant(&mut self, i: Instruction, register: u8, word: u32) {
-        let facts = if word == 0 { *self.facts(register) } else { Facts::default() };
+        let facts = if word == 0 { self.facts(register) } else { Facts::default() };
         match self.constant(register) {
             Some(words) => self.set_constant(i.rt, words.map(|old| old | word)),
             None => {
@@ -72,12 +75,12 @@ impl Emitter<'_> {
 
     pub(super) fn compare(&mut self, i: Instruction, operation: Operation) {
         self.binary(i, operation);
-        self.facts(i.rt).mask = true;
+        self.set_facts(i.rt, MASK);
     }
 
     pub(super) fn compare_constant(&mut self, i: Instruction, word: u32, operation: Operation) {
         self.with_constant(i, word, operation);
-        self.facts(i.rt).mask = true;
+        self.set_facts(i.rt, MASK);
     }
 
     /// rt = ra + rb + (rt & 1), or rb - ra with the borrow in rt.
@@ -166,7 +169,7 @@ impl Emitter<'_> {
 
     /// rt = c ? rb : ra, bit by bit.
     pub(super) fn select(&mut self, i: Instruction) {
-        let [a, b, c] = [i.ra, i.rb, i.rc].map(|register| *self.facts(register));
+        let [a, b, c] = [i.ra, i.rb, i.rc].map(|register| self.facts(register));
         let no_denormals = c.mask && a.no_denormals && b.no_denormals;
         self.push(i.rb);
         self.push(i.ra);
@@ -179,7 +182,7 @@ impl Emitter<'_> {
     pub(super) fn logic(&mut self, i: Instruction, operation: Operation) {
         let mask = self.facts(i.ra).mask && self.facts(i.rb).mask;
         self.binary(i, operation);
-        self.facts(i.rt).mask = mask;
+        self.set_facts(i.rt, Facts { mask, ..Facts::default() });
     }
 
     /// Selects bytes of ra and rb. Controls are numbers of bytes from the left, from 0x80 on 0,
@@ -220,7 +223,7 @@ impl Emitter<'_> {
         let mut f = self.f();
         f.v128_const(from).i8x16_swizzle().v128_const(bits).v128_and().v128_const(bits);
         equal(&mut f);
-        self.set_with(i.rt, Facts { mask: true, ..Facts::default() });
+        self.set_with(i.rt, MASK);
     }
 
     /// Sets the preferred word to the lowest bits of lanes, which `from` brings into the order of

@@ -1,7 +1,6 @@
 //! Loads, stores, and the instructions that generate controls for insertion by `shufb`.
 
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
-use wasm_encoder::BlockType;
 
 use super::emitter::{ADDRESS, Emitter, Facts, LOCAL_STORE, quadword};
 use super::shift_rotate::NUMBERS;
@@ -77,9 +76,7 @@ impl Emitter<'_> {
             }
         }
         if tests > 0 {
-            self.f().if_(BlockType::Empty);
-            self.exit(Exit::INTERPRET);
-            self.f().end();
+            self.aside(|e| e.exit(Exit::INTERPRET));
         }
         if let Address::Pushed = address {
             self.f().local_get(ADDRESS).local_get(LOCAL_STORE).i32_add();

@@ -5,7 +5,7 @@ use spu_isa::{Instruction, Op};
 use wasm_encoder::{BlockType, InstructionSink, ValType};
 
 use super::emitter::{Emitter, Facts, splat, word};
-use super::integer::Operation;
+use super::integer::{MASK, Operation};
 use crate::exit::Exit;
 
 const SIGN: u32 = 0x8000_0000;
@@ -61,9 +61,7 @@ impl Emitter<'_> {
             result(self);
             self.f().end();
         } else {
-            self.f().if_(BlockType::Empty);
-            self.exit(Exit::FAILED);
-            self.f().end();
+            self.aside(|e| e.exit(Exit::FAILED));
             result(self);
         }
         self.set_with(i.rt, facts);
@@ -154,7 +152,10 @@ impl Emitter<'_> {
         }
         if !self.mode.in_doubles.contains(self.count as usize) {
             // Otherwise the unit has failed.
-            sources.iter().for_each(|&register| self.facts(register).no_denormals = true);
+            for register in sources {
+                let facts = Facts { no_denormals: true, ..self.facts(register) };
+                self.set_facts(register, facts);
+            }
         }
     }
 
@@ -226,7 +227,7 @@ impl Emitter<'_> {
         self.push_order(i.ra, magnitudes);
         self.push_order(i.rb, magnitudes);
         test(&mut self.f());
-        self.set_with(i.rt, Facts { mask: true, ..Facts::default() });
+        self.set_with(i.rt, MASK);
     }
 
     /// `frest`, `frsqest`: an entry of a table, with the exponent that `exponent` makes of the

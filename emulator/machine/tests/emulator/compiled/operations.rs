@@ -1,7 +1,7 @@
 //! Tests every instruction that a trace can contain, alone and after another, on random operands
 //! and on edge cases, in all float modes.
 
-use super::units::{Compiled, State, code_cache, compare, trace};
+use super::units::{Compiled, START, State, code_cache, compare, trace};
 use super::wasm::Emitted;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -195,4 +195,43 @@ fn selections_between_operands_and_results() {
         let selected = selected.map(|operands| instruction(Op::Selb, operands));
         Some([&[compared, computed], &selected[..]].concat())
     });
+}
+
+/// In a loop, registers may keep their values from one iteration to the next.
+#[test]
+fn loops() {
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    let mut states: Vec<_> = (0..6).map(|_| state(&mut rng, false)).collect();
+    // One of them leaves the loop after three iterations.
+    states[0].registers[2] = Quad::splat(3);
+    states[1..].iter_mut().for_each(|state| state.registers[2] = Quad::splat(100));
+    let operations: Vec<_> = operations().filter(|op| op.row().class != Class::Br).collect();
+    compare_all(&mut rng, 100, &states, |rng| {
+        let ops =
+            (0..rng.random_range(1..12)).map(|_| operations[rng.random_range(0..operations.len())]);
+        let ops: Vec<_> = ops.collect();
+        let mut code: Vec<_> =
+            ops.into_iter().map(|op| instruction(rng, op)).collect::<Option<_>>()?;
+        let back = -4 * (code.len() as i32 + 1);
+        code.push(Instruction::new(Op::Ai, [2, 2, 0, 0], -1));
+        code.push(Instruction::new(Op::Brnz, [2, 0, 0, 0], back));
+        Some(code)
+    });
+}
+
+/// A store into the trace's own code never runs in a unit, because the code after it may change.
+#[test]
+fn stores_into_code_are_interpreted() {
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    let states = [state(&mut rng, false)];
+    for address in [START, START + 16, START + 32] {
+        let store = Instruction::new(Op::Stqa, [3, 0, 0, 0], address as i32);
+        let code = [&[Instruction::new(Op::Ai, [3, 3, 0, 0], 1); 6][..], &[store]].concat();
+        let trace = trace(&code, &states[0]);
+        let mut emitted = Emitted::new(&trace, FloatMode::SINGLES);
+        let exit = compare(&mut emitted, FloatMode::SINGLES, &code, &states[0]);
+        // The code ends within the second quadword.
+        let within = address < START + 32;
+        assert_eq!(exit, if within { Exit::Interpret } else { Exit::Left }, "{address:#x}");
+    }
 }

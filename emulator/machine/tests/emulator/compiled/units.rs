@@ -87,10 +87,13 @@ pub trait Run {
     fn run(&mut self, spu: &Spu, local_store: &LocalStore) -> Outcome;
 }
 
+/// How often units may run their trace, if it is a loop.
+pub const ITERATIONS: u32 = 5;
+
 /// A trace that is compiled for this host.
 pub struct Compiled {
     cpu: Cpu,
-    length: u32,
+    budget: u32,
 }
 
 impl Compiled {
@@ -98,7 +101,7 @@ impl Compiled {
         let mut cpu = code.new_cpu();
         let unit = Compiler::new(code, tier).compile(trace.clone(), mode).expect("there is space");
         cpu.install(&unit);
-        Self { cpu, length: trace.steps().len() as u32 }
+        Self { cpu, budget: ITERATIONS * trace.steps().len() as u32 }
     }
 }
 
@@ -114,7 +117,7 @@ impl Run for Compiled {
         };
         // SAFETY: registers and local store belong to this function. The units watch nothing.
         let (exit, pc, executed) =
-            unsafe { self.cpu.enter(storage, &mut fpscr, spu.pc(), self.length) };
+            unsafe { self.cpu.enter(storage, &mut fpscr, spu.pc(), self.budget) };
         Outcome { registers, fpscr, local_store, exit, pc, executed }
     }
 }

@@ -1,6 +1,6 @@
 //! Runs the modules that the compiler emits for WebAssembly, on an interpreter of WebAssembly.
 
-use super::units::{Outcome, Run};
+use super::units::{ITERATIONS, Outcome, Run};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::float::estimate;
 use spu_emulator::float::fpscr::Fpscr;
@@ -29,14 +29,17 @@ const PAGES: u32 = (LOCAL_STORE + SIZE) / 0x1_0000;
 const LEAVE: u32 = 1;
 const INTERPRET: u32 = 2;
 
+/// The program's own SPU.
+type Own = (Spu, LocalStore);
+
 type Arguments = (u32, u32, u32, u32, u32);
 
 /// A unit that was emitted.
 pub struct Emitted {
-    store: Store<()>,
+    store: Store<Own>,
     memory: Memory,
     unit: TypedFunc<Arguments, u32>,
-    length: u32,
+    budget: u32,
 }
 
 fn words<const COUNT: usize>(bytes: &[u8]) -> [u32; COUNT] {
@@ -48,9 +51,10 @@ fn little(words: &[u32]) -> Vec<u8> {
 }
 
 /// The function that a page's program has for instructions that are not compiled.
-fn interpret(memory: &mut [u8], registers: u32, fpscr: u32, word: u32) {
+fn interpret(memory: &mut [u8], own: &mut Own, registers: u32, fpscr: u32, word: u32) {
     let i = Instruction::decode(word).unwrap();
-    let (mut spu, local_store) = (Spu::new(), LocalStore::new());
+    let (spu, local_store) = own;
+    spu.set_pc(0);
     for &field in i.op.row().reads {
         let at = (registers + 16 * u32::from(i.register(field))) as usize;
         spu.set_register(i.register(field), Quad(words(&memory[at..])));
@@ -58,7 +62,7 @@ fn interpret(memory: &mut [u8], registers: u32, fpscr: u32, word: u32) {
     let fpscr = fpscr as usize..fpscr as usize + 16;
     spu.fpscr = Fpscr::from_words(words(&memory[fpscr.clone()]));
     local_store.write(0, &word.to_be_bytes());
-    assert_eq!(spu.step(&local_store, &mut NoChannels), None);
+    assert_eq!(spu.step(local_store, &mut NoChannels), None);
     memory[fpscr].copy_from_slice(&little(&spu.fpscr.words()));
     let at = (registers + 16 * u32::from(i.rt)) as usize;
     memory[at..at + 16].copy_from_slice(&little(&spu.register(i.rt).0));
@@ -67,11 +71,11 @@ fn interpret(memory: &mut [u8], registers: u32, fpscr: u32, word: u32) {
 impl Emitted {
     pub fn new(trace: &Trace, mode: FloatMode) -> Self {
         let engine = Engine::default();
-        let mut store = Store::new(&engine, ());
+        let mut store = Store::new(&engine, Own::default());
         let memory = Memory::new(&mut store, MemoryType::new(PAGES, None)).unwrap();
         let leave = Func::wrap(
             &mut store,
-            move |mut caller: Caller<'_, ()>, _: u32, _: u32, at: u32, budget: u32, pc: u32| {
+            move |mut caller: Caller<'_, Own>, _: u32, _: u32, at: u32, budget: u32, pc: u32| {
                 let memory = memory.data_mut(&mut caller);
                 write(memory, at + field::PC, &pc.to_le_bytes());
                 write(memory, at + field::BUDGET, &u64::from(budget).to_le_bytes());
@@ -80,8 +84,9 @@ impl Emitted {
         );
         let run = Func::wrap(
             &mut store,
-            move |mut caller: Caller<'_, ()>, registers: u32, fpscr: u32, word: u32| {
-                interpret(memory.data_mut(&mut caller), registers, fpscr, word);
+            move |mut caller: Caller<'_, Own>, registers: u32, fpscr: u32, word: u32| {
+                let (memory, own) = memory.data_and_store_mut(&mut caller);
+                interpret(memory, own, registers, fpscr, word);
             },
         );
         let nothing = Ref::Func(Nullable::Null);
@@ -109,7 +114,7 @@ impl Emitted {
         write(bytes, TABLE, &little(&[LEAVE]).repeat(SIZE as usize / 4));
         write(bytes, CONTEXT + field::TABLE, &TABLE.to_le_bytes());
         write(bytes, CONTEXT + field::ENTRIES, &ENTRIES.to_le_bytes());
-        Self { store, memory, unit, length: trace.steps().len() as u32 }
+        Self { store, memory, unit, budget: ITERATIONS * trace.steps().len() as u32 }
     }
 }
 
@@ -126,7 +131,7 @@ impl Run for Emitted {
         write(bytes, REGISTERS, &little(&registers));
         write(bytes, CONTEXT + field::FPSCR, &little(&spu.fpscr.words()));
         local_store.read(0, &mut bytes[LOCAL_STORE as usize..]);
-        let arguments = (REGISTERS, LOCAL_STORE, CONTEXT, self.length, spu.pc());
+        let arguments = (REGISTERS, LOCAL_STORE, CONTEXT, self.budget, spu.pc());
         let status = self.unit.call(&mut self.store, arguments).unwrap();
         let bytes = self.memory.data(&self.store);
         let [pc, unit] = words(&bytes[(CONTEXT + field::PC) as usize..]);
@@ -142,7 +147,7 @@ impl Run for Emitted {
             local_store,
             exit: Exit::of(status, unit),
             pc,
-            executed: self.length - left,
+            executed: self.budget - left,
         }
     }
 }
