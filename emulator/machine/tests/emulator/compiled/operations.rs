@@ -82,7 +82,7 @@ pub(super) fn compare_all(
     states: &[State],
     mut make: impl FnMut(&mut ChaCha8Rng) -> Option<Vec<Instruction>>,
 ) -> [[u32; 2]; 4] {
-    let code_cache = code_cache();
+    let (code_cache, mut emitted) = (code_cache(), Emitted::new());
     let mut failures = [[0; 2]; 4];
     for _ in 0..rounds {
         let Some(code) = make(rng) else { continue };
@@ -92,7 +92,7 @@ pub(super) fn compare_all(
         let tier = if rng.random() { Tier::Baseline } else { Tier::Optimized };
         for (mode, failures) in MODES.into_iter().chain([mixed]).zip(&mut failures) {
             let mut compiled = Compiled::new(&code_cache, tier, &trace, mode);
-            let mut emitted = Emitted::new(&trace, mode);
+            emitted.install(&trace, mode);
             for state in states {
                 let exits = [
                     compare(&mut compiled, mode, &code, state),
@@ -228,7 +228,8 @@ fn stores_into_code_are_interpreted() {
         let store = Instruction::new(Op::Stqa, [3, 0, 0, 0], address as i32);
         let code = [&[Instruction::new(Op::Ai, [3, 3, 0, 0], 1); 6][..], &[store]].concat();
         let trace = trace(&code, &states[0]);
-        let mut emitted = Emitted::new(&trace, FloatMode::SINGLES);
+        let mut emitted = Emitted::new();
+        emitted.install(&trace, FloatMode::SINGLES);
         let exit = compare(&mut emitted, FloatMode::SINGLES, &code, &states[0]);
         // The code ends within the second quadword.
         let within = address < START + 32;

@@ -45,7 +45,7 @@ fn copy(local_store: &LocalStore) -> LocalStore {
     copy
 }
 
-fn bytes(local_store: &LocalStore) -> &[u8] {
+pub fn local_store_bytes(local_store: &LocalStore) -> &[u8] {
     // SAFETY: local store has `SIZE` bytes, outlives the slice, and nobody writes to it meanwhile.
     unsafe { std::slice::from_raw_parts(local_store.as_ptr(), SIZE as usize) }
 }
@@ -155,6 +155,10 @@ pub fn compare(unit: &mut impl Run, mode: FloatMode, code: &[Instruction], state
         spu.fpscr.words(),
         operands()
     );
-    assert!(bytes(&local_store) == bytes(&expected), "{}: local store", context());
+    assert!(
+        local_store_bytes(&local_store) == local_store_bytes(&expected),
+        "{}: local store",
+        context()
+    );
     exit
 }

@@ -1,6 +1,6 @@
 //! Runs the modules that the compiler emits for WebAssembly, on an interpreter of WebAssembly.
 
-use super::units::{ITERATIONS, Outcome, Run};
+use super::units::{ITERATIONS, Outcome, Run, local_store_bytes};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::float::estimate;
 use spu_emulator::float::fpscr::Fpscr;
@@ -34,11 +34,12 @@ type Own = (Spu, LocalStore);
 
 type Arguments = (u32, u32, u32, u32, u32);
 
-/// A unit that was emitted.
+/// A program with one unit.
 pub struct Emitted {
     store: Store<Own>,
     memory: Memory,
-    unit: TypedFunc<Arguments, u32>,
+    linker: Linker<Own>,
+    unit: Option<TypedFunc<Arguments, u32>>,
     budget: u32,
 }
 
@@ -69,7 +70,7 @@ fn interpret(memory: &mut [u8], own: &mut Own, registers: u32, fpscr: u32, word:
 }
 
 impl Emitted {
-    pub fn new(trace: &Trace, mode: FloatMode) -> Self {
+    pub fn new() -> Self {
         let engine = Engine::default();
         let mut store = Store::new(&engine, Own::default());
         let memory = Memory::new(&mut store, MemoryType::new(PAGES, None)).unwrap();
@@ -98,23 +99,30 @@ impl Emitted {
         let mut linker = Linker::new(&engine);
         linker.define(IMPORTS, "memory", memory).unwrap();
         linker.define(IMPORTS, "table", table).unwrap();
+        let bytes = memory.data_mut(&mut store);
+        write(bytes, RECIPROCAL, &little(estimate::reciprocal_words()));
+        write(bytes, RECIPROCAL_ROOT, &little(estimate::reciprocal_root_words()));
+        write(bytes, TABLE, &little(&[LEAVE]).repeat(SIZE as usize / 4));
+        write(bytes, CONTEXT + field::TABLE, &TABLE.to_le_bytes());
+        write(bytes, CONTEXT + field::ENTRIES, &ENTRIES.to_le_bytes());
+        Self { store, memory, linker, unit: None, budget: 0 }
+    }
+
+    /// Makes the trace's unit the one that runs.
+    pub fn install(&mut self, trace: &Trace, mode: FloatMode) {
         let places = Places {
             reciprocal: RECIPROCAL,
             reciprocal_root: RECIPROCAL_ROOT,
             interpret: INTERPRET,
             code: CODE,
         };
-        let code = Module::new(&engine, module(trace, &mode, 0, places)).unwrap();
-        let instance = linker.instantiate_and_start(&mut store, &code).unwrap();
-        let unit = instance.get_typed_func::<Arguments, u32>(&store, UNIT).unwrap();
-        let bytes = memory.data_mut(&mut store);
-        write(bytes, RECIPROCAL, &little(estimate::reciprocal_words()));
-        write(bytes, RECIPROCAL_ROOT, &little(estimate::reciprocal_root_words()));
-        write(bytes, CODE, &trace.code().flat_map(u32::to_be_bytes).collect::<Vec<_>>());
-        write(bytes, TABLE, &little(&[LEAVE]).repeat(SIZE as usize / 4));
-        write(bytes, CONTEXT + field::TABLE, &TABLE.to_le_bytes());
-        write(bytes, CONTEXT + field::ENTRIES, &ENTRIES.to_le_bytes());
-        Self { store, memory, unit, budget: ITERATIONS * trace.steps().len() as u32 }
+        let code = module(trace, &mode, 0, places);
+        let code = Module::new(self.linker.engine(), code).unwrap();
+        let instance = self.linker.instantiate_and_start(&mut self.store, &code).unwrap();
+        self.unit = Some(instance.get_typed_func(&self.store, UNIT).unwrap());
+        self.budget = ITERATIONS * trace.steps().len() as u32;
+        let words: Vec<_> = trace.code().flat_map(u32::to_be_bytes).collect();
+        write(self.memory.data_mut(&mut self.store), CODE, &words);
     }
 }
 
@@ -130,9 +138,10 @@ impl Run for Emitted {
         let registers: Vec<_> = spu.registers.iter().flat_map(|quad| quad.0).collect();
         write(bytes, REGISTERS, &little(&registers));
         write(bytes, CONTEXT + field::FPSCR, &little(&spu.fpscr.words()));
-        local_store.read(0, &mut bytes[LOCAL_STORE as usize..]);
+        write(bytes, LOCAL_STORE, local_store_bytes(local_store));
         let arguments = (REGISTERS, LOCAL_STORE, CONTEXT, self.budget, spu.pc());
-        let status = self.unit.call(&mut self.store, arguments).unwrap();
+        let unit = self.unit.as_ref().unwrap();
+        let status = unit.call(&mut self.store, arguments).unwrap();
         let bytes = self.memory.data(&self.store);
         let [pc, unit] = words(&bytes[(CONTEXT + field::PC) as usize..]);
         let [left, zero] = words(&bytes[(CONTEXT + field::BUDGET) as usize..]);
