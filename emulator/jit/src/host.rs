@@ -46,7 +46,7 @@ pub(crate) struct Context {
 }
 
 impl Context {
-    /// What an SPU's units share, with its table and its numbers of entries.
+    /// The data of an SPU's units, with its table and its numbers of entries.
     pub fn new(table: *mut *const u8, entries: *mut u32) -> Self {
         Self {
             fpscr: [0; 4],

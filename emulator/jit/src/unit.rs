@@ -92,7 +92,7 @@ impl Unit {
     }
 }
 
-/// What units do besides the work of their instructions.
+/// The work of units besides their instructions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnitOptions {
     /// Whether [`Cpu::log`] records which instructions have run.

@@ -1,4 +1,4 @@
-//! What units share with the program, and the functions of the page that make units.
+//! The data that units share with the program, and the functions of the page that make units.
 
 use std::mem::offset_of;
 
@@ -14,7 +14,7 @@ pub(crate) struct Context {
     pub budget: i64,
     pub pc: u32,
     pub unit: u32,
-    /// Unused: units log nothing.
+    /// Never used, because units log nothing.
     pub log: *mut u32,
 }
 
@@ -28,7 +28,7 @@ const _: () = {
 };
 
 impl Context {
-    /// What an SPU's units share, with its table and its numbers of entries.
+    /// The data of an SPU's units, with its table and its numbers of entries.
     pub fn new(table: *mut *const u8, entries: *mut u32) -> Self {
         let log = std::ptr::null_mut();
         Self { fpscr: [0; 4], table, entries, budget: 0, pc: 0, unit: 0, log }

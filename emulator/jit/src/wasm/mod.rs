@@ -26,7 +26,7 @@ use crate::float_mode::FloatMode;
 use crate::trace::Trace;
 use emitter::Emitter;
 
-/// Offsets of the fields of what a unit shares with its caller.
+/// Offsets of the fields that a unit shares with its caller.
 pub mod field {
     /// The FPSCR, which a unit changes only by the interpreter.
     pub const FPSCR: u32 = 0;
@@ -43,7 +43,7 @@ pub mod field {
     pub const UNIT: u32 = 36;
 }
 
-/// What units use of the program.
+/// The parts of the program that units use.
 #[derive(Clone, Copy, Debug)]
 pub struct Places {
     /// The address of the table of `frest`.
