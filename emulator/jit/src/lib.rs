@@ -11,7 +11,7 @@
 //!
 //! The compiler needs a host with x86-64, AVX2 and FMA, or the feature `wasm` in a program that is
 //! WebAssembly itself. On an x86-64 host without AVX2 or FMA, [`CodeCache::new`] returns `None`.
-//! With the feature, [`wasm`] emits modules on every host, for tests.
+//! With the feature, the module `wasm` emits them on every host, for tests.
 #![cfg_attr(
     not(any(target_arch = "x86_64", feature = "wasm")),
     doc = "This host is no x86-64, so the crate is empty."

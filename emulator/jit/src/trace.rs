@@ -159,6 +159,16 @@ pub(crate) const fn code_address(address: u32) -> u32 {
     address & LIMIT_MASK & !3
 }
 
+/// The immediate in both halfwords of a word.
+pub(crate) const fn halfwords(i: Instruction) -> u32 {
+    i.immediate as u16 as u32 * 0x0001_0001
+}
+
+/// The immediate in all four bytes of a word.
+pub(crate) const fn bytes(i: Instruction) -> u32 {
+    i.immediate as u8 as u32 * 0x0101_0101
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

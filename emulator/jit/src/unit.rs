@@ -13,7 +13,7 @@ pub(crate) const MAX_UNITS: usize = 2048;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Tier {
     /// Registers are allocated in a single pass, so that code is soon compiled. Such a unit reports
-    /// [`Exit::Hot`] when it has been entered often.
+    /// [`Exit::Hot`](crate::Exit::Hot) when it has been entered often.
     Baseline,
     /// Registers are allocated so that few values are spilled. This takes more than twice as long.
     Optimized,
@@ -95,7 +95,7 @@ impl Unit {
 /// The work of units besides their instructions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnitOptions {
-    /// Whether [`Cpu::log`] records which instructions have run.
+    /// Whether [`Cpu::log`](crate::Cpu::log) records which instructions have run.
     pub logs: bool,
     /// Whether units leave accesses to [watched](crate::Storage::watched) quadwords to the
     /// interpreter.

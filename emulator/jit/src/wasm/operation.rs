@@ -6,6 +6,7 @@ use super::emitter::{Emitter, splat, vector};
 use super::integer::{Half, Operation};
 use super::memory::Address;
 use super::shift_rotate::{Count, Lanes, Move};
+use crate::trace::{bytes, halfwords};
 
 const WORDS: Lanes = Lanes {
     width: 32,
@@ -240,14 +241,4 @@ fn insertion_size(op: Op) -> u32 {
         Op::Cwd | Op::Cwx => 4,
         _ => 8,
     }
-}
-
-/// The immediate in both halfwords of a word.
-const fn halfwords(i: Instruction) -> u32 {
-    i.immediate as u16 as u32 * 0x0001_0001
-}
-
-/// The immediate in all four bytes of a word.
-const fn bytes(i: Instruction) -> u32 {
-    i.immediate as u8 as u32 * 0x0101_0101
 }
