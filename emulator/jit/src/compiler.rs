@@ -10,12 +10,13 @@ use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{ArenaMemoryProvider, JITBuilder, JITModule};
 use cranelift_module::{Module, ModuleError, default_libcall_names};
 
-use crate::cpu::{Cpu, Exit};
+use crate::cpu::{Cpu, Storage};
 use crate::emit::{self, Emitter, field};
+use crate::exit::Exit;
 use crate::float_mode::FloatMode;
 use crate::host;
-use crate::tables::Estimates;
 use crate::trace::Trace;
+use crate::unit::{Estimates, MAX_UNITS, Tier, Unit, UnitOptions};
 
 /// The error is boxed because it is large and rare.
 type BuildResult<T> = Result<T, Box<ModuleError>>;
@@ -23,18 +24,6 @@ type BuildResult<T> = Result<T, Box<ModuleError>>;
 /// The size of each tier's part of the code cache in bytes. Together with the traces and the tables
 /// of six SPEs both take less than 32 MiB.
 const MAX_CODE_BYTES: [usize; 2] = [9 << 20, 5 << 20];
-/// The most units. Each takes some 6 KiB in addition to its code.
-const MAX_UNITS: usize = 2048;
-
-/// How much effort the compiler puts into a unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Tier {
-    /// Registers are allocated in a single pass, so that code is soon compiled. Such a unit reports
-    /// [`Exit::Hot`] when it has been entered often.
-    Baseline,
-    /// Registers are allocated so that few values are spilled. This takes more than twice as long.
-    Optimized,
-}
 
 /// The code of all units, with the trampoline that enters it and the stub that leaves it.
 pub struct CodeCache {
@@ -82,10 +71,21 @@ impl CodeCache {
         Cpu::new(Arc::clone(self), MAX_UNITS, self.options.logs)
     }
 
-    /// A System V function that calls a unit. Its arguments are registers, local store, context,
-    /// target.
-    pub(crate) fn trampoline(&self) -> *const u8 {
-        self.trampoline
+    /// Runs the code at `target`, and returns the reason for its exit.
+    ///
+    /// # Safety
+    ///
+    /// As that of [`host::call`], for code of this cache.
+    pub(crate) unsafe fn call(
+        &self,
+        storage: Storage,
+        context: &mut host::Context,
+        target: *const u8,
+    ) -> u32 {
+        context.watched = storage.watched;
+        let Storage { registers, local_store, .. } = storage;
+        // SAFETY: the trampoline is this compiler's, and the caller guarantees the rest.
+        unsafe { host::call(self.trampoline, registers, local_store, context, target) }
     }
 
     /// The code that leaves compiled code. Tables hold it for every address without a unit.
@@ -105,79 +105,6 @@ impl Drop for CodeCache {
             }
         }
     }
-}
-
-/// A compiled trace.
-pub struct Unit {
-    number: u32,
-    trace: Trace,
-    mode: FloatMode,
-    tier: Tier,
-    /// Whether it contains arithmetic that may fail in singles.
-    has_floats: bool,
-    entry: *const u8,
-    code: Arc<CodeCache>,
-}
-
-// SAFETY: the pointer leads to code, which is never changed.
-unsafe impl Send for Unit {}
-// SAFETY: as above.
-unsafe impl Sync for Unit {}
-
-impl Unit {
-    /// The unit's number, counted from 0.
-    #[must_use]
-    pub fn number(&self) -> u32 {
-        self.number
-    }
-
-    /// The trace that it was compiled from.
-    #[must_use]
-    pub fn trace(&self) -> &Trace {
-        &self.trace
-    }
-
-    /// The address of its first instruction.
-    #[must_use]
-    pub fn start(&self) -> u32 {
-        self.trace.start()
-    }
-
-    /// How it computes floating-point arithmetic.
-    #[must_use]
-    pub fn mode(&self) -> FloatMode {
-        self.mode
-    }
-
-    /// How much effort went into its code.
-    #[must_use]
-    pub fn tier(&self) -> Tier {
-        self.tier
-    }
-
-    /// Whether it contains arithmetic to which the [`FloatMode`] makes a difference.
-    #[must_use]
-    pub fn has_floats(&self) -> bool {
-        self.has_floats
-    }
-
-    pub(crate) fn entry(&self) -> *const u8 {
-        self.entry
-    }
-
-    pub(crate) fn code_owner(&self) -> &Arc<CodeCache> {
-        &self.code
-    }
-}
-
-/// What units do besides the work of their instructions.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct UnitOptions {
-    /// Whether [`Cpu::log`] records which instructions have run.
-    pub logs: bool,
-    /// Whether units leave accesses to [watched](crate::Storage::watched) quadwords to the
-    /// interpreter.
-    pub watches: bool,
 }
 
 /// Compiles traces to units of one tier. Compilers of both tiers can work at the same time.

@@ -1,40 +1,14 @@
 //! One SPU that runs units.
 
-use std::ptr;
 use std::sync::Arc;
 
-use crate::compiler::{CodeCache, Unit};
-use crate::host::{self, Context};
+use crate::compiler::CodeCache;
+use crate::exit::Exit;
+use crate::host::Context;
+use crate::unit::Unit;
 
 /// The number of words in local store. A unit can start at each of them.
 const LOCAL_STORE_WORDS: usize = spu_isa::LOCAL_STORE_SIZE as usize / 4;
-
-/// Why compiled code ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Exit {
-    /// No unit starts at the program counter, or its trace is longer than the rest of the budget.
-    Left,
-    /// The interpreter must run the next instruction.
-    Interpret,
-    /// The unit with this number can't continue at the program counter: the interpreter must.
-    Failed(u32),
-    /// The next instructions access a watched quadword. The interpreter must run them.
-    Watched,
-    /// Local store no longer holds the code of the unit with this number. The unit did nothing.
-    Stale(u32),
-    /// The [baseline](crate::Tier::Baseline) unit with this number was entered often since it last
-    /// reported so. It did nothing.
-    Hot(u32),
-}
-
-impl Exit {
-    pub(crate) const LEFT: u32 = 0;
-    pub(crate) const INTERPRET: u32 = 1;
-    pub(crate) const FAILED: u32 = 2;
-    pub(crate) const STALE: u32 = 3;
-    pub(crate) const WATCHED: u32 = 4;
-    pub(crate) const HOT: u32 = 5;
-}
 
 /// A passage through a unit: how many of its instructions ran until it was left, or until its
 /// loop returned to the start.
@@ -51,11 +25,8 @@ pub struct Passage {
 const COUNT_BITS: u32 = 8;
 
 impl Passage {
-    pub(crate) const fn new(unit: u32, count: u32) -> Self {
-        Self { unit, count }
-    }
-
     /// Encodes it as a word of the log.
+    #[cfg(target_arch = "x86_64")]
     pub(crate) const fn to_word(self) -> u32 {
         self.unit << COUNT_BITS | self.count
     }
@@ -104,19 +75,7 @@ impl Cpu {
     pub(crate) fn new(code: Arc<CodeCache>, units: usize, logs: bool) -> Self {
         let mut table = vec![code.exit_stub(); LOCAL_STORE_WORDS].into_boxed_slice();
         let mut entries = vec![0; units].into_boxed_slice();
-        let context = Box::new(Context {
-            fpscr: [0; 4],
-            sink: [0; 4],
-            table: table.as_mut_ptr().cast_const(),
-            entries: entries.as_mut_ptr(),
-            log: ptr::null_mut(),
-            watched: ptr::null(),
-            budget: 0,
-            pc: 0,
-            unit: 0,
-            mxcsr: 0,
-            host_mxcsr: 0,
-        });
+        let context = Box::new(Context::new(table.as_mut_ptr(), entries.as_mut_ptr()));
         Self { context, table, entries, log: Vec::new(), logs, code }
     }
 
@@ -174,7 +133,6 @@ impl Cpu {
         context.fpscr = *fpscr;
         context.pc = pc;
         context.budget = i64::from(budget);
-        context.watched = storage.watched;
         if self.logs {
             // A passage takes one word, and one more for each hint. It runs at least one
             // instruction, and hints are instructions too, so 2 words an instruction suffice.
@@ -182,18 +140,9 @@ impl Cpu {
             self.log.reserve(2 * budget as usize);
             context.log = self.log.as_mut_ptr();
         }
-        // SAFETY: the trampoline and the target belong to this code cache, because the table holds
-        // no other code. The context points to this value's own boxes, and to a log that has
+        // SAFETY: the target belongs to this code cache, because the table holds no other code. The context points to this value's own boxes, and to a log that has
         // capacity for every instruction of the budget. The caller guarantees the storage.
-        let status = unsafe {
-            host::call(
-                self.code.trampoline(),
-                storage.registers,
-                storage.local_store,
-                context,
-                target,
-            )
-        };
+        let status = unsafe { self.code.call(storage, context, target) };
         *fpscr = context.fpscr;
         if self.logs {
             // SAFETY: the units have written the words up to this place, within the capacity.
@@ -202,14 +151,7 @@ impl Cpu {
                 self.log.set_len(written);
             }
         }
-        let exit = match status {
-            Exit::LEFT => Exit::Left,
-            Exit::INTERPRET => Exit::Interpret,
-            Exit::FAILED => Exit::Failed(context.unit),
-            Exit::WATCHED => Exit::Watched,
-            Exit::HOT => Exit::Hot(context.unit),
-            _ => Exit::Stale(context.unit),
-        };
+        let exit = Exit::of(status, context.unit);
         let executed = i64::from(budget) - context.budget;
         (exit, context.pc, executed as u32)
     }

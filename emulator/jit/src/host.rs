@@ -3,6 +3,7 @@
 
 use std::arch::{asm, naked_asm};
 use std::mem::offset_of;
+use std::ptr;
 
 /// The control register for compiled code: round toward zero, flush tiny results to zero, keep
 /// denormal operands, mask all exceptions. Its exception flags are clear.
@@ -42,6 +43,25 @@ pub(crate) struct Context {
     pub mxcsr: u32,
     /// The host's control register outside compiled code.
     pub host_mxcsr: u32,
+}
+
+impl Context {
+    /// The data of an SPU's units, with its table and its numbers of entries.
+    pub fn new(table: *mut *const u8, entries: *mut u32) -> Self {
+        Self {
+            fpscr: [0; 4],
+            sink: [0; 4],
+            table,
+            entries,
+            log: ptr::null_mut(),
+            watched: ptr::null(),
+            budget: 0,
+            pc: 0,
+            unit: 0,
+            mxcsr: 0,
+            host_mxcsr: 0,
+        }
+    }
 }
 
 /// Whether compiled code can run on this host.

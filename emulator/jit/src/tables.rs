@@ -1,17 +1,7 @@
-//! Tables that compiled code reads: estimates, and controls for byte shuffles.
+//! Tables that compiled code reads: controls for byte shuffles.
 //!
 //! A register's image on the host has each word in the host's byte order, so byte `n` of a
 //! quadword, counted from the left, is at `n ^ 3`.
-
-/// The tables of `frest` and `frsqest`. Each entry has base and step at their positions in an
-/// estimate word.
-#[derive(Clone, Copy, Debug)]
-pub struct Estimates {
-    /// Indexed by bits 9 to 13 of the operand.
-    pub reciprocal: &'static [u32; 32],
-    /// Indexed by bits 8 to 13 of the operand.
-    pub reciprocal_root: &'static [u32; 64],
-}
 
 /// The bytes of a quadword in the order of the host's memory.
 pub(crate) type Bytes = [u8; 16];

@@ -115,6 +115,11 @@ impl Trace {
         Self::new(self.steps[..count].to_vec())
     }
 
+    /// Its words in the order of their addresses.
+    pub fn code(&self) -> impl Iterator<Item = u32> {
+        self.ranges.iter().flat_map(|range| range.words.iter().copied())
+    }
+
     pub(crate) fn ranges(&self) -> &[Range] {
         &self.ranges
     }
@@ -152,6 +157,16 @@ pub(crate) const fn following(pc: u32) -> u32 {
 /// The address from which the SPU fetches an instruction, for a branch to `address`.
 pub(crate) const fn code_address(address: u32) -> u32 {
     address & LIMIT_MASK & !3
+}
+
+/// The immediate in both halfwords of a word.
+pub(crate) const fn halfwords(i: Instruction) -> u32 {
+    i.immediate as u16 as u32 * 0x0001_0001
+}
+
+/// The immediate in all four bytes of a word.
+pub(crate) const fn bytes(i: Instruction) -> u32 {
+    i.immediate as u8 as u32 * 0x0101_0101
 }
 
 #[cfg(test)]

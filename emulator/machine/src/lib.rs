@@ -118,7 +118,7 @@
 
 // Without a machine or a compiler, nothing uses what the clock and the interpreter offer them.
 #![cfg_attr(
-    not(all(feature = "compiler", target_arch = "x86_64")),
+    not(all(feature = "compiler", any(target_arch = "x86_64", target_arch = "wasm32"))),
     allow(dead_code, unused_imports)
 )]
 
@@ -126,7 +126,10 @@
 mod atomic_words;
 pub mod channel;
 #[cfg(feature = "machine")]
-#[cfg_attr(not(all(feature = "compiler", target_arch = "x86_64")), path = "compiled/absent.rs")]
+#[cfg_attr(
+    not(all(feature = "compiler", any(target_arch = "x86_64", target_arch = "wasm32"))),
+    path = "compiled/absent.rs"
+)]
 pub mod compiled;
 #[cfg(feature = "machine")]
 pub mod decrementer;

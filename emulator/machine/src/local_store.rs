@@ -20,7 +20,7 @@ use spu_isa::LOCAL_STORE_SIZE;
 pub const SIZE: u32 = LOCAL_STORE_SIZE;
 
 /// Size in bytes of the lines in which local stores are compared.
-#[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+#[cfg(all(feature = "compiler", any(target_arch = "x86_64", target_arch = "wasm32")))]
 pub(crate) const DIFFERENCE_LINE: usize = 64;
 
 const DOUBLEWORDS: usize = SIZE as usize / 8;
@@ -127,7 +127,7 @@ impl LocalStore {
     }
 
     /// The addresses of the lines of [`DIFFERENCE_LINE`] bytes in which it differs from `other`.
-    #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+    #[cfg(all(feature = "compiler", any(target_arch = "x86_64", target_arch = "wasm32")))]
     pub(crate) fn changed_lines<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = u32> {
         let lines = |store: &'a Self| store.0.0.as_chunks::<{ DIFFERENCE_LINE / 8 }>().0;
         let differs = |(own, its): (&[AtomicU64], &[AtomicU64])| {
@@ -140,7 +140,7 @@ impl LocalStore {
     }
 
     /// All bytes of a local store that no other thread uses.
-    #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
+    #[cfg(all(feature = "compiler", any(target_arch = "x86_64", target_arch = "wasm32")))]
     pub(crate) fn as_bytes(&mut self) -> &[u8] {
         // SAFETY: the doublewords are `SIZE` initialised bytes, and the exclusive borrow keeps
         // others from writing them.

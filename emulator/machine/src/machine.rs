@@ -90,7 +90,8 @@ impl Machine {
     /// A machine with this memory and time base whose SPEs run [in turn](crate::in_turn).
     #[must_use]
     pub fn in_turn(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
-        Self::made(memory, clock, None, None, Some(Arc::default()))
+        let translations = translations(Engine::default(), false, false);
+        Self::made(memory, clock, None, translations, Some(Arc::default()))
     }
 
     /// As [`simulated_with`](Self::simulated_with), with SPEs that run [in turn](crate::in_turn)

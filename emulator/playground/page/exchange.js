@@ -1,13 +1,16 @@
 // The program in WebAssembly: it gets requests and gives replies, as JSON in its memory.
 
-/** Loads a program. Returns `ask`, which passes a request and returns the reply, and `memory`. */
-export async function program(address) {
+/**
+ * Loads a program. Returns `ask`, which passes a request and returns the reply, and `bytes`.
+ * `imports` returns the program's imports, which may use its exports when it runs.
+ */
+export async function program(address, imports = () => ({})) {
   const code = await WebAssembly.compile(await (await fetch(address)).arrayBuffer());
   let machine;
 
   function ask(request) {
     try {
-      machine ??= new WebAssembly.Instance(code, {}).exports;
+      machine ??= new WebAssembly.Instance(code, imports(() => machine)).exports;
       const bytes = new TextEncoder().encode(JSON.stringify(request));
       const buffer = machine.buffer(bytes.length);
       new Uint8Array(machine.memory.buffer, buffer, bytes.length).set(bytes);

@@ -10,6 +10,7 @@ import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { browser, serve } from "../../../emulator/playground/page/browser.js";
+import { units } from "./units.js";
 
 const [page, expected, pictures, profile] = process.argv.slice(2);
 const server = await serve(page, []);
@@ -56,7 +57,7 @@ const decoded = (file) =>
 async function processorSpeed(name, size) {
   const FRAMES = 10;
   const code = readFileSync(join(page, "tracer.wasm"));
-  const { exports } = (await WebAssembly.instantiate(code, {})).instance;
+  const { exports } = (await WebAssembly.instantiate(code, units(() => exports))).instance;
   const ask = (request) => {
     const bytes = new TextEncoder().encode(JSON.stringify(request));
     const buffer = exports.buffer(bytes.length);

@@ -1,6 +1,7 @@
 // The tracer's page: it draws the pictures that the program in WebAssembly traces.
 
 import { program } from "../../../emulator/playground/page/exchange.js";
+import { units } from "./units.js";
 
 const $ = (id) => document.getElementById(id);
 const SIZES = ["160x90", "320x180", "640x360", "1280x720"];
@@ -15,7 +16,7 @@ const REST = 300;
 // Frames of which the speed is the mean.
 const FRAMES = 8;
 
-const { ask, bytes } = await program("tracer.wasm");
+const { ask, bytes } = await program("tracer.wasm", units);
 // The pixels come from memory, so a canvas in memory takes them fastest.
 const context = $("picture").getContext("2d", { willReadFrequently: true });
 let orbit;

@@ -20,6 +20,10 @@ use crate::orbit::Orbit;
 
 pub type Failure = Box<dyn std::error::Error>;
 
+/// The number of entries after which code is compiled. Browsers begin with a fast compiler, which
+/// takes some hundred times as long as interpreting the code once.
+const COMPILE_AFTER: u16 = 32;
+
 /// A scene on its way to the page.
 pub struct Tracer {
     source: scenes::Scene,
@@ -61,6 +65,7 @@ impl Tracer {
         }
         let scene = Scene::new(&source, options, &Program::tracer())?;
         let machine = use_machine(None);
+        machine.compile_after(COMPILE_AFTER);
         let engine = Engine::start(settings(), Box::new(Memory::new(geometry)?))?;
         Ok(Self { source, scene, geometry, engine, machine, instructions: 0, pixels: Vec::new() })
     }

@@ -6,7 +6,8 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use super::memory::{Address, Key};
 use super::registers::Id;
 use super::{Emitter, field};
-use crate::cpu::{Exit, Passage};
+use crate::cpu::Passage;
+use crate::exit::Exit;
 use crate::host;
 
 /// The state from which the interpreter continues if the next commit fails.
@@ -140,7 +141,7 @@ impl Emitter<'_> {
         }
         let flags = MemFlagsData::trusted();
         let at = self.load_field(types::I64, field::LOG);
-        let passage = self.word(Passage::new(self.number, count).to_word());
+        let passage = self.word(Passage { unit: self.number, count }.to_word());
         self.b.ins().store(flags, passage, at, 0);
         let mut end = 4;
         for n in 0..self.hints.len() {

@@ -6,8 +6,8 @@ use cranelift_codegen::ir::{InstBuilder, Type, Value};
 use spu_isa::Instruction;
 
 use super::Emitter;
-use super::operation::{bytes, halfwords};
 use super::registers::{Facts, Node};
+use crate::trace::{bytes, halfwords};
 
 /// A half of each word.
 #[derive(Clone, Copy)]

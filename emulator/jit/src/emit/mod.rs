@@ -36,11 +36,10 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
 use cranelift_frontend::FunctionBuilder;
 
-use crate::compiler::{Tier, UnitOptions};
-use crate::cpu::Exit;
+use crate::exit::Exit;
 use crate::float_mode::FloatMode;
-use crate::tables::Estimates;
 use crate::trace::{Range, Step, Trace, code_address};
+use crate::unit::{Estimates, Tier, UnitOptions};
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
 use spu_isa::Class;

@@ -9,6 +9,7 @@ use super::convert::Sign;
 use super::float::Compare;
 use super::integer::{Half, Logic};
 use super::shift_rotate::{Bits, Bytes, Count, Move};
+use crate::trace::{bytes, halfwords};
 
 impl Emitter<'_> {
     /// Emits the instruction.
@@ -215,14 +216,4 @@ impl Emitter<'_> {
             }
         }
     }
-}
-
-/// The immediate in both halfwords of a word.
-pub(super) const fn halfwords(i: Instruction) -> u32 {
-    i.immediate as u16 as u32 * 0x0001_0001
-}
-
-/// The immediate in all four bytes of a word.
-pub(super) const fn bytes(i: Instruction) -> u32 {
-    i.immediate as u8 as u32 * 0x0101_0101
 }

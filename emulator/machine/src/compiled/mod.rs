@@ -8,6 +8,8 @@
 
 mod check;
 mod dispatch;
+#[cfg(target_arch = "wasm32")]
+mod interpret;
 mod record;
 mod runner;
 mod specials;

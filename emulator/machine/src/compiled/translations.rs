@@ -9,6 +9,8 @@ use std::thread;
 use spu_jit::{CodeCache, Compiler, Cpu, Estimates, FloatMode, Tier, Trace, Unit, UnitOptions};
 
 use super::check::Difference;
+#[cfg(target_arch = "wasm32")]
+use super::interpret::interpret;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
 use crate::local_store::LocalStore;
 use crate::lock::lock;
@@ -68,6 +70,9 @@ impl Translations {
         let options = UnitOptions { logs: timed, watches };
         let estimates =
             Estimates { reciprocal: reciprocal_words(), reciprocal_root: reciprocal_root_words() };
+        #[cfg(target_arch = "wasm32")]
+        let code = CodeCache::new(estimates, interpret, options).filter(|_| !check)?;
+        #[cfg(not(target_arch = "wasm32"))]
         let code = CodeCache::new(estimates, options)?;
         let compilers = [Tier::Baseline, Tier::Optimized].map(|tier| Compiler::new(&code, tier));
         Some(Arc::new(Self {

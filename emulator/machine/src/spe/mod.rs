@@ -292,20 +292,22 @@ impl Spe {
     /// Runs a program that was begun for at most `limit` instructions. Returns whether it ran.
     pub(crate) fn go_on(&self, limit: u64) -> bool {
         let mut engine = lock(&self.engine);
-        let Engine { spu, state, clock, races, turn, .. } = &mut *engine;
+        let Engine { spu, state, clock, races, runner, turn } = &mut *engine;
         if !matches!(turn, Turn::Runs) {
             return false;
         }
         let (clock, races): (&RefCell<SpuClock>, &RefCell<Races>) = (clock, races);
         let before = spu.executed();
         let mut channels = RunningChannels { own: state, spe: self, clock, races };
-        let stopped = match &self.simulated {
-            None => spu.run_limited(&self.local_store, &mut channels, limit),
-            Some(side) => {
+        let store = &self.local_store;
+        let stopped = match (&self.simulated, runner) {
+            (None, Some(runner)) => runner.run(spu, store, &mut channels, limit),
+            (None, None) => spu.run_limited(store, &mut channels, limit),
+            (Some(side), _) => {
                 side.resume(clock);
                 let method = side.simulation.options().method;
                 let mut timed = Timed::new((clock, races), &side.actor, method, None);
-                timed.run(spu, &self.local_store, &mut channels, limit, &mut ())
+                timed.run(spu, store, &mut channels, limit, &mut ())
             }
         };
         let stopped = match stopped {

@@ -59,7 +59,7 @@ fn ordinary_doubles_do_not_fail() {
         let ops = [one_of(rng, operations), one_of(rng, operations)];
         ops.map(|op| instruction(rng, op)).into_iter().collect()
     });
-    assert_eq!(failures, [0; 4]);
+    assert_eq!(failures, [[0; 2]; 4]);
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn edges_of_doubles() {
     let states = states(&mut rng, 40, edge);
     for op in OPERATIONS {
         let failures = compare_all(&mut rng, 40, &states, |rng| Some(vec![instruction(rng, op)?]));
-        assert!(failures.iter().all(|&count| count > 0), "{op:?}");
+        assert!(failures.iter().all(|&[host, wasm]| host > 0 && wasm == 0), "{op:?}");
     }
 }
 
@@ -121,5 +121,5 @@ fn other_rounding_modes_are_interpreted() {
         let made = (0..100).find_map(|_| instruction(rng, op));
         Some(vec![made.expect("one of many is valid")])
     });
-    assert_eq!(failures, [40 * 15; 4]);
+    assert_eq!(failures, [[40 * 15, 0]; 4]);
 }

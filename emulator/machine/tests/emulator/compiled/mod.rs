@@ -4,3 +4,4 @@ mod double_precision;
 mod operations;
 mod programs;
 mod units;
+mod wasm;

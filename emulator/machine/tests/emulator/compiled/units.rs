@@ -45,7 +45,7 @@ fn copy(local_store: &LocalStore) -> LocalStore {
     copy
 }
 
-fn bytes(local_store: &LocalStore) -> &[u8] {
+pub fn local_store_bytes(local_store: &LocalStore) -> &[u8] {
     // SAFETY: local store has `SIZE` bytes, outlives the slice, and nobody writes to it meanwhile.
     unsafe { std::slice::from_raw_parts(local_store.as_ptr(), SIZE as usize) }
 }
@@ -72,11 +72,28 @@ pub fn trace(code: &[Instruction], state: &State) -> Trace {
     Trace::new(steps.collect()).expect("the code is straight and can be compiled")
 }
 
-/// A compiled trace.
+/// A state after a unit has run, and why and where it ended.
+pub struct Outcome {
+    pub registers: [Quad; 128],
+    pub fpscr: [u32; 4],
+    pub local_store: LocalStore,
+    pub exit: Exit,
+    pub pc: u32,
+    pub executed: u32,
+}
+
+/// A unit that can run on a copy of a state.
+pub trait Run {
+    fn run(&mut self, spu: &Spu, local_store: &LocalStore) -> Outcome;
+}
+
+/// How often units may run their trace, if it is a loop.
+pub const ITERATIONS: u32 = 5;
+
+/// A trace that is compiled for this host.
 pub struct Compiled {
     cpu: Cpu,
-    mode: FloatMode,
-    length: u32,
+    budget: u32,
 }
 
 impl Compiled {
@@ -84,15 +101,15 @@ impl Compiled {
         let mut cpu = code.new_cpu();
         let unit = Compiler::new(code, tier).compile(trace.clone(), mode).expect("there is space");
         cpu.install(&unit);
-        Self { cpu, mode, length: trace.steps().len() as u32 }
+        Self { cpu, budget: ITERATIONS * trace.steps().len() as u32 }
     }
+}
 
-    /// Runs the unit once, and compares the state after it with the interpreter's after as many
-    /// instructions. Returns why the unit ended.
-    pub fn compare(&mut self, code: &[Instruction], state: &State) -> Exit {
-        let (start, local_store) = state.with_code(code);
-        let mut registers = start.registers;
-        let mut fpscr = start.fpscr.words();
+impl Run for Compiled {
+    fn run(&mut self, spu: &Spu, local_store: &LocalStore) -> Outcome {
+        let local_store = copy(local_store);
+        let mut registers = spu.registers;
+        let mut fpscr = spu.fpscr.words();
         let storage = Storage {
             registers: registers.as_mut_ptr().cast(),
             local_store: local_store.as_ptr(),
@@ -100,36 +117,48 @@ impl Compiled {
         };
         // SAFETY: registers and local store belong to this function. The units watch nothing.
         let (exit, pc, executed) =
-            unsafe { self.cpu.enter(storage, &mut fpscr, START, self.length) };
+            unsafe { self.cpu.enter(storage, &mut fpscr, spu.pc(), self.budget) };
+        Outcome { registers, fpscr, local_store, exit, pc, executed }
+    }
+}
 
-        let (mut spu, expected) = state.with_code(code);
-        let stopped = spu.run_limited(&expected, &mut NoChannels, u64::from(executed));
-        let context = || format!("{code:x?} {:?} {exit:?} after {executed}", self.mode);
-        assert_eq!(stopped, None, "{}", context());
-        assert_eq!(pc, spu.pc(), "{}", context());
-        let operands = || {
-            let of =
-                |i: &Instruction| [i.ra, i.rb, i.rc, i.rt].map(|r| state.registers[usize::from(r)]);
-            format!("operands {:x?}", code.iter().map(of).collect::<Vec<_>>())
-        };
-        let results = registers.iter().zip(&spu.registers);
-        for (number, (now, expected)) in results.enumerate() {
-            assert!(
-                now == expected,
-                "{}: ${number} is {now:x?}, not {expected:x?}; {}",
-                context(),
-                operands()
-            );
-        }
+/// Runs the unit once, and compares the state after it with the interpreter's after as many
+/// instructions. Returns why the unit ended.
+pub fn compare(unit: &mut impl Run, mode: FloatMode, code: &[Instruction], state: &State) -> Exit {
+    let (start, local_store) = state.with_code(code);
+    let Outcome { registers, fpscr, local_store, exit, pc, executed } =
+        unit.run(&start, &local_store);
+    let (mut spu, expected) = state.with_code(code);
+    let stopped = spu.run_limited(&expected, &mut NoChannels, u64::from(executed));
+    let context = || format!("{code:x?} {:?} {exit:?} after {executed}", mode);
+    assert_eq!(stopped, None, "{}", context());
+    assert_eq!(pc, spu.pc(), "{}", context());
+    let operands = || {
+        let of =
+            |i: &Instruction| [i.ra, i.rb, i.rc, i.rt].map(|r| state.registers[usize::from(r)]);
+        format!("operands {:x?}", code.iter().map(of).collect::<Vec<_>>())
+    };
+    let results = registers.iter().zip(&spu.registers);
+    for (number, (now, expected)) in results.enumerate() {
         assert!(
-            fpscr == spu.fpscr.words(),
-            "{}: FPSCR was {:x?}, is {fpscr:x?}, not {:x?}; {}",
+            now == expected,
+            "{}: ${number} is {now:x?}, not {expected:x?}; {}",
             context(),
-            state.fpscr,
-            spu.fpscr.words(),
             operands()
         );
-        assert!(bytes(&local_store) == bytes(&expected), "{}: local store", context());
-        exit
     }
+    assert!(
+        fpscr == spu.fpscr.words(),
+        "{}: FPSCR was {:x?}, is {fpscr:x?}, not {:x?}; {}",
+        context(),
+        state.fpscr,
+        spu.fpscr.words(),
+        operands()
+    );
+    assert!(
+        local_store_bytes(&local_store) == local_store_bytes(&expected),
+        "{}: local store",
+        context()
+    );
+    exit
 }
