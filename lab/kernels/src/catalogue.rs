@@ -50,7 +50,7 @@ pub enum Objects {
 }
 
 /// The families of kernels.
-const FAMILIES: [&[Kernel]; 15] = [
+const FAMILIES: [&[Kernel]; 16] = [
     eye::KERNELS,
     eye::formulation::KERNELS,
     sphere_ray::KERNELS,
@@ -65,6 +65,7 @@ const FAMILIES: [&[Kernel]; 15] = [
     whitted::shaders::KERNELS,
     whitted::bounce::KERNELS,
     whitted::mesh::KERNELS,
+    whitted::cuts::KERNELS,
     whitted::height::KERNELS,
 ];
 

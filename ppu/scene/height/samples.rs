@@ -181,12 +181,20 @@ impl HeightSamples {
             own.chain(other).fold([u16::MAX, 0], |[low, high], it| [low.min(it), high.max(it)])
         };
         let blocks = (0..down).flat_map(|row| (0..across).map(move |column| (column, row)));
+        let ranges: Vec<[u16; 2]> = blocks.map(range).collect();
+        // The largest heights, for the SPUs: each row in whole quadwords.
+        for row in ranges.chunks(across) {
+            for four in row.chunks(4) {
+                let word = |at: usize| four.get(at).map_or(0, |range| u32::from(range[1]) << 16);
+                self.memory.push(Four([0, 1, 2, 3].map(word).map(U32::new)));
+            }
+        }
         self.levels.push(Level {
             squares: [grid.columns as u32 - 1, grid.rows as u32 - 1],
             blocks: [across as u32, down as u32],
             offset,
             stride: (width * size_of::<U32>()) as u32,
-            ranges: blocks.map(range).collect(),
+            ranges,
         });
     }
 
