@@ -191,6 +191,8 @@ impl Image {
         }
         let absolute =
             |path: &PathBuf| std::path::absolute(path).map_err(|source| file_error(path, source));
+        // The code for cuts overlaps other code.
+        link.extend(["--no-overlays".into(), "--no-check-sections".into()]);
         link.extend(["--fatal-warnings".into(), "-T".into(), absolute(&self.script)?.into()]);
         let objects: Vec<PathBuf> = objects.iter().map(absolute).collect::<Result<_, _>>()?;
         // The linker stores the image's path in the image. Linking in the image's folder makes the

@@ -36,6 +36,8 @@ pub(super) struct Records {
     colour_code: SharedMemory,
     height_code: SharedMemory,
     texture_code_bytes: u32,
+    cuts_code: SharedMemory,
+    cuts_code_bytes: u32,
     /// The mesh of the last scene, which SPUs read.
     mesh: Option<Arc<MeshBlocks>>,
     build_code: SharedMemory,
@@ -78,11 +80,13 @@ impl Records {
             (mesh_code, mesh_code_bytes),
             (texture_code, texture_code_bytes),
             (build_code, build_code_bytes),
+            (cuts_code, cuts_code_bytes),
         ] = [
             program.depth_code(),
             program.mesh_code(),
             program.texture_code(),
             program.build_code(),
+            program.cuts_code(),
         ]
         .map(|code| {
             let mut memory = SharedMemory::new(code.len());
@@ -105,6 +109,8 @@ impl Records {
             mesh_code_bytes,
             texture_code,
             texture_code_bytes,
+            cuts_code,
+            cuts_code_bytes,
             colour_code,
             height_code: height_memory,
             mesh: None,
@@ -148,6 +154,8 @@ impl Records {
             mesh_code_bytes: self.mesh_code_bytes,
             texture_code: self.texture_code.address(),
             texture_code_bytes: self.texture_code_bytes,
+            cuts_code: self.cuts_code.address(),
+            cuts_code_bytes: self.cuts_code_bytes,
             colour_code: self.colour_code.address(),
             height_code: self.height_code.address(),
             unit_counter: self.unit_counter.address(),

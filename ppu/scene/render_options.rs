@@ -117,6 +117,8 @@ pub struct RenderOptions {
     pub build_by: Option<BuildBy>,
     /// The volumes of the trees' nodes.
     pub volumes: NodeVolumes,
+    /// Whether rays from the eye may find a height field by cuts, if the view allows it.
+    pub cuts: bool,
 }
 
 impl Default for RenderOptions {
@@ -137,6 +139,7 @@ impl Default for RenderOptions {
             refit_by: None,
             build_by: None,
             volumes: NodeVolumes::Best,
+            cuts: true,
         }
     }
 }

@@ -36,13 +36,14 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
     Ok(())
 }
 
-/// The bytes that segments load to a range of local store, up to the last one's end there, in
+/// The bytes of a range of load addresses, which are those in local store except for the code for
+/// cuts, up to the last one's end there, in
 /// whole quadwords. The range's end is a multiple of a quadword.
 pub(super) fn loaded(image: &[u8], range: Range<u32>) -> Result<Vec<u8>, ProgramError> {
     let file = parse(image)?;
     let mut bytes = Vec::new();
     for header in file.elf_program_headers() {
-        let start = header.p_vaddr(BigEndian);
+        let start = header.p_paddr(BigEndian);
         let outside = |()| ProgramError::Malformed("a segment is outside of the file".into());
         let data = header.data(BigEndian, image).map_err(outside)?;
         let (low, high) = (start.max(range.start), range.end.min(start + data.len() as u32));

@@ -11,8 +11,9 @@ use super::error::ProgramError;
 use protocol::formulation::Formulations;
 use protocol::layout::{
     BOX_CODE, BOX_CODE_CAPACITY, BUILD_CODE, BUILD_CODE_CAPACITY, COLOUR_CODE,
-    COLOUR_CODE_CAPACITY, DEPTH_CODE, DEPTH_CODE_CAPACITY, EYE_CODE, EYE_CODE_CAPACITY,
-    HEIGHT_CODE, HEIGHT_CODE_CAPACITY, MESH_CODE_CAPACITY, TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
+    COLOUR_CODE_CAPACITY, CUTS_CODE_CAPACITY, CUTS_CODE_LOAD, DEPTH_CODE, DEPTH_CODE_CAPACITY,
+    EYE_CODE, EYE_CODE_CAPACITY, HEIGHT_CODE, HEIGHT_CODE_CAPACITY, MESH_CODE_CAPACITY,
+    TEXTURE_CODE, TEXTURE_CODE_CAPACITY,
 };
 
 /// Bytes with the alignment for the fastest transfers.
@@ -163,6 +164,13 @@ impl Program {
             code.extend(self.colour_code());
         }
         code
+    }
+
+    /// The code that finds height fields by cuts, in the same way.
+    #[must_use]
+    pub fn cuts_code(&self) -> Vec<u8> {
+        let addresses = CUTS_CODE_LOAD..CUTS_CODE_LOAD + CUTS_CODE_CAPACITY;
+        elf::loaded(self.image, addresses).unwrap_or_default()
     }
 
     /// The code that traces tiles with depth shading: what is loaded from `DEPTH_CODE` on.

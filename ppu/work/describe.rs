@@ -4,6 +4,7 @@ use scenes::Camera;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
+use super::cuts::Cuts;
 use super::policy::{Skip, Split};
 use super::units::Units;
 use crate::framebuffer::Target;
@@ -11,10 +12,10 @@ use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
 use protocol::layout::{
-    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_HEIGHTS,
-    FEATURE_MATERIALS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF, FEATURE_SPHERES,
-    FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING,
-    SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    EYE_CODE_CAPACITY, FEATURE_BRANCHES, FEATURE_CHECK_SHADERS, FEATURE_COLOURS, FEATURE_CUTS,
+    FEATURE_HEIGHTS, FEATURE_MATERIALS, FEATURE_MESH, FEATURE_NO_SHADOWS, FEATURE_ROLL_OFF,
+    FEATURE_SPHERES, FEATURE_SRGB, FEATURE_TEXTURES, FEATURE_WHITTED, Frame, MAGIC, SKIP_MISSES,
+    SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
 /// The addresses of a frame's records in main memory.
@@ -38,6 +39,10 @@ pub struct Addresses {
     pub texture_code: u64,
     /// The number of its bytes.
     pub texture_code_bytes: u32,
+    /// The program's code that finds height fields by cuts.
+    pub cuts_code: u64,
+    /// The number of its bytes.
+    pub cuts_code_bytes: u32,
     /// The program's code that interpolates colours.
     pub colour_code: u64,
     /// The program's code for height fields, and after it that for colours.
@@ -170,6 +175,15 @@ pub fn describe(order: &Order) -> Frame {
         if let Some(heights) = mesh.heights {
             frame.heights = heights.address().into();
             frame.colour_code = addresses.height_code.into();
+            if let Some(cuts) = Cuts::of_frame(scene, camera, target.geometry) {
+                frame.cut_lat = cuts.lat;
+                frame.cut_den = cuts.den;
+                frame.cut_num = cuts.num;
+                frame.cut_ahead = cuts.ahead;
+                frame.cut_fours = cuts.fours.into();
+                frame.cut_code = addresses.cuts_code.into();
+                frame.cut_code_bytes = addresses.cuts_code_bytes.into();
+            }
         } else if mesh.blocks.is_coloured() {
             frame.colour_code = addresses.colour_code.into();
         }
@@ -213,6 +227,7 @@ fn features(order: &Order, frame: &Frame) -> u32 {
         | flag(frame.materials.get() != 0, FEATURE_MATERIALS)
         | flag(is_coloured, FEATURE_COLOURS)
         | flag(frame.heights.get() != 0, FEATURE_HEIGHTS)
+        | flag(frame.cut_fours.get() != 0, FEATURE_CUTS)
         | flag(branch, FEATURE_BRANCHES)
         | flag(!options.shadows, FEATURE_NO_SHADOWS)
         | flag(options.colour == Colour::Srgb, FEATURE_SRGB)

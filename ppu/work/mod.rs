@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod arithmetic;
+mod cuts;
 mod describe;
 mod pages;
 mod plan;

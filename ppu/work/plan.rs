@@ -6,8 +6,9 @@
 use glam::DVec3;
 use scenes::Camera;
 
+use super::cuts::Cuts;
 use super::pages::{Changes, Contents, Pages};
-use super::policy::{Policy, Skip};
+use super::policy::{Policy, Skip, Split};
 use super::projection::Projection;
 use super::spheres::EyeSpheres;
 use super::tiles::{TileSet, tile_count, tile_pixels};
@@ -16,7 +17,7 @@ use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
 use crate::scene::block::{BoundingSphere, LANES, change_nodes, enclose_groups};
 use crate::statistics::Causes;
-use protocol::layout::{Node, TILE_BLANK, TILE_HAS_PATHS, UnitCost};
+use protocol::layout::{Node, TILE_BLANK, TILE_HAS_PATHS, TILE_WIDTH, UnitCost};
 
 #[derive(Default)]
 pub(crate) struct Plan {
@@ -109,7 +110,13 @@ impl Plan {
         self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = tiles.numbers();
         let costs = self.costs.of(geometry);
-        self.units.split(tiles, policy.spus, policy.split, costs);
+        match Cuts::of_frame(scene, camera, geometry) {
+            Some(_) if policy.split == Split::Units => {
+                let across = geometry.width.div_ceil(TILE_WIDTH);
+                self.units.split_upwards(tiles, across, policy.spus, costs);
+            }
+            _ => self.units.split(tiles, policy.spus, policy.split, costs),
+        }
         if let Some(blank) = self.pages.blank() {
             self.units.mark(blank, TILE_BLANK);
         }

@@ -16,6 +16,9 @@ use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, Wo
 /// end. It is low enough for the time to take a unit to be negligible.
 const UNITS_AN_SPU: u32 = 24;
 
+/// The number of units for each SPU that go upwards.
+const STRIPS_AN_SPU: u32 = 14;
+
 /// An SPU's share of the remaining work is divided by this to get the largest cost of the next
 /// unit, so the last units are small. With a lower number SPUs would idle at the end; with a
 /// higher one they would wait for the counter.
@@ -70,6 +73,31 @@ impl Units {
     #[must_use]
     pub fn slices(&self) -> [U32; MAX_SPUS as usize + 1] {
         self.slices
+    }
+
+    /// Makes units of tiles of which each is above the one before, of a picture with `across` tiles
+    /// in a row. Cuts go on from tile to tile in a unit, so units are long, but those with the
+    /// largest cost come first.
+    pub fn split_upwards(&mut self, tiles: &[u32], across: u32, spus: u32, costs: Option<&[u32]>) {
+        self.lines.clear();
+        self.order.clear();
+        self.order.extend_from_slice(tiles);
+        self.order.sort_unstable_by_key(|&tile| (tile % across, Reverse(tile)));
+        let length = tiles.len().div_ceil((STRIPS_AN_SPU * spus.max(1)) as usize);
+        let order = std::mem::take(&mut self.order);
+        for column in order.chunk_by(|one, other| one % across == other % across) {
+            let length = column.len().div_ceil(column.len().div_ceil(length));
+            column.chunks(length.min(UNIT_TILES as usize)).for_each(|unit| self.push(unit));
+        }
+        self.order = order;
+        if let Some(costs) = costs {
+            let cost = |tile: &U32| u64::from(costs.get(tile.get() as usize).copied().unwrap_or(0));
+            self.lines.sort_unstable_by_key(|unit| {
+                let tiles = &unit.tiles[..unit.count.get() as usize];
+                Reverse(tiles.iter().map(cost).sum::<u64>())
+            });
+        }
+        self.slices = [U32::new(self.lines.len() as u32); MAX_SPUS as usize + 1];
     }
 
     /// Makes units of consecutive tiles. The units get smaller towards the end.

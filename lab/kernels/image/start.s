@@ -10,7 +10,8 @@ _start:
 # those for eye rays, and the ones for refitting and building meshes after those for meshes, so that
 # the bench has all the memory in front of them.
         .global depth_place, boxes_place, height_place, colour_place, texture_place
-        .global sort_place, build_place
+        .global cuts_place, sort_place, build_place
+        .set    cuts_place,0x26100
         .set    depth_place,0x27780
         .set    boxes_place,0x31e00
         .set    height_place,0x33080

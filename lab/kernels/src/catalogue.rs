@@ -50,7 +50,7 @@ pub enum Objects {
 }
 
 /// The families of kernels.
-const FAMILIES: [&[Kernel]; 16] = [
+const FAMILIES: [&[Kernel]; 17] = [
     eye::KERNELS,
     eye::formulation::KERNELS,
     sphere_ray::KERNELS,
@@ -66,6 +66,7 @@ const FAMILIES: [&[Kernel]; 16] = [
     whitted::portal::KERNELS,
     whitted::bounce::KERNELS,
     whitted::mesh::KERNELS,
+    whitted::cuts::KERNELS,
     whitted::height::KERNELS,
 ];
 

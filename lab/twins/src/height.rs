@@ -27,9 +27,9 @@ const SIDES: u32 = 0x2400_0000;
 /// The factor of a normal's parts, 32767.
 const HALVES: Single = 0x46ff_fe00;
 /// From five bits to ten.
-const FIVE: Single = 0x4204_0000;
+pub(super) const FIVE: Single = 0x4204_0000;
 /// From six bits to ten.
-const SIX: Single = 0x4181_e7a0;
+pub(super) const SIX: Single = 0x4181_e7a0;
 
 /// 1 / 32767.
 const INVERSE: Single = 0x3800_0100;

@@ -15,6 +15,7 @@ pub mod cull;
 pub mod cull_box_nodes;
 pub mod cull_faces;
 pub mod cull_nodes;
+pub mod cuts;
 pub mod display;
 pub mod flat;
 pub mod height;

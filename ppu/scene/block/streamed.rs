@@ -110,6 +110,8 @@ pub(super) struct Streamed {
     textures: Option<Arc<Textures>>,
     /// The scene's height field, if it has one.
     pub heights: Option<HeightViews>,
+    /// Whether it has nothing else, and its material is in local store.
+    is_ground: bool,
     /// The address of their records.
     texture_records: u32,
 }
@@ -135,6 +137,8 @@ pub struct MeshPlace<'a> {
     pub slots: u32,
     /// The textures in main memory, if there are any.
     pub textures: Option<&'a Arc<Textures>>,
+    /// Whether the height field is all that is in main memory.
+    pub is_ground: bool,
     /// The height field as the eye sees it, if there is one.
     pub(crate) heights: Option<&'a Arc<HeightView>>,
     /// The local-store address of their records.
@@ -174,6 +178,7 @@ impl Streamed {
             Ground::new(heights.bounds().map(|corner| corner - origin), *material)
         });
         let materials = &scene.materials;
+        let is_alone_ground = objects.is_empty() && scene.mesh.is_none();
         let is_alone = objects.is_empty() && ground.is_none();
         let by = options.build_by.filter(|by| *by != BuildBy::PpuSurfaces && is_alone);
         let to_sort = by.and_then(|by| Some((by, MeshBlocks::to_sort(mesh, materials, numbers)?)));
@@ -208,6 +213,7 @@ impl Streamed {
             bounds: bounds.unwrap_or_default(),
             kinds,
             textures: textures(scene, &blocks, colour)?,
+            is_ground: is_alone_ground,
             heights: heights.map(|(heights, _)| heights),
             blocks: Arc::new(blocks),
             moved: None,
@@ -366,6 +372,7 @@ impl Streamed {
             cache: self.end() - slots * MESH_BLOCK,
             slots,
             textures: self.textures.as_ref(),
+            is_ground: self.is_ground && self.table.is_none(),
             heights: self.heights.as_ref().map(HeightViews::view),
             texture_records: self.texture_records,
             eye: [x, y, z, F32::ZERO],

@@ -90,7 +90,7 @@ impl HeightSamples {
                 stride: (width * size_of::<U32>()) as u32,
                 ranges: vec![[0; 2]; across * down],
             });
-            let fours = width / 4 * (BLOCK[1] * down + ROWS_BESIDE);
+            let fours = width / 4 * (BLOCK[1] * down + ROWS_BESIDE) + across.div_ceil(4) * down;
             samples.memory.resize(samples.memory.len() + fours, Four::new_zeroed());
         }
         let [columns, rows] = field.size();
@@ -124,6 +124,7 @@ impl HeightSamples {
                 }
             }
             let [across, _] = level.blocks;
+            let after = level.offset as usize / size_of::<Four>() + height * width / 4;
             for row in level.changed(1, &region.rows, &of_next.rows) {
                 for column in level.changed(0, &region.columns, &of_next.columns) {
                     let [x, z] = [column as usize * BLOCK[0], row as usize * BLOCK[1]];
@@ -132,8 +133,13 @@ impl HeightSamples {
                         next.at(field, packing, x / 2 + across, z / 2 + down)
                     });
                     let heights = own.chain(other).map(|[height, ..]| height);
-                    level.ranges[(row * across + column) as usize] =
+                    let range =
                         heights.fold([u16::MAX, 0], |[low, high], it| [low.min(it), high.max(it)]);
+                    level.ranges[(row * across + column) as usize] = range;
+                    // SPUs get the largest heights, after the samples: each row in whole quadwords.
+                    let four = after + (row * across.div_ceil(4) + column / 4) as usize;
+                    let largest = U32::new(u32::from(range[1]) << 16);
+                    self.memory[four].0[column as usize % 4] = largest;
                 }
             }
             region = of_next;

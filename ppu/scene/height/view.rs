@@ -87,6 +87,8 @@ pub(crate) struct HeightView {
     wrapped: Wrapped,
     /// The blocks of samples.
     blocks: usize,
+    /// Whether the eye is above it.
+    pub is_below: bool,
 }
 
 impl std::fmt::Debug for HeightView {
@@ -107,6 +109,7 @@ impl HeightView {
                 blocks: Vec::with_capacity(BLOCKS / CHILDREN * 4),
             },
             blocks: 0,
+            is_below: false,
         }
     }
 
@@ -140,6 +143,7 @@ impl HeightView {
         wrapped.children.clear();
         wrapped.blocks.clear();
         self.found.clear();
+        self.is_below = chooser.is_below(eye.y - field.ground(eye));
         chooser.choose(samples.count() - 1, [0, 0], &mut self.found, &mut wrapped);
         wrapped.wrap(&mut self.found, 0, 1);
         self.write_tree(&wrapped);
@@ -274,6 +278,12 @@ impl<'a> Chooser<'a> {
         }
     }
 
+    /// Whether an eye at this height above the ground is above the field.
+    fn is_below(&self, above: f64) -> bool {
+        let [start, end] = self.ends;
+        above > 0.0 && self.eye.clamp(start, end) == self.eye
+    }
+
     /// The distance up to which a level is used.
     fn range(&self, level: usize) -> f64 {
         RANGE * self.step * f64::from(1_u32 << level)
@@ -292,6 +302,7 @@ impl<'a> Chooser<'a> {
         record.across = across.into();
         record.down = down.into();
         record.fades_from = single(from);
+        record.until = single(to);
         record.fade = if is_last { F32::ZERO } else { single((to - from).recip()) };
         let side = self.step * f64::from(1_u32 << number);
         record.up = single(4.0 * side / self.unit);

@@ -167,3 +167,26 @@ fn costs_come_from_last_frame() {
     let other = Geometry { width: 32, height: 256 };
     assert_eq!(costs.of(other), None);
 }
+
+/// In units that go upwards each tile is above the one before, and costly units are first.
+#[test]
+fn strips_go_upwards() {
+    let mut units = Units::default();
+    let all: Vec<u32> = (0..900).collect();
+    let costs: Vec<u32> = (0..900).map(|tile| tile * 977 % 5000).collect();
+    for (wanted, spus) in [(&all[..], 6), (&all[37..611], 16), (&all[..3], 1), (&[], 6)] {
+        for costs in [None, Some(&costs[..])] {
+            units.split_upwards(wanted, 20, spus, costs);
+            check(&units, wanted);
+            let mut before = u64::MAX;
+            for unit in units.lines() {
+                let tiles = tiles(unit);
+                assert!(tiles.windows(2).all(|pair| pair[0] == pair[1] + 20), "{tiles:?}");
+                let cost: u64 = costs
+                    .map_or(0, |costs| tiles.iter().map(|&it| u64::from(costs[it as usize])).sum());
+                assert!(cost <= before, "{tiles:?}");
+                before = cost;
+            }
+        }
+    }
+}

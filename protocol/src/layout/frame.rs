@@ -163,6 +163,21 @@ record! {
         reserved: U32,
         /// Effective address of the `HEIGHTS` with `FEATURE_HEIGHTS`; a multiple of 128.
         heights: U64,
+        /// With `FEATURE_CUTS`: the part of a ray's direction across the view's horizontal axis: of
+        /// the ray through pixel (0, 0), what the next pixel of a row adds, and the next row; 0.
+        cut_lat: [F32; 4],
+        /// The same along that axis.
+        cut_den: [F32; 4],
+        /// The same upwards.
+        cut_num: [F32; 4],
+        /// That axis, x and z, and the one across it.
+        cut_ahead: [F32; 4],
+        /// Fours of cuts that are followed together, so few that the ground between them fits.
+        cut_fours: U32,
+        /// Bytes of the code for cuts; a multiple of 16.
+        cut_code_bytes: U32,
+        /// Effective address of that code; a multiple of 128.
+        cut_code: U64,
     }
 }
 

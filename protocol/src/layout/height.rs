@@ -61,8 +61,8 @@ record! {
         /// The distance from a sample of the next level but one to the next, in heights of 1:
         /// upwards in normals whose other parts are differences of two samples of the next level.
         up: F32,
-        /// 0.
-        reserved: F32,
+        /// The square of the distance where it has faded.
+        until: F32,
     }
 }
 

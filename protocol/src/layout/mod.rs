@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 20;
+    VERSION = 21;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -110,8 +110,11 @@ constants! {
     /// Feature bit: the scene has a height field. Its triangles have colours, so
     /// `FEATURE_COLOURS` is set, too.
     FEATURE_HEIGHTS = 4096;
+    /// Feature bit: the height field is all that is in main memory, and rays from the eye find it by
+    /// cuts, unless they are further samples of a pixel.
+    FEATURE_CUTS = 8192;
     /// All feature bits that this version has.
-    FEATURES_KNOWN = 8191;
+    FEATURES_KNOWN = 16383;
     /// `split`: every SPU takes the next work unit from the shared counter.
     SPLIT_UNITS = 0;
     /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
@@ -314,9 +317,14 @@ constants! {
     /// Address in local store of that code.
     COLOUR_CODE = TEXTURE_CODE - COLOUR_CODE_CAPACITY;
     /// Bytes in front of `COLOUR_CODE` for the code that makes triangles of a height field.
-    HEIGHT_CODE_CAPACITY = 7808;
+    HEIGHT_CODE_CAPACITY = 7936;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
+    /// Bytes from `TEXTURE_CODE` on for the code that finds ground by cuts. The code for eye rays is
+    /// not there then.
+    CUTS_CODE_CAPACITY = TEXTURE_CODE_CAPACITY + EYE_CODE_CAPACITY;
+    /// The load address of that code in the program's file, which no code has in local store.
+    CUTS_CODE_LOAD = 0x4_0000;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
     /// are the level times 2^19, the block's row times 2^9, and its column.
     HEIGHT_BLOCK = 0x0080_0000;
@@ -565,6 +573,8 @@ statuses! {
     Build = 44, "scene, units";
     /// Must be a multiple of 128, with 1 to 10 levels.
     Heights = 45, "heights";
+    /// Must be with a height field whose materials are in local store, with 1 to 48 fours, and code at a multiple of 128, its bytes a multiple of 16, at most 11520.
+    Cuts = 46, "features, cut_fours, cut_code, cut_code_bytes";
 }
 
 const _: () = {
@@ -573,7 +583,7 @@ const _: () = {
         BOX_CODE == SCENE_ADDRESS + (size_of::<Object>() + size_of::<Material>()) as u32
             && BOX_CODE_CAPACITY.is_multiple_of(16)
     );
-    assert!(size_of::<Frame>() == 560);
+    assert!(size_of::<Frame>() == 640);
     assert!(TEXTURE_SIDE * TEXTURE_SIDE * 4 <= TEXTURE_TILE);
     assert!(std::mem::offset_of!(Frame, mesh) % 16 == 0);
     assert!(MESH_UPPER + MESH_FACES < MESH_BLOCK && MESH_UPPER.is_multiple_of(16));

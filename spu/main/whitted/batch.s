@@ -59,7 +59,10 @@ trace_call:
         brsl    $lr,paths_add
 paths_added:
         brsl    $lr,surfaces_make
-
+        lqa     $3,of_cuts
+        brz     $3,no_cuts
+        brsl    $lr,cuts_surfaces
+no_cuts:
         brsl    $lr,flags_gather
         stqa    $flags,batch_flags
 

@@ -14,6 +14,10 @@ streamed:                               # bits of FEATURE_MESH, FEATURE_TEXTURES
                                         # without a mesh
         .skip   16
 
+        .global cuts
+cuts:                                   # -1 if rays from the eye find the ground by cuts
+        .skip   16
+
         .global surface_way
 surface_way:                            # the function for textures and colours, or 0
         .skip   16
@@ -43,6 +47,7 @@ function whitted_check
         and     $batch,$batch,$value
         il      $value,0
         stqa    $value,surface_way
+        stqa    $value,cuts
         stqa    $batch,streamed
         brz     $batch,no_mesh
         require_aligned code,LINE,Code

@@ -37,6 +37,10 @@ cleared:
         brnz    $left,clear
         lqa     $left,contrast
         brz     $left,refine
+        lqa     $left,cuts
+        brz     $left,packets
+        brsl    $lr,cuts_tile
+packets:
         brsl    $lr,eye_places
         brsl    $lr,tile_rays
         brsl    $lr,tile_pack
@@ -48,6 +52,12 @@ refine:
         brsl    $lr,tile_refine
         leave
 endfunction whitted_tile
+
+        .section .bss
+        .align  4
+        .global of_cuts
+of_cuts:                                # whether cuts have found the ground for this batch's rays
+        .skip   16
 
 # tile_rays   traces the listed packets of primary rays, and all rays that they send on
 #   Uses    $3-$79, Whitted's driver registers
@@ -70,6 +80,8 @@ in_time:
 unlisted:
         brz     $amount,traced
 waiting:
+        il      $w_depth,0
+        stqa    $w_depth,of_cuts
         il      $w_depth,2
         brsl    $lr,queue_take
         br      trace
@@ -310,8 +322,14 @@ function eye_take
         ori     $7,$g_width,0
         ori     $8,$g_height,0
         brsl    $lr,primary_rays_r16
-        leave
+        lqa     $3,cuts
+        stqa    $3,of_cuts
+        brz     $3,taken
+        brsl    $lr,cuts_eye
+taken:  leave
 samples:
+        il      $7,0
+        stqa    $7,of_cuts
         shli    $t_packets,$t_packets,2                 # a place for each row
         a       $w_eye_next,$w_eye_next,$t_packets
         ila     $7,frame

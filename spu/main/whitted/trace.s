@@ -599,6 +599,11 @@ counted:
         ai      $sp,$sp,32
 return: bi      $lr
 in_mesh:
+        # Cuts have found the ground for the eye's rays, and there is nothing else.
+        lqa     $c_more,of_cuts
+        ceqi    $counts,$w_packets,0
+        and     $c_more,$c_more,$counts
+        brnz    $c_more,counted
         lqa     $c_more,to_shear
         brz     $c_more,have_shears
         brsl    $lr,shears_make

@@ -27,6 +27,7 @@ pub struct Descriptor {
     pub texture_code: Vec<u8>,
     /// The program's code that interpolates colours.
     pub colour_code: Vec<u8>,
+    pub cuts_code: Vec<u8>,
     /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
     /// The scene, whose memory the frame points to if it has a height field.
@@ -48,6 +49,7 @@ impl Descriptor {
         let (depth_code, mesh_code) = (program.depth_code(), program.mesh_code());
         let texture_code = program.texture_code();
         let box_code = program.box_code();
+        let cuts_code = program.cuts_code();
         let [colour_code, height_code] = [program.colour_code(), program.height_code()];
         let program = program.formulations().unwrap();
         records.cull(scene.spheres(), &projection, Skip::Misses, program.eye.record);
@@ -67,6 +69,8 @@ impl Descriptor {
                 mesh_code_bytes: mesh_code.len() as u32,
                 texture_code: 0,
                 texture_code_bytes: texture_code.len() as u32,
+                cuts_code: 0,
+                cuts_code_bytes: cuts_code.len() as u32,
                 colour_code: 0,
                 height_code: 0,
                 unit_counter: 0,
@@ -110,6 +114,7 @@ impl Descriptor {
             textures,
             texture_code,
             colour_code,
+            cuts_code,
             units: units.bytes().to_vec(),
             scene,
             framebuffer,

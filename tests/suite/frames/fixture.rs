@@ -44,6 +44,7 @@ impl Fixture {
             textures,
             texture_code,
             colour_code,
+            cuts_code,
             units,
             scene: of_frame,
             framebuffer,
@@ -70,6 +71,8 @@ impl Fixture {
         }
         let colour_code = shared(&colour_code);
         frame.colour_code = colour_code.address().into();
+        let cuts_code = shared(&cuts_code);
+        frame.cut_code = cuts_code.address().into();
         frame.textures = textures.address().into();
         frame.texture_code = texture_code.address().into();
         frame.mesh = mesh.address().into();
@@ -96,6 +99,7 @@ impl Fixture {
                 textures,
                 texture_code,
                 colour_code,
+                cuts_code,
                 unit_counter,
                 statistics,
                 costs,

@@ -5,7 +5,7 @@ use std::ptr::with_exposed_provenance;
 use std::sync::Arc;
 
 use cellray::SharedMemory;
-use protocol::layout::{HEIGHT_CODE, HEIGHT_LEVELS, Heights, MESH_BLOCK};
+use protocol::layout::{FEATURE_CUTS, HEIGHT_CODE, HEIGHT_LEVELS, Heights, MESH_BLOCK};
 use zerocopy::IntoBytes as _;
 
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
@@ -29,7 +29,7 @@ fn picture_is_same_with_any_number_of_spus() {
 
 #[test]
 fn invalid_height_fields_are_refused() {
-    let cases: [(&str, &str, Spoil); 3] = [
+    let cases: [(&str, &str, Spoil); 5] = [
         ("heights", "heights", |frame| frame.heights = (frame.heights.get() + 64).into()),
         ("colour_code", "a multiple of 128", |frame| {
             frame.colour_code = (frame.colour_code.get() + 64).into()
@@ -37,6 +37,15 @@ fn invalid_height_fields_are_refused() {
         ("mesh_cache", "before the code", |frame| {
             frame.mesh_cache = (HEIGHT_CODE - 3 * MESH_BLOCK).into();
             frame.mesh_slots = 4.into();
+        }),
+        ("cut_fours", "1 to 48", |frame| {
+            frame.features = (frame.features.get() | FEATURE_CUTS).into();
+            frame.cut_fours = 49.into();
+        }),
+        ("cut_code", "a multiple of 128", |frame| {
+            frame.features = (frame.features.get() | FEATURE_CUTS).into();
+            frame.cut_fours = 1.into();
+            frame.cut_code = (frame.cut_code.get() + 64).into();
         }),
     ];
     Fixture::of(&scene(), 2).refuses(&cases);

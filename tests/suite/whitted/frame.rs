@@ -28,6 +28,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     refit_by: None,
     build_by: None,
     volumes: NodeVolumes::Best,
+    cuts: true,
 };
 
 pub struct Frame {

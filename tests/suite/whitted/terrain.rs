@@ -138,3 +138,51 @@ fn levels_are_calmer_than_one_level() {
     println!("{levels} pixels change, and {one} with one level");
     assert!(one > 100 && levels <= one, "{levels} pixels change, and {one} with one level");
 }
+
+/// Rays from the eye that find ground by cuts see what packets see, but for silhouettes, whichever
+/// way the camera looks: level, down, banked, beside the edge of the field. And no block of
+/// triangles is needed for them, also with a sphere in the ground.
+#[test]
+fn cuts_see_what_packets_see() {
+    let field = hills([257, 257], 3.0);
+    let options = RenderOptions { shadows: false, ..SRGB };
+    let from = DVec3::new(-60.3, 22.0, 40.7);
+    let views = [
+        ([1.0, -0.1, 0.3], [0.0, 1.0, 0.0]),
+        ([-0.8, -0.4, 1.0], [0.0, 1.0, 0.0]),
+        ([0.2, -0.2, -1.0], [0.5, 1.0, 0.1]),
+        ([1.0, -0.3, 0.0], [0.0, 1.0, -0.35]),
+        ([0.0, 0.1, 1.0], [0.0, 1.0, 0.0]),
+    ];
+    for (way, up) in views {
+        let mut scene = scene(field.clone(), from, from + DVec3::from(way));
+        scene.view.up = up.into();
+        scene.objects.push(scenes::Object {
+            line: 0,
+            material: 0,
+            shape: scenes::Shape::Sphere { centre: from + 20.0 * DVec3::from(way), radius: 4.0 },
+        });
+        let [cuts, packets] = [true, false].map(|cuts| {
+            let options = RenderOptions { cuts, ..options };
+            Frame::of(&scene, options, (320, 200), Settings::default())
+        });
+        let blocks = [&cuts, &packets].map(|it| it.generations()[0].blocks);
+        assert!(blocks[0].used == 0 && blocks[1].used > 0, "{way:?}: {blocks:?}");
+        let [hits, others] = [&cuts, &packets].map(|it| it.rays().eye_hit);
+        assert!(hits.abs_diff(others) < 400, "{way:?}: {hits} and {others} hits");
+        let pairs = cuts.picture.as_raw().iter().zip(packets.picture.as_raw());
+        let squares: f64 = pairs.map(|(a, b)| f64::from(a.abs_diff(*b)).powi(2)).sum();
+        let off = (squares / (3.0 * 320.0 * 200.0)).sqrt();
+        println!("{way:?}: {off}, {hits} and {others} hits");
+        assert!(off < 12.0, "{way:?}: {off}");
+    }
+}
+
+/// Where rays go straight down, cuts would meet in the picture. There, packets are traced.
+#[test]
+fn meeting_cuts_are_not_used() {
+    let from = DVec3::new(3.0, 30.0, -5.0);
+    let scene = scene(hills([129, 129], 2.0), from, from + DVec3::new(0.3, -1.0, 0.0));
+    let frame = Frame::of(&scene, WHITTED, (200, 120), Settings::default());
+    assert!(frame.generations()[0].blocks.used > 0);
+}

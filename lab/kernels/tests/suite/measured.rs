@@ -40,7 +40,10 @@ fn the_document_is_up_to_date() {
 }
 
 /// Kernels whose loops are not pipelined, to save local store: their headers state the cost.
-const NOT_PIPELINED: [&str; 12] = [
+const NOT_PIPELINED: [&str; 15] = [
+    "cuts_cells",
+    "cuts_rays_r16",
+    "cuts_ground_r16",
     "height_block",
     "height_corners",
     "smooth_r16",
@@ -56,8 +59,9 @@ const NOT_PIPELINED: [&str; 12] = [
 ];
 
 /// Kernels some of whose loops have branches or other loops in them, and so no interval.
-const HAVE_BRANCHES: [&str; 6] = [
+const HAVE_BRANCHES: [&str; 7] = [
     "build_leaf",
+    "cuts_follow",
     "mesh_filter_rays",
     "mesh_few_rays",
     "mesh_prepare",

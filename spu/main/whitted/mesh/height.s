@@ -11,6 +11,7 @@
 
         .section .data.height,"aw",@progbits
         .align  4
+        .global field
 field:  .skip   HEIGHTS_SIZE
 
         .set    status,3
@@ -60,7 +61,31 @@ function height_begin
         ilhu    $limit,HEIGHT_BLOCK>>16
         stqa    $limit,kept_from
 none_kept:
-        leave
+        load_word $value,FRAME_features,$a_frame
+        il      $limit,FEATURE_CUTS
+        and     $value,$value,$limit
+        brz     $value,begun
+        lqa     $bad,streamed
+        andi    $bad,$bad,FEATURE_MATERIALS
+        refuse_if $bad,Cuts
+        require_from_one cut_fours,48,Cuts
+        il      $value,-1
+        stqa    $value,cuts
+        require_aligned cut_code,LINE,Cuts
+        require_at_most cut_code_bytes,CUTS_CODE_CAPACITY,Cuts
+        andi    $bad,$value,15
+        refuse_if $bad,Cuts
+        ori     $6,$value,0
+        ila     $3,TEXTURE_CODE
+        load_word $4,FRAME_cut_code,$a_frame
+        load_word $5,FRAME_cut_code+4,$a_frame
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        il      $3,1<<TAG_FRAME
+        brsl    $lr,dma_wait
+        sync
+        brsl    $lr,cuts_begin
+begun:  leave
 refused:
         br      give_up
 endfunction height_begin

@@ -128,6 +128,9 @@ in_packets:
         andi    $c_end,$c_end,FEATURE_TEXTURES
         ceqi    $c_end,$c_end,0
         and     $mask,$mask,$c_end
+        # Cuts have the place of that code.
+        lqa     $c_end,cuts
+        andc    $mask,$mask,$c_end
         stqa    $mask,eye_way
         lqa     $other,streamed
         il      $bit,FEATURE_HEIGHTS

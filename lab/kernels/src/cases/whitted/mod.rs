@@ -2,6 +2,7 @@
 
 pub mod bounce;
 pub mod colour;
+pub mod cuts;
 pub mod height;
 pub mod isect;
 pub mod mesh;
