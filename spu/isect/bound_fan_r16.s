@@ -71,8 +71,7 @@
         .set    limits,73
         .set    a_first_bound,74
 
-        .section .rodata
-        .align  4
+        quadword_constants
 quarter_by_lane:
         .float  0.25,0,0,0
 sine_by_lane:

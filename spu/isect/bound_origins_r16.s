@@ -31,8 +31,7 @@
         .set    radius,60
         .set    limits,61
 
-        .section .rodata
-        .align  4
+        quadword_constants
 sine_and_radius:
         .int    0x00010203,0x10111213,0x80808080,0x80808080
 

@@ -53,8 +53,7 @@
         # overwritten only later
         registers a_again,again
 
-        .section .rodata
-        .align  4
+        quadword_constants
 first_words:
         .int    0x00010203,0x10111213,0x04050607,0x14151617
 third_words:

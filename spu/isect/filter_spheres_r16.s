@@ -50,8 +50,7 @@
         .set    NEXT,46
         registers signs,signs_low,any,offset,c_last
 
-        .section .rodata
-        .align  4
+        quadword_constants
 signs_of_two:
         .int    0x0004080c,0x1014181c,0x0004080c,0x1014181c
 halves: .int    0x00010203,0x04050607,0x18191a1b,0x1c1d1e1f

@@ -24,8 +24,7 @@
         registers masks,bit
         registers pair                                  # to 28
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # A pair: the object's word, then the packet's out of a place.
 pair_of_object_and_place:
         .int    0x00010203,0x10111213,0x14151617,0x18191a1b

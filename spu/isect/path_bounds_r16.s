@@ -26,8 +26,7 @@
         registers site,t0,t1,t2,t3,p0,p1,p2,p3,x0,x1,x2,x3,y0,y1,y2,y3
         registers apex,axis,limits,cosine,farthest,out
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords A and B
 apex_radius:
         .int    0x00010203,0x04050607,0x08090a0b,0x14151617 # A0 A1 A2 B1

@@ -40,8 +40,7 @@ pixel_shuffle:
         .set    shuffle,26
         .set    k_ff,27
 
-        .section .rodata
-        .align  4
+        quadword_constants
 lane_bytes:
         .int    0x00000000,0x04040404,0x08080808,0x0c0c0c0c
 identity:

@@ -22,8 +22,7 @@ plane_step:
 frustum:
         .skip   FRUSTUM_SIZE
 
-        .section .rodata
-        .align  4
+        quadword_constants
 yzx:    .int    0x04050607,0x08090a0b,0x00010203,0x0c0d0e0f
 zxy:    .int    0x08090a0b,0x00010203,0x04050607,0x0c0d0e0f
         # words of two quadwords A and B

@@ -36,8 +36,7 @@ packed: .skip   16                      # four pixels
 chosen:                                 # a row in a quadword: each byte the bits of four pixels
         .skip   TILE_HEIGHT*16
 
-        .section .rodata
-        .align  4
+        quadword_constants
 lanes:  .int    0,1,2,3
 pixel_step:                             # from a pixel's place to that of the next
         .int    0,16,1,0

@@ -21,8 +21,7 @@ spheres_here:                           # how many spheres are in the tile's fru
 packet_places:                          # of which only the packet is used
         .skip   MAX_PACKETS*PLACE_SIZE
 
-        .section .rodata
-        .align  4
+        quadword_constants
 first_packet:
         .int    packets+RAYS16_direction_x,0,0,0
 packet_step:

@@ -11,8 +11,7 @@
         .error  "a subtile has other pixels"
     .endif
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords A and B
 pair:   .int    0x00010203,0x10111213,0x00010203,0x10111213 # A0 B0 A0 B0
 second: .int    0x00010203,0x04050607,0x08090a0b,0x10111213 # A0 A1 A2 B0

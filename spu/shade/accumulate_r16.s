@@ -54,8 +54,7 @@
         .set    more3,41
         .set    c_same,42
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords P and Q
 first:  .int    0x00010203,0x10111213,0x08090a0b,0x00010203 # P0 Q0 P2
 second: .int    0x04050607,0x14151617,0x0c0d0e0f,0x04050607 # P1 Q1 P3

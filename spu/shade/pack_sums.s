@@ -28,8 +28,7 @@
         # a group
         registers sum0,sum1,sum2,sum3,rg01,rg23,b01,b23,red,green,blue,pixels,c_end,t_step
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords A and B
 interleave:
         .int    0x00010203,0x10111213,0x04050607,0x14151617 # A0 B0 A1 B1

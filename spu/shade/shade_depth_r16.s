@@ -28,8 +28,7 @@
         registers a_packet,object,t,bright,c_none,c_over,object1,object2,object3,colour0,colour1
         registers colour2,colour3,rg01,rg23,b01,b23,red,green,blue
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords A and B
 interleave:
         .int    0x00010203,0x10111213,0x04050607,0x14151617 # A0 B0 A1 B1

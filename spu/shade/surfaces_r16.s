@@ -90,8 +90,7 @@
         rotqbyi $a_lane3,\row,12
 .endm
 
-        .section .rodata
-        .align  4
+        quadword_constants
         # words of two quadwords P and Q
 first:  .int    0x00010203,0x10111213,0x08090a0b,0x18191a1b # P0 Q0 P2 Q2
 second: .int    0x04050607,0x14151617,0x0c0d0e0f,0x1c1d1e1f # P1 Q1 P3 Q3

@@ -38,8 +38,7 @@
 
         .set    SUM_SIZE,16
 
-        .section .rodata
-        .align  4
+        quadword_constants
 lanes:  .int    0,1,2,3
 
 function primary_rays_r16

@@ -23,8 +23,7 @@
         .set    NEXT,26
         registers place,a_packet
 
-        .section .rodata
-        .align  4
+        quadword_constants
 lanes:  .float  0,1,2,3
 
 function ray_setup_r16

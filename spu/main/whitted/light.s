@@ -20,8 +20,7 @@ light_sites:                            # the sites with rays to the light
 shining_size:                           # how many bytes of these have highlights; they come first
         .skip   16
 
-        .section .rodata
-        .align  4
+        quadword_constants
 pair:   .int    0x00010203,0x10111213,0x80808080,0x80808080
         # The same with SITE_SHINES.
 shining_pair:

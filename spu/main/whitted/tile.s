@@ -209,8 +209,7 @@ endfunction subtiles_copy
         .set    left_columns,35
         .set    step_band,36
 
-        .section .rodata
-        .align  4
+        quadword_constants
 next_band_step:                         # two rows of packets
         .int    0,2*4*SUMS_PITCH,0,2*4
 first_place:                            # without the packet
