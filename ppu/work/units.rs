@@ -135,7 +135,20 @@ impl Units {
         let expensive =
             self.by_cost.partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
-        self.order.extend(spread(&self.by_cost, expensive, spus as usize));
+        // While an SPU traces an expensive tile, the others have as much left to do.
+        let (mut after, mut needed) = (0, 0);
+        for &tile in self.by_cost[..expensive].iter().rev() {
+            needed = needed.max(((spus - 1) * cost(tile)).saturating_sub(after));
+            after += cost(tile);
+        }
+        let missing = self.by_cost[expensive..].iter().rev().scan(needed, |needed, &tile| {
+            let missing = *needed;
+            *needed = missing.saturating_sub(cost(tile));
+            Some(missing)
+        });
+        let last = missing.take_while(|&missing| missing > 0).count();
+        let last = last.max(CHEAP_AT_THE_END * spus as usize);
+        self.order.extend(spread(&self.by_cost, expensive, last));
 
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
@@ -178,16 +191,15 @@ impl Units {
     }
 }
 
-/// The number of cheap tiles at the end, for each SPU.
+/// The least number of cheap tiles at the end, for each SPU.
 const CHEAP_AT_THE_END: usize = 4;
 
-/// Spreads the cheap tiles evenly between the first `expensive` ones, and keeps a few for the end.
+/// Spreads cheap tiles evenly between the first `expensive` ones, and keeps the `last` for the end.
 /// Tiles that are only filled wait for main memory when many come together. At the end, though,
 /// they are the smallest pieces of work, with which all SPUs finish at nearly the same time.
-fn spread(by_cost: &[u32], expensive: usize, spus: usize) -> impl Iterator<Item = u32> {
+fn spread(by_cost: &[u32], expensive: usize, last: usize) -> impl Iterator<Item = u32> {
     let (expensive, cheap) = by_cost.split_at(expensive);
-    let between = cheap.len().saturating_sub(CHEAP_AT_THE_END * spus);
-    let (between, last) = cheap.split_at(between);
+    let (between, last) = cheap.split_at(cheap.len().saturating_sub(last));
     let run = |number: usize| between.len() * number / expensive.len();
     let mixed = expensive.iter().enumerate().flat_map(move |(number, tile)| {
         std::iter::once(tile).chain(&between[run(number)..run(number + 1)])

@@ -118,6 +118,13 @@ fn known_costs_balance_an_uneven_picture() {
     units.split(&wanted, 6, Split::Units, Some(&costs));
     let known = imbalance(&units, 6, &costs);
     assert!(known < 1.02, "{known}");
+    // Two tiles an SPU cost as much as all others.
+    let dear = |tile: u32| tile.is_multiple_of(75);
+    let few: Vec<u32> =
+        wanted.iter().map(|&tile| if dear(tile) { 7500 + tile } else { 100 }).collect();
+    units.split(&wanted, 6, Split::Units, Some(&few));
+    let known = imbalance(&units, 6, &few);
+    assert!(known < 1.02, "{known}");
     units.split(&wanted, 6, Split::Units, None);
     let unknown = imbalance(&units, 6, &costs);
     assert!(known < unknown, "{known} {unknown}");
