@@ -135,10 +135,13 @@ impl Units {
         let expensive =
             self.by_cost.partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
-        // While an SPU traces an expensive tile, the others have as much left to do.
+        // While an SPU traces an expensive tile, the others have as much left to do. Tiles that cost
+        // little make them wait less for each other than cheap tiles at the end for main memory.
         let (mut after, mut needed) = (0, 0);
         for &tile in self.by_cost[..expensive].iter().rev() {
-            needed = needed.max(((spus - 1) * cost(tile)).saturating_sub(after));
+            if cost(tile) > minimum {
+                needed = needed.max(((spus - 1) * cost(tile)).saturating_sub(after));
+            }
             after += cost(tile);
         }
         let missing = self.by_cost[expensive..].iter().rev().scan(needed, |needed, &tile| {
