@@ -99,8 +99,8 @@ join() {
 
 # The host's programs from the tests' build, so that nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
-# What makes the next build faster makes the first one slower, by files of 20 GB. Only a folder that
-# has such files already gets more.
+# Incremental builds make the first one slower, and write 20 GB. Only a folder that has such files
+# already gets more.
 [ -d "$host/incremental" ] || export CARGO_INCREMENTAL=0
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }
 

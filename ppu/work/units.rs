@@ -194,7 +194,7 @@ impl Units {
     }
 }
 
-/// The least number of cheap tiles at the end, for each SPU.
+/// The minimum number of cheap tiles at the end, for each SPU.
 const CHEAP_AT_THE_END: usize = 4;
 
 /// Spreads cheap tiles evenly between the first `expensive` ones, and keeps the `last` for the end.

@@ -3,9 +3,9 @@
 use spu_emulator::float::convert::{cflts, csflt};
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 
-use super::{ONE, Single};
 use super::math::reciprocal;
 use super::shade_depth::{Depth, shade_depth};
+use super::{ONE, Single};
 
 /// The single 1/1024, by which a side of the cubes belongs to the next one.
 const WITHIN: Single = 0x3a80_0000;

@@ -69,7 +69,7 @@ fn copies(range: &Range<u32>, samples: usize, before: usize, count: usize) -> Ra
     start..if end == samples { count } else { end + before }
 }
 
-/// The places of the samples around so many squares.
+/// The places of the samples around a number of squares.
 fn square([columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
     (0..=rows).flat_map(move |down| (0..=columns).map(move |across| [across, down]))
 }

@@ -78,7 +78,8 @@ struct AlignedRecord(Heights);
 /// A height field as it is seen by an eye: what a frame has of it. The engine keeps it for as long
 /// as SPUs may read it.
 pub(crate) struct HeightView {
-    /// What its record names. A view that is not in use keeps none, so that they can be changed.
+    /// The samples that its record names. A view that is not in use keeps none, so that they can be
+    /// changed.
     samples: Option<Arc<HeightSamples>>,
     record: Box<AlignedRecord>,
     tree: Vec<Block>,

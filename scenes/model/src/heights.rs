@@ -103,7 +103,7 @@ impl HeightRegion {
         }
     }
 
-    /// The part of it that is among so many samples in so many rows.
+    /// The part of it that is in a field of this size.
     #[must_use]
     pub fn within(&self, [columns, rows]: [u32; 2]) -> Self {
         let part = |range: &Range<u32>, count: u32| range.start.min(count)..range.end.min(count);

@@ -125,7 +125,7 @@ fn brush_at_work_allocates_no_memory() {
 }
 
 #[test]
-fn nothing_is_shaped_without_ground_or_beyond_it() {
+fn shapes_without_ground_or_beyond_it_change_no_sample() {
     let region = HeightRegion { columns: 0..9, rows: 0..9 };
     let refused = World::new().shape_terrain(&region, |_, sample| sample);
     assert!(matches!(kind(&refused), Some(WorldErrorKind::NoTerrain)));

@@ -128,10 +128,7 @@ fn shader(random: &mut ChaCha8Rng) -> Shader {
             let near = random.random_range(0.0..4.0);
             Shader::Depth { far: near + random.random_range(0.5..8.0), near }
         }
-        4 => Shader::Portal {
-            by: vector(random, 3.0),
-            turn: random.random_range(-180.0..=180.0),
-        },
+        4 => Shader::Portal { by: vector(random, 3.0), turn: random.random_range(-180.0..=180.0) },
         _ => Shader::Phong,
     }
 }

@@ -211,9 +211,8 @@ impl Station {
         };
         let step = [self.place, place];
         (self.place, self.feet) = (place, floor);
-        let is_crossed = |portal: &&Portal| {
-            self.ground.crossed(step).any(|(line, _)| portal.is_in(line))
-        };
+        let is_crossed =
+            |portal: &&Portal| self.ground.crossed(step).any(|(line, _)| portal.is_in(line));
         if let Some(portal) = self.portals.iter().find(is_crossed)
             && let beyond = portal.beyond(place)
             && let Ok(feet) = self.ground.stand(beyond, floor + portal.rise)

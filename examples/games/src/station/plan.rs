@@ -18,7 +18,7 @@ use super::goals::CRYSTAL;
 const CRYSTALS: [[i32; 2]; 6] =
     [[448, 320], [432, 656], [144, 448], [976, 192], [1400, 96], [1120, 336]];
 /// The lines, from left to right for whoever is in front of them, at which one goes from one niche
-/// to the other. There is space for a walker behind them.
+/// to the other. There is space for a walker beyond them.
 pub const PORTALS: [[Point; 2]; 2] = [[[240, -24], [144, -24]], [[1024, -24], [928, -24]]];
 /// The number of crystals.
 const COUNT: usize = 3;

@@ -37,10 +37,8 @@ impl Portal {
         for (from, to) in [(0, 1), (1, 0)] {
             let ((middle, [floor, ceiling]), (other, [beyond, _])) = (rests[from], rests[to]);
             let (sum, rise) = (middle + other, beyond - floor);
-            let shader = Shader::Portal {
-                by: Ground::in_space(sum, rise),
-                turn: TURN.to_degrees(),
-            };
+            let shader =
+                Shader::Portal { by: Ground::in_space(sum, rise), turn: TURN.to_degrees() };
             let material =
                 world.add_material(Material { shader, ..Material::matte(1.0, 1.0, 1.0) })?;
             let [left, right] = lines[from];

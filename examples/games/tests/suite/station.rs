@@ -202,7 +202,7 @@ fn portals_lead_from_niche_to_niche() {
     };
     // It turns to the south, and goes to the east until the niche is ahead.
     play.frame(&[]);
-    while play.game.turn().sin().abs() > 0.02 || play.game.turn().cos() > 0.0 {
+    while libm::sin(play.game.turn()).abs() > 0.02 || libm::cos(play.game.turn()) > 0.0 {
         play.frame(&[InputEvent::Key { key: Key::Right, down: true }]);
     }
     play.frame(&[InputEvent::Key { key: Key::Right, down: false }]);
@@ -219,7 +219,7 @@ fn portals_lead_from_niche_to_niche() {
         assert!(frames < 300, "{begin} {}", play.game.place());
     }
     assert!(longest > 700.0, "{longest}");
-    assert!((play.game.turn().cos() - 1.0).abs() < 1e-3, "{}", play.game.turn());
+    assert!((libm::cos(play.game.turn()) - 1.0).abs() < 1e-3, "{}", play.game.turn());
     let there = play.game.place();
     for _ in 0..30 {
         walked(&mut play, [(Key::W, true)]);

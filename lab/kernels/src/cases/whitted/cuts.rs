@@ -227,7 +227,7 @@ pub struct CutFour {
 impl CutFour {
     /// The cuts with their rows' pixels at an address.
     fn at(&self, pixels: u32) -> Cuts {
-        let mut cuts = self.cuts.clone();
+        let mut cuts = self.cuts;
         for (row, words) in cuts.rows.iter_mut().enumerate() {
             let first = 16 * ((row as u32 % ROWS * ACROSS) as i32 - self.column);
             words[2] = pixels.wrapping_add_signed(first);
@@ -373,17 +373,16 @@ impl Description for CutFour {
 
     fn twin(&self, [_, place]: &[Place; 2]) -> Self::Found {
         let cuts = self.at(place.address);
-        let mut states = self.states;
+        let [mut first, mut second] = self.states;
         let mut all = vec![[0; 4]; PIXELS];
-        for lane in 0..4 {
-            let state = [states[0][lane], states[1][lane]];
-            let (state, pixels) = cuts::cut(&cuts, &self.cells, self.column + lane as i32, state);
-            [states[0][lane], states[1][lane]] = state;
+        for (column, (one, two)) in (self.column..).zip(first.iter_mut().zip(&mut second)) {
+            let (state, pixels) = cuts::cut(&cuts, &self.cells, column, [*one, *two]);
+            [*one, *two] = state;
             for (address, pixel) in pixels {
                 all[(address - place.address) as usize / 16] = pixel;
             }
         }
-        (states, all)
+        ([first, second], all)
     }
 
     fn part(&self, (_, pixels): &Self::Found) -> [usize; 2] {
@@ -407,8 +406,8 @@ const OTHER: u32 = 0x4560;
 impl Packets {
     fn new(count: usize, random: &mut ChaCha8Rng, is_hit: bool) -> Self {
         let mut packet = || {
-            let mut rows = [[0; 16]; 4];
-            for lane in 0..16 {
+            let mut rays = [[0; 4]; 16];
+            for ray in &mut rays {
                 let direction = [0.0, 0.0, -1.0].map(|part| part + random.random_range(-0.7..0.7));
                 let direction = unit(direction);
                 let t = match (random.random_range(0..8), is_hit) {
@@ -416,12 +415,11 @@ impl Packets {
                     (_, false) => 1e18,
                     (_, true) => random.random_range(1.0..2e4),
                 };
-                rows[0][lane] = from_f64(direction[0]);
-                rows[1][lane] = from_f64(direction[2]);
-                rows[2][lane] = from_f64(t);
-                rows[3][lane] = if is_hit && random.random() { GROUND } else { OTHER };
+                let [x, _, z] = direction.map(from_f64);
+                let object = if is_hit && random.random() { GROUND } else { OTHER };
+                *ray = [x, z, from_f64(t), object];
             }
-            rows
+            [0, 1, 2, 3].map(|row| rays.map(|ray| ray[row]))
         };
         let rays = (0..count).map(|_| packet()).collect();
         let mut pixel = || {

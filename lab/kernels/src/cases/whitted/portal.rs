@@ -84,7 +84,10 @@ impl Description for Crossed {
     }
 
     fn found(&self, bench: &Bench, &(surfaces, rays): &(Place, u32), _: u32) -> Self::Found {
-        (Bits(bench.read(surfaces)), Bits(bench.read(Place { address: rays, size: size_of::<RayPacket>() })))
+        (
+            Bits(bench.read(surfaces)),
+            Bits(bench.read(Place { address: rays, size: size_of::<RayPacket>() })),
+        )
     }
 
     fn twin(&self, _: &(Place, u32)) -> Self::Found {
