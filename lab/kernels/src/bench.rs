@@ -31,11 +31,14 @@ const LOST: u16 = 0x1ffe;
 const STACK: u32 = 0x3f780;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
 /// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes.
-const ARENA_END: u32 = 0x26100;
+const ARENA_END: u32 = 0x27780;
+/// The end of the arena for the kernels for cuts, which are there: `cuts_place`. Buffers of other
+/// kernels may take their place.
+const CUTS: u32 = 0x26100;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
-const ARENA: u32 = 0x1df80;
+const ARENA: u32 = 0x1db80;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
@@ -122,8 +125,8 @@ impl Machine {
 
     fn run(&mut self, kernel: &str, registers: &[Quad; 128], observer: &mut impl Observer) -> u64 {
         self.spu.registers = *registers;
-        let entry = self.image.symbol(kernel);
-        self.spu.set_pc(entry.unwrap_or_else(|| panic!("no kernel {kernel}")));
+        let entry = self.image.symbol(kernel).unwrap_or_else(|| panic!("no kernel {kernel}"));
+        self.spu.set_pc(entry);
         let executed = self.spu.executed();
         let stopped = self
             .spu
@@ -193,7 +196,7 @@ impl Bench {
         for machine in [&bench.plain, &bench.scheduled] {
             for segment in machine.image.segments() {
                 let end = segment.address + segment.memory_size;
-                let is_free = end <= ARENA || segment.address >= ARENA_END;
+                let is_free = end <= ARENA || segment.address >= CUTS;
                 assert!(
                     is_free,
                     "the kernels reach into the arena: {:#x} to {end:#x}",
@@ -209,6 +212,9 @@ impl Bench {
     pub fn reset(&mut self) {
         for machine in [&self.plain, &self.scheduled] {
             machine.fill_with_stops(ARENA, self.free);
+            if self.free > CUTS {
+                machine.image.load(&machine.store, 0);
+            }
         }
         self.places.clear();
         self.free = ARENA;
@@ -220,6 +226,11 @@ impl Bench {
         let end = place.address + place.size as u32;
         self.free = (end + GUARD as u32).next_multiple_of(128);
         assert!(self.free <= ARENA_END, "the arena is full");
+        if self.free > CUTS {
+            for machine in [&self.plain, &self.scheduled] {
+                machine.fill_with_stops(place.address - GUARD as u32, self.free);
+            }
+        }
         for store in [&self.plain.store, &self.scheduled.store] {
             store.write(place.address - GUARD as u32, &[GUARD_BYTE; GUARD]);
             store.write(place.address, bytes);

@@ -27,7 +27,7 @@ use packets::{Pack, RaySetup, ShadeDepth};
 use protocol::layout::Sphere;
 
 /// The sixteen packets of one group, and of three groups.
-const PACKETS: Objects = Objects::List(16, 40);
+const PACKETS: Objects = Objects::List(16, 48);
 /// A short list of spheres, and a long one.
 const SPHERES: Objects = Objects::List(16, 64);
 /// The packets that a mask can select.

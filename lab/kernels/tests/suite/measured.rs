@@ -40,7 +40,7 @@ fn the_document_is_up_to_date() {
 }
 
 /// Kernels whose loops are not pipelined, to save local store: their headers state the cost.
-const NOT_PIPELINED: [&str; 15] = [
+const NOT_PIPELINED: [&str; 18] = [
     "cuts_cells",
     "cuts_rays_r16",
     "cuts_ground_r16",
@@ -56,12 +56,14 @@ const NOT_PIPELINED: [&str; 15] = [
     "mesh_eye_bounds_r16",
     "mesh_list_hits_r16",
     "mesh_flat_patches",
+    "shader_depth",
+    "shader_portal",
+    "cuts_follow",
 ];
 
 /// Kernels some of whose loops have branches or other loops in them, and so no interval.
-const HAVE_BRANCHES: [&str; 7] = [
+const HAVE_BRANCHES: [&str; 6] = [
     "build_leaf",
-    "cuts_follow",
     "mesh_filter_rays",
     "mesh_few_rays",
     "mesh_prepare",

@@ -52,6 +52,7 @@ pub const KERNELS: &[Kernel] = &[
                 CutRays::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
             },
         }],
+        error: Some(ray_error),
         ..Kernel::of::<CutRays>()
     },
     Kernel {
@@ -514,6 +515,24 @@ pub struct CutGround {
     packets: Packets,
     is_root: bool,
     colours: Vec<[[u32; 16]; 3]>,
+}
+
+/// The largest error of a ray's distance, in its ulps.
+fn ray_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..20 {
+        let rays = CutRays::sensible(8, random);
+        let [ahead_x, ahead_z] = rays.ahead.map(to_f64);
+        for (number, [found, objects]) in rays.call(bench).iter().enumerate() {
+            let [x, z, ..] = rays.packets.rays[number];
+            for lane in (0..16).filter(|&lane| objects[lane] == GROUND) {
+                let along = to_f64(x[lane]) * ahead_x + to_f64(z[lane]) * ahead_z;
+                let exact = to_f64(rays.packets.pixels[16 * number + lane][0]) / along;
+                worst = worst.max((to_f64(found[lane]) / exact - 1.0).abs() * 2_f64.powi(23));
+            }
+        }
+    }
+    worst
 }
 
 /// The largest error of a part of a normal, in ulps of 1.
