@@ -140,8 +140,9 @@ impl Cpu {
             self.log.reserve(2 * budget as usize);
             context.log = self.log.as_mut_ptr();
         }
-        // SAFETY: the target belongs to this code cache, because the table holds no other code. The context points to this value's own boxes, and to a log that has
-        // capacity for every instruction of the budget. The caller guarantees the storage.
+        // SAFETY: the target belongs to this code cache, because the table holds no other code. The
+        // context points to this value's own boxes, and to a log that has capacity for every
+        // instruction of the budget. The caller guarantees the storage.
         let status = unsafe { self.code.call(storage, context, target) };
         *fpscr = context.fpscr;
         if self.logs {
