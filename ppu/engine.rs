@@ -202,6 +202,7 @@ impl Engine {
                 addresses: records.addresses(),
                 sphere_count: self.plan.spheres().records().len() as u32,
                 units: self.plan.units(),
+                cuts: self.plan.cuts(),
                 change_count: self.plan.changes().len() as u32,
                 number: self.number,
                 spus,

@@ -94,6 +94,13 @@ impl Image {
         self
     }
 
+    /// Allows sections to have the same addresses, of which a program loads one at a time.
+    #[must_use]
+    pub fn overlapping(mut self) -> Self {
+        self.link.extend(["--no-overlays".into(), "--no-check-sections".into()]);
+        self
+    }
+
     /// Makes an image without an entry point, which contains functions to be called.
     #[must_use]
     pub fn without_entry(mut self) -> Self {
@@ -191,8 +198,6 @@ impl Image {
         }
         let absolute =
             |path: &PathBuf| std::path::absolute(path).map_err(|source| file_error(path, source));
-        // The code for cuts overlaps other code.
-        link.extend(["--no-overlays".into(), "--no-check-sections".into()]);
         link.extend(["--fatal-warnings".into(), "-T".into(), absolute(&self.script)?.into()]);
         let objects: Vec<PathBuf> = objects.iter().map(absolute).collect::<Result<_, _>>()?;
         // The linker stores the image's path in the image. Linking in the image's folder makes the

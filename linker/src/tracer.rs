@@ -25,6 +25,7 @@ pub fn tracer() -> Result<Image, Error> {
     }
     let image = image
         .only_used()
+        .overlapping()
         .include(&spu.join("include"))
         .constants()
         .formulations(Formulations::standard());

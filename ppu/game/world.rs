@@ -62,7 +62,7 @@ fn default_light() -> scenes::Light {
 /// - Whitted's model: the tiles in which a changed object is or was visible, those on which its
 ///   shadow falls or fell, and those in which mirrors, glass or objects with a game's own shader
 ///   are visible, because the object may show in them.
-/// - A mesh in main memory has moved: all tiles.
+/// - A mesh in main memory has moved, or the ground has changed: all tiles.
 /// - A light, the ambient light, the background, the eye or the [`RenderOptions`] have changed: all
 ///   tiles.
 ///

@@ -5,29 +5,28 @@
 //! taken for parallel, and go up from row to row, so this place must be far away.
 
 use glam::DVec3;
-use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
+use protocol::layout::{MAX_CUT_FOURS, TILE_HEIGHT, TILE_WIDTH};
 use scenes::Camera;
 use zerocopy::big_endian::F32;
 
 use crate::framebuffer::Geometry;
 use crate::scene::Scene;
 use crate::scene::block::SceneBlock;
+use crate::scene::height::LEVEL_SQUARES;
 use crate::scene::single::single;
 
 /// By how many pixels at most cuts may miss a pixel at the edge of a tile.
 const MISSED: f64 = 0.5;
 /// How many pixels to the side a cut may be in the next row.
 const MOST_ASIDE: f64 = 2.5;
-/// The squares of a level up to where it ends.
-const RANGE: f64 = 160.0;
 /// How many squares the cuts that are followed together may be apart there.
 const APART: f64 = 6.0;
 /// The smallest cosine of the angle between a ray and the view's horizontal axis.
 const LEAST_ALONG: f64 = 0.1;
 
-/// What a frame has of cuts.
+/// The cuts of a frame, as it has them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cuts {
+pub struct Cuts {
     pub lat: [F32; 4],
     pub den: [F32; 4],
     pub num: [F32; 4],
@@ -80,14 +79,14 @@ impl Cuts {
                 widest = widest.max(step.abs());
             }
         }
-        let fours = (APART / (4.0 * RANGE * widest)).floor();
+        let fours = (APART / (4.0 * LEVEL_SQUARES * widest)).floor();
         let four = |[a, b, c]: [f64; 3]| [a, b, c, 0.0].map(single);
         (fours >= 1.0).then(|| Self {
             lat: four(lat),
             den: four(den),
             num: four(num),
             ahead: [ahead.x, ahead.z, aside.x, aside.z].map(single),
-            fours: fours.min(48.0) as u32,
+            fours: (fours as u32).min(MAX_CUT_FOURS),
         })
     }
 }

@@ -78,6 +78,8 @@ pub struct Order<'a> {
     pub sphere_count: u32,
     /// The work units.
     pub units: &'a Units,
+    /// The cuts by which rays from the eye find the ground, if they do.
+    pub cuts: Option<Cuts>,
     /// The number of nodes around the frame's changes.
     pub change_count: u32,
     /// The number of the frame.
@@ -175,7 +177,7 @@ pub fn describe(order: &Order) -> Frame {
         if let Some(heights) = mesh.heights {
             frame.heights = heights.address().into();
             frame.colour_code = addresses.height_code.into();
-            if let Some(cuts) = Cuts::of_frame(scene, camera, target.geometry) {
+            if let Some(cuts) = order.cuts {
                 frame.cut_lat = cuts.lat;
                 frame.cut_den = cuts.den;
                 frame.cut_num = cuts.num;

@@ -32,6 +32,7 @@ pub(crate) struct Plan {
     /// The tiles that this frame leaves out.
     missing: TileSet,
     costs: TileCosts,
+    cuts: Option<Cuts>,
     size: Size,
     keeps: bool,
 }
@@ -110,12 +111,12 @@ impl Plan {
         self.spheres.cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = tiles.numbers();
         let costs = self.costs.of(geometry);
-        match Cuts::of_frame(scene, camera, geometry) {
-            Some(_) if policy.split == Split::Units => {
-                let across = geometry.width.div_ceil(TILE_WIDTH);
-                self.units.split_upwards(tiles, across, policy.spus, costs);
-            }
-            _ => self.units.split(tiles, policy.spus, policy.split, costs),
+        self.cuts = Cuts::of_frame(scene, camera, geometry);
+        if self.cuts.is_some() && policy.split == Split::Units {
+            let across = geometry.width.div_ceil(TILE_WIDTH);
+            self.units.split_upwards(tiles, across, policy.spus, costs);
+        } else {
+            self.units.split(tiles, policy.spus, policy.split, costs);
         }
         if let Some(blank) = self.pages.blank() {
             self.units.mark(blank, TILE_BLANK);
@@ -156,6 +157,11 @@ impl Plan {
     /// The number of the page whose tiles' paths the frame keeps, if it keeps any.
     pub fn paths(&self) -> Option<usize> {
         self.paths
+    }
+
+    /// The cuts by which the frame's rays from the eye find the ground, if they do.
+    pub fn cuts(&self) -> Option<Cuts> {
+        self.cuts
     }
 
     pub fn units(&self) -> &Units {

@@ -135,8 +135,9 @@ impl Units {
         let expensive =
             self.by_cost.partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
-        // While an SPU traces an expensive tile, the others have as much left to do. Tiles that cost
-        // little make them wait less for each other than cheap tiles at the end for main memory.
+        // While an SPU traces an expensive tile, the others have as much left to do. Tiles that
+        // cost little make them wait less for each other than cheap tiles at the end for main
+        // memory.
         let (mut after, mut needed) = (0, 0);
         for &tile in self.by_cost[..expensive].iter().rev() {
             if cost(tile) > minimum {

@@ -1,8 +1,8 @@
-# cuts_ground_r16   what the surfaces of ground are that cuts have found, and clears pixels' sums
+# cuts_ground_r16   makes the surfaces of ground that cuts have found, and clears pixels' sums
 #   C       void cuts_ground_r16(const struct rays16 *, struct surfaces *, int count,
 #                                  unsigned ground, vec_uint4 is_root);
-#   In      $3 primary rays, $4 surfaces, $5 packets (at least 1), all consecutive; $6 address of the
-#           ground's OBJECT; $7 -1 if colours are square roots of light, 0 if they are light;
+#   In      $3 primary rays, $4 surfaces, $5 packets (at least 1), all consecutive; $6 address of
+#           the ground's OBJECT; $7 -1 if colours are square roots of light, 0 if they are light;
 #           pointers 16-aligned
 #   Out     normals, colours and leave where a ray has hit the ground; 0 in all sums of the rays'
 #           pixels

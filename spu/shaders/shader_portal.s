@@ -12,9 +12,11 @@
 #
 # The first three parameters are the move, and the fourth is the tangent h of half the angle:
 #   c = (1 - h^2)/(1 + h^2)   s = 2 h/(1 + h^2)   x' = c x + s z   z' = c z - s x
-# The loop is not counted down, so the scheduler does not pipeline it, which would take 200 bytes of
-# what games have for their own shaders. A point is relative to the eye, so that it moves by the turned eye less the eye, too. The material
-# lets all light through, so refract_r16 sends the rays on in the directions that are left here.
+# A point is relative to the eye, so it moves by the turned eye less the eye, too. The material lets
+# all light through, so refract_r16 sends the rays on in the directions that are left here.
+#
+# The loop is not counted down, so the scheduler does not pipeline it. That would take 240 bytes more
+# of the memory for games' own shaders.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -18,4 +18,4 @@ mod tests;
 mod view;
 
 pub(crate) use shaped::HeightViews;
-pub(crate) use view::HeightView;
+pub(crate) use view::{HeightView, LEVEL_SQUARES};

@@ -17,7 +17,7 @@ use crate::scene::mesh::{Block, block_header};
 use crate::scene::single::{single, singles};
 
 /// How far from the eye a level is used, in squares of that level. More have smaller triangles.
-const RANGE: f64 = 160.0;
+pub(crate) const LEVEL_SQUARES: f64 = 160.0;
 /// From this part of that distance on, it fades to the next.
 const FADES_FROM: f64 = 0.75;
 /// The children of a node.
@@ -287,7 +287,7 @@ impl<'a> Chooser<'a> {
 
     /// The distance up to which a level is used.
     fn range(&self, level: usize) -> f64 {
-        RANGE * self.step * f64::from(1_u32 << level)
+        LEVEL_SQUARES * self.step * f64::from(1_u32 << level)
     }
 
     fn record(&self, number: usize, level: &Level) -> HeightLevel {

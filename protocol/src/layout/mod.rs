@@ -110,8 +110,8 @@ constants! {
     /// Feature bit: the scene has a height field. Its triangles have colours, so
     /// `FEATURE_COLOURS` is set, too.
     FEATURE_HEIGHTS = 4096;
-    /// Feature bit: the height field is all that is in main memory, and rays from the eye find it by
-    /// cuts, unless they are further samples of a pixel.
+    /// Feature bit: the height field is all that is in main memory, and rays from the eye find it
+    /// by cuts, unless they are further samples of a pixel.
     FEATURE_CUTS = 8192;
     /// All feature bits that this version has.
     FEATURES_KNOWN = 16383;
@@ -320,11 +320,13 @@ constants! {
     HEIGHT_CODE_CAPACITY = 7936;
     /// Address in local store of that code.
     HEIGHT_CODE = COLOUR_CODE - HEIGHT_CODE_CAPACITY;
-    /// Bytes from `TEXTURE_CODE` on for the code that finds ground by cuts. The code for eye rays is
-    /// not there then.
+    /// Bytes from `TEXTURE_CODE` on for the code that finds ground by cuts. The code for eye rays
+    /// is not there then.
     CUTS_CODE_CAPACITY = TEXTURE_CODE_CAPACITY + EYE_CODE_CAPACITY;
     /// The load address of that code in the program's file, which no code has in local store.
     CUTS_CODE_LOAD = 0x4_0000;
+    /// The most fours of cuts that are followed together: all that a tile may have.
+    MAX_CUT_FOURS = 48;
     /// In a block's number: a block of a height field, which an SPU makes of samples. Added to it
     /// are the level times 2^19, the block's row times 2^9, and its column.
     HEIGHT_BLOCK = 0x0080_0000;

@@ -2,7 +2,7 @@
 # followed from where those of the tile below have come to. Their pixels' sums then have where rays
 # hit the ground and what is there, until each ray's batch takes it.
 #
-# This file and its kernels are in local store only in frames with FEATURE_HEIGHTS.
+# This file and its kernels are in local store only in frames with FEATURE_CUTS.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -16,6 +16,9 @@
         # The columns of cuts that a tile may have, in fours: COLUMNS_BEFORE are left of it.
         .set    COLUMNS_BEFORE,64
         .set    FOURS,(TILE_WIDTH+2*COLUMNS_BEFORE)/4
+    .if FOURS != MAX_CUT_FOURS
+        .error  "a tile has another number of cuts than a frame allows"
+    .endif
         # The blocks that the cells have space for.
         .set    SLOTS,CELLS/CELL_SIDE*CELLS/CELL_SIDE
         .set    SLOT_LIST_BYTES,128

@@ -83,6 +83,7 @@ impl Descriptor {
             },
             sphere_count: records.records().len() as u32,
             units: &units,
+            cuts: None,
             change_count: 0,
             number: 1,
             spus,

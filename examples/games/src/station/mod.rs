@@ -201,7 +201,8 @@ impl Station {
         }
     }
 
-    /// Makes a step of the walker. Returns what its next one is, if it goes on as it did.
+    /// Makes a step of the walker. Returns its next one: the same, but turned if it has walked
+    /// through a portal.
     fn step(&mut self, stride: DVec2) -> DVec2 {
         if !self.movers.rest() {
             self.feet = self.movers.step(&mut self.ground, STEP, self.place, self.feet);

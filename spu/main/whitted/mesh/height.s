@@ -68,7 +68,7 @@ none_kept:
         lqa     $bad,streamed
         andi    $bad,$bad,FEATURE_MATERIALS
         refuse_if $bad,Cuts
-        require_from_one cut_fours,48,Cuts
+        require_from_one cut_fours,MAX_CUT_FOURS,Cuts
         il      $value,-1
         stqa    $value,cuts
         require_aligned cut_code,LINE,Cuts

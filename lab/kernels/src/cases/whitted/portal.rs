@@ -40,11 +40,10 @@ type Rows<'a> = [&'a mut [F32; 16]; 3];
 impl Crossed {
     fn random(random: &mut ChaCha8Rng, value: fn(&mut ChaCha8Rng) -> Single) -> Self {
         let mut call = Call::random(random, value);
-        let mut rays = call.rays;
-        for row in vectors(&mut call.surfaces, &mut rays).into_iter().flatten() {
+        let Call { surfaces, rays, .. } = &mut call;
+        for row in vectors(surfaces, rays).into_iter().flatten() {
             *row = std::array::from_fn(|_| single(value(random)));
         }
-        call.rays = rays;
         Self(call)
     }
 }
