@@ -24,7 +24,8 @@
 
         .set    NEXT,3
         registers a_rays,a_surfaces,count,ground,is_root
-        registers m_first,m_last,k_one,k_half,k_sign,k_leave,k_scale,k_square,k_light,m_red,zero,m_splat
+        registers m_first,m_last,k_one,k_half,k_sign,k_leave,k_scale,k_square,k_light
+        registers m_red,zero,m_splat
         registers a_pixels,is_ground
         registers quad                                  # to quad+3
         .set    NEXT,quad+4

@@ -15,8 +15,8 @@
 # A point is relative to the eye, so it moves by the turned eye less the eye, too. The material lets
 # all light through, so refract_r16 sends the rays on in the directions that are left here.
 #
-# The loop is not counted down, so the scheduler does not pipeline it. That would take 240 bytes more
-# of the memory for games' own shaders.
+# The loop is not counted down, so the scheduler does not pipeline it. That would take 240 bytes
+# more of the memory for games' own shaders.
 
         .include "work_unit.inc"
         .include "macros.inc"
