@@ -16,15 +16,16 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-fn point() -> impl Strategy<Value = DVec3> {
-    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+/// Boxed, as the strategies below: whole strategies of scenes fill a thread's stack by value.
+fn point() -> BoxedStrategy<DVec3> {
+    (number(), number(), number()).prop_map(|(x, y, z)| DVec3::new(x, y, z)).boxed()
 }
 
 fn radius() -> impl Strategy<Value = f64> {
     number().prop_filter("not 0", |&radius| radius != 0.0)
 }
 
-fn shape() -> impl Strategy<Value = Shape> {
+fn shape() -> BoxedStrategy<Shape> {
     let sphere = (point(), radius()).prop_map(|(centre, radius)| Shape::Sphere { centre, radius });
     let cone = (point(), radius(), point(), number())
         .prop_filter("a height", |(base, _, apex, _)| base != apex)
@@ -37,10 +38,10 @@ fn shape() -> impl Strategy<Value = Shape> {
         let (vertices, normals) = corners.into_iter().unzip();
         Shape::Patch { vertices, normals }
     });
-    prop_oneof![sphere, cone, polygon, patch]
+    prop_oneof![sphere, cone, polygon, patch].boxed()
 }
 
-fn shader() -> impl Strategy<Value = Shader> {
+fn shader() -> BoxedStrategy<Shader> {
     let checker = (point(), radius())
         .prop_map(|(other, size)| Shader::Checker { other: other.abs(), size: size.abs() });
     let depth = (number(), number())
@@ -53,10 +54,10 @@ fn shader() -> impl Strategy<Value = Shader> {
         .prop_filter("a name of its own", move |(name, _)| !taken.contains(&name.as_str()))
         .prop_map(|(name, parameters)| Shader::Own { name, parameters });
     let simple = prop::sample::select(vec![Shader::Flat, Shader::Lambert, Shader::Phong]);
-    prop_oneof![simple, checker, depth, portal, own]
+    prop_oneof![simple, checker, depth, portal, own].boxed()
 }
 
-fn light() -> impl Strategy<Value = LightKind> {
+fn light() -> BoxedStrategy<LightKind> {
     let sun = point().prop_filter("a direction", |to_light| *to_light != DVec3::ZERO);
     prop_oneof![
         point().prop_map(|position| LightKind::Point { position, range: f64::INFINITY }),
@@ -65,11 +66,12 @@ fn light() -> impl Strategy<Value = LightKind> {
             .prop_map(|(position, range)| LightKind::Point { position, range: range.abs() }),
         sun.prop_map(|to_light| LightKind::Directional { to_light }),
     ]
+    .boxed()
 }
 
-fn material() -> impl Strategy<Value = Material> {
+fn material() -> BoxedStrategy<Material> {
     let parts = (point(), point(), number(), number(), shader());
-    parts.prop_map(|(colour, shares, shine, index, shader)| Material {
+    let material = parts.prop_map(|(colour, shares, shine, index, shader)| Material {
         line: 0,
         colour: colour.abs(),
         diffuse: shares.x.abs(),
@@ -80,7 +82,8 @@ fn material() -> impl Strategy<Value = Material> {
         emission: DVec3::ZERO,
         texture: None,
         shader,
-    })
+    });
+    material.boxed()
 }
 
 prop_compose! {
@@ -95,7 +98,7 @@ prop_compose! {
 prop_compose! {
     /// Scenes whose objects use their materials in order, as files do.
     fn scene()(
-        view in view().prop_filter("shows something", |view| view.camera(1, 1).is_ok()),
+        view in view().prop_filter("shows something", |view| view.camera(1, 1).is_ok()).boxed(),
         background in point(),
         sky in prop::option::of((point(), point())),
         ambient in point(),
