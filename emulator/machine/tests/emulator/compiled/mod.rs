@@ -4,4 +4,5 @@ mod double_precision;
 mod operations;
 mod programs;
 mod units;
+mod vectors;
 mod wasm;
