@@ -1,6 +1,6 @@
 //! What is to be found in a level, and its exit.
 
-use cellray::game::{DVec3, Label, Material, MeshId, ObjectId, Side, World, WorldError};
+use cellray::game::{DAffine3, DVec3, Label, Material, MeshId, ObjectId, Side, World, WorldError};
 use glam::DVec2;
 use levels::{Action, special};
 
@@ -31,6 +31,10 @@ enum Shown {
 struct Goal {
     kind: usize,
     place: DVec2,
+    sector: u32,
+    /// The height of the floor in the map, at which its mesh is.
+    built: f64,
+    /// The floor's height now.
     floor: f64,
     shown: Shown,
     is_found: bool,
@@ -68,7 +72,9 @@ impl Goals {
                 let centre = Ground::in_space(thing.place, floor + FLOATS);
                 Shown::Sphere(world.add_sphere(centre, SIZE, material)?)
             };
-            goals.push(Goal { kind, place: thing.place, floor, shown, is_found: false });
+            let place = thing.place;
+            let goal = Goal { kind, place, sector, built: floor, floor, shown, is_found: false };
+            goals.push(goal);
         }
         let is_exit = |number| special(number).is_some_and(|it| it.action == Action::Exit);
         let exits = ground.map.lines.iter().filter(|line| is_exit(line.special));
@@ -78,6 +84,26 @@ impl Goals {
             Ground::in_space(from.midpoint(to), floor + FLOATS)
         };
         Ok(Self { goals, exits: exits.map(middle).collect() })
+    }
+
+    /// Puts what lies on floors that have moved to where these are now.
+    pub fn place(&mut self, ground: &Ground, world: &mut World) -> Result<(), WorldError> {
+        for goal in self.goals.iter_mut().filter(|goal| !goal.is_found) {
+            let floor = ground.height(goal.sector, levels::Plane::Floor);
+            if std::mem::replace(&mut goal.floor, floor) == floor {
+                continue;
+            }
+            match goal.shown {
+                Shown::Mesh(mesh) => {
+                    let up = DVec3::Y * (floor - goal.built);
+                    world.place_mesh(mesh, DAffine3::from_translation(up))?;
+                }
+                Shown::Sphere(sphere) => {
+                    world.move_to(sphere, Ground::in_space(goal.place, floor + FLOATS))?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Takes what the walker touches. Returns what it has found.
@@ -150,5 +176,37 @@ impl Goals {
             label("exit", exit, colour)
         });
         goals.chain(exits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::station::plan;
+    use cellray::game::Random;
+    use levels::Plan;
+
+    #[test]
+    fn goals_lie_on_floors_that_move() {
+        let map = plan::map(&mut Random::new(0));
+        let plan = Plan::of(&map);
+        let mut ground = Ground::new(map, plan);
+        let mut world = World::new();
+        let mut goals = Goals::add(&ground, &[], &mut world).unwrap();
+        let height = |goals: &Goals| goals.labels(DVec2::ZERO).next().unwrap();
+        let before = height(&goals);
+        let Goal { sector, built, place, .. } = goals.goals[0];
+        ground.set_height(sector, levels::Plane::Floor, built + 100.0);
+        goals.place(&ground, &mut world).unwrap();
+        assert_ne!(height(&goals), before);
+        let Shown::Sphere(sphere) = goals.goals[0].shown else { unreachable!("no mesh is given") };
+        assert_eq!(
+            world.position(sphere).unwrap(),
+            Ground::in_space(place, built + 100.0 + FLOATS)
+        );
+        // It is taken where it is now.
+        assert_eq!(goals.take(place, built, &mut world).unwrap(), None);
+        assert!(goals.take(place, built + 100.0, &mut world).unwrap().is_some());
+        goals.place(&ground, &mut world).unwrap();
     }
 }

@@ -373,6 +373,7 @@ impl Game for Station {
         }
         if !was_at_rest || !self.movers.rest() {
             self.movers.place(&self.ground, world)?;
+            self.goals.place(&self.ground, world)?;
         }
         if let Some(found) = self.goals.take(self.place, self.feet, world)? {
             self.message = (found, MESSAGE);
