@@ -1,5 +1,5 @@
-//! Recorded walks in levels: frames a second in simulated time, of six SPUs at 1280x720. A frame is
-//! measured every three seconds of the walk.
+//! Recorded walks in levels: frames a second in simulated time, of six SPUs at 1280x720, and their
+//! rays. A frame is measured every three seconds of the walk.
 //!
 //!     cargo bench -p games --bench walks -- [WALK...]
 
@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{FixedSteps, NoInput, Recording, Session};
+use cellray::statistics::Rays;
 use cellray::{Engine, Settings};
 use games::station::Station;
 
@@ -20,8 +21,9 @@ const SIZE: (u32, u32) = (1280, 720);
 const FREEDOOM: &str = "/usr/share/games/doom/freedoom1.wad";
 /// Frames from one that is measured to the next.
 const EVERY: usize = 60;
-/// Ticks a second of the decrementer.
+/// Ticks a second of the decrementer, and an SPU's cycles in one.
 const TIMEBASE: f64 = 79_800_000.0;
+const CYCLES: f64 = 40.0;
 
 type Outcome<T> = Result<T, Box<dyn Error>>;
 
@@ -36,32 +38,47 @@ fn row(name: &str, file: &str, game: Station) -> Outcome<String> {
     let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
     let settings = Settings { retain: false, ..Settings::default() };
     let mut engine = Engine::start(settings, Box::new(picture))?;
-    let (mut ticks, mut triangles) = (Vec::new(), 0);
+    let (mut ticks, mut triangles, mut rays, mut shadow) = (Vec::new(), 0, 0, 0);
     for number in 0.. {
         if session.frame(&mut clock, &mut NoInput)?.is_break() {
             break;
         }
         if number % EVERY == 0 {
             let scene = session.world().scene(&settings.program)?;
-            ticks.push(engine.render(scene, &mut |_| {})?.ticks());
+            let statistics = engine.render(scene, &mut |_| {})?;
+            ticks.push(statistics.ticks());
+            for Rays { eye, reflected, refracted, shadow: more, .. } in
+                statistics.spus.iter().map(|spu| spu.rays)
+            {
+                rays += eye + reflected + refracted + more;
+                shadow += more;
+            }
             let mesh = session.world().to_nff().mesh;
             triangles = mesh.map_or(0, |mesh| mesh.triangles.len());
         }
     }
     let sum: u64 = ticks.iter().sum();
     let slowest = ticks.iter().max().copied().unwrap_or(1);
+    let pixels = (ticks.len() as u32 * SIZE.0 * SIZE.1) as f64;
+    let spus = f64::from(Settings::default().spus);
     Ok(format!(
-        "| {name} | {triangles} | {} | {:.1} | {:.1} |",
+        "| {name} | {triangles} | {} | {:.1} | {:.1} | {:.2} | {:.2} | {:.0} |",
         ticks.len(),
         ticks.len() as f64 * TIMEBASE / sum as f64,
         TIMEBASE / slowest as f64,
+        rays as f64 / pixels,
+        shadow as f64 / pixels,
+        spus * CYCLES * sum as f64 / rays as f64,
     ))
 }
 
 fn main() -> Outcome<()> {
     simulated::restart()?;
-    println!("| walk | triangles | frames measured | mean, frames/s | slowest frame, frames/s |");
-    println!("|---|---|---|---|---|");
+    println!(
+        "| walk | triangles | frames measured | mean, frames/s | slowest frame, frames/s | rays a \
+         pixel | of these to lamps | cycles a ray |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
     let named: Vec<String> = std::env::args().skip(1).filter(|name| name != "--bench").collect();
     let wanted = |name: &str| named.is_empty() || named.iter().any(|other| other == name);
     if wanted("station") {
