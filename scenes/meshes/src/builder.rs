@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use scenes::{Light, Material, Mesh, Scene, View};
 
 use crate::framing::{self, Up};
@@ -31,6 +31,10 @@ pub(crate) struct Builder {
     /// For each material, where its surfaces have holes.
     masks: Vec<Option<Arc<Mask>>>,
     pub two_sided: bool,
+    /// Whether all vertices stay as they were added, because an animation moves them.
+    pub keeps_vertices: bool,
+    /// The vertices that were added on triangles with holes.
+    pub cuts: Vec<Cut>,
     /// Where up is, for a view of the mesh.
     pub up: Up,
     pub view: Option<View>,
@@ -47,6 +51,27 @@ pub(crate) struct Vertex {
     pub coordinates: Option<[f32; 2]>,
     /// A colour that multiplies the material's, encoded for the screen.
     pub colour: Option<[f32; 3]>,
+}
+
+/// A vertex on a triangle, as shares of the triangle's corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cut {
+    vertex: u32,
+    corners: [u32; 3],
+    shares: DVec3,
+}
+
+impl Cut {
+    /// Makes the vertex's property of those of the corners, if they have it.
+    pub fn mix(&self, properties: &mut [[f32; 3]]) {
+        if properties.is_empty() {
+            return;
+        }
+        let of = |corner: u32| Vec3::from(properties[corner as usize]).as_dvec3();
+        let parts = self.corners.iter().zip(self.shares.to_array());
+        let mixed: DVec3 = parts.map(|(&corner, share)| share * of(corner)).sum();
+        properties[self.vertex as usize] = mixed.as_vec3().to_array();
+    }
 }
 
 /// Vertices as arrays. Those of properties that no vertex has are empty, all others are as long as
@@ -171,7 +196,13 @@ impl Builder {
             for corner in part {
                 numbers.push(match corner {
                     Corner::Own(corner) => corners[corner],
-                    Corner::Within(shares) => self.vertex(&mixed(&ends, shares))?,
+                    Corner::Within(shares) => {
+                        let vertex = self.vertex(&mixed(&ends, shares))?;
+                        if self.keeps_vertices {
+                            self.cuts.push(Cut { vertex, corners, shares });
+                        }
+                        vertex
+                    }
                 });
             }
             for pair in numbers[1..].windows(2) {
@@ -269,7 +300,9 @@ impl Builder {
         if !(0..mesh.triangles.len()).any(has_area) {
             return Err(Fault::NoArea(mesh.triangles.len()));
         }
-        join_vertices(&mut mesh);
+        if !self.keeps_vertices {
+            join_vertices(&mut mesh);
+        }
         let added_light = self.lights.is_empty();
         let (lights, ambient) = if added_light {
             framing::lights(self.up, self.view.as_ref())
@@ -293,7 +326,7 @@ impl Builder {
             height_map: None,
             fog: None,
         };
-        Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
+        Ok(Loaded { scene, added_light, animation: None, notes: self.notes.finish(name) })
     }
 }
 

@@ -1,5 +1,6 @@
 //! Files of each format, right and wrong.
 
+mod animated;
 mod damage;
 mod faults;
 mod files;
