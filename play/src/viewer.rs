@@ -543,6 +543,24 @@ mod tests {
     }
 
     #[test]
+    fn animation_plays_in_the_time_of_frames() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/reef.glb");
+        let loaded = meshes::load(file.as_ref()).expect("a scene");
+        let mut animation = loaded.animation.clone().expect("an animation");
+        let mut viewer = Viewer::of(loaded, RenderOptions::default());
+        let mut world = World::new();
+        viewer.set_up(&mut world, &Start { seed: 0, size: (64, 36) }).expect("a world");
+        let input = Input::default();
+        for time in [0.0, 1.25, 5.5] {
+            let size = (64, 36);
+            let frame = Frame { number: 0, time, delta: 0.0, input: &input, size, last: None };
+            viewer.update(&mut world, &frame).expect("a frame");
+            let mesh = world.to_nff().mesh.expect("a mesh");
+            assert_eq!((&mesh.positions[..], &mesh.normals[..]), animation.at(time), "{time}");
+        }
+    }
+
+    #[test]
     fn eye_stops_before_poles() {
         for (held, sign) in [(Key::Up, 1.0), (Key::Down, -1.0)] {
             let mut player = Player::new();

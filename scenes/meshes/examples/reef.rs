@@ -158,6 +158,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let path = path.ok_or("the name of the file to write is missing")?;
     let root = json!({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
         "nodes": [{"children": []}], "meshes": [], "materials": [], "skins": [], "accessors": [],
+        "cameras": [{"type": "perspective", "perspective":
+            {"yfov": 0.6, "znear": 0.1, "aspectRatio": 16.0 / 9.0}}],
         "bufferViews": [], "animations": [{"name": "swell", "channels": [], "samplers": []}]});
     let mut writer = Writer { root, data: Vec::new() };
     let mut top = Vec::new();
@@ -165,6 +167,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     anemone(&mut writer, &mut top);
     jellyfish(&mut writer, &mut top);
     fish(&mut writer, &mut top);
+    let camera = json!({"camera": 0, "translation": [0, 3.2, 8.5], "rotation": about(0, -0.2)});
+    top.push(writer.push("nodes", camera));
     writer.root["nodes"][0]["children"] = json!(top);
     writer.root["buffers"] = json!([{"byteLength": writer.data.len()}]);
     std::fs::write(path, container(writer.root.to_string().into_bytes(), writer.data))?;
@@ -172,7 +176,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn sand(writer: &mut Writer, top: &mut Vec<usize>) {
-    let corners = [[-3.5, 0.0, 3.5], [3.5, 0.0, 3.5], [3.5, 0.0, -3.5], [-3.5, 0.0, -3.5]];
+    let corners = [[-9.0, 0.0, 9.0], [9.0, 0.0, 9.0], [9.0, 0.0, -9.0], [-9.0, 0.0, -9.0]];
     let square = Surface {
         positions: corners.to_vec(),
         normals: vec![[0.0, 1.0, 0.0]; 4],
@@ -239,8 +243,7 @@ fn anemone(writer: &mut Writer, top: &mut Vec<usize>) {
         }
         let base = json!({"rotation": about(1, TAU * around), "children": [chain[0]]});
         top.push(writer.push("nodes", base));
-        let skin =
-            writer.push("skins", json!({"joints": chain, "inverseBindMatrices": inverse}));
+        let skin = writer.push("skins", json!({"joints": chain, "inverseBindMatrices": inverse}));
         top.push(writer.push("nodes", json!({"mesh": mesh, "skin": skin})));
     }
 }
@@ -283,7 +286,7 @@ fn fish(writer: &mut Writer, top: &mut Vec<usize>) {
     let body = Surface::ball(16, 12, [0.12, 0.2, 0.4]);
     let body = writer.mesh(&body, [0.9, 0.45, 0.05], 0.3);
     let tail = Surface::ball(12, 8, [0.03, 0.2, 0.16]);
-    let tail = writer.mesh(&tail, [0.9, 0.75, 0.6], 0.4);
+    let tail = writer.mesh(&tail, [0.85, 0.3, 0.03], 0.4);
     for number in 0..FISH {
         let fin = json!({"mesh": tail, "translation": [0, 0, -0.14]});
         let fin = writer.push("nodes", fin);

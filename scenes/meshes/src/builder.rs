@@ -19,7 +19,7 @@ pub const MAX_MATERIALS: usize = 65_536;
 /// The most corners of a face. The time to cut it into triangles grows with their square.
 pub const MAX_CORNERS: usize = 4096;
 /// The largest coordinate: SPUs' singles hold the squares of the numbers up to it.
-const LARGEST: f64 = (1_u64 << 62) as f64;
+pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
 
 /// The parts of a scene, as a format's reader finds them.
 #[derive(Default)]
@@ -33,6 +33,8 @@ pub(crate) struct Builder {
     pub two_sided: bool,
     /// Whether all vertices stay as they were added, because an animation moves them.
     pub keeps_vertices: bool,
+    /// The corners of a box that the view shows beside all vertices.
+    pub reach: Option<[DVec3; 2]>,
     /// The vertices that were added on triangles with holes.
     pub cuts: Vec<Cut>,
     /// Where up is, for a view of the mesh.
@@ -279,8 +281,10 @@ impl Builder {
         let used = self.triangles.iter().flatten();
         let mut used = used.map(|&vertex| vertices.positions[vertex as usize]);
         let first = used.next().unwrap_or_default();
-        let (low, high) =
-            used.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
+        let [low, high] = self.reach.unwrap_or([first; 2]);
+        let (low, high) = used
+            .chain([first])
+            .fold((low, high), |(low, high), place| (low.min(place), high.max(place)));
         let origin = Mesh::origin_for(low, high);
         let relative = |place: &DVec3| (*place - origin).as_vec3().to_array();
         let mut mesh = Mesh {

@@ -10,11 +10,14 @@ use super::part::{Part, Skin};
 use super::sampler::{Budget, Sampler};
 use super::{within, wrong};
 use crate::Fault;
-use crate::builder::Cut;
+use crate::builder::{Cut, LARGEST};
 use crate::notes::Notes;
 
 /// The name of no animation.
 pub(crate) const NONE: &str = "none";
+
+/// The times at which an animation is looked at for the view.
+const TIMES: u32 = 16;
 
 /// A property of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -114,6 +117,28 @@ impl Channels {
             }
         }
         [nodes.moved_with(driven), morphed]
+    }
+
+    /// The corners of a box around what moves, at times between which it moves little.
+    pub fn reach(
+        &self,
+        nodes: &mut Nodes,
+        skins: &mut [Option<Skin>],
+        parts: &[Part],
+    ) -> Option<[DVec3; 2]> {
+        let mut reach = None;
+        for step in 0..TIMES {
+            self.set(nodes, self.duration() * f64::from(step) / f64::from(TIMES));
+            skins.iter_mut().flatten().for_each(|skin| skin.place(nodes));
+            for (place, _) in parts.iter().flat_map(|part| part.vertices(nodes, skins)) {
+                // The frame that has a vertex anywhere else will be refused.
+                if place.abs().max_element() <= LARGEST {
+                    let [low, high] = reach.unwrap_or([place; 2]);
+                    reach = Some([low.min(place), high.max(place)]);
+                }
+            }
+        }
+        reach
     }
 
     /// Whether it mirrors a node at some times and not at others.

@@ -138,11 +138,12 @@ fn read(
     for node in nodes.of_scene() {
         file.node(node)?;
     }
-    let File { skins, parts, .. } = file;
+    let File { mut skins, parts, .. } = file;
     let cuts = std::mem::take(&mut builder.cuts);
     if !channels.are_none() && parts.is_empty() {
         builder.notes.add("the animation moves no triangles");
     }
+    builder.reach = channels.reach(&mut nodes, &mut skins, &parts);
     let mut loaded = builder.finish(&name.display().to_string())?;
     loaded.animation = loaded
         .scene

@@ -25,7 +25,7 @@ impl Maker {
 
     /// Adds an accessor of singles.
     fn floats<const N: usize>(&mut self, items: &[[f64; N]]) -> usize {
-        let kind = ["", "SCALAR", "", "VEC3", "VEC4"].get(N).copied().unwrap_or("MAT4");
+        let kind = ["", "SCALAR", "VEC2", "VEC3", "VEC4"].get(N).copied().unwrap_or("MAT4");
         let start = self.data.len();
         self.data.extend(items.iter().flatten().flat_map(|&it| (it as f32).to_le_bytes()));
         self.accessor(start, json!({"componentType": 5126, "type": kind, "count": items.len()}))
@@ -342,6 +342,78 @@ fn half_a_turn_and_equal_rotations_stay_finite() {
             }
         }
     }
+}
+
+/// Vertices on the edges of holes stay at the same places of their triangles.
+#[test]
+fn holes_move_with_their_triangles() {
+    let mut maker = triangle();
+    let picture = image::RgbaImage::from_fn(2, 1, |x, _| image::Rgba([0, 200, 0, 255 * x as u8]));
+    let mut png = std::io::Cursor::new(Vec::new());
+    picture.write_to(&mut png, image::ImageFormat::Png).unwrap();
+    let start = maker.data.len();
+    maker.data.extend(png.into_inner());
+    maker.data.resize(maker.data.len().next_multiple_of(4), 0);
+    let length = maker.data.len() - start;
+    let view = json!({"buffer": 0, "byteOffset": start, "byteLength": length});
+    let view = maker.add("bufferViews", view);
+    maker.add("images", json!({"bufferView": view, "mimeType": "image/png"}));
+    maker.add("textures", json!({"source": 0}));
+    let texture = json!({"baseColorTexture": {"index": 0}});
+    maker.add("materials", json!({"alphaMode": "MASK", "pbrMetallicRoughness": texture}));
+    let places = maker.floats(&[[0.1, 0.0], [0.9, 0.0], [0.1, 1.0]]);
+    let primitive = &mut maker.root["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = places.into();
+    primitive["material"] = json!(0);
+    let keys = [about_z(0.0, 1.0), about_z(2.0, 1.0)];
+    maker.channel((0, "rotation"), "LINEAR", &[0.0, 1.0], &keys);
+    let mut animation = maker.animation();
+    let (positions, normals) = animation.at(0.0);
+    let first = [positions.to_vec(), normals.to_vec()];
+    assert!(first[0].len() > 3, "the triangle is cut");
+    let (positions, normals) = animation.at(0.3);
+    for (before, after) in first.iter().zip([positions, normals]) {
+        for (before, after) in before.iter().zip(after) {
+            let expected = DMat3::from_rotation_z(0.6) * Vec3::from(*before).as_dvec3();
+            assert!(Vec3::from(*after).as_dvec3().distance(expected) < 1e-6);
+        }
+    }
+}
+
+/// Triangles of one place may part later, so their vertices stay their own.
+#[test]
+fn equal_vertices_of_two_nodes_part() {
+    let mut maker = triangle();
+    maker.root["scenes"][0]["nodes"] = json!([0, 2]);
+    maker.add("nodes", json!({"mesh": 0}));
+    maker.channel((1, "translation"), "LINEAR", &[0.0, 1.0], &[[0.0; 3], [0.0, 0.0, 8.0]]);
+    let mut animation = maker.animation();
+    let first = animation.at(0.0).0.to_vec();
+    assert_eq!((first.len(), first[0]), (6, first[3]));
+    let later = animation.at(0.5).0;
+    assert_eq!((later[0][2], later[3]), (first[0][2] + 4.0, first[3]));
+}
+
+#[test]
+fn surfaces_that_are_mirrored_at_times_have_two_sides() {
+    for (scale, expected) in [([-1.0, 1.0, 1.0], true), ([0.5, 2.0, 1.0], false)] {
+        let mut maker = triangle();
+        maker.channel((0, "scale"), "LINEAR", &[0.0, 1.0], &[[1.0; 3], scale]);
+        let mesh = maker.load(None).unwrap().scene.mesh.unwrap();
+        assert_eq!(mesh.two_sided, expected);
+    }
+}
+
+/// The view of a file without a camera has all of the animation in the picture.
+#[test]
+fn view_shows_all_of_an_animation() {
+    let mut maker = triangle();
+    maker.channel((0, "translation"), "LINEAR", &[0.0, 1.0, 2.0], &[[0.0; 3], [40.0; 3], [0.0; 3]]);
+    let view = maker.load(None).unwrap().scene.view;
+    let far = DVec3::from(CORNERS[1]) + 38.0;
+    let sight = (view.at - view.from).normalize();
+    let angle = (far - view.from).normalize().dot(sight).acos();
+    assert!(angle < (view.angle / 2.0).to_radians(), "{angle}");
 }
 
 #[test]
