@@ -1,6 +1,6 @@
 //! Animations: the channels that move nodes and morph targets, and the vertices at a time.
 
-use glam::{DQuat, DVec3};
+use glam::{DQuat, DVec3, Vec3};
 use scenes::Mesh;
 
 use super::accessor::Data;
@@ -16,7 +16,7 @@ use crate::notes::Notes;
 /// The name of no animation.
 pub(crate) const NONE: &str = "none";
 
-/// The times at which an animation is looked at for the view.
+/// The times at which an animation is looked at when it is loaded.
 const TIMES: u32 = 16;
 
 /// A property of a node.
@@ -228,14 +228,15 @@ pub struct Animation {
 }
 
 impl Animation {
-    /// An animation of a mesh, of which these parts move.
+    /// An animation of a mesh, of which these parts move. Triangles that are never seen are dropped
+    /// from the mesh: rounding gives them an area at times, and the scene a new tree each time.
     pub(super) fn new(
         channels: Channels,
         (nodes, skins, parts): (Nodes, Vec<Option<Skin>>, Vec<Part>),
         cuts: Vec<Cut>,
-        mesh: &Mesh,
+        mesh: &mut Mesh,
     ) -> Self {
-        Self {
+        let mut animation = Self {
             duration: channels.duration(),
             channels,
             nodes,
@@ -245,7 +246,22 @@ impl Animation {
             origin: mesh.origin,
             positions: mesh.positions.clone(),
             normals: mesh.normals.clone(),
+        };
+        let mut are_seen = vec![false; mesh.triangles.len()];
+        for step in 0..TIMES {
+            let time = animation.duration * f64::from(step) / f64::from(TIMES);
+            let (positions, _) = animation.at(time);
+            for (is_seen, triangle) in are_seen.iter_mut().zip(&mesh.triangles) {
+                *is_seen = *is_seen || has_area(triangle.map(|it| positions[it as usize].into()));
+            }
         }
+        if are_seen.contains(&true) {
+            let mut seen = are_seen.iter();
+            mesh.triangles.retain(|_| *seen.next().unwrap_or(&true));
+            let mut seen = are_seen.iter();
+            mesh.materials.retain(|_| *seen.next().unwrap_or(&true));
+        }
+        animation
     }
 
     /// The name that it has in its file. It may be empty.
@@ -284,4 +300,12 @@ impl Animation {
         }
         (&self.positions, &self.normals)
     }
+}
+
+/// Whether a triangle is more than a line, but for the rounding of its corners.
+fn has_area(corners: [Vec3; 3]) -> bool {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let longest = [b - a, c - b, a - c].map(|edge| edge.length()).into_iter().fold(0.0, f64::max);
+    let largest = a.abs().max(b.abs()).max(c.abs()).max_element();
+    (b - a).cross(c - a).length() > 8.0 * f64::from(f32::EPSILON) * largest * longest
 }

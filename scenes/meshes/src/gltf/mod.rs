@@ -145,12 +145,10 @@ fn read(
     }
     builder.reach = channels.reach(&mut nodes, &mut skins, &parts);
     let mut loaded = builder.finish(&name.display().to_string())?;
-    loaded.animation = loaded
-        .scene
-        .mesh
-        .as_ref()
-        .filter(|_| !parts.is_empty())
-        .map(|mesh| Animation::new(channels, (nodes, skins, parts), cuts, mesh));
+    if let Some(mesh) = loaded.scene.mesh.as_mut().filter(|_| !parts.is_empty()) {
+        let parts = (nodes, skins, parts);
+        loaded.animation = Some(Animation::new(channels, parts, cuts, Arc::make_mut(mesh)));
+    }
     Ok(loaded)
 }
 

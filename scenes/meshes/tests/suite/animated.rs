@@ -404,6 +404,32 @@ fn surfaces_that_are_mirrored_at_times_have_two_sides() {
     }
 }
 
+/// A triangle that is a line but for rounding is none, unless it becomes one later.
+#[test]
+fn triangles_that_are_never_seen_are_dropped() {
+    for (to, expected) in [([0.1, 0.3, 0.1], 1), ([0.0, 0.0, 0.0], 0)] {
+        let mut maker = triangle();
+        let line = maker.floats(&[[0.0; 3], [1.0, 1.0, 1.0], [1.0, 1.0 + 1e-7, 1.0]]);
+        let primitive = json!({"attributes": {"POSITION": line}});
+        let target = maker.floats(&[[0.0; 3], [0.0; 3], to]);
+        let still = maker.floats(&[[0.0; 3]; 3]);
+        let primitives = &mut maker.root["meshes"][0]["primitives"];
+        primitives.as_array_mut().unwrap().push(primitive);
+        primitives[0]["targets"] = json!([{"POSITION": still}]);
+        primitives[1]["targets"] = json!([{"POSITION": target}]);
+        maker.channel(
+            (0, "rotation"),
+            "LINEAR",
+            &[0.0, 1.0],
+            &[about_z(0.0, 1.0), about_z(1.0, 1.0)],
+        );
+        maker.channel((1, "weights"), "LINEAR", &[0.0, 1.0], &[[0.0], [1.0]]);
+        let mesh = maker.load(None).unwrap().scene.mesh.unwrap();
+        let counts = (mesh.triangles.len(), mesh.materials.len(), mesh.positions.len());
+        assert_eq!(counts, (1 + expected, 1 + expected, 6));
+    }
+}
+
 /// The view of a file without a camera has all of the animation in the picture.
 #[test]
 fn view_shows_all_of_an_animation() {
