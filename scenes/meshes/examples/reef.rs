@@ -5,10 +5,14 @@
 //!
 //! The animation lasts four seconds, and ends as it begins.
 
+mod container;
+
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use serde_json::{Value, json};
+
+use container::container;
 
 /// The arms, their length, and the joints of each.
 const ARMS: usize = 8;
@@ -171,7 +175,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     top.push(writer.push("nodes", camera));
     writer.root["nodes"][0]["children"] = json!(top);
     writer.root["buffers"] = json!([{"byteLength": writer.data.len()}]);
-    std::fs::write(path, container(writer.root.to_string().into_bytes(), writer.data))?;
+    std::fs::write(path, container(writer.root.to_string().as_bytes(), &writer.data))?;
     Ok(())
 }
 
@@ -307,16 +311,4 @@ fn fish(writer: &mut Writer, top: &mut Vec<usize>) {
             vec![about(1, 0.5 * libm::sin(4.0 * TAU * (share + start)))]
         });
     }
-}
-
-/// A binary glTF file of its two chunks.
-fn container(mut json: Vec<u8>, mut chunk: Vec<u8>) -> Vec<u8> {
-    json.resize(json.len().next_multiple_of(4), b' ');
-    chunk.resize(chunk.len().next_multiple_of(4), 0);
-    let word = |number: usize| (number as u32).to_le_bytes();
-    let head = |length: usize, kind: &[u8; 4]| [word(length), *kind].concat();
-    let whole = word(12 + 8 + json.len() + 8 + chunk.len());
-    let start = [b"glTF".to_vec(), word(2).to_vec(), whole.to_vec()].concat();
-    let (json_head, chunk_head) = (head(json.len(), b"JSON"), head(chunk.len(), b"BIN\0"));
-    [start, json_head, json, chunk_head, chunk].concat()
 }

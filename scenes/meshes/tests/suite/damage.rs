@@ -2,8 +2,9 @@
 
 use proptest::prelude::*;
 
+use super::animated::faults::rig;
 use super::files::{MTL, OBJ, PLY, binary_ply, glb};
-use super::{animated, heights, scans, textures};
+use super::{heights, scans, textures};
 
 /// A change of a file.
 #[derive(Clone, Debug)]
@@ -66,7 +67,7 @@ proptest! {
             ("l.ply", &binary_ply(false)),
             ("b.ply", &binary_ply(true)),
             ("t.glb", &glb()),
-            ("animated.glb", &animated::rig().file()),
+            ("animated.glb", &rig().file()),
             ("t.stl", scans::STL.as_bytes()),
             ("b.stl", &scans::binary_stl(b"by a printer")),
             ("t.png", &picture),
