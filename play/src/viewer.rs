@@ -157,7 +157,8 @@ impl Game for Viewer {
         let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
             + (nearer - farther - stick(Axis::RightY)) * ZOOM;
         self.orbit.approach(nearer);
-        if let (Some(animation), Some(mesh)) = (&mut self.animation, world.meshes().next()) {
+        let mesh = world.meshes().next();
+        if let (Some(animation), Some(mesh)) = (&mut self.animation, mesh) {
             let (positions, normals) = animation.at(frame.time);
             world.shape_mesh(mesh, positions, normals)?;
         }
