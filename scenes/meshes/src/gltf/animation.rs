@@ -143,8 +143,8 @@ impl Channels {
 
     /// Whether it mirrors a node at some times and not at others.
     pub fn mirror(&self) -> bool {
-        let scales = self.channels.iter().filter(|it| it.property == Property::Scale);
-        scales.into_iter().any(|it| it.sampler.changes_sign())
+        let mut scales = self.channels.iter().filter(|it| it.property == Property::Scale);
+        scales.any(|it| it.sampler.changes_sign())
     }
 }
 

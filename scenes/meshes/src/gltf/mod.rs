@@ -184,14 +184,7 @@ fn check_extensions(root: &Root) -> Result<(), Fault> {
 fn scene(root: &Root, builder: &mut Builder) -> Result<Vec<usize>, Fault> {
     let scenes = &root.scenes;
     if scenes.is_empty() {
-        let mut is_child = vec![false; root.nodes.len()];
-        for &child in root.nodes.iter().flat_map(|node| &node.children) {
-            if let Some(is_child) = is_child.get_mut(child) {
-                *is_child = true;
-            }
-        }
-        let all = is_child.iter().enumerate();
-        return Ok(all.filter(|(_, is)| !**is).map(|(node, _)| node).collect());
+        return Ok(nodes::tops(root));
     }
     let index = root.scene.unwrap_or(0);
     let chosen = scenes.get(index);

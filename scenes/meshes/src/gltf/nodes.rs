@@ -71,14 +71,7 @@ impl Nodes {
         }
         let in_scene = order.len();
         // Joints may be elsewhere. Nodes there may be in each other: a ring is opened anywhere.
-        let mut is_child = vec![false; count];
-        for &child in root.nodes.iter().flat_map(|node| &node.children) {
-            if let Some(is_child) = is_child.get_mut(child) {
-                *is_child = true;
-            }
-        }
-        let tops = (0..count).filter(|&node| !is_child[node]).chain(0..count);
-        for top in tops {
+        for top in tops(root).into_iter().chain(0..count) {
             stack.push((top, None));
             while let Some((node, parent)) = stack.pop() {
                 if seen.get(node) == Some(&false) {
@@ -119,6 +112,17 @@ impl Nodes {
         }
         driven
     }
+}
+
+/// The nodes that are in no other.
+pub(super) fn tops(root: &Root) -> Vec<usize> {
+    let mut is_top = vec![true; root.nodes.len()];
+    for &child in root.nodes.iter().flat_map(|node| &node.children) {
+        if let Some(is_top) = is_top.get_mut(child) {
+            *is_top = false;
+        }
+    }
+    (0..is_top.len()).filter(|&node| is_top[node]).collect()
 }
 
 /// The weights of the morph targets of a node's mesh, as the file has them.
