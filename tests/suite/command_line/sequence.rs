@@ -172,5 +172,5 @@ fn invalid_sequence_options_are_refused() {
     refused(&["--frames", "0", "--out", one], &["no frames"]);
     refused(&["--out", "f-%5d.png"], &["f-%5d.png", "%05d"]);
     refused(&["--corners", "--out", &out], &["--corners"]);
-    refused(&["--turn", "0", "--out", &out], &["--turn"]);
+    refused(&["--turn=-1", "--out", &out], &["--turn"]);
 }
