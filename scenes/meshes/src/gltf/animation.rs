@@ -130,12 +130,14 @@ impl Channels {
         for step in 0..TIMES {
             self.set(nodes, self.duration() * f64::from(step) / f64::from(TIMES));
             skins.iter_mut().flatten().for_each(|skin| skin.place(nodes));
-            for (place, _) in parts.iter().flat_map(|part| part.vertices(nodes, skins)) {
-                // The frame that has a vertex anywhere else will be refused.
-                if place.abs().max_element() <= LARGEST {
-                    let [low, high] = reach.unwrap_or([place; 2]);
-                    reach = Some([low.min(place), high.max(place)]);
-                }
+            for part in parts {
+                part.vertices(nodes, skins, |place, _| {
+                    // The frame that has a vertex anywhere else will be refused.
+                    if place.abs().max_element() <= LARGEST {
+                        let [low, high] = reach.unwrap_or([place; 2]);
+                        reach = Some([low.min(place), high.max(place)]);
+                    }
+                });
             }
         }
         reach
@@ -286,13 +288,14 @@ impl Animation {
             skin.place(&self.nodes);
         }
         for part in &self.parts {
-            let vertices = part.vertices(&self.nodes, &self.skins);
-            for (vertex, (position, normal)) in (part.first..).zip(vertices) {
+            let mut vertex = part.first;
+            part.vertices(&self.nodes, &self.skins, |position, normal| {
                 self.positions[vertex] = (position - self.origin).as_vec3().to_array();
                 if let Some(normal) = normal {
                     self.normals[vertex] = normal.as_vec3().to_array();
                 }
-            }
+                vertex += 1;
+            });
         }
         for cut in &self.cuts {
             cut.mix(&mut self.positions);

@@ -16,21 +16,20 @@ const MAX_MORPHED: usize = 1 << 23;
 const MAX_JOINTS: usize = 1 << 16;
 
 /// A transform of positions, and that of normals.
-#[derive(Clone, Copy)]
-pub(super) struct Transform {
+struct Transform {
     place: DAffine3,
     upright: DMat3,
 }
 
 impl Transform {
     fn of(place: DAffine3) -> Self {
-        // Normals are perpendicular to surfaces also where the scale differs between axes.
-        let upright = place.matrix3.inverse().transpose();
-        Self { place, upright: if upright.is_finite() { upright } else { place.matrix3 } }
-    }
-
-    pub fn mirrors(&self) -> bool {
-        self.place.matrix3.determinant() < 0.0
+        // Normals are perpendicular to surfaces also where the scale differs between axes: their
+        // transform is the inverse transpose, but for a positive factor.
+        let DMat3 { x_axis, y_axis, z_axis } = place.matrix3;
+        let x = y_axis.cross(z_axis);
+        let cofactors = DMat3::from_cols(x, z_axis.cross(x_axis), x_axis.cross(y_axis));
+        let upright = if x_axis.dot(x) < 0.0 { -cofactors } else { cofactors };
+        Self { place, upright }
     }
 
     fn normal(&self, normal: DVec3) -> DVec3 {
@@ -86,6 +85,19 @@ impl Skin {
         self.matrices.extend(
             joints.map(|(&node, inverse)| DAffine3::from_mat4(nodes.places[node] * inverse)),
         );
+    }
+
+    /// The sum of the transforms of a vertex's joints.
+    fn blended(&self, joints: &Joints) -> DAffine3 {
+        let mut sum = DAffine3 { matrix3: DMat3::ZERO, translation: DVec3::ZERO };
+        for &(joint, share) in joints.iter().filter(|(_, share)| *share > 0.0) {
+            let DAffine3 { matrix3, translation } = &self.matrices[usize::from(joint)];
+            sum.matrix3.x_axis += share * matrix3.x_axis;
+            sum.matrix3.y_axis += share * matrix3.y_axis;
+            sum.matrix3.z_axis += share * matrix3.z_axis;
+            sum.translation += share * *translation;
+        }
+        sum
     }
 
     pub fn is_moved(&self, are_moved: &[bool]) -> bool {
@@ -237,8 +249,8 @@ impl Part {
         skins: &[Option<Skin>],
         are_morphed: &[bool],
     ) -> bool {
-        let is_placed_anew = match self.binding.as_ref().and_then(|it| skins[it.skin].as_ref()) {
-            Some(skin) => skin.is_moved(are_moved),
+        let is_placed_anew = match self.bound(skins) {
+            Some((_, skin)) => skin.is_moved(are_moved),
             None => are_moved[self.node],
         };
         is_placed_anew || are_morphed[self.node]
@@ -250,45 +262,31 @@ impl Part {
 
     /// Whether its triangles are mirrored, and so wound the other way.
     pub fn is_mirrored(&self, nodes: &Nodes, skins: &[Option<Skin>]) -> bool {
-        self.len() > 0 && self.transforms(nodes, skins)(0).mirrors()
+        let place = match (self.bound(skins), self.len()) {
+            (Some((joints, skin)), 1..) => skin.blended(&joints[0]),
+            _ => DAffine3::from_mat4(nodes.places[self.node]),
+        };
+        place.matrix3.determinant() < 0.0
     }
 
-    /// The transform of each vertex.
-    fn transforms<'a>(
-        &'a self,
-        nodes: &'a Nodes,
-        skins: &'a [Option<Skin>],
-    ) -> impl Fn(usize) -> Transform + 'a {
+    /// The joints of all vertices, and their skin, if it has one.
+    fn bound<'a>(&'a self, skins: &'a [Option<Skin>]) -> Option<(&'a [Joints], &'a Skin)> {
+        let binding = self.binding.as_ref()?;
+        Some((&binding.joints, skins[binding.skin].as_ref()?))
+    }
+
+    /// Calls `put` with the position of each vertex, and its normal if it has one.
+    pub fn vertices(
+        &self,
+        nodes: &Nodes,
+        skins: &[Option<Skin>],
+        mut put: impl FnMut(DVec3, Option<DVec3>),
+    ) {
         let rigid = Transform::of(DAffine3::from_mat4(nodes.places[self.node]));
-        let bound = self.binding.as_ref().and_then(|it| Some((it, skins[it.skin].as_ref()?)));
-        move |vertex| {
-            let Some((binding, skin)) = bound else {
-                return rigid;
-            };
-            let mut matrix3 = DMat3::ZERO;
-            let mut translation = DVec3::ZERO;
-            for (joint, share) in binding.joints[vertex] {
-                if share > 0.0 {
-                    let of_joint = &skin.matrices[usize::from(joint)];
-                    matrix3 += of_joint.matrix3 * share;
-                    translation += of_joint.translation * share;
-                }
-            }
-            Transform::of(DAffine3 { matrix3, translation })
-        }
-    }
-
-    /// The positions of all vertices, and their normals if they have any.
-    pub fn vertices<'a>(
-        &'a self,
-        nodes: &'a Nodes,
-        skins: &'a [Option<Skin>],
-    ) -> impl Iterator<Item = (DVec3, Option<DVec3>)> + 'a {
-        let transform = self.transforms(nodes, skins);
+        let bound = self.bound(skins);
         let morphs = self.targets.iter().zip(&nodes.weights[self.node]);
         let morphs = morphs.filter(|(_, weight)| **weight != 0.0);
-        self.positions.iter().enumerate().map(move |(vertex, &position)| {
-            let transform = transform(vertex);
+        for (vertex, &position) in self.positions.iter().enumerate() {
             let mut position = position;
             let mut normal = self.normals.get(vertex).copied();
             for (target, &weight) in morphs.clone() {
@@ -296,8 +294,16 @@ impl Part {
                 let by = target.normals.get(vertex).copied().unwrap_or_default();
                 normal = normal.map(|normal| normal + weight * by);
             }
+            let blended;
+            let transform = match bound {
+                None => &rigid,
+                Some((joints, skin)) => {
+                    blended = Transform::of(skin.blended(&joints[vertex]));
+                    &blended
+                }
+            };
             let normal = normal.map(|normal| transform.normal(normal));
-            (transform.place.transform_point3(position), normal)
-        })
+            put(transform.place.transform_point3(position), normal);
+        }
     }
 }

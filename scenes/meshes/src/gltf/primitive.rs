@@ -72,7 +72,11 @@ impl File<'_> {
         };
 
         let mut numbers = Vec::with_capacity(count);
-        for (index, (position, normal)) in part.vertices(self.nodes, &self.skins).enumerate() {
+        let mut vertices = Vec::with_capacity(count);
+        part.vertices(self.nodes, &self.skins, |position, normal| {
+            vertices.push((position, normal));
+        });
+        for (index, (position, normal)) in vertices.into_iter().enumerate() {
             numbers.push(self.builder.vertex(&Vertex {
                 position,
                 normal,
