@@ -229,6 +229,8 @@ fn once(arguments: &Arguments) -> Outcome {
     let picture = arguments.picture()?;
     let mut prepared = run::prepare(&arguments.options, arguments.corners)?;
     let geometry = arguments.geometry(prepared.scene.view())?;
+    let plays = prepared.animation.is_some() && !arguments.frames.is_one() && !arguments.corners;
+    let film = plays.then(|| Film::new(&mut prepared, 0, arguments.fps));
     let what = match &picture {
         None => "no picture".to_owned(),
         Some(path) if path == Path::new("-") => "picture on standard output".to_owned(),
@@ -242,8 +244,7 @@ fn once(arguments: &Arguments) -> Outcome {
         Some(path) => Box::new(PictureFile::new(path, geometry)?.labelled(prepared.labels.clone())),
         None => Box::new(Memory::new(geometry)?),
     };
-    if prepared.animation.is_some() && !arguments.frames.is_one() && !arguments.corners {
-        let film = Film::new(&mut prepared, 0, arguments.fps);
+    if let Some(film) = film {
         let frames = arguments.frames.range.end;
         let (options, program) = (&arguments.options, prepared.program);
         return sequence::last(options, program, film, frames, (framebuffer, &what));

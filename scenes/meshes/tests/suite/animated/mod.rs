@@ -286,7 +286,7 @@ fn equal_vertices_of_two_nodes_part() {
 }
 
 #[test]
-fn surfaces_that_are_mirrored_at_times_have_two_sides() {
+fn surfaces_mirrored_at_times_have_two_sides() {
     for (scale, expected) in [([-1.0, 1.0, 1.0], true), ([0.5, 2.0, 1.0], false)] {
         let mut maker = triangle();
         maker.channel((0, "scale"), "LINEAR", &[0.0, 1.0], &[[1.0; 3], scale]);
@@ -297,7 +297,7 @@ fn surfaces_that_are_mirrored_at_times_have_two_sides() {
 
 /// A triangle that is a line but for rounding is none, unless it becomes one later.
 #[test]
-fn triangles_that_are_never_seen_are_dropped() {
+fn invisible_triangles_are_dropped() {
     for (to, expected) in [([0.1, 0.3, 0.1], 1), ([0.0, 0.0, 0.0], 0)] {
         let mut maker = triangle();
         let line = maker.floats(&[[0.0; 3], [1.0, 1.0, 1.0], [1.0, 1.0 + 1e-7, 1.0]]);
