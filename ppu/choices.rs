@@ -21,6 +21,11 @@ pub struct SceneChoices {
     /// teapot, tree, lattice, jacks, shells and sombrero. The latter have the size of the Standard
     /// Procedural Databases unless :SIZE follows the name.
     pub scene: PathBuf,
+    /// Animation of a glTF file, by name or number, or none [default: the first one]
+    ///
+    /// Numbers begin with 0. A still picture shows the beginning of the animation.
+    #[arg(long, help_heading = "Scene", value_name = "NAME")]
+    pub animation: Option<String>,
     /// Lighting model
     #[arg(long, help_heading = "Scene", value_enum, default_value_t)]
     model: Model,

@@ -37,11 +37,13 @@ use std::time::{SystemTime, UNIX_EPOCH};
 pub use meshes;
 
 use cellray::Report;
+use cellray::choices::SceneChoices;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
 use cellray::scene::mesh::gathered;
 use cellray::scene::offset_note;
 use clap::{CommandFactory as _, Parser as _};
+use meshes::Loaded;
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
 use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines, terminal_size};
@@ -115,15 +117,18 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             Ok(Ending::Over)
         }
         Command::View(view) => {
-            let (scene, has_headlight) = load(&view.scene.scene)?;
-            let (width, height) = scene.view.resolution;
+            let loaded = load(&view.scene)?;
+            for note in &loaded.notes {
+                print_line(note);
+            }
+            let (width, height) = loaded.scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
             let render_options = view.scene.render_options();
-            if let Some(note) = offset_note(&scene, render_options) {
+            if let Some(note) = offset_note(&loaded.scene, render_options) {
                 print_line(note);
             }
-            let viewer = Viewer::new(scene, render_options, has_headlight);
+            let viewer = Viewer::of(loaded, render_options);
             session(Box::new(viewer), Some(0), size, &view.options, Reload::new(view))
         }
     }
@@ -139,13 +144,10 @@ fn find<'a>(games: &'a [Entry], name: &str) -> Result<&'a Entry, PlayError> {
     })
 }
 
-/// Loads a scene to look at, and whether its light comes with the eye. Prints what was left out.
-fn load(name: &Path) -> Result<(scenes::Scene, bool), PlayError> {
-    let loaded = meshes::load(name)?;
-    for note in &loaded.notes {
-        print_line(format_args!("{note}"));
-    }
-    Ok((gathered(&loaded.scene).into_owned(), loaded.added_light))
+/// Loads a scene to look at.
+fn load(choices: &SceneChoices) -> Result<Loaded, PlayError> {
+    let loaded = meshes::load_animated(&choices.scene, choices.animation.as_deref())?;
+    Ok(Loaded { scene: gathered(&loaded.scene).into_owned(), ..loaded })
 }
 
 /// Writes a picture to standard output, as wide as the terminal.

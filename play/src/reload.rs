@@ -2,11 +2,11 @@
 
 use cellray::Scene;
 use cellray::game::View;
-use cellray::scene::mesh::gathered;
 use cellray::watch::Watch;
 
 use crate::arguments::ViewArguments;
 use crate::error::PlayError;
+use crate::load;
 use crate::viewer::Viewer;
 
 /// A scene that is viewed, and its files.
@@ -30,12 +30,11 @@ impl<'a> Reload<'a> {
     /// A scene or a shader that is wrong: the one before it is still good to look at.
     pub fn viewer(&mut self, view: &View) -> Option<Result<Viewer, PlayError>> {
         self.watch.has_changed().then(|| {
-            let loaded = meshes::load(&self.arguments.scene.scene)?;
-            let scene = gathered(&loaded.scene).into_owned();
+            let loaded = load(&self.arguments.scene)?;
             let render_options = self.arguments.scene.render_options();
             let program = self.arguments.options.settings()?.program;
-            Scene::new(&scene, render_options, &program)?;
-            Ok(Viewer::new(scene, render_options, loaded.added_light).seen_from(view))
+            Scene::new(&loaded.scene, render_options, &program)?;
+            Ok(Viewer::of(loaded, render_options).seen_from(view))
         })
     }
 }

@@ -1,5 +1,5 @@
-//! The scene viewer: a game in which only the eye moves, and with it the light of a mesh whose file
-//! has none.
+//! The scene viewer: a game in which the eye moves, and with it the light of a mesh whose file has
+//! none. The animation of a mesh plays in the frames' time.
 //! Invariant: the eye stays on a sphere around its target, and never passes its poles. However long
 //! a frame takes, it turns by a limited angle, and a key that was only tapped turns it by the same
 //! angle everywhere. Rotations use rational functions instead of sines, so that a recorded session
@@ -10,6 +10,7 @@ use cellray::game::{
     Shape, Start, View, World, WorldError,
 };
 use cellray::scene::RenderOptions;
+use meshes::{Animation, Loaded};
 
 /// The beginning of a viewer's name as a game, before the scene's name.
 pub const VIEW: &str = "view ";
@@ -49,6 +50,8 @@ pub struct Viewer {
     /// Whether the scene's light comes with the eye.
     has_headlight: bool,
     headlight: Option<Headlight>,
+    /// The animation of the scene's mesh.
+    animation: Option<Animation>,
     /// Where the player looks from at the beginning, if not by the scene's view.
     begins: Option<View>,
     /// The scene's own view.
@@ -73,10 +76,18 @@ impl Viewer {
             render_options,
             has_headlight,
             headlight: None,
+            animation: None,
             begins: None,
             keys: HeldKeys::default(),
             pointer: None,
         }
+    }
+
+    /// A viewer of a scene's file. A light that the file lacks comes with the eye.
+    #[must_use]
+    pub fn of(loaded: Loaded, render_options: RenderOptions) -> Self {
+        let viewer = Self::new(loaded.scene, render_options, loaded.added_light);
+        Self { animation: loaded.animation, ..viewer }
     }
 
     /// The same scene, seen from this view instead of its own.
@@ -146,6 +157,11 @@ impl Game for Viewer {
         let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
             + (nearer - farther - stick(Axis::RightY)) * ZOOM;
         self.orbit.approach(nearer);
+        let mesh = world.meshes().next();
+        if let (Some(animation), Some(mesh)) = (&mut self.animation, mesh) {
+            let (positions, normals) = animation.at(frame.time);
+            world.shape_mesh(mesh, positions, normals)?;
+        }
         if let Some(headlight) = &self.headlight {
             world.set_light(headlight.id, headlight.seen_from(&self.orbit))?;
         }
@@ -525,6 +541,24 @@ mod tests {
         let id = player.world.lights().next().expect("a light");
         let place = LightKind::Point { position: DVec3::new(5.0, -5.0, 5.0), range: f64::INFINITY };
         assert_eq!(player.world.light(id).unwrap().kind, place);
+    }
+
+    #[test]
+    fn animation_plays_in_the_time_of_frames() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/reef.glb");
+        let loaded = meshes::load(file.as_ref()).expect("a scene");
+        let mut animation = loaded.animation.clone().expect("an animation");
+        let mut viewer = Viewer::of(loaded, RenderOptions::default());
+        let mut world = World::new();
+        viewer.set_up(&mut world, &Start { seed: 0, size: (64, 36) }).expect("a world");
+        let input = Input::default();
+        for time in [0.0, 1.25, 5.5] {
+            let size = (64, 36);
+            let frame = Frame { number: 0, time, delta: 0.0, input: &input, size, last: None };
+            viewer.update(&mut world, &frame).expect("a frame");
+            let mesh = world.to_nff().mesh.expect("a mesh");
+            assert_eq!((&mesh.positions[..], &mesh.normals[..]), animation.at(time), "{time}");
+        }
     }
 
     #[test]

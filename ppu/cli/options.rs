@@ -99,6 +99,9 @@ impl Options {
         let mut labels = Labels::default();
         labels.set("scene", self.scene.scene.display());
         labels.set_view(scene.view(), own_view);
+        if let Some(animation) = &self.scene.animation {
+            labels.set("animation", animation);
+        }
         let is_whitted = scene.block().is_some();
         labels.set("model", if is_whitted { "whitted" } else { "depth" });
         let RenderOptions {

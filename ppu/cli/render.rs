@@ -9,13 +9,13 @@ use std::str::FromStr;
 use clap::Args;
 
 use super::options::Options;
-use super::{Outcome, inspect, run, sequence};
+use super::sequence::{self, Film};
+use super::{Outcome, inspect, run};
 use crate::choices::whole;
 use crate::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Labels, Memory, NumberedPath, PictureFile,
 };
-use crate::game::{FrameRange, FrameRangeError, Pictures, Turntable, View};
-use crate::scene::mesh::gathered;
+use crate::game::{FrameRange, FrameRangeError, Pictures, View};
 use crate::watch::Watch;
 
 /// The value of `--out` with which no picture is written.
@@ -62,8 +62,8 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// Number of frames, or a range A..B for numbered pictures
     ///
-    /// The range ends with frame B - 1. Without a range all frames are equal, so that only the
-    /// first is traced unless --retrace is given.
+    /// The range ends with frame B - 1. Without a range all frames of a scene without an animation
+    /// are equal, so that only the first is traced unless --retrace is given.
     #[arg(
         long,
         help_heading = "Output",
@@ -72,9 +72,14 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     frames: Frames,
-    /// Frames per revolution of the eye in numbered pictures
-    #[arg(long, help_heading = "Output", default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=u64::from(u32::MAX)))]
-    turn: u32,
+    /// Frames per revolution of the eye in numbered pictures [default: 250]
+    ///
+    /// With 0, as by default in a scene with an animation, the eye stands still.
+    #[arg(long, help_heading = "Output", value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(0..=u64::from(u32::MAX)))]
+    turn: Option<u32>,
+    /// Frames per second of an animation
+    #[arg(long, help_heading = "Output", default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=1000))]
+    fps: u32,
     /// Sample the corners of the pixels, as the Standard Procedural Databases do
     ///
     /// A pixel is the mean of its four corners.
@@ -183,13 +188,13 @@ impl Arguments {
             return Err("--corners can't be used with numbered pictures".into());
         }
         // Notes on shapes that can't be drawn are printed before the first frame.
-        let prepared = run::prepare(&self.options, false)?;
-        let run::Prepared { program, source, scene, own_view, labels } = prepared;
-        let size = self.geometry(scene.view())?;
-        let turntable =
-            Turntable::new(gathered(&source).into_owned(), scene.render_options(), self.turn);
+        let mut prepared = run::prepare(&self.options, false)?;
+        let size = self.geometry(prepared.scene.view())?;
+        let turn = self.turn.unwrap_or(if prepared.animation.is_some() { 0 } else { 250 });
+        let film = Film::new(&mut prepared, turn, self.fps);
+        let run::Prepared { program, own_view, labels, .. } = prepared;
         let pictures = Pictures::new(paths).labelled(labels, own_view);
-        sequence::run(&self.options, program, turntable, &pictures, self.frames.range, size)
+        sequence::pictures(&self.options, program, film, &pictures, self.frames.range, size)
     }
 }
 
@@ -222,8 +227,10 @@ fn once(arguments: &Arguments) -> Outcome {
     }
     arguments.check_numbers()?;
     let picture = arguments.picture()?;
-    let prepared = run::prepare(&arguments.options, arguments.corners)?;
+    let mut prepared = run::prepare(&arguments.options, arguments.corners)?;
     let geometry = arguments.geometry(prepared.scene.view())?;
+    let plays = prepared.animation.is_some() && !arguments.frames.is_one() && !arguments.corners;
+    let film = plays.then(|| Film::new(&mut prepared, 0, arguments.fps));
     let what = match &picture {
         None => "no picture".to_owned(),
         Some(path) if path == Path::new("-") => "picture on standard output".to_owned(),
@@ -237,6 +244,11 @@ fn once(arguments: &Arguments) -> Outcome {
         Some(path) => Box::new(PictureFile::new(path, geometry)?.labelled(prepared.labels.clone())),
         None => Box::new(Memory::new(geometry)?),
     };
+    if let Some(film) = film {
+        let frames = arguments.frames.range.end;
+        let (options, program) = (&arguments.options, prepared.program);
+        return sequence::last(options, program, film, frames, (framebuffer, &what));
+    }
     let enough = |traced| traced as u64 >= arguments.frames.range.end;
     run::frames(&arguments.options, &prepared, (framebuffer, &what), enough)
 }

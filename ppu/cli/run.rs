@@ -8,6 +8,7 @@ use clap::ValueEnum as _;
 use super::Outcome;
 use super::options::Options;
 use super::progress::Progress;
+use crate::choices::SceneChoices;
 use crate::framebuffer::{Framebuffer, Geometry, Labels};
 use crate::scene::offset_note;
 use crate::spe::Program;
@@ -21,6 +22,8 @@ pub struct Prepared {
     /// The description that the scene was built from.
     pub source: scenes::Scene,
     pub scene: Scene,
+    /// The animation of the scene's mesh.
+    pub animation: Option<meshes::Animation>,
     /// The view that the scene has by itself.
     pub own_view: scenes::View,
     /// The settings that a picture's file carries.
@@ -32,7 +35,9 @@ pub struct Prepared {
 /// corners of pixels.
 pub fn prepare(options: &Options, corners: bool) -> Result<Prepared, Failure> {
     let program = options.program()?;
-    let meshes::Loaded { scene: mut source, notes, .. } = meshes::load(&options.scene.scene)?;
+    let SceneChoices { scene, animation, .. } = &options.scene;
+    let loaded = meshes::load_animated(scene, animation.as_deref())?;
+    let meshes::Loaded { scene: mut source, animation, notes, .. } = loaded;
     for note in notes {
         messages::print!("cellray: note: {note}");
     }
@@ -48,7 +53,7 @@ pub fn prepare(options: &Options, corners: bool) -> Result<Prepared, Failure> {
     }
     note_formulations(options, &scene, &program)?;
     let labels = options.labels(&scene, &own_view);
-    Ok(Prepared { program, source, scene, own_view, labels })
+    Ok(Prepared { program, source, scene, animation, own_view, labels })
 }
 
 /// Prints notes about formulations that replace others, or that have no kernel for this scene.

@@ -1,8 +1,8 @@
-//! The frame loop alone, without a display: it plays on from a demonstration's moment, or traces a
-//! scene's frame anew again and again. `ci/ppe` counts the instructions that the PPE executes, with
+//! The frame loop alone, without a display: it plays on from a demonstration's moment, or plays a
+//! scene's animation, or traces a scene's frame anew again and again. `ci/ppe` counts the instructions that the PPE executes, with
 //! an SPU program that only replies. With `LIBSPE2_TIMING=1` it prints the SPUs' frames a second.
 //!
-//!     cargo run --release -p games --example frame_loop -- NAME|FILE.nff FRAMES [PROGRAM.elf]
+//!     cargo run --release -p games --example frame_loop -- NAME|SCENE FRAMES [PROGRAM.elf]
 
 use std::error::Error;
 use std::path::Path;
@@ -17,12 +17,12 @@ use games::demo::demo;
 const SIZE: (u32, u32) = (1280, 720);
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let usage = "usage: frame_loop NAME|FILE.nff FRAMES [PROGRAM.elf]";
+    let usage = "usage: frame_loop NAME|SCENE FRAMES [PROGRAM.elf]";
     let mut arguments = std::env::args().skip(1);
     let name = arguments.next().ok_or(usage)?;
     let frames: u64 = arguments.next().ok_or(usage)?.parse()?;
     let file = Path::new(&name);
-    let is_file = file.extension().is_some_and(|extension| extension == "nff");
+    let is_file = file.extension().is_some();
     let settings = Settings { retain: !is_file, ..Settings::default() };
     let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
     let started = match arguments.next() {
@@ -36,8 +36,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(())
     };
     if is_file {
-        let mut world = World::from_nff(&scenes::load(file)?, RenderOptions::default())?;
-        (0..frames).try_for_each(|_| show(&mut world))?;
+        let mut loaded = meshes::load(file)?;
+        let mut world = World::from_nff(&loaded.scene, RenderOptions::default())?;
+        for frame in 0..frames {
+            let mesh = world.meshes().next();
+            if let (Some(animation), Some(mesh)) = (&mut loaded.animation, mesh) {
+                let (positions, normals) = animation.at(frame as f64 / 60.0);
+                world.shape_mesh(mesh, positions, normals)?;
+            }
+            show(&mut world)?;
+        }
     } else {
         let demo = demo(&name).ok_or_else(|| format!("no demonstration is called {name}"))?;
         demo.play(SIZE, frames, show)?;

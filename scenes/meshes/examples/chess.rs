@@ -6,10 +6,14 @@
 //! The pieces are surfaces of revolution, a mesh for each kind, at as many nodes as there are
 //! pieces. The pictures of the board and of the table are computed here, too.
 
+mod container;
+
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
 use image::{ExtendedColorType, ImageEncoder as _, codecs::jpeg::JpegEncoder};
+
+use container::container;
 
 /// Steps around a piece.
 const AROUND: usize = 32;
@@ -229,7 +233,7 @@ fn file() -> Result<Vec<u8>, image::ImageError> {
         chunk.views.join(",\n"),
         chunk.bytes.len(),
     );
-    Ok(container(json.into_bytes(), chunk.bytes))
+    Ok(container(json.as_bytes(), &chunk.bytes))
 }
 
 /// The rotation, as a quaternion, that turns -z to the direction between two points, with y up.
@@ -465,22 +469,4 @@ fn noise(x: f64, y: f64) -> f64 {
     let above = value(0.0, 0.0) + u * (value(1.0, 0.0) - value(0.0, 0.0));
     let below = value(0.0, 1.0) + u * (value(1.0, 1.0) - value(0.0, 1.0));
     above + v * (below - above)
-}
-
-/// A binary glTF file of its two chunks.
-fn container(mut json: Vec<u8>, mut chunk: Vec<u8>) -> Vec<u8> {
-    json.resize(json.len().next_multiple_of(4), b' ');
-    chunk.resize(chunk.len().next_multiple_of(4), 0);
-    let word = |number: usize| (number as u32).to_le_bytes();
-    let head = |length: usize, kind: &[u8; 4]| [word(length), *kind].concat();
-    [
-        b"glTF".to_vec(),
-        word(2).to_vec(),
-        word(12 + 8 + json.len() + 8 + chunk.len()).to_vec(),
-        head(json.len(), b"JSON"),
-        json,
-        head(chunk.len(), b"BIN\0"),
-        chunk,
-    ]
-    .concat()
 }

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 use scenes::{Light, Material, Mesh, Scene, View};
 
 use crate::framing::{self, Up};
@@ -19,7 +19,7 @@ pub const MAX_MATERIALS: usize = 65_536;
 /// The most corners of a face. The time to cut it into triangles grows with their square.
 pub const MAX_CORNERS: usize = 4096;
 /// The largest coordinate: SPUs' singles hold the squares of the numbers up to it.
-const LARGEST: f64 = (1_u64 << 62) as f64;
+pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
 
 /// The parts of a scene, as a format's reader finds them.
 #[derive(Default)]
@@ -31,6 +31,12 @@ pub(crate) struct Builder {
     /// For each material, where its surfaces have holes.
     masks: Vec<Option<Arc<Mask>>>,
     pub two_sided: bool,
+    /// Whether all vertices stay as they were added, because an animation moves them.
+    pub keeps_vertices: bool,
+    /// The corners of a box that the view shows beside all vertices.
+    pub reach: Option<[DVec3; 2]>,
+    /// The vertices that were added on triangles with holes.
+    pub cuts: Vec<Cut>,
     /// Where up is, for a view of the mesh.
     pub up: Up,
     pub view: Option<View>,
@@ -47,6 +53,27 @@ pub(crate) struct Vertex {
     pub coordinates: Option<[f32; 2]>,
     /// A colour that multiplies the material's, encoded for the screen.
     pub colour: Option<[f32; 3]>,
+}
+
+/// A vertex on a triangle, as shares of the triangle's corners.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cut {
+    vertex: u32,
+    corners: [u32; 3],
+    shares: DVec3,
+}
+
+impl Cut {
+    /// Makes the vertex's property of those of the corners, if they have it.
+    pub fn mix(&self, properties: &mut [[f32; 3]]) {
+        if properties.is_empty() {
+            return;
+        }
+        let of = |corner: u32| Vec3::from(properties[corner as usize]).as_dvec3();
+        let parts = self.corners.iter().zip(self.shares.to_array());
+        let mixed: DVec3 = parts.map(|(&corner, share)| share * of(corner)).sum();
+        properties[self.vertex as usize] = mixed.as_vec3().to_array();
+    }
 }
 
 /// Vertices as arrays. Those of properties that no vertex has are empty, all others are as long as
@@ -171,7 +198,13 @@ impl Builder {
             for corner in part {
                 numbers.push(match corner {
                     Corner::Own(corner) => corners[corner],
-                    Corner::Within(shares) => self.vertex(&mixed(&ends, shares))?,
+                    Corner::Within(shares) => {
+                        let vertex = self.vertex(&mixed(&ends, shares))?;
+                        if self.keeps_vertices {
+                            self.cuts.push(Cut { vertex, corners, shares });
+                        }
+                        vertex
+                    }
                 });
             }
             for pair in numbers[1..].windows(2) {
@@ -248,8 +281,10 @@ impl Builder {
         let used = self.triangles.iter().flatten();
         let mut used = used.map(|&vertex| vertices.positions[vertex as usize]);
         let first = used.next().unwrap_or_default();
-        let (low, high) =
-            used.fold((first, first), |(low, high), place| (low.min(place), high.max(place)));
+        let [low, high] = self.reach.unwrap_or([first; 2]);
+        let (low, high) = used
+            .chain([first])
+            .fold((low, high), |(low, high), place| (low.min(place), high.max(place)));
         let origin = Mesh::origin_for(low, high);
         let relative = |place: &DVec3| (*place - origin).as_vec3().to_array();
         let mut mesh = Mesh {
@@ -269,7 +304,9 @@ impl Builder {
         if !(0..mesh.triangles.len()).any(has_area) {
             return Err(Fault::NoArea(mesh.triangles.len()));
         }
-        join_vertices(&mut mesh);
+        if !self.keeps_vertices {
+            join_vertices(&mut mesh);
+        }
         let added_light = self.lights.is_empty();
         let (lights, ambient) = if added_light {
             framing::lights(self.up, self.view.as_ref())
@@ -293,7 +330,7 @@ impl Builder {
             height_map: None,
             fog: None,
         };
-        Ok(Loaded { scene, added_light, notes: self.notes.finish(name) })
+        Ok(Loaded { scene, added_light, animation: None, notes: self.notes.finish(name) })
     }
 }
 

@@ -158,6 +158,17 @@ pub enum Fault {
     /// A glTF file.
     #[error("not a valid glTF file: {0}")]
     Gltf(String),
+    /// A file has no such animation.
+    #[error(
+        "the file has no animation `{name}`; it has {}",
+        if known.is_empty() { "none".to_owned() } else { known.join(", ") }
+    )]
+    NoAnimation {
+        /// The name or number that was asked for.
+        name: String,
+        /// The names that it has, or the numbers of those without a name.
+        known: Vec<String>,
+    },
     /// A height map.
     #[error("not a valid height map: {0}")]
     HeightMap(String),

@@ -33,6 +33,7 @@ use scenes::Scene;
 use builder::Builder;
 pub use builder::{MAX_MATERIALS, MAX_TRIANGLES};
 pub use error::{Error, Fault};
+pub use gltf::Animation;
 pub use texture::MAX_TEXELS;
 
 /// The size in bytes of the largest file that is read.
@@ -51,18 +52,42 @@ pub struct Loaded {
     /// Whether the scene's only light is one that the file lacks: a sun over the left shoulder of
     /// who looks by the scene's view. A viewer may have it come with the eye.
     pub added_light: bool,
+    /// The animation of the scene's mesh, if the file has one. The mesh has its form at the time 0.
+    pub animation: Option<Animation>,
     /// What was left out, each with its file, and with its line if it is one.
     pub notes: Vec<String>,
 }
 
 /// Loads the scene that a user has named: a file that ends in `.obj`, `.ply`, `.stl`, `.gltf`
 /// `.glb`, `.png`, `.hgt` or `.npy`, `terrain:LEVEL` or `mountains:LEVEL` for a generated one of
-/// 2^LEVEL by 2^LEVEL squares, or anything that [`scenes::load`] accepts.
+/// 2^LEVEL by 2^LEVEL squares, or anything that [`scenes::load`] accepts. A glTF file has its first
+/// animation.
 ///
 /// # Errors
 /// There is no such file or generated scene, the file can't be read, or isn't of the format of its
 /// name; any error of [`scenes::load`].
 pub fn load(name: &Path) -> Result<Loaded, Error> {
+    load_animated(name, None)
+}
+
+/// Loads a scene as [`load`] does, with one of its animations: by its name or its number from 0 on,
+/// or `none`.
+///
+/// # Errors
+/// As for [`load`], or the file has no such animation.
+pub fn load_animated(name: &Path, animation: Option<&str>) -> Result<Loaded, Error> {
+    let loaded = read(name, animation)?;
+    let is_gltf = || matches!(Format::of(name), Ok(Some(Format::Gltf | Format::Glb)));
+    match animation {
+        Some(animation) if animation != gltf::NONE && !is_gltf() => {
+            let fault = Fault::NoAnimation { name: animation.to_owned(), known: Vec::new() };
+            Err(Error::of(&name.display().to_string(), fault))
+        }
+        _ => Ok(loaded),
+    }
+}
+
+fn read(name: &Path, animation: Option<&str>) -> Result<Loaded, Error> {
     let file = name.display().to_string();
     let wrong = |fault| Error::of(&file, fault);
     if let Some(level) = file.strip_prefix(terrain::PREFIX) {
@@ -87,7 +112,7 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
             scene.heights = Some(Arc::new(field));
             notes = of_map;
         }
-        return Ok(Loaded { scene, added_light: false, notes });
+        return Ok(Loaded { scene, added_light: false, animation: None, notes });
     };
     let read = || -> Result<Loaded, Fault> {
         let bytes = bytes(name)?;
@@ -96,8 +121,8 @@ pub fn load(name: &Path) -> Result<Loaded, Error> {
             Format::Obj => obj::read(&bytes, name, &mut builder)?,
             Format::Ply => ply::read(&bytes, name, &mut builder)?,
             Format::Stl => stl::read(&bytes, &mut builder)?,
-            Format::Glb => gltf::read_binary(&bytes, name, &mut builder)?,
-            Format::Gltf => gltf::read_text(&bytes, name, &mut builder)?,
+            Format::Glb => return gltf::read_binary(&bytes, name, animation),
+            Format::Gltf => return gltf::read_text(&bytes, name, animation),
             Format::Heights(format) => return heights::read(&bytes, name, format),
         }
         builder.finish(&file)

@@ -60,7 +60,7 @@ pub(crate) fn generate(name: &str, level: &str) -> Result<Loaded, Fault> {
     let objects = vec![Object { line: 0, material: 1, shape: water }];
     let mut scene = lit(name.to_owned(), view, field, materials, objects);
     scene.fog = Some(HAZE);
-    Ok(Loaded { scene, added_light: false, notes: Vec::new() })
+    Ok(Loaded { scene, added_light: false, animation: None, notes: Vec::new() })
 }
 
 /// Ground and what is on it by day.

@@ -68,6 +68,45 @@ fn partial_runs_equal_one_run_and_keep_files() {
 }
 
 #[test]
+fn animation_plays_in_numbered_pictures() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = pattern(folder.path());
+    let small = ["render", "scenes/reef.glb", "--size", "64x36", "--fps", "2"];
+    good(&[&small[..], &["--frames", "0..9", "--out", &out]].concat());
+    let decoded = |(_, bytes): &(PathBuf, Vec<u8>)| image::load_from_memory(bytes).unwrap();
+    let pictures: Vec<_> = files(folder.path()).iter().map(decoded).collect();
+    // It lasts four seconds, and the eye stands still.
+    assert!((0..8).all(|it| pictures[it] != pictures[it + 1]) && pictures[0] == pictures[8]);
+    let last = folder.path().join("last.png");
+    let last_picture = |options: &[&str]| {
+        good(&[&small[..], options, &["--out", last.to_str().unwrap()]].concat());
+        image::open(&last).unwrap()
+    };
+    assert!(last_picture(&[]) == pictures[0]);
+    assert!(last_picture(&["--frames", "4"]) == pictures[3]);
+    for picture in [&folder.path().join("f-003.png"), &last] {
+        let settings = oracle::Settings::of_png(picture).unwrap();
+        assert_eq!(settings.unknown(), ["--animation swell", "--fps 2"]);
+    }
+    for options in [&["--animation", "none"][..], &["--animation", "none", "--frames", "3"]] {
+        assert!(last_picture(options) != pictures[0], "without an animation it has another form");
+    }
+    // The eye turns as well, if that is asked for.
+    let out = last.with_file_name("t-%d.png");
+    let turned = ["--turn", "8", "--frames", "8..9", "--out", out.to_str().unwrap()];
+    good(&[&small[..], &turned].concat());
+    assert!(image::open(out.with_file_name("t-8.png")).unwrap() == pictures[0]);
+    let turned = ["--turn", "8", "--frames", "3..4", "--out", out.to_str().unwrap()];
+    good(&[&small[..], &turned].concat());
+    assert!(image::open(out.with_file_name("t-3.png")).unwrap() != pictures[3]);
+
+    let expected = ["scenes/reef.glb: the file has no animation `run`; it has `swell`"];
+    bad(&[&small[..], &["--animation", "run"]].concat(), &expected);
+    let expected = ["the file has no animation `0`; it has none"];
+    bad(&["render", SCENE, "--animation", "0"], &expected);
+}
+
+#[test]
 fn full_disk_names_picture_and_leaves_no_partial_file() {
     let folder = tempfile::tempdir().unwrap();
     // In blocks of 512 bytes: this is enough for an emulated SPU's local store, but not for a
@@ -135,5 +174,5 @@ fn invalid_sequence_options_are_refused() {
     refused(&["--frames", "0", "--out", one], &["no frames"]);
     refused(&["--out", "f-%5d.png"], &["f-%5d.png", "%05d"]);
     refused(&["--corners", "--out", &out], &["--corners"]);
-    refused(&["--turn", "0", "--out", &out], &["--turn"]);
+    refused(&["--turn=-1", "--out", &out], &["--turn"]);
 }

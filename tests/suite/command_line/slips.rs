@@ -71,7 +71,8 @@ fn out_of_range_numbers_are_refused() {
         ("--spus", "six", "0\n"),
         ("--ray-depth", "17", "1 to 16"),
         ("--contrast", "256", "0 to 255"),
-        ("--turn", "0", "1\n"),
+        ("--turn", "-1", "0\n"),
+        ("--fps", "0", "1 to 1000"),
     ] {
         let message = format!("it is not a whole number from {range}");
         bad(&["render", SCENE, option, value], &[option, value, &message]);

@@ -1,5 +1,6 @@
 //! The user layer: worlds that change, input, and sessions.
 
+mod animated;
 mod content;
 mod fresh;
 mod handles;

@@ -87,18 +87,24 @@ impl Component {
     }
 }
 
-/// The components of an item of this type; matrices are not read.
+/// The components of an item of this type. Other matrices than these are not read.
 fn components(kind: &str) -> Option<usize> {
     Some(match kind {
         "SCALAR" => 1,
         "VEC2" => 2,
         "VEC3" => 3,
         "VEC4" => 4,
+        "MAT4" => 16,
         _ => return None,
     })
 }
 
 impl Data<'_> {
+    /// The number of an accessor's items; 0 if there is no such accessor.
+    pub fn count(&self, index: usize) -> usize {
+        self.root.accessors.get(index).map_or(0, |accessor| accessor.count)
+    }
+
     /// The items of an accessor. Of longer ones the first `N` components are taken, of shorter ones
     /// the others are 1.
     pub fn read<const N: usize>(
@@ -150,7 +156,7 @@ impl Data<'_> {
                 .map_err(&wrong)?
                 .map(item)
                 .collect(),
-            None => vec![item(&[0; 16]); *count],
+            None => vec![item(&[0; 64]); *count],
         };
         let Some(sparse) = &accessor.sparse else {
             return Ok(items);

@@ -21,8 +21,8 @@ pub(super) struct Root {
     pub images: Vec<Image>,
     pub samplers: Vec<Sampler>,
     pub cameras: Vec<Camera>,
-    pub animations: Vec<IgnoredAny>,
-    pub skins: Vec<IgnoredAny>,
+    pub animations: Vec<Animation>,
+    pub skins: Vec<Skin>,
     pub extensions: RootExtensions,
     pub extensions_used: Vec<String>,
     pub extensions_required: Vec<String>,
@@ -80,6 +80,7 @@ pub(super) struct Node {
     pub translation: Option<[f64; 3]>,
     pub rotation: Option<[f64; 4]>,
     pub scale: Option<[f64; 3]>,
+    pub weights: Vec<f64>,
     pub extensions: NodeExtensions,
 }
 
@@ -101,6 +102,7 @@ pub(super) struct LightIndex {
 #[serde(default)]
 pub(super) struct Mesh {
     pub primitives: Vec<Primitive>,
+    pub weights: Vec<f64>,
 }
 
 #[derive(Deserialize)]
@@ -110,7 +112,7 @@ pub(super) struct Primitive {
     pub indices: Option<usize>,
     pub material: Option<usize>,
     pub mode: u32,
-    pub targets: Vec<IgnoredAny>,
+    pub targets: Vec<HashMap<String, usize>>,
     pub extensions: PrimitiveExtensions,
 }
 
@@ -323,4 +325,41 @@ pub(super) struct Camera {
 pub(super) struct Perspective {
     pub yfov: f64,
     pub aspect_ratio: Option<f64>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(rename_all = "camelCase", default)]
+pub(super) struct Skin {
+    pub inverse_bind_matrices: Option<usize>,
+    pub joints: Vec<usize>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct Animation {
+    pub name: Option<String>,
+    pub channels: Vec<Channel>,
+    pub samplers: Vec<AnimationSampler>,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct Channel {
+    pub sampler: usize,
+    pub target: ChannelTarget,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct ChannelTarget {
+    pub node: Option<usize>,
+    pub path: String,
+}
+
+#[derive(Deserialize, Default)]
+#[serde(default)]
+pub(super) struct AnimationSampler {
+    pub input: usize,
+    pub output: usize,
+    pub interpolation: Option<String>,
 }

@@ -1,10 +1,15 @@
 //! glTF 2.0 files: binary ones, and JSON with files beside it or data in it.
 
 mod accessor;
+mod animation;
 mod container;
 mod json;
 mod material;
+mod nodes;
+mod part;
+mod primitive;
 mod resource;
+mod sampler;
 mod texture;
 
 use std::borrow::Cow;
@@ -12,27 +17,25 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use glam::{DMat3, DMat4, DQuat, DVec3};
+use glam::{DMat4, DVec3};
 use scenes::{Light, LightKind, View};
 
-use self::accessor::{Data, Use};
-use self::json::{Primitive, Root, TextureTransform};
+use self::accessor::Data;
+pub use self::animation::Animation;
+use self::animation::Channels;
+pub(crate) use self::animation::NONE;
+use self::json::{Root, TextureTransform};
 use self::material::Alpha;
+use self::nodes::Nodes;
+use self::part::{Part, Skin};
 use self::texture::Textures;
-use crate::Fault;
-use crate::builder::{Builder, Vertex};
-use crate::colours::encoded;
+use crate::builder::Builder;
 use crate::mask::Mask;
 use crate::texture::Decoded;
+use crate::{Fault, Loaded};
 
-/// The most nodes inside of each other; they are walked by recursion.
-const MAX_NESTING: usize = 256;
 /// The alpha from which on a blended texture is drawn.
 const BLENDED: f64 = 0.5;
-/// How triangles are made of vertices.
-const TRIANGLES: u32 = 4;
-const TRIANGLE_STRIP: u32 = 5;
-const TRIANGLE_FAN: u32 = 6;
 
 /// Extensions that a file may require, beside those of materials.
 const READ: [&str; 3] = ["KHR_lights_punctual", "KHR_mesh_quantization", "KHR_texture_transform"];
@@ -60,20 +63,30 @@ const REFUSED: [(&str, &str); 7] = [
 const SPECULAR_GLOSSINESS: &str = "KHR_materials_pbrSpecularGlossiness";
 const CONVERT_SPECULAR_GLOSSINESS: &str = "the materials are of specular and glossiness; export the file with metallic-roughness materials";
 
-pub(crate) fn read_binary(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
+/// Reads a binary file, with its `animation` of this name or number.
+pub(crate) fn read_binary(
+    bytes: &[u8],
+    name: &Path,
+    animation: Option<&str>,
+) -> Result<Loaded, Fault> {
     let chunks = container::chunks(bytes)?;
     let root: Root =
         serde_json::from_slice(chunks.json).map_err(|error| wrong(error.to_string()))?;
-    read(&root, chunks.binary, name, builder)
+    read(&root, chunks.binary, name, animation)
 }
 
-pub(crate) fn read_text(bytes: &[u8], name: &Path, builder: &mut Builder) -> Result<(), Fault> {
+/// The same for a file of text.
+pub(crate) fn read_text(
+    bytes: &[u8],
+    name: &Path,
+    animation: Option<&str>,
+) -> Result<Loaded, Fault> {
     let text = crate::text::without_mark(bytes).map_err(Fault::Encoding)?;
     let root: Root = serde_json::from_slice(text).map_err(|error| Fault::Line {
         line: error.line(),
         what: format!("not a valid glTF file: {error}"),
     })?;
-    read(&root, None, name, builder)
+    read(&root, None, name, animation)
 }
 
 fn wrong(what: String) -> Fault {
@@ -84,8 +97,8 @@ fn read(
     root: &Root,
     binary: Option<&[u8]>,
     name: &Path,
-    builder: &mut Builder,
-) -> Result<(), Fault> {
+    animation: Option<&str>,
+) -> Result<Loaded, Fault> {
     check_version(root)?;
     check_extensions(root)?;
     let folder = name.parent().unwrap_or(Path::new(""));
@@ -100,22 +113,43 @@ fn read(
         buffers: buffers.collect(),
         is_quantised: uses(root, "KHR_mesh_quantization"),
     };
+    let mut builder = Builder::default();
+    let scene = scene(root, &mut builder)?;
+    let mut nodes = Nodes::new(root, &scene)?;
+    let channels = Channels::read(&data, animation, &mut builder.notes)?;
+    channels.set(&mut nodes, 0.0);
+    builder.two_sided = channels.mirror();
+    builder.keeps_vertices = !channels.are_none();
+    let [moved, morphed] = channels.moved(&nodes);
     let mut file = File {
         root,
         data: &data,
         folder,
         textures: Textures::default(),
         materials: HashMap::new(),
-        seen: vec![false; root.nodes.len()],
-        builder,
+        nodes: &nodes,
+        moved,
+        morphed,
+        morphed_items: 0,
+        skins: vec![None; root.skins.len()],
+        parts: Vec::new(),
+        builder: &mut builder,
     };
-    for &node in &file.scene()? {
-        file.node(node, DMat4::IDENTITY, 0)?;
+    for node in nodes.of_scene() {
+        file.node(node)?;
     }
-    if !root.animations.is_empty() || !root.skins.is_empty() {
-        file.builder.notes.add("animations and skins are ignored");
+    let File { mut skins, parts, .. } = file;
+    let cuts = std::mem::take(&mut builder.cuts);
+    if !channels.are_none() && parts.is_empty() {
+        builder.notes.add("the animation moves no triangles");
     }
-    Ok(())
+    builder.reach = channels.reach(&mut nodes, &mut skins, &parts);
+    let mut loaded = builder.finish(&name.display().to_string())?;
+    if let Some(mesh) = loaded.scene.mesh.as_mut().filter(|_| !parts.is_empty()) {
+        let parts = (nodes, skins, parts);
+        loaded.animation = Some(Animation::new(channels, parts, cuts, Arc::make_mut(mesh)));
+    }
+    Ok(loaded)
 }
 
 fn uses(root: &Root, extension: &str) -> bool {
@@ -145,6 +179,29 @@ fn check_extensions(root: &Root) -> Result<(), Fault> {
     Ok(())
 }
 
+/// The nodes of the scene to show: the file's default, or the first one that has any. Without
+/// scenes, all nodes that are in no other.
+fn scene(root: &Root, builder: &mut Builder) -> Result<Vec<usize>, Fault> {
+    let scenes = &root.scenes;
+    if scenes.is_empty() {
+        return Ok(nodes::tops(root));
+    }
+    let index = root.scene.unwrap_or(0);
+    let chosen = scenes.get(index);
+    let chosen = chosen.ok_or_else(|| wrong(format!("scene {index} doesn't exist")))?;
+    if !chosen.nodes.is_empty() {
+        return Ok(chosen.nodes.clone());
+    }
+    let mut others = scenes.iter().enumerate();
+    let other = others.find(|(_, scene)| !scene.nodes.is_empty());
+    if let Some((number, scene)) = other {
+        let note = format!("scene {index} is empty; scene {number} is shown");
+        builder.notes.add(note);
+        return Ok(scene.nodes.clone());
+    }
+    Ok(Vec::new())
+}
+
 /// A file that is being read.
 struct File<'a> {
     root: &'a Root,
@@ -153,7 +210,16 @@ struct File<'a> {
     textures: Textures,
     /// By the number of a material, and whether it is drawn with its texture.
     materials: HashMap<(Option<usize>, bool), Made>,
-    seen: Vec<bool>,
+    nodes: &'a Nodes,
+    /// The nodes that the animation moves, and those whose morph targets it does.
+    moved: Vec<bool>,
+    morphed: Vec<bool>,
+    /// Positions and normals of morph targets so far.
+    morphed_items: usize,
+    /// Those that a node has.
+    skins: Vec<Option<Skin>>,
+    /// Those that the animation moves.
+    parts: Vec<Part>,
     builder: &'a mut Builder,
 }
 
@@ -168,62 +234,25 @@ enum Made {
 }
 
 impl File<'_> {
-    /// The nodes of the scene to show: the file's default, or the first one that has any. Without
-    /// scenes, all nodes that are in no other.
-    fn scene(&mut self) -> Result<Vec<usize>, Fault> {
-        let scenes = &self.root.scenes;
-        if scenes.is_empty() {
-            let mut is_child = vec![false; self.root.nodes.len()];
-            for &child in self.root.nodes.iter().flat_map(|node| &node.children) {
-                if let Some(is_child) = is_child.get_mut(child) {
-                    *is_child = true;
-                }
-            }
-            let all = is_child.iter().enumerate();
-            return Ok(all.filter(|(_, is)| !**is).map(|(node, _)| node).collect());
-        }
-        let index = self.root.scene.unwrap_or(0);
-        let chosen = scenes.get(index);
-        let chosen = chosen.ok_or_else(|| wrong(format!("scene {index} doesn't exist")))?;
-        if !chosen.nodes.is_empty() {
-            return Ok(chosen.nodes.clone());
-        }
-        let mut others = scenes.iter().enumerate();
-        let other = others.find(|(_, scene)| !scene.nodes.is_empty());
-        if let Some((number, scene)) = other {
-            let note = format!("scene {index} is empty; scene {number} is shown");
-            self.builder.notes.add(note);
-            return Ok(scene.nodes.clone());
-        }
-        Ok(Vec::new())
-    }
-
-    fn node(&mut self, index: usize, outer: DMat4, nesting: usize) -> Result<(), Fault> {
-        let Some(node) = self.root.nodes.get(index) else {
-            return Err(wrong(format!("node {index} doesn't exist")));
-        };
-        if std::mem::replace(&mut self.seen[index], true) || nesting > MAX_NESTING {
-            return Err(wrong(format!(
-                "node {index} is in the scene twice, in itself, or in more than {MAX_NESTING} others"
-            )));
-        }
-        let place = outer * matrix(node);
+    fn node(&mut self, index: usize) -> Result<(), Fault> {
+        let (node, place) = (&self.root.nodes[index], self.nodes.places[index]);
         if !place.is_finite() {
             return Err(wrong(format!("the transform of node {index} is not finite")));
-        }
-        if node.skin.is_some() {
-            self.builder.notes.add("animations and skins are ignored");
         }
         if node.extensions.instances.is_some() {
             let note = "of nodes with instances (EXT_mesh_gpu_instancing) one is drawn";
             self.builder.notes.add(note);
         }
-        if let Some(index) = node.mesh {
-            let mesh = self.root.meshes.get(index);
-            let mesh = mesh.ok_or_else(|| wrong(format!("mesh {index} doesn't exist")))?;
-            for (number, primitive) in mesh.primitives.iter().enumerate() {
-                self.primitive(primitive, place).map_err(|fault| part(fault, index, number))?;
+        if let Some(number) = node.mesh {
+            let mesh = self.root.meshes.get(number);
+            let mesh = mesh.ok_or_else(|| wrong(format!("mesh {number} doesn't exist")))?;
+            for (part, primitive) in mesh.primitives.iter().enumerate() {
+                self.primitive(index, primitive)
+                    .map_err(|fault| within(&format!("mesh {number}, primitive {part}"), fault))?;
             }
+        }
+        if self.moved[index] && (node.camera.is_some() || node.extensions.light.is_some()) {
+            self.builder.notes.add("the animation moves no cameras and no lights");
         }
         if let Some(camera) = node.camera {
             self.camera(camera, place)?;
@@ -231,134 +260,7 @@ impl File<'_> {
         if let Some(light) = &node.extensions.light {
             self.light(light.light, place)?;
         }
-        for &child in &node.children {
-            self.node(child, place, nesting + 1)?;
-        }
         Ok(())
-    }
-
-    fn primitive(&mut self, primitive: &Primitive, place: DMat4) -> Result<(), Fault> {
-        let mode = primitive.mode;
-        if !matches!(mode, TRIANGLES | TRIANGLE_STRIP | TRIANGLE_FAN) {
-            self.builder.notes.add("points and lines are ignored");
-            return Ok(());
-        }
-        if !primitive.targets.is_empty() {
-            self.builder.notes.add("morph targets are ignored");
-        }
-        let attribute = |name: &str| primitive.attributes.get(name).copied();
-        let Some(positions) = attribute("POSITION") else {
-            return Ok(());
-        };
-        let has_view = |accessor: usize| {
-            let accessor = self.root.accessors.get(accessor);
-            accessor.is_some_and(|it| it.buffer_view.is_some() || it.sparse.is_some())
-        };
-        if primitive.extensions.draco.is_some() && !has_view(positions) {
-            let (name, what) = REFUSED[0];
-            return Err(Fault::Extension { name, what });
-        }
-        let made = self.material(primitive.material, true)?;
-        let positions: Vec<[f64; 3]> = self.data.read(positions, Use::Positions, &["VEC3"])?;
-        let count = positions.len();
-        let of_all = |what: &str, found: usize| match found == count {
-            true => Ok(()),
-            false => Err(wrong(format!("{found} {what} for {count} vertices"))),
-        };
-        let normals: Vec<[f64; 3]> = match attribute("NORMAL") {
-            Some(normals) => self.data.read(normals, Use::Shares, &["VEC3"])?,
-            None => Vec::new(),
-        };
-        if !normals.is_empty() {
-            of_all("normals", normals.len())?;
-        }
-        let colours: Vec<[f64; 4]> = match attribute("COLOR_0") {
-            Some(colours) => self.data.read(colours, Use::Shares, &["VEC3", "VEC4"])?,
-            None => Vec::new(),
-        };
-        if !colours.is_empty() {
-            of_all("colours", colours.len())?;
-        }
-        let (material, places) = match made {
-            Made::Hidden => return Ok(()),
-            Made::Plain(number) => (number, Vec::new()),
-            Made::Textured(number, set, transform) => {
-                match self.places(attribute(&format!("TEXCOORD_{set}")), count, transform)? {
-                    Some(places) => (number, places),
-                    None => match self.material(primitive.material, false)? {
-                        Made::Plain(number) => (number, Vec::new()),
-                        _ => return Ok(()),
-                    },
-                }
-            }
-        };
-        let corners: Vec<f64> = match primitive.indices {
-            Some(indices) => {
-                let indices = self.data.read::<1>(indices, Use::Indices, &["SCALAR"])?;
-                indices.into_iter().map(|[index]| index).collect()
-            }
-            None => (0..count).map(|index| index as f64).collect(),
-        };
-
-        let linear = DMat3::from_mat4(place);
-        // Normals are perpendicular to surfaces also where the scale differs between axes.
-        let upright = linear.inverse().transpose();
-        let upright = if upright.is_finite() { upright } else { linear };
-        let mut numbers = Vec::with_capacity(count);
-        for (index, &position) in positions.iter().enumerate() {
-            let normal = normals.get(index).map(|&normal| upright * DVec3::from(normal));
-            let colour = colours.get(index);
-            numbers.push(self.builder.vertex(&Vertex {
-                position: place.transform_point3(position.into()),
-                // NaN has no direction, and would become a normal of 0.
-                normal: normal.map(|it| {
-                    scenes::unit(it).unwrap_or(if it.is_nan() { it } else { DVec3::ZERO })
-                }),
-                coordinates: places.get(index).copied(),
-                colour: colour.map(|&[red, green, blue, _]| {
-                    [red, green, blue].map(|it| encoded(it.clamp(0.0, 1.0)) as f32)
-                }),
-            })?);
-        }
-        // A mirrored mesh is wound the other way.
-        let mirrored = linear.determinant() < 0.0;
-        for (face, [a, b, c]) in faces(mode, &corners).enumerate() {
-            let corners = if mirrored { [a, c, b] } else { [a, b, c] };
-            let mut found = [0; 3];
-            for (found, index) in found.iter_mut().zip(corners) {
-                let number = numbers.get(index as usize);
-                *found = *number.ok_or(Fault::Vertex { face, index, vertices: count })?;
-            }
-            self.builder.triangle(found, material)?;
-        }
-        Ok(())
-    }
-
-    /// The texture coordinates of vertices, moved; `None`, with a note, if they lack them.
-    fn places(
-        &mut self,
-        accessor: Option<usize>,
-        count: usize,
-        transform: Option<TextureTransform>,
-    ) -> Result<Option<Vec<[f32; 2]>>, Fault> {
-        let places: Vec<[f64; 2]> = match accessor {
-            Some(accessor) => self.data.read(accessor, Use::Shares, &["VEC2"])?,
-            None => Vec::new(),
-        };
-        if places.len() != count {
-            let note = "parts with a texture, but without texture coordinates, are drawn without the texture";
-            self.builder.notes.add(note);
-            return Ok(None);
-        }
-        let transform = transform.unwrap_or_default();
-        let (sine, cosine) = (libm::sin(transform.rotation), libm::cos(transform.rotation));
-        let [offset_u, offset_v] = transform.offset;
-        let moved = |[u, v]: [f64; 2]| {
-            let (u, v) = (transform.scale[0] * u, transform.scale[1] * v);
-            let turned = [cosine * u + sine * v, cosine * v - sine * u];
-            [(turned[0] + offset_u) as f32, (turned[1] + offset_v) as f32]
-        };
-        Ok(Some(places.into_iter().map(moved).collect()))
     }
 
     fn material(&mut self, index: Option<usize>, with_texture: bool) -> Result<Made, Fault> {
@@ -506,42 +408,13 @@ impl File<'_> {
 }
 
 /// Names the part of the file that has a fault.
-fn part(fault: Fault, mesh: usize, primitive: usize) -> Fault {
+fn within(part: &str, fault: Fault) -> Fault {
     match fault {
         Fault::TooManyTriangles
         | Fault::TooManyVertices
         | Fault::TooManyMaterials
         | Fault::Extension { .. } => fault,
-        Fault::Gltf(what) => wrong(format!("mesh {mesh}, primitive {primitive}: {what}")),
-        _ => wrong(format!("mesh {mesh}, primitive {primitive}: {fault}")),
+        Fault::Gltf(what) => wrong(format!("{part}: {what}")),
+        _ => wrong(format!("{part}: {fault}")),
     }
-}
-
-/// The triangles of a list of vertices.
-fn faces(mode: u32, corners: &[f64]) -> Box<dyn Iterator<Item = [f64; 3]> + '_> {
-    let rest = corners.get(1..).unwrap_or_default();
-    match mode {
-        TRIANGLE_STRIP => Box::new(corners.windows(3).enumerate().map(|(index, it)| {
-            if index % 2 == 0 { [it[0], it[1], it[2]] } else { [it[1], it[0], it[2]] }
-        })),
-        TRIANGLE_FAN => Box::new(rest.windows(2).map(|it| [corners[0], it[0], it[1]])),
-        _ => Box::new(corners.chunks_exact(3).map(|it| [it[0], it[1], it[2]])),
-    }
-}
-
-fn matrix(node: &json::Node) -> DMat4 {
-    if let Some(matrix) = &node.matrix {
-        return DMat4::from_cols_array(matrix);
-    }
-    let rotation = DQuat::from_array(node.rotation.unwrap_or([0.0, 0.0, 0.0, 1.0]));
-    let rotation = if rotation.length_squared() > 0.0 && rotation.is_finite() {
-        rotation.normalize()
-    } else {
-        DQuat::IDENTITY
-    };
-    DMat4::from_scale_rotation_translation(
-        node.scale.unwrap_or([1.0; 3]).into(),
-        rotation,
-        node.translation.unwrap_or_default().into(),
-    )
 }

@@ -68,7 +68,7 @@ pub(crate) fn read(bytes: &[u8], file: &Path, format: Format) -> Result<Loaded, 
     let name = file.display().to_string();
     let notes = map.notes.into_iter().map(|note| format!("{name}: {note}")).collect();
     let scene = mountains::lit(name, view, field, vec![Material::matte(DVec3::ONE)], Vec::new());
-    Ok(Loaded { scene, added_light: false, notes })
+    Ok(Loaded { scene, added_light: false, animation: None, notes })
 }
 
 /// Reads the height field that a scene names a file of, and notes about it.

@@ -2,6 +2,7 @@
 
 use proptest::prelude::*;
 
+use super::animated::faults::rig;
 use super::files::{MTL, OBJ, PLY, binary_ply, glb};
 use super::{heights, scans, textures};
 
@@ -59,13 +60,14 @@ proptest! {
     fn damaged_files_do_not_panic(damages in prop::collection::vec(damage(), 1..6)) {
         let folder = tempfile::tempdir().unwrap();
         let picture = textures::png();
-        let files: [(&str, &[u8]); 13] = [
+        let files: [(&str, &[u8]); 14] = [
             ("m.mtl", MTL.as_bytes()),
             ("t.obj", OBJ.as_bytes()),
             ("a.ply", PLY.as_bytes()),
             ("l.ply", &binary_ply(false)),
             ("b.ply", &binary_ply(true)),
             ("t.glb", &glb()),
+            ("animated.glb", &rig().file()),
             ("t.stl", scans::STL.as_bytes()),
             ("b.stl", &scans::binary_stl(b"by a printer")),
             ("t.png", &picture),
@@ -80,15 +82,21 @@ proptest! {
             if name == "m.mtl" || name == "t.png" {
                 continue;
             }
-            if let Ok(loaded) = meshes::load(&path) {
+            if let Ok(mut loaded) = meshes::load(&path) {
                 prop_assert!(loaded.scene.view.camera(8, 8).is_ok());
-                let Some(mesh) = loaded.scene.mesh else {
+                let Some(mesh) = loaded.scene.mesh.take() else {
                     prop_assert!(loaded.scene.heights.is_some());
                     continue;
                 };
                 prop_assert!(mesh.triangles.iter().flatten().all(|&it| (it as usize) < mesh.positions.len()));
                 prop_assert!(mesh.materials.iter().all(|&it| (it as usize) < loaded.scene.materials.len()));
                 prop_assert!(mesh.positions.as_flattened().iter().all(|it| it.is_finite()));
+                for time in [0.0, 0.4, 1e9] {
+                    let Some(animation) = &mut loaded.animation else { break };
+                    let (positions, normals) = animation.at(time);
+                    prop_assert_eq!(positions.len(), mesh.positions.len());
+                    prop_assert_eq!(normals.len(), mesh.normals.len());
+                }
                 let places = &mesh.texture_coordinates;
                 let textured = loaded.scene.materials.iter().any(|it| it.texture.is_some());
                 prop_assert_eq!(places.len(), if textured { mesh.positions.len() } else { 0 });

@@ -193,8 +193,7 @@ fn gltf_accessors_without_a_view_and_sparse_ones_are_read() {
         "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "material": 0, "targets": [{"POSITION": 1}]}]}],
         "accessors": [root(json!({}))["accessors"][0],
             {"componentType": 5126, "count": 3, "type": "VEC3"}]});
-    let notes = same("a morph target", &glb(target, &triangle()), &plain());
-    assert_eq!(notes, ["morph targets are ignored"]);
+    assert!(same("a morph target", &glb(target, &triangle()), &plain()).is_empty());
 
     // Of three zeros the second and third are replaced.
     let sparse = |view: Value| {

@@ -1,5 +1,8 @@
 //! Files of each format, right and wrong.
 
+mod animated;
+#[path = "../../examples/container/mod.rs"]
+mod container;
 mod damage;
 mod faults;
 mod files;
