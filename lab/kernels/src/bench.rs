@@ -38,7 +38,7 @@ const CUTS: u32 = 0x26100;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
-const ARENA: u32 = 0x1db80;
+const ARENA: u32 = 0x1de00;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
