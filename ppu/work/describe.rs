@@ -270,3 +270,33 @@ fn features(order: &Order, frame: &Frame) -> u32 {
 fn quadword([x, y, z]: [F32; 3]) -> [F32; 4] {
     [x, y, z, F32::ZERO]
 }
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng as _;
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::work::arithmetic::camera;
+
+    #[test]
+    fn chosen_length_turns_rays_less_than_any_length() {
+        let mut random = ChaCha8Rng::seed_from_u64(38);
+        let geometry = Geometry::new(320, 200).expect("a size");
+        let mut sums = [0.0; 2];
+        for _ in 0..200 {
+            let camera = camera(&mut random, geometry.width, geometry.height);
+            let plain = [camera.corner, camera.right, camera.down].map(singles);
+            for (sum, basis) in sums.iter_mut().zip([plain, in_singles(&camera, geometry)]) {
+                let basis = basis.map(|it| DVec3::from_array(it.map(|x| f64::from(x.get()))));
+                for (x, y) in [(0.0, 0.0), (319.0, 0.0), (160.0, 100.0), (0.0, 199.0)] {
+                    let [exact, rounded] = [[camera.corner, camera.right, camera.down], basis]
+                        .map(|[corner, right, down]| corner + x * right + y * down);
+                    *sum += exact.normalize().cross(rounded.normalize()).length_squared();
+                }
+            }
+        }
+        let [plain, chosen] = sums;
+        assert!(chosen > 0.0 && chosen < plain / 4.0, "{chosen:e}, {plain:e}");
+    }
+}
