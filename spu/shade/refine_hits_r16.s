@@ -6,7 +6,7 @@
 #           it: the cosine to the normal is above 1/64
 #   Uses    $3-$5, $10-$76   Saves  -   Stack  0   Calls  -
 #   Domain  that of surfaces_r16
-#   Error   0.6 of SURFACES_leave, distance of a point from its surface
+#   Error   0.4 of SURFACES_leave, distance of a point from its surface
 #   Twin    lab/twins/src/refine_hits.rs
 #
 # A distance is a single, and off by an ulp or more. surfaces_r16 puts the point back on the surface
@@ -16,6 +16,7 @@
 # names of surface_tmpl.inc, for the height e of w above the surface:
 #   k = e / (normal.d)
 #   a = a - k (d - (d.axis) axis), normal = gain a/|a| + slope axis, point = P - k d
+# The rounding of P is then put right along the normal, as there.
 #
 # The loop counts up, so that it isn't pipelined, which would take 1 KB more of local store.
 
@@ -43,10 +44,16 @@
         registers squared,scale,height,against,steep,flip,step,t_y,t_e
         registers normal_x,normal_y,normal_z,old_x,old_y,old_z
 
-        .section .rodata
-        .align  4
-transpose:
-        transpose_shuffles
+# From off, the vector from the centre, along the axis and across it, and the height.
+.macro  height_of_off
+        dot_f4  $along,off,axis
+    .irp axis, x,y,z
+        fnms    $off_\axis,$along,$axis_\axis,$off_\axis
+    .endr
+        scale_of_off
+        fms     $height,$squared,$scale,$offset
+        fma     $height,$slope,$along,$height
+.endm
 
 # scale = gain / |off|
 .macro  scale_of_off
@@ -56,7 +63,7 @@ transpose:
 .endm
 
 function refine_hits_r16
-        lqa     $m_xy,transpose
+        lqa     $m_xy,transpose                         # of smooth_r16
         lqa     $m_zw,transpose+16
         lqa     $m_first,transpose+32
         lqa     $m_second,transpose+48
@@ -87,15 +94,11 @@ next_row:
         fma     $off_\axis,$t,$direction_\axis,$off_\axis
         fma     $point_\axis,$t,$direction_\axis,$point_\axis
     .endr
-        dot_f4  $along,off,axis
+        height_of_off
         dot_f4  $rise,direction,axis
     .irp axis, x,y,z
-        fnms    $off_\axis,$along,$axis_\axis,$off_\axis
         fnms    $across_\axis,$rise,$axis_\axis,$direction_\axis
     .endr
-        scale_of_off
-        fms     $height,$squared,$scale,$offset
-        fma     $height,$slope,$along,$height
         dot_f4  $against,off,across
         fm      $rise,$slope,$rise
         fma     $against,$scale,$against,$rise
@@ -109,10 +112,15 @@ next_row:
         fnms    $point_\axis,$step,$direction_\axis,$point_\axis
     .endr
         scale_of_off
-        andc    $flip,$k_sign,$against
     .irp axis, x,y,z
         fm      $normal_\axis,$slope,$axis_\axis
         fma     $normal_\axis,$scale,$off_\axis,$normal_\axis
+        fs      $off_\axis,$point_\axis,$centre_\axis
+    .endr
+        height_of_off
+        andc    $flip,$k_sign,$against
+    .irp axis, x,y,z
+        fnms    $point_\axis,$height,$normal_\axis,$point_\axis
         xor     $normal_\axis,$normal_\axis,$flip
         lqd     $old_\axis,SURFACES_point_\axis($a_surfaces)
         selb    $point_\axis,$old_\axis,$point_\axis,$steep

@@ -16,16 +16,20 @@ const SIGN: u32 = 0x8000_0000;
 /// the ray grazes it.
 #[must_use]
 pub fn refine(ray: &Ray, object: &Object) -> Option<[[Single; 3]; 2]> {
-    let from =
-        std::array::from_fn(|k| fma(ray.t, ray.direction[k], fs(ray.origin[k], object.centre[k])));
-    let reached = std::array::from_fn(|k| fma(ray.t, ray.direction[k], ray.origin[k]));
-    let along = dot(from, object.axis);
+    // What is across the axis, gain over its length, and the height above the surface.
+    let place = |from: [Single; 3]| {
+        let along = dot(from, object.axis);
+        let off = sub_scaled(from, along, object.axis);
+        let squared = dot(off, off);
+        let scale = fm(rsqrt(squared), object.gain);
+        (off, scale, fma(object.slope, along, fms(squared, scale, object.offset)))
+    };
+    let from_centre = |point: [Single; 3]| std::array::from_fn(|k| fs(point[k], object.centre[k]));
+    let ahead =
+        |start: [Single; 3]| std::array::from_fn(|k| fma(ray.t, ray.direction[k], start[k]));
+    let (off, scale, height) = place(ahead(from_centre(ray.origin)));
     let rise = dot(ray.direction, object.axis);
-    let off = sub_scaled(from, along, object.axis);
     let across = sub_scaled(ray.direction, rise, object.axis);
-    let squared = dot(off, off);
-    let scale = fm(rsqrt(squared), object.gain);
-    let height = fma(object.slope, along, fms(squared, scale, object.offset));
     let against = fma(scale, dot(off, across), fm(object.slope, rise));
     if object.gain == 0 || fcmgt(against, GRAZING) == 0 {
         return None;
@@ -33,8 +37,9 @@ pub fn refine(ray: &Ray, object: &Object) -> Option<[[Single; 3]; 2]> {
     let step = fm(height, recip_interpolated(against));
     let off = sub_scaled(off, step, across);
     let scale = fm(rsqrt(dot(off, off)), object.gain);
-    let normal = std::array::from_fn(|k| {
-        fma(scale, off[k], fm(object.slope, object.axis[k])) ^ (SIGN & !against)
-    });
-    Some([sub_scaled(reached, step, ray.direction), normal])
+    let normal: [Single; 3] =
+        std::array::from_fn(|k| fma(scale, off[k], fm(object.slope, object.axis[k])));
+    let point = sub_scaled(ahead(ray.origin), step, ray.direction);
+    let (_, _, height) = place(from_centre(point));
+    Some([sub_scaled(point, height, normal), normal.map(|x| x ^ (SIGN & !against))])
 }
