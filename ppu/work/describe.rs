@@ -223,7 +223,7 @@ pub fn describe(order: &Order) -> Frame {
 const LENGTHS: u32 = 32;
 
 /// The camera's corner, right and down in singles. A direction's length is free, so it is the one
-/// of [`LENGTHS`] at which the rounding turns the rays least. The corner makes up for the rounding
+/// of [`LENGTHS`] with the smallest rotation of rays by rounding. The corner makes up for the rounding
 /// of the steps in the middle of the picture.
 fn in_singles(camera: &Camera, geometry: Geometry) -> [[F32; 3]; 3] {
     let [width, height] = [geometry.width, geometry.height].map(f64::from);

@@ -16,7 +16,7 @@ const SIGN: u32 = 0x8000_0000;
 /// the ray grazes it.
 #[must_use]
 pub fn refine(ray: &Ray, object: &Object) -> Option<[[Single; 3]; 2]> {
-    // What is across the axis, gain over its length, and the height above the surface.
+    // The vector across the axis, gain over its length, and the height above the surface.
     let place = |from: [Single; 3]| {
         let along = dot(from, object.axis);
         let off = sub_scaled(from, along, object.axis);

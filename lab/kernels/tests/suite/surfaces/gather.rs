@@ -93,6 +93,7 @@ fn refined_hits_have_the_normals_of_the_exact_hits() {
             let along = dot(point, direction);
             let off: [f64; 3] = std::array::from_fn(|k| point[k] - along * direction[k]);
             let far = at(t).iter().fold(0.0, |far: f64, x| far.max(x.abs()));
+            // Three roundings of three coordinates.
             aside = aside.max(dot(off, off).sqrt() / (2_f64.powi(-23) * far));
         }
     }
