@@ -222,9 +222,9 @@ pub fn describe(order: &Order) -> Frame {
 /// The lengths of the primary rays' directions that [`in_singles`] tries.
 const LENGTHS: u32 = 32;
 
-/// The camera's corner, right and down in singles. A direction's length is free, so it is the one
-/// of [`LENGTHS`] with the smallest rotation of rays by rounding. The corner makes up for the rounding
-/// of the steps in the middle of the picture.
+/// The camera's corner, right and down in singles. A direction's length is free, so the one of
+/// [`LENGTHS`] is taken at which rounding turns rays by the smallest angles. The corner makes up
+/// for the rounding of the steps in the middle of the picture.
 fn in_singles(camera: &Camera, geometry: Geometry) -> [[F32; 3]; 3] {
     let [width, height] = [geometry.width, geometry.height].map(f64::from);
     let rounded = |exact: DVec3| exact.as_vec3().as_dvec3();
