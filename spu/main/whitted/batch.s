@@ -234,7 +234,7 @@ sent:   sum_lanes $3,$amount
         a       $w_first,$w_first,$w_here
         ceq     $c_any,$w_first,$w_count
         brz     $c_any,next_run
-        # Local store has room for few objects, whose rays are rarely reflected often.
+        # Local store holds few objects, and their rays are rarely reflected often.
         lqa     $turned,streamed
         andi    $turned,$turned,FEATURE_MESH
         brz     $turned,refined
