@@ -1,5 +1,6 @@
 //! Makes a frame's record of a scene, a camera and a framebuffer.
 
+use glam::DVec3;
 use scenes::Camera;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
@@ -7,7 +8,7 @@ use zerocopy::big_endian::F32;
 use super::cuts::Cuts;
 use super::policy::{Skip, Split};
 use super::units::Units;
-use crate::framebuffer::Target;
+use crate::framebuffer::{Geometry, Target};
 use crate::scene::block::SceneBlock;
 use crate::scene::single::{single, singles};
 use crate::scene::{Colour, Scene};
@@ -141,9 +142,12 @@ pub fn describe(order: &Order) -> Frame {
     frame.depth_far = far.into();
     frame.depth_scale = scale.into();
 
-    frame.corner = quadword(singles(camera.corner));
-    frame.right = quadword(singles(camera.right));
-    frame.down = quadword(singles(camera.down));
+    let basis = if scene.block().is_some() {
+        in_singles(camera, target.geometry)
+    } else {
+        [camera.corner, camera.right, camera.down].map(singles)
+    };
+    [frame.corner, frame.right, frame.down] = basis.map(quadword);
     let colour = scene.render_options().colour;
     frame.background = quadword(singles(colour.light(scene.background())));
     if let Some(block) = scene.block() {
@@ -215,6 +219,32 @@ pub fn describe(order: &Order) -> Frame {
     frame
 }
 
+/// The lengths of the primary rays' directions that [`in_singles`] tries.
+const LENGTHS: u32 = 32;
+
+/// The camera's corner, right and down in singles. A direction's length is free, so the one of
+/// [`LENGTHS`] is taken at which rounding turns rays by the smallest angles. The corner makes up
+/// for the rounding of the steps in the middle of the picture.
+fn in_singles(camera: &Camera, geometry: Geometry) -> [[F32; 3]; 3] {
+    let [width, height] = [geometry.width, geometry.height].map(f64::from);
+    let rounded = |exact: DVec3| exact.as_vec3().as_dvec3();
+    let tried = (0..LENGTHS).map(|step| {
+        let length = 1.0 + f64::from(step) / f64::from(LENGTHS);
+        let [corner, right, down] =
+            [camera.corner, camera.right, camera.down].map(|exact| length * exact);
+        let [right_error, down_error] = [right, down].map(|exact| rounded(exact) - exact);
+        let middle = (width * right_error + height * down_error) / 2.0;
+        let corner_error = rounded(corner - middle) + middle - corner;
+        // The mean square over the picture.
+        let error = corner_error.length_squared()
+            + width.powi(2) / 12.0 * right_error.length_squared()
+            + height.powi(2) / 12.0 * down_error.length_squared();
+        (error / length.powi(2), [corner - middle, right, down])
+    });
+    let (_, best) = tried.min_by(|(one, _), (other, _)| one.total_cmp(other)).unwrap_or_default();
+    best.map(singles)
+}
+
 /// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order, frame: &Frame) -> u32 {
     let options = order.scene.render_options();
@@ -239,4 +269,34 @@ fn features(order: &Order, frame: &Frame) -> u32 {
 
 fn quadword([x, y, z]: [F32; 3]) -> [F32; 4] {
     [x, y, z, F32::ZERO]
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::SeedableRng as _;
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::work::arithmetic::camera;
+
+    #[test]
+    fn chosen_length_turns_rays_less_than_any_length() {
+        let mut random = ChaCha8Rng::seed_from_u64(38);
+        let geometry = Geometry::new(320, 200).expect("a size");
+        let mut sums = [0.0; 2];
+        for _ in 0..200 {
+            let camera = camera(&mut random, geometry.width, geometry.height);
+            let plain = [camera.corner, camera.right, camera.down].map(singles);
+            for (sum, basis) in sums.iter_mut().zip([plain, in_singles(&camera, geometry)]) {
+                let basis = basis.map(|it| DVec3::from_array(it.map(|x| f64::from(x.get()))));
+                for (x, y) in [(0.0, 0.0), (319.0, 0.0), (160.0, 100.0), (0.0, 199.0)] {
+                    let [exact, rounded] = [[camera.corner, camera.right, camera.down], basis]
+                        .map(|[corner, right, down]| corner + x * right + y * down);
+                    *sum += exact.normalize().cross(rounded.normalize()).length_squared();
+                }
+            }
+        }
+        let [plain, chosen] = sums;
+        assert!(chosen > 0.0 && chosen < plain / 4.0, "{chosen:e}, {plain:e}");
+    }
 }

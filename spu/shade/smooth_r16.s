@@ -42,6 +42,7 @@
 
         .section .rodata
         .align  4
+        .global transpose
 transpose:
         transpose_shuffles
 

@@ -72,7 +72,7 @@ pub const STANDARD: &str = "default";
 const EXPLAINED: usize = 500;
 
 /// The generated scenes.
-const GENERATED: [&str; 12] = [
+const GENERATED: [&str; 13] = [
     "gears",
     "jacks",
     "lattice",
@@ -81,6 +81,7 @@ const GENERATED: [&str; 12] = [
     "shells",
     "sombrero",
     "sphereflake:4",
+    "sphereflake:6",
     "teapot",
     "terrain:6",
     "tetra:6",

@@ -11,11 +11,11 @@ _start:
 # the bench has all the memory in front of them.
         .global depth_place, boxes_place, height_place, colour_place, texture_place
         .global cuts_place, sort_place, build_place
-        .set    cuts_place,0x26100
-        .set    depth_place,0x27780
-        .set    boxes_place,0x31e00
-        .set    height_place,0x33080
-        .set    colour_place,0x34a00
-        .set    texture_place,0x34e80
+        .set    cuts_place,0x26300
+        .set    depth_place,0x27900
+        .set    boxes_place,0x31f80
+        .set    height_place,0x33200
+        .set    colour_place,0x34b00
+        .set    texture_place,0x34f00
         .set    build_place,0x3cd00
         .set    sort_place,0x3db00

@@ -23,8 +23,9 @@ const TRIES: u64 = 24;
 /// place of a single just below 1.
 const TURN: f64 = 8.0 * f32::EPSILON as f64 / 2.0;
 
-/// The number of sides to which it is turned.
-const TURNS: u32 = 8;
+/// The number of sides to which it is turned. With eight, an edge that passes at 7.4 to 8 units may
+/// be between two sides and be missed.
+const TURNS: u32 = 64;
 
 /// The condition number below which a pixel is well-conditioned: a ray that is off by 8 units moves
 /// no channel by more than 1/255.
@@ -43,7 +44,7 @@ pub struct WrongPixel {
     /// Its condition number: by how much a channel changes, relative to white, for each radian by
     /// which the primary ray is turned. The ray differential is a quotient over 8 units in the last
     /// place, so that it includes edges, at which there is no derivative. It is the largest of
-    /// eight sides and of all channels.
+    /// 64 sides and of all channels.
     pub condition: f64,
 }
 
@@ -130,4 +131,34 @@ fn condition(probe: &Probe<'_>, options: &Options, x: u32, y: u32) -> f64 {
         (shown(way + TURN * (cosine * right + sine * up)) - exact).abs().max_element()
     });
     moved.fold(0.0, f64::max) / TURN
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edges_within_the_turn_are_seen_on_all_sides() {
+        let options = Options::default();
+        for angle in 0..16 {
+            let (y, x) = libm::sincos(f64::from(angle));
+            let normal = DVec3::new(x, y, 0.0);
+            let along = normal.cross(DVec3::Z);
+            let condition_at = |turns: f64| {
+                let edge = turns * TURN * normal - DVec3::Z;
+                let corners = [edge - 2.0 * along, edge + 2.0 * along, edge + 4.0 * normal];
+                let corners = corners.map(|DVec3 { x, y, z }| format!("{x} {y} {z}\n")).concat();
+                let text = format!(
+                    "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 3 3\n\
+                     b 0 0 0\nl 0 0 1\nf 1 1 1 1 0 0 0 1\np 3\n{corners}"
+                );
+                let limits = scenes::Limits::default();
+                let scene = scenes::parse(text.as_bytes(), "t.nff", &limits).expect("a scene");
+                let probe = Probe::new(&scene, 3, 3, &options).expect("a camera");
+                condition(&probe, &options, 1, 1)
+            };
+            assert!(condition_at(0.97) > WELL_CONDITIONED, "{angle}");
+            assert_eq!(condition_at(1.03), 0.0, "{angle}");
+        }
+    }
 }

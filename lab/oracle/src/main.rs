@@ -71,7 +71,7 @@ enum Verb {
     ///
     /// Also prints the condition numbers of the wrong pixels in the exact scene: by how much a
     /// channel changes, relative to white, for each radian by which the ray from the eye is turned.
-    /// It is turned by 8 units to eight sides. Below the bound, no channel moves by 1/255.
+    /// It is turned by 8 units to 64 sides. Below the bound, no channel moves by 1/255.
     #[command(after_help = EXAMPLES)]
     Explain {
         /// PNG picture to explain

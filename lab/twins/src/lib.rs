@@ -37,6 +37,7 @@ pub mod primary_rays;
 pub mod ray_setup;
 pub mod rectangle;
 pub mod rectangle_pairs;
+pub mod refine_hits;
 pub mod reflect;
 pub mod refract;
 pub mod sample_rays;

@@ -404,7 +404,9 @@ fn textures(
     Ok((!found.is_empty()).then(|| Arc::new(Textures::new(found, colour))))
 }
 
-/// The origin for the spheres and cones of a scene that has no mesh.
+/// The origin for the spheres and cones of a scene that has no mesh: the eye of the scene's view,
+/// as then neither the eye nor what is near it is rounded much. Far away, the objects themselves
+/// matter more.
 fn origin_of_objects(scene: &Scene) -> DVec3 {
     let boxes = scene.objects.iter().filter_map(|object| match object.shape {
         Shape::Sphere { centre, radius } => Some([centre - radius.abs(), centre + radius.abs()]),
@@ -413,7 +415,12 @@ fn origin_of_objects(scene: &Scene) -> DVec3 {
     });
     let around = boxes
         .reduce(|[low, high], [other_low, other_high]| [low.min(other_low), high.max(other_high)]);
-    around.map_or(DVec3::ZERO, |[low, high]| Mesh::origin_for(low, high))
+    let eye = scene.view.from;
+    around.map_or(DVec3::ZERO, |[low, high]| {
+        let away = (eye - eye.clamp(low, high)).abs().max_element();
+        let is_near = away <= (high - low).max_element();
+        if is_near { eye } else { Mesh::origin_for(low, high) }
+    })
 }
 
 /// A scene's objects of these kinds, with single precision, relative to an origin.

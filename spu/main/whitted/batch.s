@@ -234,6 +234,15 @@ sent:   sum_lanes $3,$amount
         a       $w_first,$w_first,$w_here
         ceq     $c_any,$w_first,$w_count
         brz     $c_any,next_run
+        # Local store holds few objects, and their rays are rarely reflected often.
+        lqa     $turned,streamed
+        andi    $turned,$turned,FEATURE_MESH
+        brz     $turned,refined
+        lqa     $3,rays_at
+        ori     $4,$w_count,0
+        lqa     $5,surfaces_at
+        brsl    $lr,refine_hits_r16
+refined:
         leave
 endfunction surfaces_make
 

@@ -86,12 +86,13 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<
 }
 
 /// The rays that leave from the hits of packets, as [`meet`] returns them, with a light at this
-/// place.
+/// place. Hits on streamed objects are `refined`.
 pub fn leave(
     bench: &mut Bench,
     products: &[&Product],
     packets: &[[Ray; 16]],
     light: [Single; 3],
+    refined: bool,
 ) -> Vec<Leaving> {
     bench.reset();
     let nothing = put(bench, &[Material::new_zeroed()]);
@@ -121,6 +122,9 @@ pub fn leave(
     let surfaces = bench.place(&vec![0x55; size_of::<Surfaces>() * packets.len()]);
     let arguments = [rays.address, count, surfaces.address, background.address];
     bench.call("surfaces_r16", &arguments);
+    if refined {
+        bench.call("refine_hits_r16", &arguments[..3]);
+    }
     let shadow = put(bench, &vec![RayPacket::new_zeroed(); packets.len()]);
     let site = |number: usize| Site {
         surfaces: address::<Surfaces>(surfaces, number).into(),

@@ -69,6 +69,20 @@ fn eye_moves_in_mesh_coordinates() {
 }
 
 #[test]
+fn streamed_spheres_are_relative_to_a_near_eye() {
+    let mut scene = scenes::sphereflake::generate(4).unwrap();
+    for (from, relative) in
+        [([2.1, 1.3, 1.7], [0.0; 3]), ([210.0, 130.0, 170.0], [210.0, 130.0, 170.0])]
+    {
+        scene.view.from = DVec3::from_array(from);
+        let mut block = of(&scene, RenderOptions::default());
+        block.write_for(scene.view.from).unwrap();
+        let [eye @ .., _] = block.mesh().unwrap().eye.map(F32::get);
+        assert_eq!(eye, relative);
+    }
+}
+
+#[test]
 fn unconvertible_mesh_names_its_file() {
     let mut scene = square(2000);
     let mut mesh = Mesh::clone(scene.mesh.as_deref().unwrap());

@@ -224,7 +224,7 @@ listed:
         tally   tests_possible,$4
         ceqi    $c_more,$header,MESH_CONES
         brnz    $c_more,cones
-        brsl    $lr,isect_bounced_spheres
+        brsl    $lr,isect_seen_spheres
 objects_tested:
         # The rays' hits are addresses of objects in the block, which may leave the cache. They
         # get numbers, as triangles have: the offset in the block is in quadwords.

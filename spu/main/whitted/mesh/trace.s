@@ -459,7 +459,7 @@ object_leaf:
         tally   tests_possible,$4
         ceqi    $c_end,$header,MESH_CONES
         brnz    $c_end,cones
-        brsl    $lr,isect_bounced_spheres
+        brsl    $lr,isect_seen_spheres
 objects_tested:
         il      $c_end,-1
         br      tested

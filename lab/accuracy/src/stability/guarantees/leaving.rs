@@ -56,16 +56,20 @@ struct Target {
 struct Leave {
     kind: Kind,
     body: fn(&mut Generator) -> Option<Body>,
+    /// Whether it is streamed, so that its hits are refined.
+    streamed: bool,
 }
 
 /// A family for each kind of body.
 pub fn families() -> impl Iterator<Item = Family> {
     type Make = fn(&mut Generator) -> Option<Body>;
-    let kinds: [(_, _, _, Make); 5] = [
+    let kinds: [(_, _, _, Make); 7] = [
         ("leave-spheres", "spheres", Kind::Sphere, sphere),
+        ("leave-streamed-spheres", "spheres", Kind::Sphere, sphere),
         ("leave-triangles", "triangles", Kind::Triangle, triangle),
         ("leave-rectangles", "parallelograms", Kind::Rectangle, rectangle),
         ("leave-cones", "cones", Kind::Cone, stout_cone),
+        ("leave-streamed-cones", "cones", Kind::Cone, stout_cone),
         ("leave-thin-cones", "cones", Kind::Cone, thin_cone),
     ];
     kinds.into_iter().map(|(name, shapes, kind, body)| Family {
@@ -74,7 +78,7 @@ pub fn families() -> impl Iterator<Item = Family> {
         unit: "rays lost or stuck",
         bound: Bound::none("rays start by SURFACES_leave off"),
         rounds: 250,
-        cases: Box::new(Leave { kind, body }),
+        cases: Box::new(Leave { kind, body, streamed: name.contains("streamed") }),
     })
 }
 
@@ -277,12 +281,13 @@ fn try_packets(
     products: &[&Product],
     lines: &[[Line; 16]],
     light: [Single; 3],
+    streamed: bool,
     tally: &mut Tally,
 ) {
     let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
     let rays: Vec<Lanes> = lines.iter().map(rays).collect();
     let hits = meet(bench, products, &rays);
-    let leaving = leave(bench, products, &hits, light);
+    let leaving = leave(bench, products, &hits, light, streamed);
     for kind in [Start::Reflected, Start::Refracted, Start::Shadow] {
         let of_kind = |(leaving, hits): (&Leaving, &[Ray; 16])| {
             let rays = match kind {
@@ -363,7 +368,7 @@ impl Cases for Leave {
             let far = magnitude(-2, 10, random);
             let light = add_scaled(around, far, direction(random)).map(from_f64);
             let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
-            try_packets(bench, &products, &lines, light, tally);
+            try_packets(bench, &products, &lines, light, self.streamed, tally);
         }
     }
 
@@ -374,7 +379,7 @@ impl Cases for Leave {
         let product = Product::from_words(self.kind, object);
         let [origin, direction, light] = points_of(lines)?;
         let lines = [[[origin, direction]; 16]];
-        try_packets(bench, &[&product], &lines, light, tally);
+        try_packets(bench, &[&product], &lines, light, self.streamed, tally);
         Ok(())
     }
 }

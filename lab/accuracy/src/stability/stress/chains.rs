@@ -245,7 +245,7 @@ impl Chain {
         for bounce in 0..self.bounces as usize {
             let products: Vec<&Product> = mirrors.iter().map(|pair| &pair[bounce % 2]).collect();
             let hits = meet(bench, &products, &rays);
-            let leaving = leave(bench, &products, &hits, [0; 3]);
+            let leaving = leave(bench, &products, &hits, [0; 3], false);
             for (number, leaving) in leaving.iter().enumerate() {
                 let found = &leaving.surfaces;
                 for lane in 0..16 {

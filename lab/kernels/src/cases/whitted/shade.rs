@@ -18,7 +18,7 @@ use crate::bench::Bench;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::description::Description as _;
 use display::Values;
-use gather::{Hit, Hits, SameObjects};
+use gather::{Hit, Hits, RefineHits, SameObjects};
 use light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use protocol::layout;
 use shapes::Shape;
@@ -53,6 +53,11 @@ pub const KERNELS: &[Kernel] = &[
         cases: &[Case { name: "all hit", objects: PACKETS, place: hits::<true> }],
         error: Some(error::surfaces_same),
         ..Kernel::of::<Hits<true>>()
+    },
+    Kernel {
+        cases: &[Case { name: "all hit", objects: PACKETS, place: refine_hits }],
+        error: Some(error::refine_hits),
+        ..Kernel::of::<RefineHits>()
     },
     Kernel {
         cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<AMBIENT> }],
@@ -101,7 +106,7 @@ pub const KERNELS: &[Kernel] = &[
 
 /// A background and a sphere in front of the eye with their material, and packets of rays that hit
 /// the sphere.
-fn hits<const SAME: bool>(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn hits_of_sphere<const SAME: bool>(count: u32) -> Hits<SAME> {
     let half = from_f64(0.5);
     let material = Material {
         colour: [half; 3],
@@ -118,12 +123,19 @@ fn hits<const SAME: bool>(bench: &mut Bench, count: u32) -> Vec<u32> {
         flags: 0,
     };
     let ray = Ray { origin: [0; 3], direction: [0.0, 0.0, -1.0].map(from_f64), t: from_f64(4.0) };
-    let hits = Hits::<SAME> {
+    Hits {
         packets: vec![[Hit { ray, object: 1 }; 16]; count as usize],
         objects: vec![(Shape::sphere([0.0, 0.0, -5.0], 1.0).object(), 0); 2],
         materials: vec![material],
-    };
-    hits.place(bench).1
+    }
+}
+
+fn hits<const SAME: bool>(bench: &mut Bench, count: u32) -> Vec<u32> {
+    hits_of_sphere::<SAME>(count).place(bench).1
+}
+
+fn refine_hits(bench: &mut Bench, count: u32) -> Vec<u32> {
+    RefineHits(hits_of_sphere(count)).place(bench).1
 }
 
 fn same_objects(bench: &mut Bench, count: u32) -> Vec<u32> {

@@ -9,6 +9,7 @@ use kernels::single::bits;
 use kernels::vector::{dot, sub};
 use protocol::layout::Surfaces;
 use spu_emulator::float::single::{from_f64, to_f64};
+use twins::refine_hits::refine;
 use twins::surfaces::{Ray, surface};
 
 use super::vector;
@@ -50,6 +51,57 @@ fn normals_are_the_shapes_on_the_rays_side() {
     println!("normals: {worst:.3}");
     // 2^-23 + leave / (4 r)
     assert!(worst <= 0.25, "{worst}");
+}
+
+#[test]
+fn refined_hits_have_the_normals_of_the_exact_hits() {
+    let mut random = random();
+    let material = any_material(&mut random);
+    let [mut refined, mut before, mut aside] = [0.0_f64; 3];
+    for _ in 0..2000 {
+        let (shapes, objects, hits) = any_hits(&mut random);
+        for (lane, (shape, hit)) in shapes.iter().zip(&hits).enumerate() {
+            let object = &objects[lane + 1].0;
+            let Some([point, normal]) = refine(&hit.ray, object) else {
+                continue;
+            };
+            let [origin, direction] = [hit.ray.origin, hit.ray.direction].map(vector);
+            let mut t = to_f64(hit.ray.t);
+            let at = |t: f64| std::array::from_fn(|k| origin[k] + t * direction[k]);
+            for _ in 0..6 {
+                let (height, normal) = shape.at(at(t));
+                t -= height / dot(normal, direction);
+            }
+            let (_, exact) = shape.at(at(t));
+            let cosine = dot(exact, direction);
+            if cosine.abs() < 0.1 {
+                continue;
+            }
+            let from = sub(at(t), shape.centre);
+            let radius = (shape.offset - shape.slope * dot(from, shape.axis)) / shape.gain;
+            let start = sub(origin, shape.centre);
+            let size = dot(start, start).sqrt() + dot(from, from).sqrt();
+            let unit = 2_f64.powi(-23) * (1.0 + size / radius.abs()) / cosine.abs();
+            let error = |found: [u32; 3]| {
+                let found = vector(found);
+                let off = sub(found, exact.map(|x| -cosine.signum() * x));
+                dot(off, off).sqrt() / unit
+            };
+            refined = refined.max(error(normal));
+            before = before.max(error(surface(&hit.ray, object, &material).plane));
+            let point = sub(vector(point), at(t));
+            let along = dot(point, direction);
+            let off: [f64; 3] = std::array::from_fn(|k| point[k] - along * direction[k]);
+            let far = at(t).iter().fold(0.0, |far: f64, x| far.max(x.abs()));
+            // Three roundings of three coordinates.
+            aside = aside.max(dot(off, off).sqrt() / (2_f64.powi(-23) * far));
+        }
+    }
+    println!("normals: {refined:.2}, before {before:.2}; points beside their rays: {aside:.2} ulp");
+    assert!(
+        refined <= 1.5 && before >= 3.0 * refined && aside <= 3.5,
+        "{refined} {before} {aside}"
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@ use twins::surfaces::{Material, Object, Surface, surface};
 use twins::{ONE, Single, ZERO};
 
 use super::display::Values;
-use super::gather::{Hit, Hits};
+use super::gather::{Hit, Hits, RefineHits};
 use super::light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use super::shapes::Shape;
 use super::sums::{Rows, Shares};
@@ -55,6 +55,21 @@ pub fn any_hits(random: &mut ChaCha8Rng) -> ([Shape; 16], Vec<(Object, usize)>, 
     let hits =
         std::array::from_fn(|lane| Hit { ray: shapes[lane].any_ray(random), object: lane + 1 });
     (shapes, objects, hits)
+}
+
+/// The largest distance of a point that was moved along its ray from its surface, relative to the
+/// origin offset that the surface states.
+pub fn refine_hits(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let (shapes, objects, hits) = any_hits(random);
+        let materials = vec![any_material(random)];
+        let found = RefineHits(Hits { packets: vec![hits], objects, materials }).call(bench);
+        for (lane, shape) in shapes.iter().enumerate() {
+            worst = worst.max(off_surface(&found[0].0, lane, shape));
+        }
+    }
+    worst
 }
 
 /// The largest distance of a point from its surface, relative to the origin offset that the

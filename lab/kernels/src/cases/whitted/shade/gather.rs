@@ -6,6 +6,7 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
 use twins::FARTHEST;
+use twins::refine_hits::refine;
 use twins::surfaces::{Material, Object, Ray, same_objects, surface};
 
 use super::error::{any_hits, any_material};
@@ -14,6 +15,7 @@ use super::{LENGTHS, records};
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put};
 use crate::description::{Bits, Description, any_bits};
+use crate::single::single;
 use protocol::layout::{self, RayPacket, Surfaces};
 use records::PacketRay;
 
@@ -137,6 +139,55 @@ impl<const SAME: bool> Description for Hits<SAME> {
             Bits(records::surfaces(&surfaces, &surfaces.map(|lane| lane.plane), at))
         });
         (surfaces.collect(), counts)
+    }
+}
+
+/// Hits whose surfaces `surfaces_r16` has made.
+#[derive(Clone, Debug)]
+pub struct RefineHits(pub Hits<false>);
+
+impl Description for RefineHits {
+    const KERNEL: &'static str = "refine_hits_r16";
+    const ROUNDS: [usize; 2] = [20, 1000];
+    const LENGTHS: &'static [usize] = LENGTHS;
+    type Placed = (Place, Vec<u32>);
+    type Found = Vec<Bits<Surfaces>>;
+
+    fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self(Hits::sensible(count, random))
+    }
+
+    fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
+        Self(Hits::any(count, random))
+    }
+
+    fn place(&self, bench: &mut Bench) -> (Self::Placed, Vec<u32>) {
+        let (placed, mut arguments) = self.0.place(bench);
+        let surfaces: Vec<Surfaces> = self.0.twin(&placed).0.into_iter().map(|it| it.0).collect();
+        let found = put(bench, &surfaces);
+        arguments.truncate(2);
+        arguments.push(found.address);
+        ((found, placed.1), arguments)
+    }
+
+    fn found(&self, bench: &Bench, (surfaces, _): &Self::Placed, _: u32) -> Self::Found {
+        bench.read_all(*surfaces).into_iter().map(Bits).collect()
+    }
+
+    fn twin(&self, placed: &Self::Placed) -> Self::Found {
+        let (mut surfaces, _) = self.0.twin(placed);
+        for (packet, Bits(rows)) in self.0.packets.iter().zip(&mut surfaces) {
+            for (lane, hit) in packet.iter().enumerate() {
+                let Some([point, normal]) = refine(&hit.ray, &self.0.objects[hit.object].0) else {
+                    continue;
+                };
+                [rows.point_x[lane], rows.point_y[lane], rows.point_z[lane]] = point.map(single);
+                [rows.plane_x[lane], rows.plane_y[lane], rows.plane_z[lane]] = normal.map(single);
+                [rows.normal_x[lane], rows.normal_y[lane], rows.normal_z[lane]] =
+                    normal.map(single);
+            }
+        }
+        surfaces
     }
 }
 
