@@ -17,6 +17,9 @@
 # Samples are a regular grid of n by n, turned so far that all have another x and another y:
 #   x = i/n + j/n^2, y = j/n - i/n^2, from the first sample on, i and j from 0 to n - 1
 # Edges that are nearly upright or level then have n^2 + 1 shades, not n + 1.
+#
+# The loop counts up, so that it isn't pipelined, which would double its size. The four rows of a
+# packet fill one another's waits.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -73,6 +76,7 @@ function sample_rays_r16
         lqd     $k_column+\row,16*\row($a_pattern)
         lqd     $k_row+\row,64+16*\row($a_pattern)
     .endr
+        sfi     $count,$count,0
 next_packet:
     .irp row, 0,1,2,3
         lqd     $place,PLACE_SIZE*\row($a_place)
@@ -101,7 +105,7 @@ next_packet:
         ai      $a_place,$a_place,4*PLACE_SIZE
         ai      $a_packet,$a_packet,RAYS16_SIZE/2
         ai      $a_packet,$a_packet,RAYS16_SIZE/2
-        ai      $count,$count,-1
+        ai      $count,$count,1
         brnz    $count,next_packet
         bi      $lr
 endfunction sample_rays_r16
