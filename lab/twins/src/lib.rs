@@ -41,6 +41,7 @@ pub mod reflect;
 pub mod refract;
 pub mod sample_rays;
 pub mod shade_depth;
+pub mod shades;
 pub mod shader;
 pub mod shadow_rays;
 pub mod smooth;

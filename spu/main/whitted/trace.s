@@ -604,6 +604,14 @@ in_mesh:
         ceqi    $counts,$w_packets,0
         and     $c_more,$c_more,$counts
         brnz    $c_more,counted
+        # Nor for shadow rays, if it is known where the ground is in its own shadow.
+        lqa     $c_more,cuts
+        ceqi    $counts,$w_packets,0
+        andc    $c_more,$c_more,$counts
+        brz     $c_more,unknown
+        brsl    $lr,shades_look
+        brz     $3,known
+unknown:
         lqa     $c_more,to_shear
         brz     $c_more,have_shears
         brsl    $lr,shears_make
@@ -612,6 +620,10 @@ have_shears:
         ori     $4,$w_traced,0
         brsl    $lr,paths_before_mesh
         brsl    $lr,mesh_trace
+        lqa     $c_more,cuts
+        brz     $c_more,counted
+        brz     $w_packets,counted
+known:  brsl    $lr,shades_end
         br      counted
 endfunction packets_trace
 
