@@ -4,10 +4,11 @@
 #                                     unsigned ground);
 #   In      $3 rays to the light, consecutive; $4 packets (at least 1); $5 numbers of the shadows;
 #           $6 SHADE_BLOCKS by SHADE_BLOCKS blocks: bits of lit cells in two words, and the bounds
-#           of the shadow; $7 the level, the first line of the blocks and the first lane; $8 the
-#           ground's OBJECT; pointers 16-aligned
+#           of the shadow, of which the upper one ends with how many blocks before this one end
+#           where ground is high enough; $7 the level, the first line of the blocks, the first lane,
+#           and the length of a ray in a block; $8 the ground's OBJECT; pointers 16-aligned
 #   Out     t: SHADE_LIT for rays that reach the light, -1 for those that the ground blocks; object:
-#           the ground for these
+#           the ground for these; for other rays in the field, t is how far they may be blocked
 #           $3 not 0 if other rays are left
 #   Uses    $3-$50   Saves  -   Stack  0   Calls  -
 #   Domain  any; rays in cells of other blocks get those of one that is there
@@ -23,7 +24,7 @@
         .set    NEXT,3
         registers a_row,rows,a_shades,a_blocks,a_first,ground
         registers line_x,line_0,line_z,line_last,place_x,place_0,place_z,place_last,slant,shift
-        registers fall,base,zero,k_no_ray,k_lit,level,first_line,first_lane,any,m_first,m_last
+        registers fall,base,zero,k_no_ray,k_lit,level,first_line,first_lane,length,any,m_first,m_last
         registers line,lane,outside,x,z,t,one,two,height,known
         registers cell                                  # to cell+3: bits, bits, bounds
         .set    NEXT,cell+4
@@ -39,9 +40,11 @@ function cuts_shades_r16
         lqd     $level,0($a_first)
         rotqbyi $first_line,$level,4
         rotqbyi $first_lane,$level,8
+        rotqbyi $length,$level,12
         splat   $level,$level,$one
         splat   $first_line,$first_line,$one
         splat   $first_lane,$first_lane,$one
+        splat   $length,$length,$one
         splat   $ground,$ground,$one
         sfi     $level,$level,0
         lqa     $m_first,transpose_first
@@ -90,6 +93,13 @@ next_row:
         or      $known,$cell,$one
         andc    $known,$known,$outside
         and     $one,$one,$known
+        # How far before the ray ground may be high enough.
+        andi    $x,$cell+3,SHADE_ENDLESS
+        ceqi    $z,$x,SHADE_ENDLESS
+        csflt   $x,$x,0
+        fma     $x,$x,$length,$length
+        or      $z,$z,$outside
+        selb    $t,$x,$t,$z
         lqd     $two,RAYS16_object($a_row)
         selb    $two,$two,$ground,$one
         stqd    $two,RAYS16_object($a_row)

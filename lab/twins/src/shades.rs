@@ -1,7 +1,7 @@
 //! Twin of `spu/isect/cuts_extent_r16.s` and `spu/shade/cuts_shades_r16.s`: the shadow rays of which
 //! it is known whether the ground blocks them.
 
-use spu_emulator::float::convert::cflts;
+use spu_emulator::float::convert::{cflts, csflt};
 use spu_emulator::float::single::{fa, fcgt, fma, fnms, fs};
 
 use super::mesh::minimum;
@@ -53,7 +53,7 @@ impl Shades {
         &self,
         ray: Ray,
         blocks: &[[u32; 4]],
-        [level, line, lane]: [u32; 3],
+        [level, line, lane, length]: [u32; 4],
         ground: u32,
     ) -> (Single, u32) {
         let ([_, y, _], t, object) = ray;
@@ -75,10 +75,15 @@ impl Shades {
         } else if fcgt(low, height) != 0 {
             (NO_RAY, ground)
         } else {
-            (t, object)
+            let reach = high & ENDLESS;
+            let end = fma(csflt(reach, 0), length, length);
+            (if reach == ENDLESS { t } else { end }, object)
         }
     }
 }
+
+/// The bits of an upper bound that count blocks, and their value without an end.
+const ENDLESS: u32 = 255;
 
 /// The t of a ray that reaches the light, and that of one that does not: -2 and -1.
 const LIT: Single = 0xc000_0000;

@@ -17,7 +17,7 @@
 
 use glam::DVec3;
 use protocol::layout::{SHADE_LEVELS, SHADES_BESIDE};
-use scenes::{HeightField, HeightRegion};
+use scenes::{HeightField, HeightRegion, MAX_SAMPLES};
 use zerocopy::big_endian::{F32, U32};
 
 use super::samples::Four;
@@ -35,6 +35,8 @@ const LESS: f64 = 1.0 / 1024.0;
 const MARGIN: f64 = 1.0 / (1 << 19) as f64;
 /// How many lines back the ground is compared with what is above it.
 const LINES: usize = 16;
+/// The mask of the bits of an upper bound that count blocks, and their value without an end.
+const ENDLESS: u32 = 255;
 
 /// A light's direction, as far as its shadows need it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -49,6 +51,8 @@ pub(super) struct Sun {
     /// How far a lane goes aside from line to line, in samples, and how much the plane falls.
     slant: f64,
     fall: f64,
+    /// How long a ray is from line to line.
+    length: f64,
     /// What is added to places so that those of lanes are above 0.
     shift: f64,
     /// Rows and columns of blocks.
@@ -61,6 +65,8 @@ pub(super) struct SunRecord {
     pub rows: u32,
     pub columns: u32,
     pub slant: u32,
+    /// How far it is through a block.
+    pub length: F32,
     /// A place's line is the sum of its parts times these, and so is its sample of the line.
     pub line: [F32; 4],
     pub place: [F32; 4],
@@ -92,6 +98,7 @@ impl Sun {
             size,
             slant,
             fall,
+            length: field.step() / major.abs(),
             shift,
             blocks,
         })
@@ -141,6 +148,7 @@ impl Sun {
             rows: self.blocks[0] as u32,
             columns: self.blocks[1] as u32,
             slant: self.parts(),
+            length: single(SIDE as f64 * self.length),
             line: axis(0),
             place: axis(1),
             lane: [self.slant, self.shift, self.fall, -corner.y].map(single),
@@ -149,6 +157,8 @@ impl Sun {
 }
 
 /// The cells of all levels. A block is a quadword: a bit for each cell that is lit, and the bounds.
+/// The last bits of the upper one say how far before the block rays may be blocked that are not
+/// dark: farther away, all ground is below the lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Shades {
     pub sun: Sun,
@@ -161,21 +171,26 @@ struct Cells {
     lit: u64,
     low: f32,
     high: f32,
+    /// How many blocks before this one end where ground is high enough.
+    reach: u32,
 }
 
 impl Cells {
     /// Nothing: cells beside the field.
-    const NONE: Self = Self { lit: u64::MAX, low: f32::MAX, high: -f32::MAX };
+    const NONE: Self = Self { lit: u64::MAX, low: f32::MAX, high: 0.0, reach: 0 };
 
     fn of(Four([first, last, low, high]): Four) -> Self {
         let lit = u64::from(first.get()) << 32 | u64::from(last.get());
+        let reach = high.get() & ENDLESS;
         let [low, high] = [low, high].map(|bits| f32::from_bits(bits.get()));
-        Self { lit, low, high }
+        Self { lit, low, high, reach }
     }
 
     fn packed(self) -> Four {
         let [first, last] = [self.lit >> 32, self.lit].map(|half| half as u32);
-        Four([first, last, self.low.to_bits(), self.high.to_bits()].map(U32::new))
+        // Bounds are not below 0, so more bits are a greater number.
+        let high = ((self.high.to_bits() + ENDLESS) & !ENDLESS) | self.reach;
+        Four([first, last, self.low.to_bits(), high].map(U32::new))
     }
 }
 
@@ -332,6 +347,9 @@ impl Shades {
             let part = Cells::of(self.memory[from]);
             cells.low = cells.low.min(part.low);
             cells.high = cells.high.max(part.high);
+            let is_endless = part.reach == ENDLESS;
+            let reach = if is_endless { ENDLESS } else { part.reach.div_ceil(2) };
+            cells.reach = cells.reach.max(reach);
             for cell in 0..SIDE * SIDE {
                 let [line, lane] = [cell / SIDE, cell % SIDE];
                 if part.lit & bit(line, lane) == 0 {
@@ -351,12 +369,33 @@ impl Shades {
                 self.memory[at] = Cells::NONE.packed();
             }
         }
+        // The highest ground up to each line.
+        let mut highs = [0.0; MAX_SAMPLES as usize];
         for lane in column * SIDE..(column + 1) * SIDE {
-            self.sweep_lane(ground, lane);
+            self.sweep_lane(ground, lane, &mut highs);
+        }
+        for line in 1..highs.len() {
+            highs[line] = highs[line].max(highs[line - 1]);
+        }
+        for row in 0..sun.rows(0) {
+            let Some(at) = sun.index(0, row, column) else {
+                continue;
+            };
+            let mut cells = Cells::of(self.memory[at]);
+            let first = (row * SIDE).min(sun.size[0]);
+            let lower = highs[..first].partition_point(|high| *high < cells.low);
+            cells.reach = ((first - lower).div_ceil(SIDE) as u32 + 1).min(ENDLESS);
+            self.memory[at] = cells.packed();
         }
     }
 
-    fn sweep_lane(&mut self, ground: &Ground<'_>, lane: usize) {
+    /// Sweeps a lane, and adds its ground to the highest up to each line.
+    fn sweep_lane(
+        &mut self,
+        ground: &Ground<'_>,
+        lane: usize,
+        highs: &mut [f32; MAX_SAMPLES as usize],
+    ) {
         let sun = self.sun;
         let [lines, places] = sun.size;
         // The first line behind which it is in the field, and the last.
@@ -370,7 +409,9 @@ impl Shades {
             * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
         let mut before = ground.line(lane, first);
         let mut highest = before.sides.map(|side| side + before.above);
-        let mut surely = f64::MIN;
+        let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;
+        highs[first] = highs[first].max(bound(highest));
+        let mut surely = 0.0_f64;
         let mut is_lit = true;
         // The highest ground before each of the last lines, as far as none has risen.
         let mut past = [[0.0; 2]; LINES];
@@ -405,9 +446,11 @@ impl Shades {
             if !cell {
                 cells.lit &= !bit(line, lane);
             }
-            cells.low = cells.low.min((surely - margin).max(f64::from(-f32::MAX)) as f32);
-            cells.high = cells.high.max((highest[0].max(highest[1]) + margin) as f32);
+            let high = bound(highest);
+            cells.low = cells.low.min((surely - margin).max(0.0) as f32);
+            cells.high = cells.high.max(high);
             self.memory[at] = cells.packed();
+            highs[line + 1] = highs[line + 1].max(high);
         }
     }
 

@@ -172,6 +172,7 @@ impl HeightView {
             record.shades_rows = of_sun.rows.into();
             record.shades_columns = of_sun.columns.into();
             record.shades_slant = of_sun.slant.into();
+            record.shades_length = of_sun.length;
             record.shades_line = of_sun.line;
             record.shades_place = of_sun.place;
             record.shades_lane = of_sun.lane;

@@ -52,8 +52,10 @@ record! {
         shades_columns: U32,
         /// How far a row begins farther right than the one below it, in parts of 65536 of a block.
         shades_slant: U32,
+        /// How far a ray to the light goes through a block of the first level.
+        shades_length: F32,
         /// 0.
-        reserved_4: [U32; 2],
+        reserved_4: U32,
         /// A place's line is x and z times the first and third, and the second. The fourth is the
         /// last line.
         shades_line: [F32; 4],

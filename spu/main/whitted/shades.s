@@ -125,13 +125,18 @@ next_blocks:
         ceq     $one,$first_line,$last_line
         ai      $first_line,$first_line,1
         brz     $one,next_blocks
-        # The level, the first line and the first lane.
+        # The level, the first line and the first lane, and the length of a block.
+        load_word $high,HEIGHTS_shades_length,$a_field
+        shli    $low,$level,23
+        a       $high,$high,$low
         shli    $one,$extent,SHADE_SIDE_LOG2
         shli    $two,$first_lane,SHADE_SIDE_LOG2
         cwd     $quad,4($sp)
         shufb   $level,$one,$level,$quad
         cwd     $quad,8($sp)
         shufb   $level,$two,$level,$quad
+        cwd     $quad,12($sp)
+        shufb   $level,$high,$level,$quad
         stqa    $level,arena+SHADE_EXTENT
         il      $3,1<<TAG_MESH
         brsl    $lr,dma_wait
@@ -146,21 +151,21 @@ next_blocks:
 endfunction shades_look
 
         .set    NEXT,10
-        registers a_row,packets_left,k_lit,k_beyond,t,c_lit
+        registers a_row,packets_left,k_no_ray,k_beyond,t,c_ray
 
-# shades_end   lets the rays that are known to reach the light do so
+# shades_end   gives the rays that reach the light its distance
 #   Uses    $10-$15
 function shades_end
         lqa     $a_row,shadow_rays_at
         ori     $packets_left,$w_traced,0
-        ilhu    $k_lit,SHADE_LIT>>16
+        ilhu    $k_no_ray,0xbf80                        # -1: fewer bits than those of SHADE_LIT
         ilhu    $k_beyond,FARTHEST>>16
 next_packet:
         hbrr    last_packet,next_packet
     .irp row, 0,1,2,3
         lqd     $t,RAYS16_t+16*\row($a_row)
-        ceq     $c_lit,$t,$k_lit
-        selb    $t,$t,$k_beyond,$c_lit
+        cgt     $c_ray,$t,$k_no_ray
+        selb    $t,$t,$k_beyond,$c_ray
         stqd    $t,RAYS16_t+16*\row($a_row)
     .endr
         ai      $packets_left,$packets_left,-1

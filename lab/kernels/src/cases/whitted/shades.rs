@@ -149,8 +149,8 @@ impl Description for Extent {
 pub struct Known {
     rays: Rays,
     blocks: Vec<[u32; 4]>,
-    /// The level, the first line and the first lane.
-    first: [u32; 3],
+    /// The level, the first line, the first lane, and the length of a block.
+    first: [u32; 4],
 }
 
 impl Known {
@@ -158,7 +158,9 @@ impl Known {
         let block = |_| {
             let low = random.random_range(-spread..spread);
             let high = low + random.random_range(0.0..spread);
-            [random.next_u32(), random.next_u32(), from_f64(low), from_f64(high)]
+            // Some are without an end.
+            let reach = random.random_range(0..=300_u32).min(255);
+            [random.next_u32(), random.next_u32(), from_f64(low), from_f64(high) & !255 | reach]
         };
         (0..BLOCKS * BLOCKS).map(block).collect()
     }
@@ -175,14 +177,15 @@ impl Description for Known {
     fn sensible(count: usize, random: &mut ChaCha8Rng) -> Self {
         let rays = Rays::sensible(count, random);
         let blocks = Self::blocks(random, 2000.0);
-        let first = [random.random_range(0..6), 8 * random.random_range(0..4), 0];
+        let length = from_f64(random.random_range(1.0..1000.0));
+        let first = [random.random_range(0..6), 8 * random.random_range(0..4), 0, length];
         Self { rays, blocks, first }
     }
 
     fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
         let rays = Rays::any(count, random);
         let blocks = (0..BLOCKS * BLOCKS).map(|_| [(); 4].map(|()| random.next_u32())).collect();
-        Self { rays, blocks, first: [random.random_range(0..6), random.next_u32(), 8] }
+        Self { rays, blocks, first: [random.random_range(0..6), random.next_u32(), 8, random.next_u32()] }
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
@@ -191,8 +194,7 @@ impl Description for Known {
             all.iter().map(|words| words.map(U32::new)).collect()
         };
         let blocks = put(bench, &quads(&self.blocks)).address;
-        let [level, line, lane] = self.first;
-        let first = put(bench, &quads(&[[level, line, lane, 0]])).address;
+        let first = put(bench, &quads(&[self.first])).address;
         let packets = self.rays.rays.len() as u32 / 16;
         (rays, vec![rays.address, packets, shades.address, blocks, first, GROUND])
     }
