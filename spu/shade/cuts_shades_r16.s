@@ -4,9 +4,9 @@
 #                                     unsigned ground);
 #   In      $3 rays to the light, consecutive; $4 packets (at least 1); $5 numbers of the shadows;
 #           $6 SHADE_BLOCKS by SHADE_BLOCKS blocks: bits of lit cells in two words, and the bounds
-#           of the shadow, of which the upper one ends with how many blocks before this one end
-#           where ground is high enough; $7 the level, the first line of the blocks, the first lane,
-#           and the length of a ray in a block; $8 the ground's OBJECT; pointers 16-aligned
+#           of the shadow, of which the upper one ends with how many lines before this block
+#           ground may be high enough; $7 the level, the first line of the blocks, the first lane,
+#           and the length of a ray from line to line; $8 the ground's OBJECT; pointers 16-aligned
 #   Out     t: SHADE_LIT for rays that reach the light, -1 for those that the ground blocks; object:
 #           the ground for these; for other rays in the field, t is how far they may be blocked
 #           $3 not 0 if other rays are left
@@ -25,7 +25,7 @@
         registers a_row,rows,a_shades,a_blocks,a_first,ground
         registers line_x,line_0,line_z,line_last,place_x,place_0,place_z,place_last,slant,shift
         registers fall,base,zero,k_no_ray,k_lit,level,first_line,first_lane,length,any,m_first,m_last
-        registers line,lane,outside,x,z,t,one,two,height,known
+        registers line,lane,outside,x,z,t,one,two,height,known,endless
         registers cell                                  # to cell+3: bits, bits, bounds
         .set    NEXT,cell+4
         registers turned                                # to turned+3
@@ -79,6 +79,12 @@ next_row:
         transpose cell,cell,turned,$m_first,$m_last
         andi    $line,$line,7
         andi    $lane,$lane,7
+        # How far before the ray ground may be high enough.
+        andi    $x,$cell+3,SHADE_ENDLESS
+        ceqi    $endless,$x,SHADE_ENDLESS
+        a       $x,$x,$line
+        csflt   $x,$x,0
+        fma     $x,$x,$length,$length
         cgti    $one,$line,3
         selb    $cell,$cell,$cell+1,$one
         andi    $line,$line,3
@@ -93,13 +99,8 @@ next_row:
         or      $known,$cell,$one
         andc    $known,$known,$outside
         and     $one,$one,$known
-        # How far before the ray ground may be high enough.
-        andi    $x,$cell+3,SHADE_ENDLESS
-        ceqi    $z,$x,SHADE_ENDLESS
-        csflt   $x,$x,0
-        fma     $x,$x,$length,$length
-        or      $z,$z,$outside
-        selb    $t,$x,$t,$z
+        or      $endless,$endless,$outside
+        selb    $t,$x,$t,$endless
         lqd     $two,RAYS16_object($a_row)
         selb    $two,$two,$ground,$one
         stqd    $two,RAYS16_object($a_row)

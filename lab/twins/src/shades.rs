@@ -76,13 +76,13 @@ impl Shades {
             (NO_RAY, ground)
         } else {
             let reach = high & ENDLESS;
-            let end = fma(csflt(reach, 0), length, length);
+            let end = fma(csflt(reach + line as u32 % 8, 0), length, length);
             (if reach == ENDLESS { t } else { end }, object)
         }
     }
 }
 
-/// The bits of an upper bound that count blocks, and their value without an end.
+/// The bits of an upper bound that count lines, and their value without an end.
 const ENDLESS: u32 = 255;
 
 /// The t of a ray that reaches the light, and that of one that does not: -2 and -1.

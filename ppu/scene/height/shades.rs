@@ -26,7 +26,9 @@ use crate::scene::single::single;
 /// Cells of a block, along the light and across it.
 const SIDE: usize = 8;
 const LEVELS: usize = SHADE_LEVELS as usize;
-/// How far a lane reaches into its neighbours, as a part of its width: more than the SPUs' singles
+/// Lanes of a cell, which is a square wide.
+const LANES: usize = 2;
+/// How far a lane reaches into its neighbours, in squares: more than the SPUs' singles
 /// are off.
 const OVERLAP: f64 = 1.0 / 64.0;
 /// By how much a slope must be less than the light's, as a part of that.
@@ -35,7 +37,7 @@ const LESS: f64 = 1.0 / 1024.0;
 const MARGIN: f64 = 1.0 / (1 << 19) as f64;
 /// How many lines back the ground is compared with what is above it.
 const LINES: usize = 16;
-/// The mask of the bits of an upper bound that count blocks, and their value without an end.
+/// The mask of the bits of an upper bound that count lines, and their value without an end.
 const ENDLESS: u32 = 255;
 
 /// A light's direction, as far as its shadows need it.
@@ -65,7 +67,7 @@ pub(super) struct SunRecord {
     pub rows: u32,
     pub columns: u32,
     pub slant: u32,
-    /// How far it is through a block.
+    /// How far a ray goes from line to line.
     pub length: F32,
     /// A place's line is the sum of its parts times these, and so is its sample of the line.
     pub line: [F32; 4],
@@ -148,7 +150,7 @@ impl Sun {
             rows: self.blocks[0] as u32,
             columns: self.blocks[1] as u32,
             slant: self.parts(),
-            length: single(SIDE as f64 * self.length),
+            length: single(self.length),
             line: axis(0),
             place: axis(1),
             lane: [self.slant, self.shift, self.fall, -corner.y].map(single),
@@ -157,8 +159,8 @@ impl Sun {
 }
 
 /// The cells of all levels. A block is a quadword: a bit for each cell that is lit, and the bounds.
-/// The last bits of the upper one say how far before the block rays may be blocked that are not
-/// dark: farther away, all ground is below the lower bound.
+/// The last bits of the upper one are the number of lines before the block where rays may be blocked
+/// that are not dark: before these, all ground is below the lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Shades {
     pub sun: Sun,
@@ -171,7 +173,7 @@ struct Cells {
     lit: u64,
     low: f32,
     high: f32,
-    /// How many blocks before this one end where ground is high enough.
+    /// How many lines before the block there are where ground may be high enough.
     reach: u32,
 }
 
@@ -230,10 +232,15 @@ impl Ground<'_> {
         self.field.unit() * f64::from(self.field.sample(column, row)) + fall * line as f64
     }
 
+    /// Where a lane starts at the first line.
+    fn start(&self, lane: usize) -> f64 {
+        lane as f64 / LANES as f64 - self.sun.shift
+    }
+
     /// The places between which a lane is at a line.
     fn sides(&self, lane: usize, line: usize) -> [f64; 2] {
-        let start = lane as f64 - self.sun.shift + self.sun.slant * line as f64;
-        [start - OVERLAP, start + 1.0 + OVERLAP]
+        let start = self.start(lane) + self.sun.slant * line as f64;
+        [start - OVERLAP, start + 1.0 / LANES as f64 + OVERLAP]
     }
 
     /// How much a sample of a line is above the mean of its neighbours, twice.
@@ -371,7 +378,7 @@ impl Shades {
         }
         // The highest ground up to each line.
         let mut highs = [0.0; MAX_SAMPLES as usize];
-        for lane in column * SIDE..(column + 1) * SIDE {
+        for lane in column * SIDE * LANES..(column + 1) * SIDE * LANES {
             self.sweep_lane(ground, lane, &mut highs);
         }
         for line in 1..highs.len() {
@@ -384,7 +391,7 @@ impl Shades {
             let mut cells = Cells::of(self.memory[at]);
             let first = (row * SIDE).min(sun.size[0]);
             let lower = highs[..first].partition_point(|high| *high < cells.low);
-            cells.reach = ((first - lower).div_ceil(SIDE) as u32 + 1).min(ENDLESS);
+            cells.reach = ((first - lower) as u32 + 2).min(ENDLESS);
             self.memory[at] = cells.packed();
         }
     }
@@ -399,7 +406,7 @@ impl Shades {
         let sun = self.sun;
         let [lines, places] = sun.size;
         // The first line behind which it is in the field, and the last.
-        let from = |place: f64| (place - (lane as f64 - sun.shift)) / sun.slant.max(1e-9);
+        let from = |place: f64| (place - ground.start(lane)) / sun.slant.max(1e-9);
         let first = (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize;
         let end = (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1);
         if first >= end {
@@ -439,12 +446,12 @@ impl Shades {
                     (0..2).all(|side| past[side] + margin <= here.sides[side] - here.below)
                 });
             before = here;
-            let Some(at) = sun.index(0, line / SIDE, lane / SIDE) else {
+            let Some(at) = sun.index(0, line / SIDE, lane / LANES / SIDE) else {
                 continue;
             };
             let mut cells = Cells::of(self.memory[at]);
             if !cell {
-                cells.lit &= !bit(line, lane);
+                cells.lit &= !bit(line, lane / LANES);
             }
             let high = bound(highest);
             cells.low = cells.low.min((surely - margin).max(0.0) as f32);

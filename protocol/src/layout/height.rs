@@ -52,7 +52,7 @@ record! {
         shades_columns: U32,
         /// How far a row begins farther right than the one below it, in parts of 65536 of a block.
         shades_slant: U32,
-        /// How far a ray to the light goes through a block of the first level.
+        /// How far a ray to the light goes from a line to the next.
         shades_length: F32,
         /// 0.
         reserved_4: U32,

@@ -28,9 +28,6 @@
 #   Uses    $3-$79
 function shades_look
         enter
-        lqa     $3,shadow_rays_at
-        ori     $4,$w_traced,0
-        brsl    $lr,mesh_drop_blocked
         # Whether they are this light's.
         ila     $a_field,field
         ila     $one,frame
@@ -125,7 +122,7 @@ next_blocks:
         ceq     $one,$first_line,$last_line
         ai      $first_line,$first_line,1
         brz     $one,next_blocks
-        # The level, the first line and the first lane, and the length of a block.
+        # The level, the first line and the first lane, and the length from line to line.
         load_word $high,HEIGHTS_shades_length,$a_field
         shli    $low,$level,23
         a       $high,$high,$low

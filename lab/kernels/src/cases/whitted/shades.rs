@@ -149,7 +149,7 @@ impl Description for Extent {
 pub struct Known {
     rays: Rays,
     blocks: Vec<[u32; 4]>,
-    /// The level, the first line, the first lane, and the length of a block.
+    /// The level, the first line, the first lane, and the length from line to line.
     first: [u32; 4],
 }
 
