@@ -34,7 +34,7 @@ const STACK: u32 = 0x3f780;
 const ARENA_END: u32 = 0x27780;
 /// The end of the arena for the kernels for cuts, which are there: `cuts_place`. Buffers of other
 /// kernels may take their place.
-const CUTS: u32 = 0x26100;
+const CUTS: u32 = 0x25e00;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.

@@ -274,8 +274,7 @@ impl Ground<'_> {
     /// by how much ground there may be higher than at both.
     fn strip(&self, lane: usize, line: usize) -> (bool, f64) {
         let slant = self.sun.slant;
-        let (is_main, limit) =
-            (self.sun.flipped[0] == self.sun.flipped[1], self.sun.fall * LESS);
+        let (is_main, limit) = (self.sun.flipped[0] == self.sun.flipped[1], self.sun.fall * LESS);
         let [[start, _], [_, end]] = [line, line + 1].map(|line| self.sides(lane, line));
         let last = self.sun.size[1] as i64 - 2;
         let square = |place: f64| (place.floor() as i64).clamp(0, last);
@@ -320,7 +319,8 @@ impl Shades {
             let [start, end] = [f64::from(range.start), f64::from(range.end)];
             let last = sun.size[axis] as f64 - 1.0;
             // Bends are those of the samples beside it.
-            let [start, end] = if sun.flipped[axis] { [last - end, last - start] } else { [start, end] };
+            let [start, end] =
+                if sun.flipped[axis] { [last - end, last - start] } else { [start, end] };
             [start - 2.0, end + 2.0]
         };
         let [lines, places] = [range(0), range(1)];
@@ -412,8 +412,7 @@ impl Shades {
         if first >= end {
             return;
         }
-        let margin = MARGIN
-            * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
+        let margin = MARGIN * (ground.field.unit() * f64::from(u16::MAX) + sun.fall * lines as f64);
         let mut before = ground.line(lane, first);
         let mut highest = before.sides.map(|side| side + before.above);
         let bound = |highest: [f64; 2]| (highest[0].max(highest[1]) + margin) as f32;

@@ -9,7 +9,7 @@ pub mod mesh;
 pub mod portal;
 pub mod rays;
 pub mod shade;
-pub mod shades;
 pub mod shaders;
+pub mod shades;
 pub mod smooth;
 pub mod texture;

@@ -185,7 +185,11 @@ impl Description for Known {
     fn any(count: usize, random: &mut ChaCha8Rng) -> Self {
         let rays = Rays::any(count, random);
         let blocks = (0..BLOCKS * BLOCKS).map(|_| [(); 4].map(|()| random.next_u32())).collect();
-        Self { rays, blocks, first: [random.random_range(0..6), random.next_u32(), 8, random.next_u32()] }
+        Self {
+            rays,
+            blocks,
+            first: [random.random_range(0..6), random.next_u32(), 8, random.next_u32()],
+        }
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
