@@ -190,10 +190,10 @@ fn meeting_cuts_are_not_used() {
     assert!(frame.generations()[0].blocks.used > 0);
 }
 
-/// Where it is known whether the ground hides the sun, pictures are the same as with all shadow
-/// rays: in any direction and near the horizon, with a mirror that throws a shadow, too. Fewer
-/// blocks are needed for them. On rough ground, rays that start below a triangle leave it without
-/// hitting it, so that crests are lit that are known to be dark.
+/// Where it is known whether the ground hides the sun, pictures are those with all shadow rays: in
+/// any direction and near the horizon, with a mirror that throws a shadow, too. Fewer blocks are
+/// needed for them. Cuts find some points below a triangle. Rays leave it without hitting it, so a
+/// few pixels of crests are lit that are known to be dark.
 #[test]
 fn known_shadows_are_those_of_rays() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
@@ -224,8 +224,7 @@ fn known_shadows_are_those_of_rays() {
         println!("round {round}: {other} pixels differ");
         let brighter = known.picture.as_raw().iter().zip(rays.picture.as_raw());
         assert!(brighter.filter(|(one, other)| one > other).count() == 0, "round {round}");
-        let is_same = known.picture == rays.picture;
-        assert!(is_same || rough > 0 && other < 100, "round {round}: {other} pixels differ");
+        assert!(other < 64, "round {round}: {other} pixels differ");
         for (sum, frame) in used.iter_mut().zip([&known, &rays]) {
             *sum += frame.generations()[1].blocks.used;
         }
