@@ -3,8 +3,8 @@
 #                                vec_float4 *);
 #   In      $3 rays, consecutive; $4 packets (at least 1); $5 numbers of the shadows; $6 where the
 #           result goes; pointers 16-aligned
-#   Out     the least line, the greatest, the least lane, the greatest, of the rays that are there
-#           and start above the field; FARTHEST and -FARTHEST if there is none
+#   Out     the smallest line, the largest, the smallest lane, the largest, of the rays that are
+#           there and start above the field; FARTHEST and -FARTHEST if there is none
 #   Uses    $3-$40   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
@@ -21,8 +21,8 @@
         registers a_row,rows,a_shades,a_out
         registers line_x,line_0,line_z,line_last,place_x,place_0,place_z,place_last,slant,shift
         registers zero,line,lane,outside,x,z,t,one,two
-        registers least                                 # lines, -lines, lanes, -lanes
-        .set    NEXT,least+4
+        registers smallest                                 # lines, -lines, lanes, -lanes
+        .set    NEXT,smallest+4
         registers turned                                # to turned+3
         .set    NEXT,turned+4
         .set    m_first,line_x
@@ -31,9 +31,9 @@
         transpose_table .rodata.cuts
 
 .macro  lower nth:req, value:req
-        fcgt    $one,$least+\nth,\value
+        fcgt    $one,$smallest+\nth,\value
         andc    $one,$one,$outside
-        selb    $least+\nth,$least+\nth,\value,$one
+        selb    $smallest+\nth,$smallest+\nth,\value,$one
 .endm
 
 function cuts_extent_r16
@@ -42,7 +42,7 @@ function cuts_extent_r16
         sfi     $rows,$rows,0
         il      $zero,0
     .irp nth, 0,1,2,3
-        ilhu    $least+\nth,FARTHEST>>16
+        ilhu    $smallest+\nth,FARTHEST>>16
     .endr
 next_row:
         shade_places $line,$lane,$outside,$x,$z,$t,$one
@@ -56,14 +56,14 @@ next_row:
         brnz    $rows,next_row
         lqa     $m_first,transpose_first
         lqa     $m_last,transpose_last
-        transpose least,least,turned,$m_first,$m_last
-        minimum_f4 $least,$least+1,$one
-        minimum_f4 $least+2,$least+3,$one
-        minimum_f4 $least,$least+2,$one
-        # Every other one is the least of the numbers with the other sign.
+        transpose smallest,smallest,turned,$m_first,$m_last
+        minimum_f4 $smallest,$smallest+1,$one
+        minimum_f4 $smallest+2,$smallest+3,$one
+        minimum_f4 $smallest,$smallest+2,$one
+        # Every other one is the smallest of the numbers with the other sign.
         fsmbi   $one,0x0f0f
-        fs      $two,$zero,$least
-        selb    $least,$least,$two,$one
-        stqd    $least,0($a_out)
+        fs      $two,$zero,$smallest
+        selb    $smallest,$smallest,$two,$one
+        stqd    $smallest,0($a_out)
         bi      $lr
 endfunction cuts_extent_r16

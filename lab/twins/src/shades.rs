@@ -16,11 +16,11 @@ pub type Ray = ([Single; 3], Single, u32);
 /// The numbers of a height field's shadows.
 #[derive(Clone, Copy, Debug)]
 pub struct Shades {
-    /// What x adds to a line, its start, what z adds, and the last line.
+    /// A line's rate along x, its start, its rate along z, and the last line.
     pub line: [Single; 4],
     /// The same for the samples of a line.
     pub place: [Single; 4],
-    /// What a line takes from a lane, its start, what a line adds to a height, and its start.
+    /// The slant of lanes, their start, the fall from line to line, and the start of heights.
     pub lane: [Single; 4],
 }
 
@@ -35,15 +35,15 @@ impl Shades {
         (!is_outside).then(|| [line, fa(fnms(line, slant, place), shift)])
     }
 
-    /// The least line of rays, the greatest, the least lane and the greatest.
+    /// The smallest line of rays, the largest, the smallest lane and the largest.
     #[must_use]
     pub fn extent(&self, rays: &[Ray]) -> [Single; 4] {
-        let mut least = [FARTHEST; 4];
+        let mut smallest = [FARTHEST; 4];
         for [line, lane] in rays.iter().filter_map(|ray| self.places(*ray)) {
             let found = [line, fs(ZERO, line), lane, fs(ZERO, lane)];
-            least = std::array::from_fn(|nth| minimum(least[nth], found[nth]));
+            smallest = std::array::from_fn(|nth| minimum(smallest[nth], found[nth]));
         }
-        let [line, lines, lane, lanes] = least;
+        let [line, lines, lane, lanes] = smallest;
         [line, fs(ZERO, lines), lane, fs(ZERO, lanes)]
     }
 

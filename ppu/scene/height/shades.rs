@@ -127,8 +127,8 @@ impl Sun {
 
     /// The place of a block, if it is there. Rows begin where the field does.
     fn index(&self, level: usize, row: usize, column: usize) -> Option<usize> {
-        let behind = (self.rows(level) - 1 - row) as u64;
-        let first = (u64::from(self.parts()) * behind >> 16) as usize;
+        let after = (self.rows(level) - 1 - row) as u64;
+        let first = ((u64::from(self.parts()) * after) >> 16) as usize;
         let at = (column + 1).checked_sub(first)?;
         let width = self.width(level);
         (at < width).then(|| self.start(level) + row * width + at)
@@ -167,7 +167,7 @@ pub(super) struct Shades {
     memory: Vec<Four>,
 }
 
-/// What a block is made of.
+/// The parts of a block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Cells {
     lit: u64,
@@ -405,7 +405,7 @@ impl Shades {
     ) {
         let sun = self.sun;
         let [lines, places] = sun.size;
-        // The first line behind which it is in the field, and the last.
+        // The first line after which it is in the field, and the last.
         let from = |place: f64| (place - ground.start(lane)) / sun.slant.max(1e-9);
         let first = (from(-1.0 - OVERLAP).floor() - 1.0).max(0.0) as usize;
         let end = (from(places as f64 + OVERLAP).ceil().max(0.0) as usize + 1).min(lines - 1);

@@ -15,7 +15,7 @@
 
         .set    NEXT,10
         registers m_first,a_field,quad,one,two,left,word,a_to
-        registers extent,last_line,first_line,last_lane,first_lane,level,rows,width,behind
+        registers extent,last_line,first_line,last_lane,first_lane,level,rows,width,before
         registers high,low,at,size,tag,command,slant,a_cell
     .if NEXT > 80
         .error  "too many registers"
@@ -107,12 +107,12 @@ few_enough:
         ila     $a_cell,arena+SHADE_CELLS
 next_blocks:
         # Rows begin where the field does.
-        sf      $behind,$first_line,$rows
-        ai      $behind,$behind,-1
-        mpyu    $behind,$behind,$slant
-        rotmi   $behind,$behind,-16
+        sf      $before,$first_line,$rows
+        ai      $before,$before,-1
+        mpyu    $before,$before,$slant
+        rotmi   $before,$before,-16
         mpyu    $at,$first_line,$width
-        sf      $at,$behind,$at
+        sf      $at,$before,$at
         a       $at,$at,$first_lane
         ai      $at,$at,1
         shli    $at,$at,4
