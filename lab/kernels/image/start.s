@@ -11,8 +11,8 @@ _start:
 # the bench has all the memory in front of them.
         .global depth_place, boxes_place, height_place, colour_place, texture_place
         .global cuts_place, sort_place, build_place
-        .set    cuts_place,0x26100
-        .set    depth_place,0x27a00
+        .set    cuts_place,0x25e00
+        .set    depth_place,0x27780
         .set    boxes_place,0x31e00
         .set    height_place,0x33080
         .set    colour_place,0x34a00

@@ -31,10 +31,10 @@ const LOST: u16 = 0x1ffe;
 const STACK: u32 = 0x3f780;
 /// The end of the arena: `depth_place` in `image/start.s`. Behind it are the kernels for depth
 /// shading, boxes, height fields, colours, textures, meshes, refitted and built meshes.
-const ARENA_END: u32 = 0x27a00;
+const ARENA_END: u32 = 0x27780;
 /// The end of the arena for the kernels for cuts, which are there: `cuts_place`. Buffers of other
 /// kernels may take their place.
-const CUTS: u32 = 0x26100;
+const CUTS: u32 = 0x25e00;
 /// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 /// The beginning of the arena, after the other kernels.
