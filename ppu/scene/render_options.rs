@@ -119,6 +119,9 @@ pub struct RenderOptions {
     pub volumes: NodeVolumes,
     /// Whether rays from the eye may find a height field by cuts, if the view allows it.
     pub cuts: bool,
+    /// Whether rays to a light that is infinitely far are left out where it is known whether the
+    /// ground hides it. Only where cuts are used.
+    pub shades: bool,
 }
 
 impl Default for RenderOptions {
@@ -140,6 +143,7 @@ impl Default for RenderOptions {
             build_by: None,
             volumes: NodeVolumes::Best,
             cuts: true,
+            shades: true,
         }
     }
 }

@@ -17,7 +17,7 @@ use protocol::layout::{MAX_SPUS, TILE_FLAGS, TILE_KEPT, UNIT_TILES, UnitCost, Wo
 const UNITS_AN_SPU: u32 = 24;
 
 /// The number of units for each SPU that go upwards.
-const STRIPS_AN_SPU: u32 = 14;
+const STRIPS_AN_SPU: u32 = 19;
 
 /// An SPU's share of the remaining work is divided by this to get the largest cost of the next
 /// unit, so the last units are small. With a lower number SPUs would idle at the end; with a
@@ -76,8 +76,8 @@ impl Units {
     }
 
     /// Makes units of tiles of which each is above the one before, of a picture with `across` tiles
-    /// in a row. Cuts go on from tile to tile in a unit, so units are long, but those with the
-    /// largest cost come first.
+    /// in a row. Cuts go on from tile to tile in a unit, so units are long. Those with the largest
+    /// cost come first, or those at the bottom if costs are unknown, since the sky costs little.
     pub fn split_upwards(&mut self, tiles: &[u32], across: u32, spus: u32, costs: Option<&[u32]>) {
         self.lines.clear();
         self.order.clear();
@@ -90,13 +90,15 @@ impl Units {
             column.chunks(length.min(UNIT_TILES as usize)).for_each(|unit| self.push(unit));
         }
         self.order = order;
-        if let Some(costs) = costs {
-            let cost = |tile: &U32| u64::from(costs.get(tile.get() as usize).copied().unwrap_or(0));
-            self.lines.sort_unstable_by_key(|unit| {
-                let tiles = &unit.tiles[..unit.count.get() as usize];
-                Reverse(tiles.iter().map(cost).sum::<u64>())
-            });
-        }
+        let row = |tile: &U32| u64::from(tile.get() / across);
+        let cost = |tile: &U32| match costs {
+            Some(costs) => u64::from(costs.get(tile.get() as usize).copied().unwrap_or(0)),
+            None => row(tile),
+        };
+        self.lines.sort_unstable_by_key(|unit| {
+            let tiles = &unit.tiles[..unit.count.get() as usize];
+            Reverse(tiles.iter().map(cost).sum::<u64>())
+        });
         self.slices = [U32::new(self.lines.len() as u32); MAX_SPUS as usize + 1];
     }
 

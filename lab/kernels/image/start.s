@@ -11,7 +11,7 @@ _start:
 # the bench has all the memory in front of them.
         .global depth_place, boxes_place, height_place, colour_place, texture_place
         .global cuts_place, sort_place, build_place
-        .set    cuts_place,0x26300
+        .set    cuts_place,0x25f80
         .set    depth_place,0x27900
         .set    boxes_place,0x31f80
         .set    height_place,0x33200

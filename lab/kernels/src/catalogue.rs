@@ -50,7 +50,7 @@ pub enum Objects {
 }
 
 /// The families of kernels.
-const FAMILIES: [&[Kernel]; 17] = [
+const FAMILIES: [&[Kernel]; 18] = [
     eye::KERNELS,
     eye::formulation::KERNELS,
     sphere_ray::KERNELS,
@@ -68,6 +68,7 @@ const FAMILIES: [&[Kernel]; 17] = [
     whitted::mesh::KERNELS,
     whitted::cuts::KERNELS,
     whitted::height::KERNELS,
+    whitted::shades::KERNELS,
 ];
 
 /// All kernels that have cases.

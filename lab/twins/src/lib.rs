@@ -43,6 +43,7 @@ pub mod refract;
 pub mod sample_rays;
 pub mod shade_depth;
 pub mod shader;
+pub mod shades;
 pub mod shadow_rays;
 pub mod smooth;
 pub mod sort;

@@ -279,6 +279,14 @@ impl Light {
         self.kind == other.kind && self.record.as_bytes() == other.record.as_bytes()
     }
 
+    /// The direction to it as SPUs have it, if it is infinitely far.
+    pub fn far_away(&self) -> Option<DVec3> {
+        let LightKind::Directional { to_light } = self.kind else {
+            return None;
+        };
+        Some(unit(to_light)?.as_vec3().as_dvec3())
+    }
+
     /// The record relative to `eye`; `leave` is the largest origin offset of all objects.
     ///
     /// A shadow ray's direction is from the point on the surface to the light, but the ray starts

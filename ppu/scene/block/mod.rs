@@ -122,7 +122,12 @@ impl SceneBlock {
             primitives.write(eye, is_other_eye, &mut self.block);
         }
         if let Some(heights) = self.streamed.as_mut().and_then(|it| it.heights.as_mut()) {
-            heights.look(eye);
+            let RenderOptions { shadows, cuts, shades, .. } = self.options;
+            let mut suns = (0..).zip(&self.lights).filter_map(|(number, light)| {
+                let to_light = light.far_away()?;
+                Some((number, to_light))
+            });
+            heights.look(eye, suns.next().filter(|_| shadows && cuts && shades));
         }
         let leave = self.primitives.iter().map(Primitives::leave);
         let streamed = self.streamed.as_ref();

@@ -12,6 +12,7 @@
 
 mod levels;
 mod samples;
+mod shades;
 mod shaped;
 #[cfg(test)]
 mod tests;

@@ -9,6 +9,7 @@ use zerocopy::big_endian::U32;
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes};
 
 use super::levels::{Levels, Packing};
+use super::shades::Shades;
 
 /// Samples in front of a row in memory, which are not its own.
 const BEFORE: usize = 4;
@@ -20,13 +21,15 @@ const ROWS_BESIDE: usize = 3;
 /// Four samples: a quadword, as a DMA transfer needs it.
 #[derive(Clone, Copy, Debug, PartialEq, FromBytes, IntoBytes, Immutable)]
 #[repr(C, align(16))]
-struct Four([U32; 4]);
+pub(super) struct Four(pub [U32; 4]);
 
 /// The samples of all levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HeightSamples {
     pub(super) levels: Vec<Level>,
     memory: Vec<Four>,
+    /// Where the ground lies in its own shadow.
+    pub(super) shades: Option<Shades>,
 }
 
 /// A level.
@@ -40,14 +43,25 @@ pub(super) struct Level {
     pub offset: u32,
     /// Bytes from one row to the next.
     pub stride: u32,
-    /// The minimum and the maximum height of each block and of the next level there.
-    pub ranges: Vec<[u16; 2]>,
 }
 
 /// The sizes of a block in squares.
 const BLOCK: [usize; 2] = [HEIGHT_COLUMNS as usize, HEIGHT_ROWS as usize];
 
 impl Level {
+    /// Rows of samples in memory.
+    fn height(&self) -> usize {
+        self.blocks[1] as usize * BLOCK[1] + ROWS_BESIDE
+    }
+
+    /// Where a block's range of heights is: in which quadword and which of its words. They are
+    /// after the samples, each row in whole quadwords.
+    fn range_at(&self, column: usize, row: usize) -> [usize; 2] {
+        let start = self.offset as usize + self.height() * self.stride as usize;
+        let width = (self.blocks[0] as usize).div_ceil(4);
+        [start / size_of::<Four>() + row * width + column / 4, column % 4]
+    }
+
     /// The columns or rows of blocks that have samples of a region, or those of the next level
     /// there.
     fn changed(&self, side: usize, own: &Range<u32>, next: &Range<u32>) -> Range<u32> {
@@ -77,7 +91,7 @@ fn square([columns, rows]: [usize; 2]) -> impl Iterator<Item = [usize; 2]> {
 impl HeightSamples {
     /// Packs all levels.
     pub(super) fn new(field: &HeightField, levels: &Levels, packing: &Packing) -> Self {
-        let mut samples = Self { levels: Vec::new(), memory: Vec::new() };
+        let mut samples = Self { levels: Vec::new(), memory: Vec::new(), shades: None };
         for grid in &levels.0[..levels.0.len() - 1] {
             let [columns, rows] = grid.size;
             let across = (columns - 1).div_ceil(BLOCK[0]);
@@ -88,7 +102,6 @@ impl HeightSamples {
                 blocks: [across as u32, down as u32],
                 offset: size_of_val(&*samples.memory) as u32,
                 stride: (width * size_of::<U32>()) as u32,
-                ranges: vec![[0; 2]; across * down],
             });
             let fours = width / 4 * (BLOCK[1] * down + ROWS_BESIDE) + across.div_ceil(4) * down;
             samples.memory.resize(samples.memory.len() + fours, Four::new_zeroed());
@@ -114,17 +127,14 @@ impl HeightSamples {
             let of_next = grid.changed_in(&region, next);
             let at = |column, row| grid.at(field, packing, column, row);
             let width = level.stride as usize / size_of::<U32>();
-            let height = level.blocks[1] as usize * BLOCK[1] + ROWS_BESIDE;
             let words = copies(&region.columns, grid.size[0], BEFORE, width);
-            for row in copies(&region.rows, grid.size[1], 1, height) {
+            for row in copies(&region.rows, grid.size[1], 1, level.height()) {
                 let start = level.offset as usize / size_of::<Four>() + row * width / 4;
                 for word in words.clone() {
                     let sample = at(word.saturating_sub(BEFORE), row.saturating_sub(1));
                     self.memory[start + word / 4].0[word % 4] = packing.packed(sample);
                 }
             }
-            let [across, _] = level.blocks;
-            let after = level.offset as usize / size_of::<Four>() + height * width / 4;
             for row in level.changed(1, &region.rows, &of_next.rows) {
                 for column in level.changed(0, &region.columns, &of_next.columns) {
                     let [x, z] = [column as usize * BLOCK[0], row as usize * BLOCK[1]];
@@ -135,15 +145,20 @@ impl HeightSamples {
                     let heights = own.chain(other).map(|[height, ..]| height);
                     let range =
                         heights.fold([u16::MAX, 0], |[low, high], it| [low.min(it), high.max(it)]);
-                    level.ranges[(row * across + column) as usize] = range;
-                    // SPUs get the largest heights, after the samples: each row in whole quadwords.
-                    let four = after + (row * across.div_ceil(4) + column / 4) as usize;
-                    let largest = U32::new(u32::from(range[1]) << 16);
-                    self.memory[four].0[column as usize % 4] = largest;
+                    let [four, word] = level.range_at(column as usize, row as usize);
+                    let [low, high] = range.map(u32::from);
+                    self.memory[four].0[word] = U32::new(high << 16 | low);
                 }
             }
             region = of_next;
         }
+    }
+
+    /// The minimum and the maximum height of a block and of the next level there.
+    pub(super) fn range(&self, level: &Level, column: u32, row: u32) -> [u16; 2] {
+        let [four, word] = level.range_at(column as usize, row as usize);
+        let range = self.memory[four].0[word].get();
+        [range as u16, (range >> 16) as u16]
     }
 
     /// The number of levels that blocks have.
@@ -154,8 +169,7 @@ impl HeightSamples {
     /// The bytes of all levels.
     #[cfg(test)]
     pub fn bytes(&self) -> usize {
-        let ranges = self.levels.iter().map(|level| size_of_val(&*level.ranges));
-        size_of_val(&*self.memory) + ranges.sum::<usize>()
+        size_of_val(&*self.memory) + self.shades.as_ref().map_or(0, Shades::bytes)
     }
 
     pub(super) fn address(&self) -> u64 {

@@ -9,6 +9,7 @@ use scenes::{HeightField, HeightRegion};
 
 use super::levels::{Levels, Packing};
 use super::samples::HeightSamples;
+use super::shades::{Shades, Sun};
 use super::view::HeightView;
 use crate::scene::colour::Colour;
 
@@ -25,8 +26,10 @@ pub(crate) struct HeightViews {
     /// The origin of the boxes' coordinates.
     origin: DVec3,
     views: Vec<Arc<HeightView>>,
-    /// The eye of the current view, the first one.
-    eye: Option<DVec3>,
+    /// The eye of the current view, the first one, and the light whose shadows it has.
+    seen: Option<(DVec3, Option<u32>)>,
+    /// The last light's direction.
+    to_light: Option<DVec3>,
 }
 
 /// The samples of all levels, of which there are several once they change.
@@ -49,7 +52,8 @@ impl HeightViews {
             versions: vec![Version { samples: Arc::new(samples), stale: HeightRegion::default() }],
             origin,
             views: vec![Arc::new(HeightView::new())],
-            eye: None,
+            seen: None,
+            to_light: None,
         }
     }
 
@@ -60,15 +64,22 @@ impl HeightViews {
 
     /// Takes over a region of another height field of the same size.
     pub fn shape(&mut self, other: &HeightField, region: &HeightRegion) {
-        let Self { field, packing, levels, versions, views, eye, .. } = self;
+        let Self { field, packing, levels, versions, .. } = self;
         Arc::make_mut(field).shape(region, |[column, row], _| other.at(column, row));
         levels.get_or_insert_with(|| Levels::new(other, packing)).update(other, packing, region);
-        for view in views.iter_mut().filter_map(Arc::get_mut) {
-            view.rest();
-        }
         for copy in versions.iter_mut() {
             copy.stale = copy.stale.with(region);
         }
+        self.renew();
+    }
+
+    /// Makes samples the first ones that no picture has, and brings them up to date.
+    fn renew(&mut self) -> Option<&mut HeightSamples> {
+        let Self { field, packing, levels, versions, views, seen, .. } = self;
+        for view in views.iter_mut().filter_map(Arc::get_mut) {
+            view.rest();
+        }
+        *seen = None;
         let free = versions.iter_mut().position(|copy| Arc::get_mut(&mut copy.samples).is_some());
         let at = free.unwrap_or_else(|| {
             let Version { samples, stale } = &versions[0];
@@ -78,18 +89,40 @@ impl HeightViews {
         });
         versions.swap(0, at);
         let Version { samples, stale } = &mut versions[0];
-        if let (Some(samples), Some(levels)) = (Arc::get_mut(samples), levels) {
-            samples.update(other, levels, packing, &std::mem::take(stale));
+        let samples = Arc::get_mut(samples)?;
+        let stale = std::mem::take(stale);
+        if let Some(levels) = levels {
+            samples.update(field, levels, packing, &stale);
         }
-        *eye = None;
+        if let Some(shades) = &mut samples.shades {
+            shades.update(field, &stale);
+        }
+        Some(samples)
     }
 
-    /// Makes the view of an eye the current one.
-    pub fn look(&mut self, eye: DVec3) {
-        if self.eye == Some(eye) {
+    /// Whether the first samples have the shadows of a light. They get those of one that stays the
+    /// same: where it moves all the time, they would be made for nothing.
+    fn shine(&mut self, to_light: DVec3) -> bool {
+        let stays = self.to_light.replace(to_light).is_none_or(|last| last == to_light);
+        let sun = Sun::new(&self.field, to_light);
+        let is_there = |samples: &HeightSamples| samples.shades.as_ref().map(|it| it.sun) == sun;
+        if stays && !is_there(&self.versions[0].samples) {
+            let field = self.field.clone();
+            if let Some(samples) = self.renew() {
+                samples.shades = sun.map(|sun| Shades::new(&field, sun));
+            }
+        }
+        sun.is_some() && is_there(&self.versions[0].samples)
+    }
+
+    /// Makes the view of an eye the current one, with the shadows of a light: its number and the
+    /// direction to it.
+    pub fn look(&mut self, eye: DVec3, light: Option<(u32, DVec3)>) {
+        let light = light.and_then(|(number, to)| self.shine(to).then_some(number));
+        if self.seen == Some((eye, light)) {
             return;
         }
-        self.eye = Some(eye);
+        self.seen = Some((eye, light));
         let unused = self.views.iter_mut().position(|view| Arc::get_mut(view).is_some());
         let at = unused.unwrap_or_else(|| {
             self.views.push(Arc::new(HeightView::new()));
@@ -97,7 +130,7 @@ impl HeightViews {
         });
         self.views.swap(0, at);
         if let Some(view) = Arc::get_mut(&mut self.views[0]) {
-            view.look(&self.field, &self.versions[0].samples, eye, self.origin);
+            view.look(&self.field, &self.versions[0].samples, eye, self.origin, light);
         }
     }
 

@@ -131,13 +131,15 @@ impl HeightView {
         all.filter(|number| *number >= HEIGHT_TREE)
     }
 
-    /// Chooses the blocks for an eye and builds the tree, in coordinates relative to `origin`.
+    /// Chooses the blocks for an eye and builds the tree, in coordinates relative to `origin`. The
+    /// samples have the shadows of a light, if one is named.
     pub(super) fn look(
         &mut self,
         field: &HeightField,
         samples: &Arc<HeightSamples>,
         eye: DVec3,
         origin: DVec3,
+        light: Option<u32>,
     ) {
         let chooser = Chooser::new(field, samples, eye, origin);
         let mut wrapped = std::mem::take(&mut self.wrapped);
@@ -162,6 +164,19 @@ impl HeightView {
         record.step = [field.step(), field.unit(), field.step()].map(single);
         let [columns, rows] = field.size();
         record.last = [f64::from(columns - 1), 0.0, f64::from(rows - 1)].map(single);
+        let shades = samples.shades.as_ref().filter(|_| self.is_below);
+        if let (Some(light), Some(shades)) = (light, shades) {
+            let of_sun = shades.sun.record(field, eye);
+            record.shades = shades.address().into();
+            record.shades_light = light.into();
+            record.shades_rows = of_sun.rows.into();
+            record.shades_columns = of_sun.columns.into();
+            record.shades_slant = of_sun.slant.into();
+            record.shades_length = of_sun.length;
+            record.shades_line = of_sun.line;
+            record.shades_place = of_sun.place;
+            record.shades_lane = of_sun.lane;
+        }
         for (number, (to, level)) in record.levels_of.iter_mut().zip(&samples.levels).enumerate() {
             *to = chooser.record(number, level);
         }
@@ -348,8 +363,7 @@ impl<'a> Chooser<'a> {
     }
 
     fn block(&self, level: usize, of_level: &Level, [column, row]: [u32; 2]) -> Child {
-        let [across, _] = of_level.blocks;
-        let [low, high] = of_level.ranges[(row * across + column) as usize];
+        let [low, high] = self.samples.range(of_level, column, row);
         let side = self.step * f64::from(1_u32 << level);
         let last = self.ends[1] - self.ends[0];
         let corner = |columns: u32, rows: u32, height: u16, way: f64| {

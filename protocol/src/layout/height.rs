@@ -40,6 +40,30 @@ record! {
         reserved_3: F32,
         /// The levels, the first one with the most samples.
         levels_of: [HeightLevel; 11],
+        /// Effective address of the blocks of cells that say where the ground lies in its own
+        /// shadow, or 0; a multiple of 16.
+        shades: U64,
+        /// The number of the light for which they do.
+        shades_light: U32,
+        /// Rows of blocks in the first of `SHADE_LEVELS` levels; a multiple of 32. The next has
+        /// half of them.
+        shades_rows: U32,
+        /// Blocks of such a row, without `SHADES_BESIDE` more; a multiple of 32.
+        shades_columns: U32,
+        /// How far a row begins farther right than the one below it, in parts of 65536 of a block.
+        shades_slant: U32,
+        /// How far a ray to the light goes from a line to the next.
+        shades_length: F32,
+        /// 0.
+        reserved_4: U32,
+        /// A place's line is x and z times the first and third, and the second. The fourth is the
+        /// last line.
+        shades_line: [F32; 4],
+        /// The same for its sample of the line.
+        shades_place: [F32; 4],
+        /// Its lane is its sample, less its line times the first, and the second. Its height above
+        /// the plane is y, its line times the third, and the fourth.
+        shades_lane: [F32; 4],
     }
 }
 
@@ -68,6 +92,6 @@ record! {
 
 const _: () = {
     assert!(size_of::<HeightLevel>() == 32);
-    assert!(size_of::<Heights>() == 432);
+    assert!(size_of::<Heights>() == 512);
     assert!(super::HEIGHT_LEVELS < 11);
 };

@@ -78,7 +78,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 21;
+    VERSION = 22;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -341,6 +341,10 @@ constants! {
     /// Most levels of a height field whose triangles are traced. There is one level of samples
     /// more, which the last of these fades to.
     HEIGHT_LEVELS = 10;
+    /// Levels of the cells that say where ground lies in its own shadow.
+    SHADE_LEVELS = 6;
+    /// Blocks of a row of these cells beside those of the field.
+    SHADES_BESIDE = 5;
     /// Offset in a block where its samples arrive: rows of `HEIGHT_PITCH` bytes of its own level,
     /// then rows of `COARSE_PITCH` bytes of the next.
     HEIGHT_SAMPLES = 1360;

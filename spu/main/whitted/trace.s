@@ -599,19 +599,30 @@ counted:
         ai      $sp,$sp,32
 return: bi      $lr
 in_mesh:
+        packets_address $3,$4,$5
+        ori     $4,$w_traced,0
+        brsl    $lr,paths_before_mesh
         # Cuts have found the ground for the eye's rays, and there is nothing else.
         lqa     $c_more,of_cuts
         ceqi    $counts,$w_packets,0
         and     $c_more,$c_more,$counts
         brnz    $c_more,counted
+        # Shadow rays need it only where it is unknown whether it is in its own shadow.
+        lqa     $c_more,cuts
+        andc    $c_more,$c_more,$counts
+        brz     $c_more,unknown
+        brsl    $lr,shades_look
+        brz     $3,known
+unknown:
         lqa     $c_more,to_shear
         brz     $c_more,have_shears
         brsl    $lr,shears_make
 have_shears:
-        packets_address $3,$4,$5
-        ori     $4,$w_traced,0
-        brsl    $lr,paths_before_mesh
         brsl    $lr,mesh_trace
+        lqa     $c_more,cuts
+        brz     $c_more,counted
+        brz     $w_packets,counted
+known:  brsl    $lr,shades_end
         br      counted
 endfunction packets_trace
 

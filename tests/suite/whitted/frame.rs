@@ -29,6 +29,7 @@ pub const WHITTED: RenderOptions = RenderOptions {
     build_by: None,
     volumes: NodeVolumes::Best,
     cuts: true,
+    shades: true,
 };
 
 pub struct Frame {

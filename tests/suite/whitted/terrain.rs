@@ -1,11 +1,14 @@
 //! Height fields, compared with the reference and with themselves from other eyes.
 
+use std::f64::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 use cellray::Settings;
 use cellray::scene::{Colour, RenderOptions};
 use glam::DVec3;
-use scenes::{HeightField, Material, Scene};
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use scenes::{HeightField, HeightRegion, HeightSample, LightKind, Material, Scene};
 
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
@@ -185,4 +188,47 @@ fn meeting_cuts_are_not_used() {
     let scene = scene(hills([129, 129], 2.0), from, from + DVec3::new(0.3, -1.0, 0.0));
     let frame = Frame::of(&scene, WHITTED, (200, 120), Settings::default());
     assert!(frame.generations()[0].blocks.used > 0);
+}
+
+/// Where it is known whether the ground hides the sun, pictures are those with all shadow rays: in
+/// any direction and near the horizon, with a mirror that throws a shadow, too. Fewer blocks are
+/// needed for them. Cuts find some points below a triangle. Rays leave it without hitting it, so a
+/// few pixels of crests are lit that are known to be dark.
+#[test]
+fn known_shadows_are_those_of_rays() {
+    let mut random = ChaCha8Rng::seed_from_u64(1);
+    let mut used = [0, 0];
+    for round in 0..12 {
+        let mut field = hills([161, 129], random.random_range(0.5..3.0));
+        let rough = random.random_range(0..2) * 40;
+        let all = HeightRegion { columns: 0..161, rows: 0..129 };
+        field.shape(&all, |_, was| HeightSample {
+            height: was.height + random.random_range(0..=rough),
+            ..was
+        });
+        let turn = [0.0, 1.0, random.random_range(0.0..4.0)][round % 3] * FRAC_PI_2;
+        let high = [0.03, 0.3, 1.0][round / 4] * random.random_range(0.8..1.2);
+        let from = DVec3::new(-8.3, 19.0, 4.7);
+        let mut scene = scene(field, from, from + DVec3::new(1.0, -0.2, 0.3));
+        let to_light = DVec3::new(libm::cos(turn), high, libm::sin(turn));
+        scene.lights[0].kind = LightKind::Directional { to_light };
+        scene.materials.push(Material { specular: 0.6, ..Material::matte(DVec3::splat(0.2)) });
+        let at = from + DVec3::new(20.0, -6.0, 5.0);
+        let shape = scenes::Shape::Sphere { centre: at, radius: 3.0 };
+        scene.objects.push(scenes::Object { line: 0, material: 1, shape });
+        let [known, rays] = [true, false].map(|shades| {
+            let options = RenderOptions { shades, ..SRGB };
+            Frame::of(&scene, options, (320, 200), Settings::default())
+        });
+        let other = different(&known.picture, &rays.picture);
+        println!("round {round}: {other} pixels differ");
+        let brighter = known.picture.as_raw().iter().zip(rays.picture.as_raw());
+        assert!(brighter.filter(|(one, other)| one > other).count() == 0, "round {round}");
+        assert!(other < 64, "round {round}: {other} pixels differ");
+        for (sum, frame) in used.iter_mut().zip([&known, &rays]) {
+            *sum += frame.generations()[1].blocks.used;
+        }
+    }
+    println!("{used:?} blocks");
+    assert!(2 * used[0] < used[1], "{used:?} blocks");
 }

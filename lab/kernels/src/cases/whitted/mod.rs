@@ -10,5 +10,6 @@ pub mod portal;
 pub mod rays;
 pub mod shade;
 pub mod shaders;
+pub mod shades;
 pub mod smooth;
 pub mod texture;
