@@ -40,8 +40,8 @@ record! {
         reserved_3: F32,
         /// The levels, the first one with the most samples.
         levels_of: [HeightLevel; 11],
-        /// Effective address of the blocks of cells that say where the ground lies in its own
-        /// shadow, or 0; a multiple of 16.
+        /// Effective address of the blocks of cells with the ground's own shadow, or 0; a multiple
+        /// of 16.
         shades: U64,
         /// The number of the light for which they do.
         shades_light: U32,

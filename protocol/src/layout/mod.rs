@@ -341,7 +341,7 @@ constants! {
     /// Most levels of a height field whose triangles are traced. There is one level of samples
     /// more, which the last of these fades to.
     HEIGHT_LEVELS = 10;
-    /// Levels of the cells that say where ground lies in its own shadow.
+    /// Levels of the cells with the ground's own shadow.
     SHADE_LEVELS = 6;
     /// Blocks of a row of these cells beside those of the field.
     SHADES_BESIDE = 5;

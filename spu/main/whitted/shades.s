@@ -1,5 +1,5 @@
-# The blocks of cells that say where the ground lies in its own shadow, for the rays to a light that
-# is infinitely far. Its kernels are in local store only in frames with FEATURE_CUTS.
+# The blocks of cells with the ground's own shadow, for the rays to a light that is infinitely far.
+# Its kernels are in local store only in frames with FEATURE_CUTS.
 
         .include "work_unit.inc"
         .include "macros.inc"

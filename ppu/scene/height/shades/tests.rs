@@ -1,4 +1,4 @@
-//! What cells say, compared with all the triangles that a ray to the light could meet.
+//! The states of cells, compared with all the triangles that a ray to the light could meet.
 
 use glam::DVec3;
 use rand::{Rng as _, SeedableRng as _};
@@ -75,9 +75,9 @@ fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64) -> f64 {
     heights.fold(f64::MIN, f64::max)
 }
 
-/// What the cell of a level says of a point: whether it is lit, whether it is dark, and how far
-/// away the ground may hide the light otherwise. Places are computed as SPUs do.
-fn said(shades: &Shades, field: &HeightField, level: usize, point: DVec3) -> (bool, bool, f64) {
+/// A point's state by the cell of a level: whether it is lit, whether it is dark, and how far away
+/// the ground may hide the light otherwise. Places are computed as SPUs do.
+fn state(shades: &Shades, field: &HeightField, level: usize, point: DVec3) -> (bool, bool, f64) {
     let eye = DVec3::new(3.3, 9.0, -4.7);
     let record = shades.sun.record(field, eye);
     let at = (field.corner + DVec3::new(point.x, 0.0, point.z) * field.step()) - eye;
@@ -99,7 +99,7 @@ fn said(shades: &Shades, field: &HeightField, level: usize, point: DVec3) -> (bo
 }
 
 #[test]
-fn what_cells_say_is_so() {
+fn states_of_cells_hold() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     let (mut lit, mut dark, mut points) = (0, 0, 0);
     for round in 0..60 {
@@ -128,7 +128,7 @@ fn what_cells_say_is_so() {
             let point = DVec3::new(x, ground(&field, x, z) + high + 1e-3, z);
             let hidden = above(&field, point, to_light, 0.0);
             for level in 0..3 {
-                let (is_lit, is_dark, end) = said(&shades, &field, level, point);
+                let (is_lit, is_dark, end) = state(&shades, &field, level, point);
                 let what = format!("round {round}, level {level}: {size:?} {to_light} {point}");
                 assert!(!is_lit || hidden <= 0.0, "{what} is said to be lit: {hidden}");
                 assert!(!is_dark || hidden > 0.0, "{what} is said to be dark: {hidden}");
