@@ -115,7 +115,7 @@ fn levels_do_not_pop() {
     let [at, elsewhere] = [0.0, 4.0].map(|by| places.map(|x| moved(x + by)));
     println!("{at:?} {elsewhere:?}");
     let [at, elsewhere] = [at, elsewhere].map(|counts| counts.iter().sum::<usize>());
-    assert!(at <= elsewhere + 10, "{at} pixels change, and {elsewhere} elsewhere");
+    assert!(at <= elsewhere + 20, "{at} pixels change, and {elsewhere} elsewhere");
 }
 
 /// Where the eye moves by a tenth of a sample, levels change no more pixels than the mesh of the

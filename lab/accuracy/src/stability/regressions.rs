@@ -81,6 +81,8 @@ files! {
     "leave-cones"
     "leave-rectangles"
     "leave-spheres"
+    "leave-streamed-cones"
+    "leave-streamed-spheres"
     "leave-thin-cones"
     "leave-triangles"
     "mesh-far-out"
