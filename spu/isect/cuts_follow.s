@@ -10,7 +10,7 @@
 #   Uses    $3-$79   Saves  -   Stack  0   Calls  -
 #   Domain  directions of cuts not 0, and den above 0; a ground of less than MOST_CELLS squares
 #           along a cut
-#   Error   0.9 of a square, from its own patches cut by the plane
+#   Error   1 of a square, from its own patches cut by the plane
 #   Twin    lab/twins/src/cuts.rs
 #
 # A cut is a vertical plane through the eye. Distances are along the horizontal axis of the view, so

@@ -99,7 +99,7 @@ fn refined_hits_have_the_normals_of_the_exact_hits() {
     }
     println!("normals: {refined:.2}, before {before:.2}; points beside their rays: {aside:.2} ulp");
     assert!(
-        refined <= 1.5 && before >= 3.0 * refined && aside <= 3.5,
+        refined <= 1.5 && before >= 3.0 * refined && aside <= 5.2,
         "{refined} {before} {aside}"
     );
 }
