@@ -75,10 +75,12 @@ pub struct Arguments {
     /// Frames per revolution of the eye in numbered pictures [default: 250]
     ///
     /// With 0, as by default in a scene with an animation, the eye stands still.
-    #[arg(long, help_heading = "Output", value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(0..=u64::from(u32::MAX)))]
+    #[arg(long, help_heading = "Output", value_name = "N", allow_negative_numbers = true)]
+    #[arg(value_parser = whole::<u32>(0..=u64::from(u32::MAX)))]
     turn: Option<u32>,
     /// Frames per second of an animation
-    #[arg(long, help_heading = "Output", default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = whole::<u32>(1..=1000))]
+    #[arg(long, help_heading = "Output", default_value_t = 25, value_name = "N")]
+    #[arg(allow_negative_numbers = true, value_parser = whole::<u32>(1..=1000))]
     fps: u32,
     /// Sample the corners of the pixels, as the Standard Procedural Databases do
     ///

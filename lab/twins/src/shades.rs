@@ -1,5 +1,5 @@
-//! Twin of `spu/isect/cuts_extent_r16.s` and `spu/shade/cuts_shades_r16.s`: the shadow rays of which
-//! it is known whether the ground blocks them.
+//! Twin of `spu/isect/cuts_extent_r16.s` and `spu/shade/cuts_shades_r16.s`: the shadow rays of
+//! which it is known whether the ground blocks them.
 
 use spu_emulator::float::convert::{cflts, csflt};
 use spu_emulator::float::single::{fa, fcgt, fma, fnms, fs};

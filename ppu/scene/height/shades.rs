@@ -3,20 +3,20 @@
 //!
 //! The field is cut into strips across the light, the first one at the edge that is nearest to it,
 //! and into lanes along the light, both as wide as a square. A ray to the light stays in its lane.
-//! Heights are those above a plane that rises towards the light as its rays do, so along a ray to
-//! the light its own height is the same everywhere, and it is blocked if ground before it is higher.
-//! One sweep along each lane away from the light finds between which bounds the highest ground so
-//! far is. What lies below the lower one is dark, and what lies above the upper one is lit.
+//! Heights are those above a plane that rises towards the light as its rays do. So a ray to the
+//! light has the same height everywhere, and ground that is higher on its way blocks it. One sweep
+//! along each lane away from the light finds two bounds of the highest ground so far. Points below
+//! the lower one are dark, and points above the upper one are lit.
 //!
-//! On ground itself the upper bound decides little, since ground is as high as itself. There a cell
-//! is lit if no square on the way to the light rises as steeply as the light does, as far back as to
-//! a line where the ground is above the upper bound. Between the two sides of a lane heights are
-//! taken for linear, with a margin for the bends of the ground between them.
+//! On the ground itself the upper bound decides little, since the ground may be the highest so far.
+//! There a cell is lit if, back to a line that is above all ground before it, no square rises as
+//! steeply as the light does. Between the two sides of a lane heights are taken for linear, with a
+//! margin for the bends of the ground between them.
 //!
 //! Bounds hold for the triangles of the first level. Coarser levels have less of the same cells.
 
 use glam::DVec3;
-use protocol::layout::{SHADE_LEVELS, SHADES_BESIDE};
+use protocol::layout::{SHADE_ENDLESS as ENDLESS, SHADE_LEVELS, SHADE_SIDE_LOG2, SHADES_BESIDE};
 use scenes::{HeightField, HeightRegion, MAX_SAMPLES};
 use zerocopy::big_endian::{F32, U32};
 
@@ -24,7 +24,7 @@ use super::samples::Four;
 use crate::scene::single::single;
 
 /// Cells of a block, along the light and across it.
-const SIDE: usize = 8;
+const SIDE: usize = 1 << SHADE_SIDE_LOG2;
 const LEVELS: usize = SHADE_LEVELS as usize;
 /// Lanes of a cell, which is a square wide.
 const LANES: usize = 2;
@@ -37,8 +37,6 @@ const LESS: f64 = 1.0 / 1024.0;
 const MARGIN: f64 = 1.0 / (1 << 19) as f64;
 /// How many lines back the ground is compared with what is above it.
 const LINES: usize = 16;
-/// The mask of the bits of an upper bound that count lines, and their value without an end.
-const ENDLESS: u32 = 255;
 
 /// A light's direction, as far as its shadows need it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +76,7 @@ pub(super) struct SunRecord {
 }
 
 impl Sun {
-    /// That of a direction, unless it is below the horizon or above the ground.
+    /// The sun in a direction, unless that is below the horizon or near the zenith.
     pub fn new(field: &HeightField, to_light: DVec3) -> Option<Self> {
         let along_x = to_light.x.abs() >= to_light.z.abs();
         let [major, minor] =
@@ -159,8 +157,8 @@ impl Sun {
 }
 
 /// The cells of all levels. A block is a quadword: a bit for each cell that is lit, and the bounds.
-/// The last bits of the upper one are the number of lines before the block where rays may be blocked
-/// that are not dark: before these, all ground is below the lower bound.
+/// The last bits of the upper one are the number of lines before the block where rays that are not
+/// dark may be blocked: before these, all ground is below the lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Shades {
     pub sun: Sun,

@@ -343,6 +343,10 @@ constants! {
     HEIGHT_LEVELS = 10;
     /// Levels of the cells with the ground's own shadow.
     SHADE_LEVELS = 6;
+    /// Logarithm of a block's cells across and down.
+    SHADE_SIDE_LOG2 = 3;
+    /// Mask of the bits of a block's upper bound that count lines, and their value without an end.
+    SHADE_ENDLESS = 255;
     /// Blocks of a row of these cells beside those of the field.
     SHADES_BESIDE = 5;
     /// Offset in a block where its samples arrive: rows of `HEIGHT_PITCH` bytes of its own level,

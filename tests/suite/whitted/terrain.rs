@@ -200,10 +200,9 @@ fn meeting_cuts_are_not_used() {
     assert!(frame.generations()[0].blocks.used > 0);
 }
 
-/// Where it is known whether the ground hides the sun, pictures are those with all shadow rays: in
-/// any direction and near the horizon, with a mirror that throws a shadow, too. Fewer blocks are
-/// needed for them. Cuts find some points below a triangle. Rays leave it without hitting it, so a
-/// few pixels of crests are lit that are known to be dark.
+/// Where it is known whether the ground hides the sun, pictures are those with all shadow rays, but
+/// for a few pixels of crests, which are darker. The sun is in any direction and near the horizon,
+/// and a mirror throws a shadow, too. Fewer blocks are needed for such pictures.
 #[test]
 fn known_shadows_are_those_of_rays() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
