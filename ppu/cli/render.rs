@@ -192,10 +192,14 @@ impl Arguments {
         // Notes on shapes that can't be drawn are printed before the first frame.
         let mut prepared = run::prepare(&self.options, false)?;
         let size = self.geometry(prepared.scene.view())?;
-        let turn = self.turn.unwrap_or(if prepared.animation.is_some() { 0 } else { 250 });
+        let plays = prepared.animation.is_some();
+        let turn = self.turn.unwrap_or(if plays { 0 } else { 250 });
         let film = Film::new(&mut prepared, turn, self.fps);
         let run::Prepared { program, own_view, labels, .. } = prepared;
-        let pictures = Pictures::new(paths).labelled(labels, own_view);
+        let mut pictures = Pictures::new(paths).labelled(labels, own_view);
+        if plays {
+            pictures = pictures.animated(self.fps);
+        }
         sequence::pictures(&self.options, program, film, &pictures, self.frames.range, size)
     }
 }
@@ -232,7 +236,11 @@ fn once(arguments: &Arguments) -> Outcome {
     let mut prepared = run::prepare(&arguments.options, arguments.corners)?;
     let geometry = arguments.geometry(prepared.scene.view())?;
     let plays = prepared.animation.is_some() && !arguments.frames.is_one() && !arguments.corners;
-    let film = plays.then(|| Film::new(&mut prepared, 0, arguments.fps));
+    let film = plays.then(|| {
+        let last = arguments.frames.range.end.saturating_sub(1);
+        prepared.labels.set("time", last as f64 / f64::from(arguments.fps));
+        Film::new(&mut prepared, 0, arguments.fps)
+    });
     let what = match &picture {
         None => "no picture".to_owned(),
         Some(path) if path == Path::new("-") => "picture on standard output".to_owned(),

@@ -29,10 +29,6 @@ impl Film {
     /// A film of a scene, whose animation it takes. The eye goes around in `turn` frames.
     pub fn new(prepared: &mut Prepared, turn: u32, rate: u32) -> Self {
         let animation = prepared.animation.take();
-        if let Some(animation) = &animation {
-            prepared.labels.set("animation", animation.name());
-            prepared.labels.set("fps", rate);
-        }
         let scene = gathered(&prepared.source).into_owned();
         let turntable = Turntable::new(scene, prepared.scene.render_options(), turn);
         Self { turntable, animation, rate }

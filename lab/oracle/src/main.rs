@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
@@ -129,6 +130,12 @@ enum Verb {
 /// off where the picture has it on: --fresnel=false.
 #[derive(Args)]
 struct Options {
+    /// Animation of a glTF file, by its name or its number from 0 on, or none [default: the first]
+    #[arg(long, value_name = "ANIMATION")]
+    animation: Option<String>,
+    /// Time of the animation in seconds [default: 0]
+    #[arg(long, value_name = "SECONDS", allow_negative_numbers = true)]
+    time: Option<f64>,
     /// Model to render with [default: whitted if the scene has lights, otherwise depth]
     #[arg(long, value_enum)]
     model: Option<Name>,
@@ -199,6 +206,8 @@ impl Options {
         };
         let flag = |flag: Option<bool>| flag.map(|flag| flag.to_string());
         let given = [
+            ("animation", self.animation.clone()),
+            ("time", self.time.map(|time| time.to_string())),
             ("model", word(&|| self.model?.to_possible_value())),
             ("from", self.from.clone()),
             ("look-at", self.look_at.clone()),
@@ -290,9 +299,9 @@ fn shown(path: &Path, scene: Option<&Path>, options: &Options) -> Done<Shown> {
             );
         }
     };
-    let mut scene = load(name)?;
     let given = options.settings();
     let known = given.over(&said);
+    let mut scene = load(name, &known, path)?;
     let assumed = known.assumed(&scene);
     let settings = known.over(&assumed);
     settings.place(&mut scene.view, path)?;
@@ -399,8 +408,8 @@ fn explanation(result: &Explanation) -> String {
 
 /// Prints the errors of the scene that has its numbers, and those of its rays, rounded to singles.
 fn floor(name: &Path, options: &Options, size: Option<(u32, u32)>, json: bool) -> Done {
-    let mut scene = load(name)?;
     let given = options.settings();
+    let mut scene = load(name, &given, name)?;
     let settings = given.over(&given.assumed(&scene));
     settings.place(&mut scene.view, name)?;
     let model = settings.model(name)?;
@@ -490,8 +499,8 @@ fn render(
     if stats && out == Path::new("-") {
         return Err("--out - and --stats can't both have standard output".into());
     }
-    let mut scene = load(name)?;
     let given = options.settings();
+    let mut scene = load(name, &given, name)?;
     let mut settings = given.over(&given.assumed(&scene));
     settings.place(&mut scene.view, out)?;
     let model = settings.model(out)?;
@@ -519,11 +528,21 @@ fn render(
     Ok(())
 }
 
-/// Loads a scene, and prints what was left out of it.
-fn load(name: &Path) -> Result<Scene, meshes::Error> {
-    let loaded = meshes::load(name)?;
+/// Loads a scene as it is at the time of the settings, and prints what was left out of it. `path`
+/// is the file that the settings are of.
+fn load(name: &Path, settings: &Settings, path: &Path) -> Done<Scene> {
+    let mut loaded = meshes::load_animated(name, settings.animation())?;
     for note in loaded.notes {
         messages::print!("{note}");
+    }
+    if let Some(time) = settings.time(path)? {
+        let (Some(animation), Some(mesh)) = (&mut loaded.animation, &mut loaded.scene.mesh) else {
+            return Err(format!("{} has no animation for --time", name.display()).into());
+        };
+        let (positions, normals) = animation.at(time);
+        let mesh = Arc::make_mut(mesh);
+        mesh.positions.copy_from_slice(positions);
+        mesh.normals.copy_from_slice(normals);
     }
     Ok(loaded.scene)
 }

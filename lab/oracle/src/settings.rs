@@ -21,7 +21,9 @@ const PREFIX: &str = "cellray:";
 const SOFTWARE: &str = "Software";
 
 /// The settings that the reference follows, besides the scene.
-const FOLLOWED: [&str; 14] = [
+const FOLLOWED: [&str; 16] = [
+    "animation",
+    "time",
     "from",
     "look-at",
     "up",
@@ -193,6 +195,20 @@ impl Settings {
         };
         assume("colour", &colour);
         assumed
+    }
+
+    /// The name or number of the scene's animation, if it has been chosen.
+    #[must_use]
+    pub fn animation(&self) -> Option<&str> {
+        self.values.get("animation").map(String::as_str)
+    }
+
+    /// The time of the animation in seconds, if it plays.
+    ///
+    /// # Errors
+    /// The setting is no number. `path` is the file that the error names.
+    pub fn time(&self, path: &Path) -> Result<Option<f64>, Error> {
+        self.get("time", path, "a finite number", number)
     }
 
     /// Changes a view to that of the picture.

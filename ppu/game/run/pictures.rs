@@ -50,6 +50,8 @@ pub struct Pictures {
     paths: NumberedPath,
     /// Labels, and the view of the scene that they name.
     labels: Option<(Labels, View)>,
+    /// Frames per second of an animation.
+    rate: Option<u32>,
 }
 
 /// How many pictures a run wrote, and how many existed already.
@@ -65,7 +67,7 @@ impl Pictures {
     /// Pictures with these names.
     #[must_use]
     pub fn new(paths: NumberedPath) -> Self {
-        Self { paths, labels: None }
+        Self { paths, labels: None, rate: None }
     }
 
     /// The same with these labels in each file, and with the frame's view where it differs from the
@@ -73,6 +75,12 @@ impl Pictures {
     #[must_use]
     pub fn labelled(self, labels: Labels, own_view: View) -> Self {
         Self { labels: Some((labels, own_view)), ..self }
+    }
+
+    /// The same, where an animation plays this number of frames per second: labels have its time.
+    #[must_use]
+    pub fn animated(self, rate: u32) -> Self {
+        Self { rate: Some(rate), ..self }
     }
 
     /// Plays the session up to the end of a range, and writes the frames of the range that don't
@@ -112,6 +120,9 @@ impl Pictures {
                 if let Some((common, own_view)) = &self.labels {
                     labels = common.clone();
                     labels.set_view(session.world().view(), own_view);
+                    if let Some(rate) = self.rate {
+                        labels.set("time", number as f64 / f64::from(rate));
+                    }
                 }
                 write_labelled(&path, &picture, &labels)?;
                 made.written += 1;

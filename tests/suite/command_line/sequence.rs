@@ -86,7 +86,8 @@ fn animation_plays_in_numbered_pictures() {
     assert!(last_picture(&["--frames", "4"]) == pictures[3]);
     for picture in [&folder.path().join("f-003.png"), &last] {
         let settings = oracle::Settings::of_png(picture).unwrap();
-        assert_eq!(settings.unknown(), ["--animation swell", "--fps 2"]);
+        assert_eq!(settings.time(picture).unwrap(), Some(1.5));
+        assert_eq!(settings.unknown(), [""; 0]);
     }
     for options in [&["--animation", "none"][..], &["--animation", "none", "--frames", "3"]] {
         assert!(last_picture(options) != pictures[0], "without an animation it has another form");

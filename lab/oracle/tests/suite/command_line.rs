@@ -259,6 +259,19 @@ fn every_setting_is_read_from_the_picture_again() {
 }
 
 #[test]
+fn animations_have_the_time_of_the_picture() {
+    let folder = empty_folder();
+    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes/reef.glb");
+    let options = "--animation=swell --time=1.5 --antialias=1";
+    succeeds(&folder, &format!("render {scene} --size 40x30 --out s.png {options}"));
+    succeeds(&folder, "compare s.png --max-wrong 0");
+    fails(&folder, "compare s.png --max-wrong 0 --time=0", 1, "more than --max-wrong 0");
+    fails(&folder, "compare s.png --animation=none", 1, "no animation for --time");
+    fails(&folder, "compare s.png --animation 7", 1, "no animation `7`; it has `swell`");
+    fails(&folder, "render sphereflake:1 --time 1 --out t.png", 1, "no animation for --time");
+}
+
+#[test]
 fn the_share_of_wrong_pixels_that_is_allowed() {
     let folder = folder();
     for (most, code) in [("0.0003", 1), ("0.0004", 0), ("0", 1), ("1", 0)] {
