@@ -1,9 +1,8 @@
 //! Checks that links in the documents lead to existing files and headings, and that paths in
 //! backquotes name existing files.
 
+use crate::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
 
 /// Paths that documents use as examples and that need not exist.
 const EXAMPLES: &[&str] = &[

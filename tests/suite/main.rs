@@ -8,6 +8,7 @@ mod frames;
 mod game;
 mod links;
 mod measured_numbers;
+mod prelude;
 mod recorder;
 mod speed;
 mod whitted;

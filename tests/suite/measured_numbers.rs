@@ -1,8 +1,7 @@
 //! Checks that simulated speeds in the documents are those that `ci/measure --write` wrote. A
 //! sentence may repeat such a number but contain no other.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use crate::prelude::*;
 
 const WRITTEN: &str = ": written by ci/measure --write -->";
 const END: &str = "<!-- end of what is written -->";

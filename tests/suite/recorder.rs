@@ -1,10 +1,9 @@
 //! A framebuffer whose contents tests can read, and frames rendered to it.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
-use cellray::{Engine, Scene, Settings};
-use image::RgbImage;
+use crate::prelude::*;
+use cellray::framebuffer::{FramebufferError, Target};
 
 /// A memory framebuffer whose presented frames can be read from outside.
 pub struct Recorder {

@@ -2,9 +2,9 @@
 //! change that makes a frame slower than promised fails here on any machine.
 
 use std::collections::BTreeMap;
-use std::process::Command;
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Mutex, OnceLock};
 
+use crate::prelude::*;
 use serde_json::Value;
 
 /// The statistics of some frames of a scene in simulated time. Several tests use the same ones,

@@ -64,7 +64,7 @@ pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError
         let source = Source::find(kernel.name).expect("every kernel has a source");
         writeln!(out, "{} ({})", kernel.name, source.file)?;
         schedule(&workshop, source, out)?;
-        for case in kernel.cases {
+        for case in &kernel.cases {
             bench.reset();
             let arguments = (case.place)(&mut bench, case.objects.first());
             bench.call(kernel.name, &arguments);
@@ -124,7 +124,7 @@ fn error(
     bench: &mut Bench,
     out: &mut impl Write,
 ) -> Result<(), CheckError> {
-    let Some(error) = kernel.error else {
+    let Some(error) = &kernel.error else {
         return Ok(());
     };
     let stated = source.header().and_then(|header| header.stated_error());

@@ -29,7 +29,8 @@ pub fn quad([x, y, z]: Point, anything: u32) -> [F32; 4] {
 }
 
 /// A ray and its hit so far.
-#[derive(Clone, Copy, Debug, FromBytes)]
+#[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable)]
+#[repr(C)]
 pub struct Ray {
     /// The ray's origin.
     pub origin: Point,
@@ -66,36 +67,6 @@ pub struct Rays {
     pub u: [F32; 16],
     /// The second coordinate.
     pub v: [F32; 16],
-}
-
-impl Rays {
-    /// The record of these rays.
-    #[must_use]
-    pub fn pack(rays: &[Ray; 16]) -> Self {
-        let mut packed = Self::new_zeroed();
-        for (lane, ray) in rays.iter().enumerate() {
-            for axis in 0..3 {
-                packed.origin[axis][lane] = single(ray.origin[axis]);
-                packed.direction[axis][lane] = single(ray.direction[axis]);
-            }
-            packed.t[lane] = single(ray.hit.t);
-            packed.object[lane] = ray.hit.object.into();
-            packed.u[lane] = single(ray.hit.u);
-            packed.v[lane] = single(ray.hit.v);
-        }
-        packed
-    }
-
-    /// The hits in the record.
-    #[must_use]
-    pub fn hits(&self) -> [FlatHit; 16] {
-        std::array::from_fn(|lane| FlatHit {
-            t: bits(self.t[lane]),
-            object: self.object[lane].get(),
-            u: bits(self.u[lane]),
-            v: bits(self.v[lane]),
-        })
-    }
 }
 
 /// One ray. In the last four fields, only the first word has a meaning.

@@ -17,6 +17,7 @@ pub mod flat_records;
 pub mod images;
 pub mod loops;
 pub mod measure;
+pub mod prelude;
 pub mod records;
 pub mod set;
 pub mod single;

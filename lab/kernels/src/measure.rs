@@ -125,7 +125,7 @@ fn measure(
     // Each kernel has its own generator, so that its error does not depend on which other kernels
     // are measured.
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
-    let error = kernel.error.map(|error| error(bench, &mut random));
+    let error = kernel.error.as_ref().map(|error| error(bench, &mut random));
     let cases = time(bench, kernel);
     Ok(Measured {
         kernel: kernel.name,

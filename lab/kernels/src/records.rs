@@ -3,9 +3,42 @@
 
 use twins::sphere_ray;
 use zerocopy::big_endian::{F32, U32};
-use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
+use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
 use crate::single::{bits, single};
+
+/// The record whose rows have a word of each lane, in the order of the words.
+///
+/// # Panics
+///
+/// Panics if the record has not as many rows as a lane has words.
+#[must_use]
+pub fn rows<L: IntoBytes + Immutable, R: FromBytes, const LANES: usize>(lanes: &[L; LANES]) -> R {
+    let mut record = vec![0; size_of::<[L; LANES]>()];
+    for (number, lane) in lanes.iter().enumerate() {
+        let words = lane.as_bytes().as_chunks().0.iter();
+        for (row, word) in record.chunks_exact_mut(4 * LANES).zip(words) {
+            row[4 * number..][..4].copy_from_slice(&u32::from_ne_bytes(*word).to_be_bytes());
+        }
+    }
+    R::read_from_bytes(&record).unwrap_or_else(|_| panic!("a row for each word of a lane"))
+}
+
+/// The lanes of such a record with sixteen.
+///
+/// # Panics
+///
+/// As [`rows`].
+#[must_use]
+pub fn lanes<L: FromBytes>(record: &(impl IntoBytes + Immutable)) -> [L; 16] {
+    let (words, _) = record.as_bytes().as_chunks();
+    std::array::from_fn(|lane| {
+        let words = words.iter().skip(lane).step_by(16);
+        let bytes: Vec<u8> =
+            words.flat_map(|word| u32::from_be_bytes(*word).to_ne_bytes()).collect();
+        L::read_from_bytes(&bytes).unwrap_or_else(|_| panic!("a row for each word of a lane"))
+    })
+}
 
 /// Sixteen rays with separate origins.
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
@@ -51,35 +84,6 @@ pub struct BareSphere {
     pub centre: [F32; 3],
     /// The squared radius.
     pub radius_squared: F32,
-}
-
-impl Rays {
-    /// The record of these rays.
-    #[must_use]
-    pub fn new(rays: &[sphere_ray::Ray; 16]) -> Self {
-        let mut record = Self::new_zeroed();
-        for (lane, ray) in rays.iter().enumerate() {
-            [record.origin_x[lane], record.origin_y[lane], record.origin_z[lane]] =
-                ray.origin.map(single);
-            [record.direction_x[lane], record.direction_y[lane], record.direction_z[lane]] =
-                ray.direction.map(single);
-            record.t[lane] = single(ray.t);
-            record.object[lane] = ray.object.into();
-        }
-        record
-    }
-
-    /// The rays in the record.
-    #[must_use]
-    pub fn rays(&self) -> [sphere_ray::Ray; 16] {
-        std::array::from_fn(|lane| sphere_ray::Ray {
-            origin: [self.origin_x, self.origin_y, self.origin_z].map(|axis| bits(axis[lane])),
-            direction: [self.direction_x, self.direction_y, self.direction_z]
-                .map(|axis| bits(axis[lane])),
-            t: bits(self.t[lane]),
-            object: self.object[lane].get(),
-        })
-    }
 }
 
 impl Ray {

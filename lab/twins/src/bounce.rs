@@ -3,7 +3,7 @@
 use spu_emulator::float::estimate::frest;
 use spu_emulator::float::single::{fcgt, fcmgt, fm, fma, fnms};
 
-use super::{HALF, Single, above_zero};
+use super::{HALF, SIGN, Single, above_zero, dot};
 use zerocopy::FromBytes;
 
 /// The single 3/2.
@@ -73,8 +73,6 @@ const FARTHEST: Single = 0x4100_0000;
 /// The same for surfaces that let light through, because a ray in a small body must not start
 /// beyond the opposite wall: 2.
 const FARTHEST_INSIDE: Single = 0x4000_0000;
-/// The sign of a single.
-const SIGN: Single = 0x8000_0000;
 
 /// On which side of a surface a ray leaves it.
 #[derive(Clone, Copy, Debug)]
@@ -137,10 +135,6 @@ impl Bounce {
             step(rest, self.plane[axis], step(ahead, direction[axis], self.point[axis]))
         })
     }
-}
-
-pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
-    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
 /// c - k a.

@@ -3,10 +3,9 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};
 
-use super::flat::SIGN;
 use super::math::{reciprocal, rsqrt, sqrt};
 use super::primary_rays::Ray;
-use super::{ONE, Single, ZERO, below_zero};
+use super::{ONE, SIGN, Single, ZERO, below_zero, dot};
 use zerocopy::FromBytes;
 
 /// 2 - 2 (3/16): the square of the longest chord of a cone.
@@ -131,10 +130,6 @@ fn there(rays: &[Ray; 16], value: impl Fn(&Ray) -> Single) -> [Single; 16] {
         let ray = &rays[lane];
         if below_zero(ray.t) { ZERO } else { value(ray) }
     })
-}
-
-fn dot([ax, ay, az]: [Single; 3], [bx, by, bz]: [Single; 3]) -> Single {
-    fma(az, bz, fma(ay, by, fm(ax, bx)))
 }
 
 /// The values of a lane in each of the rows.

@@ -1,10 +1,10 @@
 //! Twins of `spu/build`: how a leaf block of a mesh is refitted.
 
-use spu_emulator::float::single::{fa, fcgt, fm, fma, fs};
+use spu_emulator::float::single::{fa, fm, fma, fs};
 
-use super::flat::SIGN;
+use super::mesh::{maximum, minimum};
 use super::mesh_prepare::{HEADER, NO_BOX, NODE, WORDS};
-use super::{ONE, Single, ZERO};
+use super::{ONE, SIGN, Single, ZERO};
 
 /// In `sides`: vertices have normals.
 const SMOOTH: u32 = 0x2000_0000;
@@ -34,25 +34,17 @@ impl Box {
 
     /// The box around two corners, of which one comparison has both limits.
     fn of(a: Corner, b: Corner) -> Self {
-        Self([lanes(smaller, a, b), lanes(larger, b, a)])
+        Self([lanes(minimum, a, b), lanes(maximum, b, a)])
     }
 
     fn with(self, other: Self) -> Self {
         let ([low, high], [other_low, other_high]) = (self.0, other.0);
-        Self([lanes(smaller, low, other_low), lanes(larger, high, other_high)])
+        Self([lanes(minimum, low, other_low), lanes(maximum, high, other_high)])
     }
 }
 
 fn lanes(pick: fn(Single, Single) -> Single, a: Corner, b: Corner) -> Corner {
     std::array::from_fn(|lane| pick(a[lane], b[lane]))
-}
-
-fn smaller(a: Single, b: Single) -> Single {
-    if fcgt(a, b) != 0 { b } else { a }
-}
-
-fn larger(a: Single, b: Single) -> Single {
-    if fcgt(b, a) != 0 { b } else { a }
 }
 
 /// Refits a block that has new vertices, as `build_leaf` does. Returns its bounds.

@@ -6,9 +6,8 @@ use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
 use super::math::reciprocal;
 use super::pairs::{Sides, nearer};
-use super::rectangle::dot;
-use super::sphere_ray::{Ray, SIGN};
-use super::{HALF, ONE, Single, below_zero};
+use super::sphere_ray::Ray;
+use super::{HALF, ONE, SIGN, Single, below_zero, dot};
 
 /// The smallest single above 0.
 const TINY: Single = 0x0080_0000;

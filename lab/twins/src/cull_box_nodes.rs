@@ -6,9 +6,8 @@ use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};
 
 use super::bound::Bound;
 use super::cull_nodes::with_slack;
-use super::flat::SIGN;
 use super::primary_rays::Ray;
-use super::{Single, below_zero};
+use super::{SIGN, Single, below_zero};
 
 fn magnitudes(vector: [Single; 3]) -> [Single; 3] {
     vector.map(|component| component & !SIGN)

@@ -5,9 +5,8 @@ use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 
 use super::bound::Bound;
-use super::flat::SIGN;
 use super::primary_rays::Ray;
-use super::{Single, below_zero};
+use super::{SIGN, Single, below_zero};
 
 /// 2^-18.
 const SLACK: Single = 0x3680_0000;

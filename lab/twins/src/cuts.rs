@@ -4,11 +4,10 @@
 use spu_emulator::float::convert::{cflts, cfltu, csflt, cuflt};
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fms, fs};
 
-use super::flat::SIGN;
 use super::height::{FIVE, SIX};
 use super::math::{reciprocal, rsqrt};
 use super::mesh::{maximum, minimum};
-use super::{FARTHEST, ONE, Single, ZERO, below_zero, select};
+use super::{FARTHEST, ONE, SIGN, Single, ZERO, below_zero, select};
 
 /// Cells across and down in local store.
 pub const CELLS: usize = 32;

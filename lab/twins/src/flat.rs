@@ -1,14 +1,12 @@
 //! Twin of `spu/include/flat.inc`: what the kernels of triangles and rectangles share.
 
-use super::Single;
 use super::math::{recip_interpolated, recip_step};
-use zerocopy::FromBytes;
-
-/// The sign of a word.
-pub(super) const SIGN: u32 = 0x8000_0000;
+use super::{SIGN, Single};
+use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 /// The nearest hit of a ray so far, and where on the object it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, IntoBytes, Immutable)]
+#[repr(C)]
 pub struct FlatHit {
     /// Distance.
     pub t: Single,

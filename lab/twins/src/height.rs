@@ -4,11 +4,10 @@
 use spu_emulator::float::convert::{cflts, cfltu, csflt};
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fs};
 
-use super::flat::SIGN;
 use super::math::{reciprocal, rsqrt};
 use super::mesh::{SLACK, maximum, minimum};
 use super::mesh_prepare::{HEADER, LEAF, MAGIC, NO_BOX, NODE, WORDS};
-use super::{ONE, Single, ZERO, select};
+use super::{ONE, SIGN, Single, ZERO, select};
 
 /// Where the samples are in a block that has arrived, in words.
 const SAMPLES: usize = 340;

@@ -56,6 +56,8 @@ pub mod triangle;
 pub mod triangle_mt_pairs;
 pub mod triangle_pairs;
 
+use spu_emulator::float::single::{fm, fma};
+
 /// Bit pattern of a single.
 pub type Single = u32;
 
@@ -67,6 +69,14 @@ pub const HALF: Single = 0x3f00_0000;
 pub const ONE: Single = 0x3f80_0000;
 /// The single 2^62: the distance of no hit.
 pub const FARTHEST: Single = 0x5e80_0000;
+
+/// The sign of a word.
+const SIGN: u32 = 0x8000_0000;
+
+/// a . b
+fn dot([ax, ay, az]: [Single; 3], [bx, by, bz]: [Single; 3]) -> Single {
+    fma(az, bz, fma(ay, by, fm(ax, bx)))
+}
 
 /// The result of the select after a compare: `chosen` where the compare was true.
 fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {

@@ -6,8 +6,8 @@ use spu_emulator::float::single::{fm, fma, fnms, fs};
 
 use super::math::reciprocal;
 use super::shadow_rays::Place;
-use super::surfaces::{Ray, Surface, dot};
-use super::{ONE, Single, select};
+use super::surfaces::{Ray, Surface};
+use super::{ONE, Single, dot, select};
 
 /// A single's fraction.
 const FRACTION: u32 = 0x007f_ffff;

@@ -4,10 +4,9 @@
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fnms, fs};
 
-use super::flat::SIGN;
 use super::math::{recip_interpolated, recip_step, reciprocal};
 use super::primary_rays::{ABSENT, Ray};
-use super::{HALF, Single, ZERO, below_zero, select};
+use super::{HALF, SIGN, Single, ZERO, below_zero, select};
 
 /// 1 - 2^-21.
 const BELOW_ONE: Single = 0x3f7f_fff8;

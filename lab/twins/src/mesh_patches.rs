@@ -3,10 +3,9 @@
 
 use spu_emulator::float::single::{fa, fm, fms, fs};
 
-use super::Single;
-use super::flat::SIGN;
 use super::math::{recip_interpolated, rsqrt};
 use super::triangle::Triangle;
+use super::{SIGN, Single};
 
 /// 2^-19, as large as the slack of boxes.
 const LEAVE: Single = 0x3600_0000;

@@ -2,9 +2,8 @@
 
 use spu_emulator::float::single::{fa, fm, fs};
 
-use super::flat::SIGN;
 use super::mesh::{SLACK, maximum};
-use super::{Single, ZERO};
+use super::{SIGN, Single, ZERO};
 
 /// Words of a block.
 pub const WORDS: usize = 512;

@@ -7,11 +7,10 @@
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fma, fnms, fs};
 
-use super::flat::SIGN;
 use super::math::reciprocal;
 use super::mesh::{Corners, SLACK, TINY, maximum, minimum};
 use super::primary_rays::Ray;
-use super::{Single, ZERO, below_zero, select};
+use super::{SIGN, Single, ZERO, below_zero, select};
 
 /// The largest single: when a child is met that no ray meets.
 const NEVER: Single = 0x7fff_ffff;

@@ -8,14 +8,14 @@
 
 use spu_emulator::float::single::{fa, fcgt, fcmgt, fm, fs};
 
-use super::flat::{SIGN, over};
+use super::flat::over;
 use super::math::reciprocal;
-use super::mesh::{MeshBound, slab};
+use super::mesh::{MeshBound, maximum, minimum, slab};
 use super::mesh_pairs::MeshBlock;
 use super::sphere_ray::Ray;
 use super::triangle::Triangle;
 use super::triangle_pairs::isect_triangle;
-use super::{ONE, Single, ZERO, below_zero, select};
+use super::{ONE, SIGN, Single, ZERO, below_zero, select};
 
 /// The largest single.
 const LARGEST: Single = 0x7fff_ffff;
@@ -46,14 +46,6 @@ pub struct MeshWindow {
     pub rows: [RowWindow; 4],
 }
 
-fn lesser(a: Single, b: Single) -> Single {
-    select(a, b, fcgt(a, b) != 0)
-}
-
-fn greater(a: Single, b: Single) -> Single {
-    select(a, b, fcgt(b, a) != 0)
-}
-
 /// The extreme of four lanes.
 fn extreme(lanes: [Single; 4], extreme: fn(Single, Single) -> Single) -> Single {
     extreme(extreme(lanes[0], lanes[1]), extreme(lanes[2], lanes[3]))
@@ -82,11 +74,11 @@ fn eye_extremes(rays: &[Ray; 16]) -> EyeExtremes {
     let later = |a: Single, b: Single| select(a, b, b as i32 > a as i32);
     let directions = std::array::from_fn(|axis| {
         let along = |ray: &Ray| ray.direction[axis];
-        let min = extreme(over(&along, lesser), lesser);
-        [min, extreme(over(&along, greater), greater)]
+        let min = extreme(over(&along, minimum), minimum);
+        [min, extreme(over(&along, maximum), maximum)]
     });
     let farthest = over(&|ray| later(ABSENT, ray.t), later);
-    EyeExtremes { directions, farthest: extreme(farthest, greater) }
+    EyeExtremes { directions, farthest: extreme(farthest, maximum) }
 }
 
 impl EyeExtremes {
@@ -95,9 +87,9 @@ impl EyeExtremes {
         let [own, others] = [self.directions, other.directions];
         let both = |axis: usize| {
             let ([min, max], [other_min, other_max]) = (own[axis], others[axis]);
-            [lesser(min, other_min), greater(max, other_max)]
+            [minimum(min, other_min), maximum(max, other_max)]
         };
-        let farthest = greater(self.farthest, other.farthest);
+        let farthest = maximum(self.farthest, other.farthest);
         Self { directions: [0, 1, 2].map(both), farthest }
     }
 
@@ -139,7 +131,7 @@ pub fn mesh_window(rays: &[Ray; 16]) -> MeshWindow {
         if is_wide {
             [SMALLEST, LARGEST]
         } else {
-            [fs(lesser(low, other_low), SLACK), fa(greater(high, other_high), SLACK)]
+            [fs(minimum(low, other_low), SLACK), fa(maximum(high, other_high), SLACK)]
         }
     };
     let window = |row| {
@@ -160,7 +152,7 @@ impl MeshWindow {
         let limits = [0, 1].map(|axis| {
             let [a, b, c] = projected.map(|vertex| vertex[axis]);
             let [low, high] = ordered(a, b);
-            [lesser(low, c), greater(high, c)]
+            [minimum(low, c), maximum(high, c)]
         });
         self.rows.map(|row| {
             let outside = (0..2).any(|axis| {

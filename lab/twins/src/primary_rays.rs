@@ -2,7 +2,7 @@
 
 use super::ray_setup::{Basis, ray_setup};
 use super::{FARTHEST, ONE, Single, ZERO};
-use zerocopy::FromBytes;
+use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 /// The single -1: the distance of a ray that is not there.
 pub const ABSENT: Single = 0xbf80_0000;
@@ -13,7 +13,8 @@ const SUM_SIZE: u32 = 16;
 const PITCH: u32 = SUM_SIZE * 64;
 
 /// One lane of a packet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, IntoBytes, Immutable)]
+#[repr(C)]
 pub struct Ray {
     /// Where it starts.
     pub origin: [Single; 3],

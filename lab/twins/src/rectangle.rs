@@ -1,12 +1,12 @@
 //! Twin of `lab/spu/isect/isect_rectangle_r16.s`, `any_rectangle_r16.s` and `isect_plane_r16.s`:
 //! rays, parallelograms and planes.
 
-use spu_emulator::float::single::{fm, fma, fnms, fs};
+use spu_emulator::float::single::{fm, fnms, fs};
 use zerocopy::FromBytes;
 
 use super::flat::{FlatHit, Meeting};
 use super::math::reciprocal;
-use super::{ONE, Single};
+use super::{ONE, Single, dot};
 
 /// A parallelogram, or the plane through it.
 #[derive(Clone, Copy, Debug, FromBytes)]
@@ -19,10 +19,6 @@ pub struct Rectangle {
     pub dual_u: [Single; 3],
     /// Its products with the edges are 0 and 1, with the normal 0.
     pub dual_v: [Single; 3],
-}
-
-pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
-    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
 /// Where the ray meets the plane, the parallelogram's bounds left out.

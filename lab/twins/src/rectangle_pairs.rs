@@ -1,11 +1,10 @@
 //! Twin of `spu/isect/isect_rectangle_pairs_r16.s`: a ray from anywhere and a parallelogram
 //! that is seen from one side or both.
 
-use super::below_zero;
-use super::flat::SIGN;
 use super::pairs::nearer;
-use super::rectangle::{Rectangle, dot, meet_within};
+use super::rectangle::{Rectangle, meet_within};
 use super::sphere_ray::Ray;
+use super::{SIGN, below_zero, dot};
 
 /// A parallelogram as an object of a scene.
 #[derive(Clone, Copy, Debug)]

@@ -2,16 +2,13 @@
 
 use spu_emulator::float::single::{fcmgt, fm, fma, fms, fs};
 
-use super::Single;
 use super::bounce::sub_scaled;
 use super::math::{recip_interpolated, rsqrt};
-use super::surfaces::{Object, Ray, dot};
+use super::surfaces::{Object, Ray};
+use super::{SIGN, Single, dot};
 
 /// The cosine to the normal below which a ray grazes: 1/64.
 const GRAZING: Single = 0x3c80_0000;
-/// A single's sign.
-const SIGN: u32 = 0x8000_0000;
-
 /// The point of a hit and the unit normal there, on the ray's side. `None` if the object is flat or
 /// the ray grazes it.
 #[must_use]

@@ -2,7 +2,8 @@
 
 use spu_emulator::float::single::{fa, fnms};
 
-use super::bounce::{Bounce, Limits, Queued, Side, dot, sub_scaled};
+use super::bounce::{Bounce, Limits, Queued, Side, sub_scaled};
+use super::dot;
 
 /// The ray that the hit reflects; none if its share is not above 0 or the limits forbid it.
 #[must_use]

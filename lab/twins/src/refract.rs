@@ -2,9 +2,9 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 
-use super::bounce::{Bounce, Limits, Queued, Side, dot, sub_scaled};
+use super::bounce::{Bounce, Limits, Queued, Side, sub_scaled};
 use super::math::sqrt;
-use super::{ONE, Single, below_zero};
+use super::{ONE, Single, below_zero, dot};
 
 /// Beyond a surface, by one normal.
 struct Beyond {

@@ -7,8 +7,8 @@ use spu_emulator::float::single::{fcgt, fm, fma, fnms};
 
 use super::bounce::{farthest, leaving};
 use super::math::rsqrt;
-use super::surfaces::{Ray, Surface, dot};
-use super::{FARTHEST, ONE, Single, ZERO, above_zero, select};
+use super::surfaces::{Ray, Surface};
+use super::{FARTHEST, ONE, Single, ZERO, above_zero, dot, select};
 
 /// The t of a ray that is not there: -1.
 pub const NOT_THERE: Single = 0xbf80_0000;

@@ -3,9 +3,8 @@
 use spu_emulator::float::single::{fm, fma, fms, fs};
 
 use super::math::rsqrt;
-use super::rectangle::dot;
 use super::triangle::Triangle;
-use super::{Single, below_zero};
+use super::{Single, below_zero, dot};
 use zerocopy::FromBytes;
 
 /// A triangle with normals at its vertices.

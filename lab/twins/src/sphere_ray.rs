@@ -5,10 +5,8 @@
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fcgt, fm, fma, fms, fnms, fs};
 
-use super::{HALF, ONE, Single, ZERO, below_zero};
-use zerocopy::FromBytes;
-
-pub(super) const SIGN: u32 = 1 << 31;
+use super::{HALF, ONE, SIGN, Single, ZERO, below_zero};
+use zerocopy::{FromBytes, Immutable, IntoBytes};
 
 /// A sphere.
 #[derive(Clone, Copy, Debug, FromBytes)]
@@ -20,7 +18,8 @@ pub struct BareSphere {
 }
 
 /// A ray, and what it has hit so far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes, IntoBytes, Immutable)]
+#[repr(C)]
 pub struct Ray {
     /// Where it starts.
     pub origin: [Single; 3],

@@ -4,14 +4,11 @@
 use spu_emulator::float::single::{fa, fm, fma, fms, fnms, fs};
 
 use super::math::rsqrt;
-use super::{Single, below_zero, select};
+use super::{SIGN, Single, below_zero, dot, select};
 use zerocopy::FromBytes;
 
 /// The share in `leave` of coordinates' distance from 0 and of an object's own numbers: 2^-22.
 pub const LEAVE: Single = 0x3480_0000;
-
-/// A single's sign.
-const SIGN: u32 = 0x8000_0000;
 
 /// A ray that has hit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, FromBytes)]
@@ -103,11 +100,6 @@ pub struct Surface {
     pub lit: [Single; 3],
     /// The flags that the lane adds to the packet's.
     pub flags: u32,
-}
-
-/// a . b
-pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
-    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
 /// The surface that a ray has hit.

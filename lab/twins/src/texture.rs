@@ -5,9 +5,8 @@ use spu_emulator::float::convert::{cflts, csflt};
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};
 
 use super::math::{reciprocal, sqrt};
-use super::rectangle::dot;
 use super::triangle::Triangle;
-use super::{HALF, ONE, Single, below_zero, select};
+use super::{HALF, ONE, Single, below_zero, dot, select};
 use zerocopy::FromBytes;
 
 /// A single without its sign.

@@ -3,9 +3,9 @@
 
 use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};
 
-use super::Single;
-use super::flat::{FlatHit, Meeting, SIGN, over};
+use super::flat::{FlatHit, Meeting, over};
 use super::math::reciprocal;
+use super::{SIGN, Single};
 
 /// 1 + 2^-22: makes up for what truncation takes off on average.
 const ABOVE_ONE: Single = 0x3f80_0002;

@@ -1,14 +1,13 @@
 //! Twin of `lab/spu/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle,
 //! Möller and Trumbore's way.
 
-use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
+use spu_emulator::float::single::{fm, fms, fnms, fs};
 
-use super::flat::SIGN;
 use super::math::reciprocal;
 use super::pairs::nearer;
 use super::sphere_ray::Ray;
 use super::triangle_pairs::TriangleObject;
-use super::{ONE, Single, ZERO, below_zero};
+use super::{ONE, SIGN, Single, ZERO, below_zero, dot};
 
 type Vector = [Single; 3];
 
@@ -21,10 +20,6 @@ fn cross(a: Vector, b: Vector) -> Vector {
         let [x, y] = [(axis + 1) % 3, (axis + 2) % 3];
         fms(a[x], b[y], fm(a[y], b[x]))
     })
-}
-
-fn dot(a: Vector, b: Vector) -> Single {
-    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
 fn minus_dot(a: Vector, b: Vector) -> Single {

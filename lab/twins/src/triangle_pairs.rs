@@ -1,11 +1,10 @@
 //! Twin of `spu/isect/isect_triangle_pairs_r16.s`: a ray from anywhere and a triangle that
 //! is seen from one side or both.
 
-use super::below_zero;
-use super::flat::SIGN;
 use super::pairs::nearer;
 use super::sphere_ray::Ray;
 use super::triangle::{Triangle, meet, shear};
+use super::{SIGN, below_zero};
 
 /// A triangle as an object of a scene.
 #[derive(Clone, Copy, Debug)]

@@ -1,9 +1,9 @@
 //! Commands that are programs of their own.
 
 use std::os::unix::fs::symlink;
-use std::process::Command;
 
 use crate::command_line::support::text;
+use crate::prelude::*;
 
 #[test]
 fn commands_run_their_programs() {

@@ -1,10 +1,7 @@
 //! `cellray render` without options for the picture's file and the messages.
 
-use std::fs;
-use std::path::Path;
-use std::process::Command;
-
 use crate::command_line::support::text;
+use crate::prelude::*;
 
 /// Runs `cellray render` in a folder. Returns the exit code and the messages.
 fn render(folder: &Path, arguments: &[&str]) -> (Option<i32>, String) {

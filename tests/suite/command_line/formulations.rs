@@ -1,10 +1,10 @@
 //! The choice of formulations: those that are shipped can draw, and the output names the chosen
 //! ones.
 
-use image::RgbImage;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use crate::command_line::support::{bad, good};
+use crate::prelude::*;
 
 /// Renders a scene with options. Returns the picture, the formulations in the statistics, and the
 /// messages.

@@ -1,8 +1,7 @@
 //! `cellray render --inspect`: the page's content. `ci/browser` checks how it looks in a browser.
 
-use std::fs;
-
 use super::support::{bad, good};
+use crate::prelude::*;
 
 /// What stands between each `before` and the next `after`.
 fn all<'t>(text: &'t str, before: &str, after: &str) -> Vec<&'t str> {

@@ -1,10 +1,7 @@
 //! Mesh files on the command line.
 
-use std::fs;
-
-use image::RgbImage;
-
 use crate::command_line::support::{bad, good, pixels};
+use crate::prelude::*;
 
 const OBJ: &str = "mtllib gone.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 

@@ -14,10 +14,9 @@ mod slips;
 mod support;
 mod whitted;
 
-use std::fs::{self, File};
-use std::path::Path;
-use std::process::Command;
+use std::fs::File;
 
+use crate::prelude::*;
 use support::{VIEW, bad, bad_scene, good, text};
 
 #[test]

@@ -1,10 +1,9 @@
 //! New games and new shaders, as a newcomer creates them.
 
 use std::collections::BTreeSet;
-use std::fs;
-use std::process::Command;
 
 use super::support::{bad, good, pixels, text};
+use crate::prelude::*;
 
 const STRIPES: &str = "examples/tutorial/shaders/stripes.s";
 

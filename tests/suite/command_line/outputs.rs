@@ -2,15 +2,15 @@
 //! is printed.
 
 use std::ffi::OsStr;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{self, Read as _};
 use std::os::unix::ffi::OsStrExt as _;
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 use image::ImageFormat;
 
 use super::support::{bad, cellray, good, text};
+use crate::prelude::*;
 
 const SCENE: &str = "scenes/paper16.nff";
 

@@ -1,12 +1,11 @@
 //! Numbered pictures in parts, as batch renderers request them.
 
-use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::process::Stdio;
+use std::time::Instant;
 
 use crate::command_line::support::{bad, good, text};
+use crate::prelude::*;
 
 const SCENE: &str = "scenes/paper16.nff";
 /// How long pictures may take to come, on a machine that is busy with other things.

@@ -1,10 +1,9 @@
 //! The settings that a picture carries: with them, `oracle` makes the same picture.
 
-use std::path::Path;
-
 use oracle::{Picture, Settings, compare};
 
 use crate::command_line::support::good;
+use crate::prelude::*;
 
 const SIZE: &str = "160x90";
 

@@ -1,12 +1,9 @@
 //! SPUs that do not reply: they are reported in time, even if libspe2's clock is slower than ours.
 
-use std::fs;
-use std::path::Path;
-use std::process::Command;
-
 use spu_build::{Image, Tools};
 
 use crate::command_line::support::text;
+use crate::prelude::*;
 
 /// Takes its mail and never replies. Two instructions in each cycle make it slow to emulate.
 const SILENT: &str = "        .global _start

@@ -1,10 +1,7 @@
 //! Runs the command line and expects success or failure.
 
-use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
-
-use image::RgbImage;
+use crate::prelude::*;
+use std::process::Output;
 
 /// A view, and a white material.
 pub const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\

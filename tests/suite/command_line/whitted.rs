@@ -1,10 +1,7 @@
 //! The options of Whitted's model, and scenes that do not fit.
 
-use std::fs;
-
-use image::RgbImage;
-
 use crate::command_line::support::{VIEW, bad_scene, good, pixels};
+use crate::prelude::*;
 
 #[test]
 fn entities_undrawn_by_depth_shading_are_listed() {

@@ -1,17 +1,15 @@
 //! Frames in which SPUs refit a mesh: damaged records are refused, and no byte is written beside
 //! the new blocks.
 
-use cellray::spe::Program;
-use cellray::{EngineError, SharedMemory};
 use protocol::layout::{
-    Build, BuildBounds, BuildUnit, FEATURE_BUILD, Frame, MAX_SIDE, MESH_BLOCK, MESH_LEAF,
-    MeshVertex, SPLIT_UNITS, UnitCounter,
+    Build, BuildBounds, BuildUnit, FEATURE_BUILD, MAX_SIDE, MeshVertex, SPLIT_UNITS, UnitCounter,
 };
+use zerocopy::FromZeros as _;
 use zerocopy::big_endian::{F32, U32};
-use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::mesh::scene;
 use crate::frames::fixture::Fixture;
+use crate::prelude::*;
 
 const SIZE: usize = MESH_BLOCK as usize;
 /// The bytes of a block that must not be written. There is one on either side of the new blocks.

@@ -1,12 +1,10 @@
 //! Colours of vertices in main memory: the same bytes on any number of SPUs, and an error for what
 //! is not as it should be.
 
-use std::sync::Arc;
-
-use protocol::layout::{COLOUR_CODE, FEATURE_COLOURS, MESH_BLOCK, MeshHeader, SIDES_COLOURED};
-use zerocopy::FromBytes as _;
+use protocol::layout::{COLOUR_CODE, FEATURE_COLOURS, MeshHeader, SIDES_COLOURED};
 
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
+use crate::prelude::*;
 
 /// A sheet of 800 triangles, each vertex of another colour.
 fn scene() -> scenes::Scene {

@@ -1,10 +1,9 @@
 //! A valid frame descriptor of 64x32 pixels, and the data that it points to.
 
-use cellray::Scene;
-use cellray::Settings;
-use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::work::{self, Addresses, EyeSpheres, Order, Projection, Skip, Split, Units};
-use protocol::layout::{BOX_CODE, Frame, SCENE_ADDRESS};
+use crate::prelude::*;
+use cellray::work;
+use cellray::work::{Addresses, EyeSpheres, Order, Projection, Units};
+use protocol::layout::BOX_CODE;
 
 /// Width and height in pixels: two tiles.
 pub const SIZE: (u32, u32) = (64, 32);

@@ -1,14 +1,10 @@
 //! SPU programs that fail. Each becomes an error that names the SPU that failed, where and why, and
 //! no incomplete picture is presented as complete.
 
-use std::fs;
-use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
-use crate::recorder::nff_scene;
-use cellray::framebuffer::{Geometry, PictureFile};
-use cellray::spe::Program;
-use cellray::{Engine, EngineError, Scene, Settings};
+use crate::prelude::*;
+use cellray::framebuffer::PictureFile;
 use spu_build::{Image, Tools};
 
 /// Assembles a program with `body` as its frame loop, which starts after the program has taken a

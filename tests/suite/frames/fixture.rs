@@ -2,14 +2,11 @@
 
 use std::collections::HashSet;
 use std::env;
-use std::time::Duration;
 
 use crate::frames::descriptor::Descriptor;
-use crate::recorder::Recorder;
-use cellray::framebuffer::{Framebuffer as _, Memory};
-use cellray::{Engine, EngineError, Scene, Settings, SharedMemory, work};
-use image::RgbImage;
-use protocol::layout::{Frame, SCENE_CAPACITY, Statistics, UnitCounter, WAITING_SIZE};
+use crate::prelude::*;
+use cellray::work;
+use protocol::layout::{SCENE_CAPACITY, Statistics, UnitCounter, WAITING_SIZE};
 
 /// Changes one field of a descriptor to a wrong value.
 pub type Spoil = fn(&mut Frame);

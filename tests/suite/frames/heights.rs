@@ -2,13 +2,11 @@
 //! it should be.
 
 use std::ptr::with_exposed_provenance;
-use std::sync::Arc;
 
-use cellray::SharedMemory;
-use protocol::layout::{FEATURE_CUTS, HEIGHT_CODE, HEIGHT_LEVELS, Heights, MESH_BLOCK};
-use zerocopy::IntoBytes as _;
+use protocol::layout::{FEATURE_CUTS, HEIGHT_CODE, HEIGHT_LEVELS, Heights};
 
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
+use crate::prelude::*;
 
 /// Ground of 64 by 64 squares.
 fn scene() -> scenes::Scene {

@@ -3,11 +3,8 @@
 //! The SPU program runs on an emulated SPE whose clock jumps at every read, so that a small frame
 //! lasts minutes.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::Duration;
 
-use cellray::Settings;
 use protocol::layout::{Statistics, TILE_BLANK, UnitCost};
 use spu_emulator::decrementer::Clock;
 use spu_emulator::elf::Image;
@@ -15,10 +12,9 @@ use spu_emulator::machine::Machine;
 use spu_emulator::memory::{Access, MainMemory as _, RegisteredMemory};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::Stop;
-use zerocopy::{FromBytes as _, IntoBytes as _};
 
 use crate::frames::descriptor::{Descriptor, SIZE};
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 
 /// Addresses of the frame's records in main memory.
 const FRAME: u64 = 0x1000_0000;

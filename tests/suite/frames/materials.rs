@@ -3,13 +3,10 @@
 
 use std::fmt::Write as _;
 
-use cellray::EngineError;
-use protocol::layout::{
-    MESH_BLOCK, MESH_LEAF, MESH_SPHERES, MESH_UPPER, MeshHeader, Object, SIDES_WIDE,
-};
-use zerocopy::FromBytes as _;
+use protocol::layout::{MESH_SPHERES, MESH_UPPER, MeshHeader, Object, SIDES_WIDE};
 
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
+use crate::prelude::*;
 
 const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\n\
                     b 0.3 0.4 0.6\nl 4 6 9 0.9 0.9 0.9\n";

@@ -1,19 +1,10 @@
 //! Meshes, spheres and cones in main memory: the same bytes whatever the cache holds, and an error
 //! for every block that is not as it should be.
 
-use std::sync::Arc;
-
-use cellray::EngineError;
-use cellray::framebuffer::Framebuffer as _;
-use image::RgbImage;
-use protocol::layout::{
-    EYE_CODE, Frame, MESH_BLOCK, MESH_CONES, MESH_INNER, MESH_LEAF, MESH_MIN_SLOTS, MESH_SPHERES,
-    NO_BOX, SCENE_ADDRESS,
-};
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use protocol::layout::{EYE_CODE, MESH_CONES, MESH_INNER, MESH_MIN_SLOTS, MESH_SPHERES, NO_BOX};
 
 use crate::frames::fixture::{Fixture, Spoil};
+use crate::prelude::*;
 
 /// Words of a block's header.
 const NUMBER: usize = 1;

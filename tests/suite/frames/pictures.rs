@@ -5,14 +5,9 @@ use std::ffi::c_void;
 use std::ptr::{self, NonNull};
 
 use crate::frames::random::{random_scene, vector};
-use crate::recorder::{Recorder, nff_scene, render};
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, PixelFormat, Target};
-use cellray::work::{Skip, Split};
-use cellray::{Engine, Scene, Settings};
-use image::RgbImage;
-use protocol::layout::{DEPTH_CODE, DEPTH_CODE_CAPACITY, SCENE_ADDRESS};
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use crate::prelude::*;
+use cellray::framebuffer::{FramebufferError, PixelFormat, Target};
+use protocol::layout::{DEPTH_CODE, DEPTH_CODE_CAPACITY};
 
 fn one_spu() -> Settings {
     Settings { spus: 1, ..Settings::default() }

@@ -1,11 +1,10 @@
 //! The SPU's side of the work-unit protocol: what it refuses, and that it continues afterwards.
 
 use crate::frames::fixture::{Fixture, Spoil};
-use crate::recorder::nff_scene;
-use cellray::EngineError;
-use protocol::layout::{BOX_CODE, BOX_CODE_CAPACITY, SCENE_ADDRESS, SCENE_CAPACITY, WorkUnit};
+use crate::prelude::*;
+use protocol::layout::{BOX_CODE, BOX_CODE_CAPACITY, SCENE_CAPACITY, WorkUnit};
+use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
-use zerocopy::{FromZeros as _, IntoBytes as _};
 
 const WHITTED: &[u8] = b"\
 v

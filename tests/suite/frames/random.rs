@@ -1,9 +1,7 @@
 //! Random scenes.
 
-use glam::DVec3;
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use scenes::{Material, Object, Scene, Shader, Shape, View};
+use crate::prelude::*;
+use scenes::{Material, Object, Scene, View};
 
 /// A vector with coordinates between -`most` and `most`.
 pub fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {

@@ -1,23 +1,15 @@
 //! Frames of which only the changed part is traced. Their bytes must equal those of a fully traced
 //! frame.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex};
 
-use glam::DVec3;
-use image::RgbImage;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use scenes::{Object, Shape};
+use scenes::Object;
 
 use crate::frames::random::{random_scene, sphere, vector};
-use crate::recorder::{Recorder, Snapshot, nff_scene, render};
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
-use cellray::scene::RenderOptions;
-use cellray::spe::Program;
+use crate::prelude::*;
+use cellray::framebuffer::{FramebufferError, Target};
 use cellray::statistics::FrameStatistics;
-use cellray::work::{Skip, Split};
-use cellray::{Engine, EngineError, Scene, Settings};
 
 #[test]
 fn unchanged_frame_is_shown_and_not_traced() {

@@ -1,18 +1,17 @@
 //! Frames in which SPUs build a mesh: damaged records are refused, and no byte is written beside
 //! what is to be made.
 
-use cellray::spe::Program;
-use cellray::{EngineError, SharedMemory};
 use protocol::layout::{
-    BUILD_PACK, BUILD_SORT, Build, BuildBounds, BuildTriangle, BuildUnit, Frame, MESH_BLOCK,
-    MeshHeader, MeshVertex, SIDES_SMOOTH, UnitCounter,
+    BUILD_PACK, BUILD_SORT, Build, BuildBounds, BuildTriangle, BuildUnit, MeshHeader, MeshVertex,
+    SIDES_SMOOTH, UnitCounter,
 };
 use zerocopy::big_endian::{F32, U32};
-use zerocopy::{FromBytes as _, FromZeros as _, Immutable, IntoBytes};
+use zerocopy::{FromZeros as _, Immutable};
 
 use super::build::{build_frame, is_refused, shared};
 use super::mesh::scene;
 use crate::frames::fixture::Fixture;
+use crate::prelude::*;
 
 const VERTICES: u32 = 900;
 const TRIANGLES: u32 = 1000;

@@ -1,19 +1,11 @@
 //! Textures in main memory: the same bytes on any number of SPUs, and an error for every record
 //! that is not as it should be.
 
-use std::sync::Arc;
-
-use cellray::EngineError;
-use image::RgbImage;
-use protocol::layout::{
-    EYE_CODE_CAPACITY, Frame, MESH_BLOCK, MESH_LEAF, Material, SCENE_ADDRESS, TEXTURE_CODE,
-    WRAP_BITS,
-};
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use protocol::layout::{EYE_CODE_CAPACITY, Material, TEXTURE_CODE, WRAP_BITS};
 use scenes::{Texture, Wrap};
 
 use crate::frames::fixture::{Fixture, Spoil, is_the_same_with_spus};
+use crate::prelude::*;
 
 /// Words of a texture's and a level's record.
 const WRAPS: usize = 3;

@@ -1,13 +1,11 @@
 //! Queued rays that don't fit in local store: they go to main memory and come back.
 
-use cellray::EngineError;
-use cellray::framebuffer::Framebuffer as _;
 use protocol::layout::{
     MAX_BATCH, QueuedRay, RayPacket, SCENE_CAPACITY, SMALL_BATCH, WAITING_SIZE,
 };
 
 use crate::frames::fixture::Fixture;
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 
 /// Rays of a packet.
 const PACKET: u32 = 16;

@@ -1,14 +1,10 @@
 //! The animation of a glTF file in a world: each picture is that of a new scene, by any number of
 //! SPUs.
 
-use std::path::Path;
-use std::sync::Arc;
-
-use cellray::Scene;
-use cellray::game::{RenderOptions, World};
-use cellray::spe::Program;
+use cellray::game::RenderOptions;
 
 use super::refit::{engine, picture};
+use crate::prelude::*;
 
 /// The file's scene, and its animation.
 fn reef() -> meshes::Loaded {

@@ -1,9 +1,8 @@
 //! Random content for worlds. No two surfaces are in the same place, because which of them is
 //! visible is undefined (`docs/shading.md`).
 
-use cellray::game::{DVec3, Light, Material, Shader, Shape};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
+use crate::prelude::*;
+use cellray::game::{DVec3, Shader, Shape};
 
 pub fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| random.random_range(-most..most)))

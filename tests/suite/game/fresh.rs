@@ -1,21 +1,12 @@
 //! A changed world is traced exactly like a new scene with the same content, byte for byte.
 
-use std::sync::Arc;
-
-use cellray::game::{
-    DAffine3, DVec3, Fog, Light, LightId, Material, MaterialId, MeshId, Model, ObjectId,
-    RenderOptions, Shader, World,
-};
-use cellray::spe::Program;
-use cellray::{Engine, Scene, Settings};
+use cellray::game::{DVec3, Fog, LightId, MeshId, Model, RenderOptions, Shader};
 use rand::seq::IndexedRandom as _;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 use randomness::rounds;
 
 use crate::game::content;
 use crate::game::meshes::{chequered, pear};
-use crate::recorder::{Recorder, Snapshot};
+use crate::prelude::*;
 
 /// The tiles of the last column and row are partly outside the picture.
 const SIZE: (u32, u32) = (132, 66);

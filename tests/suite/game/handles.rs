@@ -1,18 +1,23 @@
 //! Handles, and the errors of a world.
 
-use cellray::Settings;
-use cellray::game::{
-    DVec3, Fog, Light, LightId, LightKind, Material, MaterialId, Model, ObjectId, RenderOptions,
-    Shader, Shape, View, World, WorldErrorKind,
-};
-use cellray::spe::Program;
+use cellray::game::{DVec3, Fog, LightId, LightKind, Model, RenderOptions, Shader, Shape, View};
 use protocol::layout::{MAX_LIGHTS, MAX_SPHERES};
 
 use super::kind;
-use crate::recorder::{nff_scene, render};
+use crate::prelude::*;
 
 /// The view takes seven lines.
 const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n";
+
+/// Checks why something is refused.
+macro_rules! assert_refused {
+    ($result:expr, $kind:ident $detail:tt $(, $more:tt)?) => {
+        assert!(matches!(kind(&$result), Some(WorldErrorKind::$kind $detail)) $(, $more)?)
+    };
+    ($result:expr, $kind:ident $(, $more:tt)?) => {
+        assert!(matches!(kind(&$result), Some(WorldErrorKind::$kind)) $(, $more)?)
+    };
+}
 
 fn red(world: &mut World) -> MaterialId {
     world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap()
@@ -43,7 +48,7 @@ fn removed_handle_is_never_reused() {
             world.material_of(object).map(drop),
             world.is_visible(object).map(drop),
         ] {
-            assert!(matches!(kind(&refused), Some(WorldErrorKind::NoObject)));
+            assert_refused!(refused, NoObject);
         }
     }
     assert_eq!(world.object_count(), 1);
@@ -73,7 +78,7 @@ fn material_in_use_is_kept() {
             world.remove_material(gone),
             world.add(shape, gone).map(drop),
         ] {
-            assert!(matches!(kind(&refused), Some(WorldErrorKind::NoMaterial)));
+            assert_refused!(refused, NoMaterial);
         }
     }
     assert_eq!(world.object_count(), 0);
@@ -87,10 +92,10 @@ fn removed_light_is_refused() {
     world.remove_light(light).unwrap();
     world.add_light(Light::at(DVec3::ZERO)).unwrap();
     for gone in [light, LightId::default()] {
-        assert!(matches!(kind(&world.light(gone)), Some(WorldErrorKind::NoLight)));
+        assert_refused!(world.light(gone), NoLight);
         let moved = world.set_light(gone, Light::at(DVec3::ZERO));
-        assert!(matches!(kind(&moved), Some(WorldErrorKind::NoLight)));
-        assert!(matches!(kind(&world.remove_light(gone)), Some(WorldErrorKind::NoLight)));
+        assert_refused!(moved, NoLight);
+        assert_refused!(world.remove_light(gone), NoLight);
     }
     assert_eq!(world.lights().count(), 1);
 }
@@ -103,8 +108,8 @@ fn fixed_object_is_kept_until_freed() {
     world.fix(ball).unwrap();
     assert!(world.is_fixed(ball).unwrap());
     let shape = world.shape(ball).unwrap().clone();
-    assert!(matches!(kind(&world.move_to(ball, DVec3::ONE)), Some(WorldErrorKind::Fixed)));
-    assert!(matches!(kind(&world.reshape(ball, shape)), Some(WorldErrorKind::Fixed)));
+    assert_refused!(world.move_to(ball, DVec3::ONE), Fixed);
+    assert_refused!(world.reshape(ball, shape), Fixed);
     world.show(ball, false).unwrap();
     world.free(ball).unwrap();
     world.move_to(ball, DVec3::ONE).unwrap();
@@ -159,24 +164,18 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
             world.set_material(red, glass),
             world.set_material(red, odd),
         ] {
-            assert!(matches!(kind(&refused), Some(WorldErrorKind::OutOfRange { .. })), "{bad}");
+            assert_refused!(refused, OutOfRange { .. }, "{bad}");
         }
     }
     let no_direction =
         Light { kind: LightKind::Directional { to_light: DVec3::ZERO }, colour: None };
-    assert!(matches!(kind(&world.add_light(no_direction)), Some(WorldErrorKind::NoDirection)));
+    assert_refused!(world.add_light(no_direction), NoDirection);
     let flat = [DVec3::ZERO, DVec3::X];
-    assert!(matches!(kind(&world.add_polygon(&flat, red)), Some(WorldErrorKind::NoSurface(_))));
-    assert!(matches!(
-        kind(&world.look_from(DVec3::ONE, DVec3::ONE)),
-        Some(WorldErrorKind::View(_))
-    ));
+    assert_refused!(world.add_polygon(&flat, red), NoSurface(_));
+    assert_refused!(world.look_from(DVec3::ONE, DVec3::ONE), View(_));
     let view = View { angle: 180.0, ..world.view().clone() };
-    assert!(matches!(kind(&world.set_view(view)), Some(WorldErrorKind::View(_))));
-    assert!(matches!(
-        kind(&world.add_sphere(DVec3::ZERO, 0.0, red)),
-        Some(WorldErrorKind::OutOfRange { .. })
-    ));
+    assert_refused!(world.set_view(view), View(_));
+    assert_refused!(world.add_sphere(DVec3::ZERO, 0.0, red), OutOfRange { .. });
     assert_eq!(world.checksum(), before);
 }
 
@@ -217,14 +216,8 @@ fn box_and_plane_have_given_positions() {
     }
     assert_eq!(met(DVec3::new(9.5, 5.0, -9.5), -DVec3::Y), (ground, DVec3::new(9.5, 0.0, -9.5)));
     assert_eq!(met(DVec3::new(0.0, 0.0, -40.0), DVec3::new(0.0, 0.0, -1.0)).0, tilted);
-    assert!(matches!(
-        kind(&world.add_box(DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), red)),
-        Some(WorldErrorKind::NoSurface(_))
-    ));
-    assert!(matches!(
-        kind(&world.add_plane(DVec3::ZERO, DVec3::ZERO, 1.0, red)),
-        Some(WorldErrorKind::NoSurface(_))
-    ));
+    assert_refused!(world.add_box(DVec3::ZERO, DVec3::new(1.0, 0.0, 1.0), red), NoSurface(_));
+    assert_refused!(world.add_plane(DVec3::ZERO, DVec3::ZERO, 1.0, red), NoSurface(_));
 }
 
 /// A world that does not fit fails to render, and renders again once it fits.

@@ -2,19 +2,11 @@
 //! every picture is that of a new scene with the same content, byte for byte.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
 
-use cellray::game::{
-    DAffine3, DVec3, Light, Material, MaterialId, Mesh, MeshId, RenderOptions, Texture, World,
-    WorldErrorKind, Wrap,
-};
-use cellray::spe::Program;
-use cellray::{Engine, Scene, Settings};
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use cellray::game::{DVec3, Mesh, MeshId, RenderOptions, Texture, Wrap};
 
 use super::kind;
-use crate::recorder::{Recorder, Snapshot};
+use crate::prelude::*;
 
 const SIZE: (u32, u32) = (132, 66);
 
@@ -94,6 +86,22 @@ impl Compared {
         let scene = Scene::new(&world.to_nff(), RenderOptions::default(), &self.program).unwrap();
         assert!(picture == self.fresh.picture(&scene));
         picture
+    }
+
+    /// Compares the picture after each step, which must differ from the one before.
+    fn changes(
+        &mut self,
+        world: &mut World,
+        steps: std::ops::Range<u32>,
+        mut change: impl FnMut(&mut World, u32),
+    ) {
+        let mut last = self.picture(world);
+        for step in steps {
+            change(world, step);
+            let picture = self.picture(world);
+            assert!(picture != last, "{step}");
+            last = picture;
+        }
     }
 }
 
@@ -202,12 +210,10 @@ fn materials_over_local_store_capacity() {
     let place = at(0.0, 0.3, 0.0);
     let id = world.add_mesh(Arc::new(mesh), &materials, place).unwrap();
     let ball = world.add_sphere(DVec3::new(-1.5, -0.5, 1.0), 0.4, materials[5]).unwrap();
-    let mut compared = Compared::new();
-    let mut last = compared.picture(&mut world);
     let scene = world.scene(&Program::tracer()).unwrap();
     let mesh = scene.block().and_then(|block| block.mesh()).unwrap();
     assert!(mesh.table.is_some());
-    for step in 0..6 {
+    Compared::new().changes(&mut world, 0..6, |world, step| {
         match step {
             // No object in local store has it.
             5 => {
@@ -230,10 +236,7 @@ fn materials_over_local_store_capacity() {
                 }
             }
         }
-        let picture = compared.picture(&mut world);
-        assert!(picture != last, "{step}");
-        last = picture;
-    }
+    });
 }
 
 /// A mesh with colours beside one without: it moves, and the other is removed.
@@ -256,18 +259,11 @@ fn colours_of_meshes() {
     assert!(sum(&mesh) != before);
     let id = world.add_mesh(Arc::new(mesh), &[white], at(-1.0, 0.0, 0.0)).unwrap();
     let other = world.add_mesh(plain, &[red], at(1.5, 0.2, -0.5)).unwrap();
-    let mut compared = Compared::new();
-    let mut last = compared.picture(&mut world);
-    for step in 0..3 {
-        match step {
-            0 => world.place_mesh(id, at(-0.8, 0.3, 0.2)).unwrap(),
-            1 => world.remove_mesh(other).unwrap(),
-            _ => world.set_material(white, Material::matte(0.3, 0.9, 0.4)).unwrap(),
-        }
-        let picture = compared.picture(&mut world);
-        assert!(picture != last, "{step}");
-        last = picture;
-    }
+    Compared::new().changes(&mut world, 0..3, |world, step| match step {
+        0 => world.place_mesh(id, at(-0.8, 0.3, 0.2)).unwrap(),
+        1 => world.remove_mesh(other).unwrap(),
+        _ => world.set_material(white, Material::matte(0.3, 0.9, 0.4)).unwrap(),
+    });
 }
 
 #[test]
@@ -372,9 +368,7 @@ fn spheres_over_local_store_capacity() {
         let place: [f64; 3] = std::array::from_fn(|_| random.random_range(-2.0..2.0));
         spheres.push(world.add_sphere(place, 0.1, red).unwrap());
     }
-    let mut compared = Compared::new();
-    let mut last = compared.picture(&mut world);
-    for frame in 0..5 {
+    Compared::new().changes(&mut world, 0..5, |world, frame| {
         match frame {
             0 => world.move_to(spheres[0], [0.0, 1.0, 3.0]).unwrap(),
             1 => spheres[..400].iter().for_each(|&id| world.show(id, false).unwrap()),
@@ -383,10 +377,7 @@ fn spheres_over_local_store_capacity() {
             // The remaining ones all fit.
             _ => spheres[..900].iter().for_each(|&id| world.remove(id).unwrap()),
         }
-        let picture = compared.picture(&mut world);
-        assert!(picture != last, "frame {frame}");
-        last = picture;
-    }
+    });
 }
 
 fn cone(base: DVec3, apex: DVec3, apex_radius: f64) -> scenes::Shape {
@@ -404,9 +395,7 @@ fn cones_over_local_store_capacity() {
         let shape = cone(base, base + way, random.random_range(0.0..0.1));
         cones.push(world.add(shape, red).unwrap());
     }
-    let mut compared = Compared::new();
-    let mut last = compared.picture(&mut world);
-    for frame in 0..5 {
+    Compared::new().changes(&mut world, 0..5, |world, frame| {
         match frame {
             0 => world.move_to(cones[0], [0.0, 1.0, 3.0]).unwrap(),
             1 => cones[..200].iter().for_each(|&id| world.show(id, false).unwrap()),
@@ -415,10 +404,7 @@ fn cones_over_local_store_capacity() {
             // The remaining ones all fit.
             _ => cones[..700].iter().for_each(|&id| world.remove(id).unwrap()),
         }
-        let picture = compared.picture(&mut world);
-        assert!(picture != last, "frame {frame}");
-        last = picture;
-    }
+    });
 }
 
 /// Polygons that would fit beside them, but for the code and the cache of meshes.

@@ -1,5 +1,7 @@
 //! The user layer: worlds that change, input, and sessions.
 
+use crate::prelude::*;
+
 mod animated;
 mod content;
 mod fresh;
@@ -13,8 +15,6 @@ mod retained;
 mod session;
 mod steady;
 mod terrain;
-
-use cellray::game::{WorldError, WorldErrorKind};
 
 /// Why a change of a world is refused.
 fn kind<T>(change: &Result<T, WorldError>) -> Option<&WorldErrorKind> {

@@ -2,19 +2,13 @@
 //! SPUs, and the pictures of trees that are built with the surface area heuristic.
 
 use std::env;
-use std::process::Command;
-use std::sync::Arc;
 
-use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, RenderOptions, World};
+use cellray::game::{DVec3, Mesh, RenderOptions};
 use cellray::scene::{BuildBy, SceneBlock};
-use cellray::spe::Program;
-use cellray::{Engine, Scene};
-use protocol::layout::MESH_BLOCK;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 
 use super::meshes::pear;
 use super::refit::{bend, engine, mixed, picture};
+use crate::prelude::*;
 
 /// A world with this mesh, whose tree is made in this way.
 fn world(mesh: &Mesh, build_by: BuildBy) -> World {

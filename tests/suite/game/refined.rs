@@ -1,14 +1,8 @@
 //! Pictures that are made by several frames, a few tiles each.
 
-use std::time::Duration;
-
-use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::game::{
-    DVec3, Frame, Game, InputEvent, Key, Light, Material, ObjectId, Session, Start, World,
-    WorldError,
-};
-use cellray::{Engine, Settings};
-use image::{Rgb, RgbImage};
+use crate::prelude::*;
+use cellray::game::{DVec3, Frame, Game, InputEvent, Key, Session, Start};
+use image::Rgb;
 
 /// 5 x 5 tiles, those at the right and at the bottom smaller than the others.
 const SIZE: (u32, u32) = (301, 75);

@@ -2,18 +2,13 @@
 //! like those of new scenes.
 
 use std::env;
-use std::process::Command;
-use std::sync::Arc;
 
-use cellray::framebuffer::Memory;
-use cellray::game::{DAffine3, DVec3, Light, Material, Mesh, RenderOptions, World, WorldErrorKind};
+use cellray::game::{DVec3, Mesh, RenderOptions};
 use cellray::scene::RefitBy;
-use cellray::spe::Program;
-use cellray::{Engine, Scene, Settings};
-use image::RgbImage;
 
 use super::kind;
 use super::meshes::pear;
+use crate::prelude::*;
 
 pub fn engine(spus: u32) -> Engine {
     let framebuffer = Memory::new(cellray::framebuffer::Geometry::new(64, 48).unwrap()).unwrap();

@@ -1,11 +1,8 @@
 //! Which tiles are retained when little changes.
 
-use cellray::game::{DVec3, DepthShading, Light, Material, ObjectId, World, WorldError};
-use cellray::spe::Program;
+use crate::prelude::*;
+use cellray::game::{DVec3, DepthShading};
 use cellray::statistics::Causes;
-use cellray::{Engine, Settings};
-
-use crate::recorder::Recorder;
 
 /// A moving ball over one end of a ground and a still one over the other, seen from above.
 fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldError> {

@@ -4,21 +4,13 @@ use std::cell::RefCell;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use std::rc::Rc;
-use std::time::Duration;
 
-use cellray::Settings;
-use cellray::framebuffer::{Geometry, Memory};
+use crate::prelude::*;
 use cellray::game::{
-    Axis, Clock, DVec3, FixedSteps, Frame, Game, InputEvent, InputSource, Key, Light, Material,
-    NoInput, ObjectId, PadId, RealTime, Recording, RecordingError, Session, SessionError, Start,
-    World, WorldError,
+    Axis, Clock, DVec3, FixedSteps, Frame, Game, InputEvent, InputSource, Key, NoInput, PadId,
+    RealTime, Recording, RecordingError, Session, SessionError, Start,
 };
 use cellray::scene::Look;
-use image::RgbImage;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-
-use crate::recorder::{Recorder, Snapshot};
 
 const FRAMES: u64 = 40;
 

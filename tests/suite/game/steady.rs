@@ -1,12 +1,9 @@
 //! Frames in which objects move allocate no memory.
 
-use std::time::Duration;
-
-use cellray::Settings;
-use cellray::framebuffer::{Geometry, Memory};
+use crate::prelude::*;
 use cellray::game::{
-    DVec3, FixedSteps, Frame, Game, Light, LightId, Material, MaterialId, Model, NoInput, ObjectId,
-    RenderOptions, Session, Shader, Shape, Start, World, WorldError,
+    DVec3, FixedSteps, Frame, Game, LightId, Model, NoInput, RenderOptions, Session, Shader, Shape,
+    Start,
 };
 
 /// Every object moves and changes its colour, and some appear and disappear.

@@ -1,15 +1,10 @@
 //! The ground of a world.
 
-use std::sync::Arc;
-
-use cellray::Scene;
-use cellray::game::{
-    DVec3, HeightField, HeightRegion, HeightSample, Light, Material, World, WorldErrorKind,
-};
-use cellray::spe::Program;
+use cellray::game::{DVec3, HeightField, HeightRegion, HeightSample};
 
 use super::kind;
 use super::refit::{engine, picture};
+use crate::prelude::*;
 
 fn slope(unit: f64) -> HeightField {
     let heights = (0..64 * 64).map(|sample| sample % 64 * 100).collect();

@@ -1,17 +1,13 @@
 //! Antialiasing: which pixels are traced again, what they show, and that nothing depends on who
 //! traces them.
 
-use cellray::scene::{CONTRAST, Model, RenderOptions, Samples};
-use cellray::spe::Program;
-use cellray::work::{Skip, Split};
-use cellray::{Engine, Scene, Settings};
-use glam::DVec3;
-use image::{Rgb, RgbImage};
+use cellray::scene::{CONTRAST, Samples};
+use image::Rgb;
 use oracle::DepthProbe;
 use oracle::whitted::Probe;
 use twins::sample_rays::sample;
 
-use crate::recorder::{Recorder, nff_scene};
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options};
 
 const SIZE: (u32, u32) = (485, 270);

@@ -1,11 +1,9 @@
 //! Trees whose nodes are boxes along the axes.
 
-use cellray::Settings;
-use cellray::scene::{NodeVolumes, RenderOptions};
+use cellray::scene::NodeVolumes;
 use cellray::statistics::Generation;
-use cellray::work::Skip;
 
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
 const SIZE: (u32, u32) = (320, 180);

@@ -1,12 +1,9 @@
 //! Rays that can't change their pixel are not sent. No pixel changes by more than one step because
 //! of that.
 
-use std::path::Path;
-
-use cellray::Settings;
-use cellray::scene::RenderOptions;
 use oracle::whitted::trace;
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (40, 40);

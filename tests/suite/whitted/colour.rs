@@ -1,12 +1,10 @@
 //! Pixels in sRGB, and light that rolls off.
 
-use cellray::Settings;
-use cellray::scene::{Colour, Model, RenderOptions, Samples};
-use glam::DVec3;
+use cellray::scene::Samples;
 use oracle::DepthProbe;
 use oracle::whitted::Probe;
 
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options};
 use crate::whitted::textures::dark_scene;
 use twins::sample_rays::sample;

@@ -1,14 +1,9 @@
 //! Colours at the vertices of meshes, compared with the reference.
 
-use std::sync::Arc;
-
-use cellray::Settings;
-use cellray::scene::{Colour, RenderOptions};
 use oracle::whitted::trace;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use scenes::{Mesh, Shader, Texture, Wrap};
+use scenes::{Mesh, Texture, Wrap};
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (160, 120);

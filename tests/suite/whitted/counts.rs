@@ -1,13 +1,10 @@
 //! The conditions of the Standard Procedural Databases: rays through the corners of 512x512
 //! pixels, and the number of rays of each kind.
 
-use std::path::Path;
-
-use cellray::Settings;
-use cellray::scene::RenderOptions;
-use image::{Rgb, RgbImage};
+use image::Rgb;
 use oracle::whitted::{Counts, trace};
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 /// The number of pixels on a side.

@@ -1,9 +1,8 @@
 //! Fog, compared with the reference.
 
-use cellray::Settings;
-use glam::DVec3;
 use scenes::{Fog, Scene};
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
 const SIZE: (u32, u32) = (160, 120);

@@ -1,15 +1,11 @@
 //! Frames of Whitted's model, and their difference from the reference.
 
-use cellray::scene::{Colour, Model, NodeVolumes, RenderOptions, Samples};
-use cellray::spe::Program;
+use crate::prelude::*;
+use cellray::scene::{NodeVolumes, Samples};
 use cellray::statistics::{FrameStatistics, GENERATIONS, Generation, Rays};
-use cellray::{Engine, Scene, Settings};
-use image::RgbImage;
 use oracle::whitted::{Options, trace};
 use oracle::{Comparison, Picture, Pixels};
 use protocol::layout::MESH_MAX_SLOTS;
-
-use crate::recorder::Recorder;
 
 /// Whitted's model, with or without lights.
 pub const WHITTED: RenderOptions = RenderOptions {

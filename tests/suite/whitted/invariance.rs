@@ -1,10 +1,7 @@
 //! The bytes are the same however the work is split and whatever is skipped, and the statistics
 //! add up.
 
-use cellray::Settings;
-use cellray::work::{Skip, Split};
-
-use crate::recorder::{nff_scene, render};
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED};
 
 const SIZE: (u32, u32) = (160, 90);

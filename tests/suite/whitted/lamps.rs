@@ -2,10 +2,10 @@
 
 use std::fmt::Write as _;
 
-use cellray::Settings;
 use oracle::whitted::trace;
 use scenes::Scene;
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared, options};
 
 const SIZE: (u32, u32) = (320, 180);

@@ -1,12 +1,10 @@
 //! Scenes with many materials, compared with the reference.
 
 use std::fmt::Write as _;
-use std::sync::Arc;
 
-use cellray::Settings;
-use glam::DVec3;
 use oracle::whitted::trace;
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (96, 72);

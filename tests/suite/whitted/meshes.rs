@@ -1,17 +1,10 @@
 //! Meshes in local store and in main memory, compared with the reference.
 
-use std::sync::Arc;
-
-use cellray::scene::{RenderOptions, SceneBlock};
-use cellray::spe::Program;
-use cellray::work::Skip;
-use cellray::{Scene, Settings};
-use glam::DVec3;
+use cellray::scene::SceneBlock;
 use oracle::whitted::trace;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 use scenes::Mesh;
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
 const SIZE: (u32, u32) = (80, 60);

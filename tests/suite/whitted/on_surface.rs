@@ -1,12 +1,8 @@
 //! An eye on a sphere's surface, or nearer to it than the precision of singles.
 
-use cellray::game::World;
-use cellray::spe::Program;
-use cellray::{Engine, Settings};
-use image::RgbImage;
 use oracle::Comparison;
 
-use crate::recorder::Recorder;
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
 const SIZE: (u32, u32) = (96, 96);

@@ -1,8 +1,6 @@
 //! Pictures of the scenes that come with the program.
 
-use cellray::scene::{Colour, RenderOptions};
-
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 use crate::whitted::frame::{WHITTED, compared};
 
 const SIZE: (u32, u32) = (320, 180);

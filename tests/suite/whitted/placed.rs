@@ -1,7 +1,8 @@
 //! Scenes that are moved and scaled.
 
-use glam::{DQuat, DVec3};
-use scenes::{LightKind, Scene, Shader, Shape};
+use crate::prelude::*;
+use glam::DQuat;
+use scenes::{LightKind, Scene};
 
 /// Moves a whole scene, and then scales it about the origin.
 pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {

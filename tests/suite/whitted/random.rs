@@ -4,11 +4,10 @@
 
 use std::f64::consts::TAU;
 
-use glam::{DQuat, DVec3, Vec3Swizzles as _};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use scenes::{Fog, Light, LightKind, Material, Object, Scene, Shader, Shape, Sky, View};
+use glam::{DQuat, Vec3Swizzles as _};
+use scenes::{Fog, Light, LightKind, Material, Object, Scene, Sky, View};
 
+use crate::prelude::*;
 use crate::whitted::placed::place;
 
 /// A sphere with at least this radius is vast, like a ground, among objects with a size of about

@@ -1,9 +1,7 @@
 //! Scenes of any size, including scenes far from the origin, have no acne on surfaces and no leaks
 //! between them.
 
-use glam::DVec3;
-
-use crate::recorder::nff_scene;
+use crate::prelude::*;
 use crate::whitted::frame::{WHITTED, compared};
 use crate::whitted::placed::place;
 

@@ -1,15 +1,10 @@
 //! Height fields, compared with the reference and with themselves from other eyes.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::Arc;
 
-use cellray::Settings;
-use cellray::scene::{Colour, RenderOptions};
-use glam::DVec3;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 use scenes::{HeightField, HeightRegion, HeightSample, LightKind, Material, Scene};
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared};
 
 const SRGB: RenderOptions = RenderOptions { colour: Colour::Srgb, ..WHITTED };

@@ -1,14 +1,9 @@
 //! Textures of meshes, compared with the reference.
 
-use std::path::Path;
-use std::sync::Arc;
-
-use cellray::Settings;
 use oracle::whitted::trace;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 use scenes::{Mesh, Texture, Wrap};
 
+use crate::prelude::*;
 use crate::whitted::frame::{Frame, WHITTED, compared, options, picture};
 
 const SIZE: (u32, u32) = (200, 150);

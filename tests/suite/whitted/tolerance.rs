@@ -7,17 +7,10 @@
 use std::env;
 use std::thread;
 
-use cellray::scene::RenderOptions;
-use cellray::spe::Program;
 use cellray::statistics::Rays;
-use cellray::{Engine, Scene, Settings};
-use glam::DVec3;
-use image::RgbImage;
 use oracle::whitted::{Probe, Rounding};
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 
-use crate::recorder::Recorder;
+use crate::prelude::*;
 use crate::whitted::frame::{WHITTED, options};
 use crate::whitted::random::{self, Drawn};
 

@@ -9,6 +9,7 @@ mod filetests;
 mod float;
 mod instructions;
 mod machine;
+mod prelude;
 mod simulated;
 mod spu_calls;
 mod support;

@@ -1,19 +1,13 @@
 //! Programs that are assembled during the test, and machines that run them.
 
 use std::fs;
+use std::sync::mpsc;
 use std::sync::mpsc::TryRecvError;
-use std::sync::{Arc, mpsc};
-use std::thread;
-use std::time::{Duration, Instant};
 
+use crate::prelude::*;
 use spu_emulator::elf::Image;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::machine;
-use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
-use spu_emulator::mfc::Policy;
-use spu_emulator::simulated::{Method, Report, Simulation, SimulationOptions, SpeReport, Timing};
-use spu_emulator::spe::{Config, Spe};
-use spu_emulator::stop::{Stop, Stopped};
+use spu_emulator::memory::MainMemory;
+use spu_emulator::simulated::{Report, Simulation};
 
 /// How long a program may take on a host that is busy with other things. It only ends a test that
 /// hangs.

@@ -3,13 +3,10 @@
 //!
 //! Provenance: `model`, derived by hand in a comment at each figure.
 
+use crate::prelude::*;
 use spu_emulator::channel::Channels;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_emulator::stop::{Stop, Stopped};
 use spu_emulator::timer::Timer;
 use spu_isa::timing::Cause;
-use spu_isa::{Instruction, Op};
 
 /// Channels that never block.
 #[derive(Default)]

@@ -2,11 +2,8 @@
 //!
 //! Invariant: a tally depends only on the cases in their order, not on the thread that tried them.
 
-use crate::generator::Generator;
-use kernels::Bench;
-use thiserror::Error;
-
 use super::statement::{Bound, StatementError};
+use crate::stability::prelude::*;
 
 /// Cases of one kind, tried on one kernel or on one sequence of kernels.
 pub struct Family {

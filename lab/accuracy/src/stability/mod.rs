@@ -7,6 +7,7 @@
 
 mod family;
 mod guarantees;
+mod prelude;
 mod product;
 pub(crate) mod random;
 pub mod regressions;
@@ -18,10 +19,9 @@ mod workers;
 
 use std::any::Any;
 
-use kernels::Bench;
 use serde::Serialize;
-use thiserror::Error;
 
+use crate::stability::prelude::*;
 use family::{Families, Family, NoCaseError, Tally};
 use regressions::{Regressions, RegressionsError};
 use report::{Report, Row, Section};

@@ -1,19 +1,13 @@
 //! Objects in the form in which the PPU sends them: the records that the rays of a frame are
 //! tested against.
 
+use crate::stability::prelude::*;
 use cellray::scene::RenderOptions;
 use cellray::work::SceneBlock;
-use glam::DVec3;
-use kernels::single::bits;
 use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
 use scenes::{LightKind, Shape};
-use spu_emulator::float::single::to_f64;
-use twins::Single;
 use zerocopy::FromBytes as _;
 use zerocopy::big_endian::F32;
-
-use crate::space::{add_scaled, cross, dot, sub};
-use crate::truth::Vector;
 
 /// The kinds of shape that SPUs trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,12 +1,7 @@
 //! Random numbers with the same bits on every host: no logarithms, powers or sines are used.
 
-use crate::generator::{Generator, generator};
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
-
-use crate::space::{cross, direction, dot, sub, unit};
-use crate::truth::Vector;
+use crate::generator::generator;
+use crate::stability::prelude::*;
 
 /// The random numbers for one round of a family, independent of the thread that tries it.
 pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> Generator {

@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use super::report::Report;
 use crate::file::OutputError;
+use crate::stability::prelude::*;
 
 /// Saved inputs by family and subject.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -3,8 +3,7 @@
 //! Invariant: no number from a header is repeated in this code. If a header no longer contains it,
 //! that is an error.
 
-use kernels::source::Source;
-use thiserror::Error;
+use crate::stability::prelude::*;
 
 /// The bound of an error and its source.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,19 +5,15 @@
 
 use kernels::bench::Bench;
 use kernels::cases::eye::call::{address, put};
-use kernels::cases::whitted::isect::call;
-use kernels::single::{bits, single};
+use kernels::single::single;
 use protocol::layout::{
     Candidate, Light, Material, Object, QueuedRay, RayPacket, Shear, Site, Surfaces,
 };
-use twins::Single;
-use twins::bounce::{CHAIN_STEP, Limits};
-use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
 use super::product::{Kind, Product};
-use crate::space::fresh;
+use crate::stability::prelude::*;
 
 /// The t of an absent ray: -1.
 pub const NOT_THERE: Single = 0xbf80_0000;

@@ -6,12 +6,11 @@
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use kernels::Bench;
-
 use super::SuiteError;
 use super::family::{Family, Tally};
 use super::random::of_round;
 use crate::parallel;
+use crate::stability::prelude::*;
 
 /// The number of rounds that are tried at a time.
 const PART: u32 = 4;

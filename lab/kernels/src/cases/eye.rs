@@ -8,19 +8,15 @@ pub mod lists;
 pub mod packets;
 pub mod pairs;
 
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::isect_pairs::Hit;
 use twins::ray_setup::Basis;
 use twins::shade_depth::Depth;
 use twins::sphere::Perpendicular;
 use twins::sphere_ray::BareSphere;
 
-use crate::bench::Bench;
 use crate::cases::sphere_ray::{bare_sphere, unit};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description as _;
-use crate::eye_records::{self, Vectors};
-use crate::single::single;
+use crate::eye_records;
+use crate::prelude::*;
 use cull::{CullSpheres, FilterSpheres, FrustumSpheres, HiddenPairs};
 use lists::{ListPairs, ListPlaces, MaskPairs};
 use packets::{Pack, RaySetup, ShadeDepth};
@@ -34,67 +30,25 @@ const SPHERES: Objects = Objects::List(16, 64);
 const NAMED: Objects = Objects::Fixed(64);
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        rays: 1,
-        cases: &[
-            Case {
-                name: "all outside",
-                objects: SPHERES,
-                place: |bench, count| frustum_spheres(bench, &beside(), count),
-            },
-            Case {
-                name: "all within",
-                objects: SPHERES,
-                place: |bench, count| frustum_spheres(bench, &ahead(), count),
-            },
-        ],
-        ..Kernel::of::<FrustumSpheres>()
-    },
-    Kernel {
-        cases: &[Case { name: "none seen", objects: SPHERES, place: cull_spheres }],
-        ..Kernel::of::<CullSpheres>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case { name: "all named", objects: NAMED, place: list_places }],
-        ..Kernel::of::<ListPlaces>()
-    },
-    Kernel {
-        cases: &[Case { name: "packets", objects: PACKETS, place: ray_setup }],
-        error: Some(error::ray_setup),
-        ..Kernel::of::<RaySetup>()
-    },
-    Kernel {
-        cases: &[Case { name: "all miss", objects: SPHERES, place: filter_spheres }],
-        ..Kernel::of::<FilterSpheres>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case { name: "all named", objects: NAMED, place: list_pairs }],
-        ..Kernel::of::<ListPairs>()
-    },
-    Kernel {
-        cases: &[Case { name: "all hidden", objects: PACKETS, place: hidden_pairs }],
-        ..Kernel::of::<HiddenPairs>()
-    },
-    formulation::row::<Perpendicular>(),
-    Kernel {
-        rays: 1,
-        cases: &[Case { name: "pairs", objects: PACKETS, place: mask_pairs }],
-        ..Kernel::of::<MaskPairs>()
-    },
-    Kernel {
-        cases: &[Case { name: "all hit", objects: PACKETS, place: shade_depth }],
-        error: Some(error::shade_depth),
-        ..Kernel::of::<ShadeDepth>()
-    },
-    Kernel {
-        cases: &[Case { name: "packets", objects: PACKETS, place: pack }],
-        error: Some(error::pack),
-        ..Kernel::of::<Pack>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<FrustumSpheres>([
+            case("all outside", SPHERES, |count| frustum_spheres(&beside(), count)),
+            case("all within", SPHERES, |count| frustum_spheres(&ahead(), count)),
+        ])
+        .rays(1),
+        Kernel::of::<CullSpheres>([case("none seen", SPHERES, cull_spheres)]),
+        Kernel::of::<ListPlaces>([case("all named", NAMED, list_places)]).rays(1),
+        Kernel::of::<RaySetup>([case("packets", PACKETS, ray_setup)]).error(error::ray_setup),
+        Kernel::of::<FilterSpheres>([case("all miss", SPHERES, filter_spheres)]),
+        Kernel::of::<ListPairs>([case("all named", NAMED, list_pairs)]).rays(1),
+        Kernel::of::<HiddenPairs>([case("all hidden", PACKETS, hidden_pairs)]),
+        formulation::row::<Perpendicular>(),
+        Kernel::of::<MaskPairs>([case("pairs", PACKETS, mask_pairs)]).rays(1),
+        Kernel::of::<ShadeDepth>([case("all hit", PACKETS, shade_depth)]).error(error::shade_depth),
+        Kernel::of::<Pack>([case("packets", PACKETS, pack)]).error(error::pack),
+    ]
+}
 
 /// The rays of the cases, which are close to -z.
 fn rays() -> Vectors {
@@ -123,60 +77,60 @@ fn limited(bare: &BareSphere) -> Sphere {
     sphere
 }
 
-fn frustum_spheres(bench: &mut Bench, bare: &BareSphere, count: u32) -> Vec<u32> {
+fn frustum_spheres(bare: &BareSphere, count: u32) -> FrustumSpheres {
     // The sides of a pyramid around -z that is half as wide as it is long.
     let (along, across) = (libm::sin(libm::atan(0.5_f64)), libm::cos(libm::atan(0.5_f64)));
     let sides = [[across, 0.0], [-across, 0.0], [0.0, across], [0.0, -across]];
     let normals = sides.map(|[x, y]| [x, y, -along].map(from_f64));
-    FrustumSpheres { normals, spheres: vec![limited(bare); count as usize] }.place(bench).1
+    FrustumSpheres { normals, spheres: vec![limited(bare); count as usize] }
 }
 
-fn cull_spheres(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn cull_spheres(count: u32) -> CullSpheres {
     let (count, middles) = (count as usize, [rays(); 4]);
     let spheres = vec![limited(&beside()); count];
-    CullSpheres { middles, spheres, order: (0..count).collect() }.place(bench).1
+    CullSpheres { middles, spheres, order: (0..count).collect() }
 }
 
-fn list_places(bench: &mut Bench, _: u32) -> Vec<u32> {
-    ListPlaces { named: [0xffff; 4], places: [[0; 4]; 64], origin: [0; 4] }.place(bench).1
+fn list_places(_: u32) -> ListPlaces {
+    ListPlaces { named: [0xffff; 4], places: [[0; 4]; 64], origin: [0; 4] }
 }
 
-fn list_pairs(bench: &mut Bench, _: u32) -> Vec<u32> {
-    ListPairs { named: [0xffff; 4], places: [[0; 4]; 64], object: 0 }.place(bench).1
+fn list_pairs(_: u32) -> ListPairs {
+    ListPairs { named: [0xffff; 4], places: [[0; 4]; 64], object: 0 }
 }
 
-fn ray_setup(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn ray_setup(count: u32) -> RaySetup {
     let basis = Basis {
         corner: [-0.5, 0.5, -1.0].map(from_f64),
         right: [0.001, 0.0, 0.0].map(from_f64),
         down: [0.0, -0.001, 0.0].map(from_f64),
     };
     let pixels = (0..count).map(|number| [number % 16 * 4, number / 16 * 4]).collect();
-    RaySetup { basis, pixels, background: 0 }.place(bench).1
+    RaySetup { basis, pixels, background: 0 }
 }
 
-fn filter_spheres(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn filter_spheres(count: u32) -> FilterSpheres {
     let spheres = vec![limited(&beside()); count as usize];
-    FilterSpheres { packets: vec![rays()], spheres }.place(bench).1
+    FilterSpheres { packets: vec![rays()], spheres }
 }
 
-fn hidden_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn hidden_pairs(count: u32) -> HiddenPairs {
     let packets = vec![[Hit { t: from_f64(1.0), object: 0 }; 16]; count as usize];
-    HiddenPairs { packets, near: vec![from_f64(4.0); count as usize] }.place(bench).1
+    HiddenPairs { packets, near: vec![from_f64(4.0); count as usize] }
 }
 
-fn mask_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn mask_pairs(count: u32) -> MaskPairs {
     let numbers = (0..count as usize).collect();
-    MaskPairs { numbers, first: 0x1000, object: 0 }.place(bench).1
+    MaskPairs { numbers, first: 0x1000, object: 0 }
 }
 
-fn shade_depth(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn shade_depth(count: u32) -> ShadeDepth {
     let hits = vec![[Hit { t: from_f64(4.0), object: 1 }; 16]; count as usize];
     let depth = Depth { far: from_f64(10.0), scale: from_f64(0.1) };
-    ShadeDepth { hits, colours: vec![[0; 3]; 2], depth }.place(bench).1
+    ShadeDepth { hits, colours: vec![[0; 3]; 2], depth }
 }
 
-fn pack(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn pack(count: u32) -> Pack {
     let colours = vec![[[from_f64(0.5); 3]; 16]; count as usize];
-    Pack { colours, shifts: [16, 8, 0] }.place(bench).1
+    Pack { colours, shifts: [16, 8, 0] }
 }

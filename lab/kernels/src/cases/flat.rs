@@ -4,20 +4,14 @@ pub mod error;
 pub mod rectangles;
 pub mod triangles;
 
-use rand::Rng;
-use spu_emulator::float::single::to_f64;
 use twins::flat::FlatHit;
 use twins::rectangle::Rectangle;
 use twins::triangle::Triangle;
-use zerocopy::IntoBytes as _;
-use zerocopy::big_endian::F32;
 
-use crate::bench::{Bench, Place};
 use crate::cases::sphere_ray::case_rays;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
-use crate::flat_records::{Ray, Rays, point, quad};
-use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
+use crate::flat_records::Ray;
+use crate::flat_records::Rays;
+use crate::prelude::*;
 use rectangles::{ANY, NEAREST, PLANE, WithRectangle};
 use triangles::{One, Sheared, Triangles};
 
@@ -27,87 +21,50 @@ const TRIANGLES: Objects = Objects::List(16, 48);
 const OBJECT: u32 = 7;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| Sheared { rays: rays() }.place(bench).1,
-        }],
-        error: Some(error::shear),
-        ..Kernel::of::<Sheared>()
-    },
-    Kernel { error: Some(error::isect_triangles), ..row_of_triangles::<false>() },
-    Kernel {
-        rays: 1,
-        cases: &[
-            Case {
-                name: "miss",
-                objects: Objects::Fixed(1),
-                place: |bench, _| one(beside(1)).place(bench).1,
-            },
-            Case {
-                name: "hit",
-                objects: Objects::Fixed(1),
-                place: |bench, _| one(ahead(1)).place(bench).1,
-            },
-        ],
-        ..Kernel::of::<One>()
-    },
-    row_of_triangles::<true>(),
-    Kernel { error: Some(error::with_rectangle::<NEAREST>), ..row_of_rectangle::<NEAREST>() },
-    row_of_rectangle::<ANY>(),
-    Kernel {
-        cases: &[Case {
-            name: "all hit",
-            objects: Objects::Fixed(1),
-            place: |bench, _| with_rectangle::<PLANE>(9.0).place(bench).1,
-        }],
-        error: Some(error::with_rectangle::<PLANE>),
-        ..Kernel::of::<WithRectangle<PLANE>>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("a packet", Objects::Fixed(1), |_| Sheared { rays: rays() })])
+            .error(error::shear),
+        row_of_triangles::<false>().error(error::isect_triangles),
+        Kernel::of::<One>([
+            case("miss", Objects::Fixed(1), |_| one(beside(1))),
+            case("hit", Objects::Fixed(1), |_| one(ahead(1))),
+        ])
+        .rays(1),
+        row_of_triangles::<true>(),
+        row_of_rectangle::<NEAREST>().error(error::with_rectangle::<NEAREST>),
+        row_of_rectangle::<ANY>(),
+        Kernel::of::<WithRectangle<PLANE>>([case("all hit", Objects::Fixed(1), |_| {
+            with_rectangle::<PLANE>(9.0)
+        })])
+        .error(error::with_rectangle::<PLANE>),
+    ]
+}
 
 /// The row of a kernel for triangles, with those that are missed and those that are hit.
-const fn row_of_triangles<const ANY: bool>() -> Kernel {
-    Kernel {
-        cases: const {
-            &[
-                Case {
-                    name: if ANY { "nothing blocks" } else { "all miss" },
-                    objects: TRIANGLES,
-                    place: |bench, count| with_triangles::<ANY>(beside, count).place(bench).1,
-                },
-                Case {
-                    name: if ANY { "all blocked by the first" } else { "all hit, each nearer" },
-                    objects: TRIANGLES,
-                    place: |bench, count| with_triangles::<ANY>(ahead, count).place(bench).1,
-                },
-            ]
-        },
-        ..Kernel::of::<Triangles<ANY>>()
-    }
+fn row_of_triangles<const ANY: bool>() -> Kernel {
+    Kernel::of::<Triangles<ANY>>([
+        case(if ANY { "nothing blocks" } else { "all miss" }, TRIANGLES, |count| {
+            with_triangles::<ANY>(beside, count)
+        }),
+        case(
+            if ANY { "all blocked by the first" } else { "all hit, each nearer" },
+            TRIANGLES,
+            |count| with_triangles::<ANY>(ahead, count),
+        ),
+    ])
 }
 
 /// The same for a rectangle.
-const fn row_of_rectangle<const TEST: usize>() -> Kernel {
-    Kernel {
-        cases: const {
-            &[
-                Case {
-                    name: if TEST == ANY { "nothing blocks" } else { "all miss" },
-                    objects: Objects::Fixed(1),
-                    place: |bench, _| with_rectangle::<TEST>(9.0).place(bench).1,
-                },
-                Case {
-                    name: if TEST == ANY { "all blocked" } else { "all hit" },
-                    objects: Objects::Fixed(1),
-                    place: |bench, _| with_rectangle::<TEST>(-1.0).place(bench).1,
-                },
-            ]
-        },
-        ..Kernel::of::<WithRectangle<TEST>>()
-    }
+fn row_of_rectangle<const TEST: usize>() -> Kernel {
+    Kernel::of::<WithRectangle<TEST>>([
+        case(if TEST == ANY { "nothing blocks" } else { "all miss" }, Objects::Fixed(1), |_| {
+            with_rectangle::<TEST>(9.0)
+        }),
+        case(if TEST == ANY { "all blocked" } else { "all hit" }, Objects::Fixed(1), |_| {
+            with_rectangle::<TEST>(-1.0)
+        }),
+    ])
 }
 
 /// A triangle across the rays of the cases. The smaller its place, the nearer it is.
@@ -143,21 +100,21 @@ fn with_rectangle<const TEST: usize>(x: f64) -> WithRectangle<TEST> {
 
 /// Puts the record of rays into local store.
 pub fn put_rays(bench: &mut Bench, rays: &[Ray; 16]) -> Place {
-    bench.place(Rays::pack(rays).as_bytes())
+    put(bench, &[rows::<_, Rays, 16>(rays)])
 }
 
 /// Puts the record of triangles into local store. Their fourth words are `anything`.
 pub fn put_triangles(bench: &mut Bench, triangles: &[Triangle], anything: u32) -> Place {
     let record = |triangle: &Triangle| triangle.map(|vertex| quad(vertex, anything));
     let records: Vec<[[F32; 4]; 3]> = triangles.iter().map(record).collect();
-    bench.place(records.as_bytes())
+    put(bench, &records)
 }
 
 /// Puts the record of a rectangle into local store. Its fourth words are `anything`.
 pub fn put_rectangle(bench: &mut Bench, rectangle: &Rectangle, anything: u32) -> Place {
     let Rectangle { point, normal, dual_u, dual_v } = *rectangle;
     let record = [point, normal, dual_u, dual_v].map(|vector| quad(vector, anything));
-    bench.place(record.as_bytes())
+    put(bench, &record)
 }
 
 /// The results of a test of sixteen rays: a bit for each one with something in its way, if that is
@@ -165,7 +122,7 @@ pub fn put_rectangle(bench: &mut Bench, rectangle: &Rectangle, anything: u32) ->
 pub type Tested = (u32, [FlatHit; 16]);
 
 fn tested<const ANY: bool>(bench: &Bench, rays: Place, returned: u32) -> Tested {
-    (if ANY { returned } else { 0 }, bench.read::<Rays>(rays).hits())
+    (if ANY { returned } else { 0 }, lanes::<Ray>(&bench.read::<Rays>(rays)).map(|ray| ray.hit))
 }
 
 /// The bits for a condition on sixteen rays.

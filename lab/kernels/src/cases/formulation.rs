@@ -2,8 +2,8 @@
 //! state.
 
 use std::fmt::Debug;
-use std::ops::Range;
 
+use crate::prelude::*;
 use twins::sphere::{
     Constants, Estimate, Eye, Factored, General, InDouble, Interpolated, Newton2, Paper,
     Perpendicular, Refined, Stable, Unnormalised,

@@ -5,16 +5,9 @@ pub mod error;
 
 use std::ops::RangeInclusive;
 
-use rand::{Rng, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use crate::prelude::*;
 use spu_emulator::float::single::{LARGEST, SMALLEST};
-use twins::{Single, math};
-use zerocopy::big_endian::U32;
-
-use crate::bench::{Bench, Place, SEED};
-use crate::cases::eye::call::put;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
+use twins::math;
 
 /// Short arrays of quadwords, and long ones.
 const QUADWORDS: Objects = Objects::List(32, 128);
@@ -107,39 +100,33 @@ pub const FUNCTIONS: [Function; 12] = {
     ]
 };
 
-const fn row<const NUMBER: usize>() -> Kernel {
-    Kernel {
-        rays: 4,
-        cases: &[Case {
-            name: "any operands",
-            objects: QUADWORDS,
-            place: |bench, count| {
-                let mut random = ChaCha8Rng::seed_from_u64(SEED);
-                let operands: Vec<[Single; 4]> = (0..count).map(|_| random.random()).collect();
-                let [operands, results] = put_operands(bench, &operands, 0);
-                vec![operands.address, results.address, count]
-            },
-        }],
-        error: Some(|bench, random| error::largest(bench, random, &FUNCTIONS[NUMBER])),
-        ..Kernel::of::<Operands<NUMBER>>()
-    }
+fn row<const NUMBER: usize>() -> Kernel {
+    Kernel::of([case("any operands", QUADWORDS, |count| {
+        let mut random = ChaCha8Rng::seed_from_u64(SEED);
+        let operands = (0..count).map(|_| random.random()).collect();
+        Operands::<NUMBER> { operands, anything: 0, in_place: false }
+    })])
+    .rays(4)
+    .error(|bench, random| error::largest(bench, random, &FUNCTIONS[NUMBER]))
 }
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    row::<0>(),
-    row::<1>(),
-    row::<2>(),
-    row::<3>(),
-    row::<4>(),
-    row::<5>(),
-    row::<6>(),
-    row::<7>(),
-    row::<8>(),
-    row::<9>(),
-    row::<10>(),
-    row::<11>(),
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        row::<0>(),
+        row::<1>(),
+        row::<2>(),
+        row::<3>(),
+        row::<4>(),
+        row::<5>(),
+        row::<6>(),
+        row::<7>(),
+        row::<8>(),
+        row::<9>(),
+        row::<10>(),
+        row::<11>(),
+    ]
+}
 
 /// Operands of one of the [`FUNCTIONS`].
 #[derive(Clone, Debug)]

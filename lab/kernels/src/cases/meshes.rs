@@ -2,12 +2,10 @@
 //!
 //! Invariant: the surface encloses the point, however the vertices were rounded.
 
-use rand::Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::triangle::Triangle;
 
-use crate::flat_records::{Point, point};
-use crate::vector::{Vector, dot, in_cube, sub, unit};
+use crate::flat_records::Point;
+use crate::prelude::*;
 
 /// A place far from the origin, as in embree's tests.
 pub const FAR_OUT: Vector = [148_376.0, 1234.0, -223_423.0];

@@ -2,21 +2,15 @@
 
 pub mod nearest;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere_ray::{BareSphere, Ray};
-use twins::{FARTHEST, Single};
-use zerocopy::IntoBytes as _;
 
-use crate::bench::Bench;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description as _;
+use crate::prelude::*;
 use crate::records;
-use crate::vector::dot;
 pub use crate::vector::{Vector, unit};
 use nearest::{Blocked, Nearest, One};
 
+/// A short array of spheres, and a long one.
+const SPHERES: Objects = Objects::List(16, 48);
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 4000;
 /// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the root
@@ -28,89 +22,36 @@ const TANGENT: f64 = 1e-4;
 const SURFACE: f64 = 1e-5;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        rays: 1,
-        cases: &[
-            Case {
-                name: "miss",
-                objects: Objects::Fixed(1),
-                place: |bench, _| one_ray(bench, &beside()),
-            },
-            Case {
-                name: "hit",
-                objects: Objects::Fixed(1),
-                place: |bench, _| one_ray(bench, &ahead(1)),
-            },
-        ],
-        error: Some(|bench, random| nearest_error(bench, random, one_by_one)),
-        ..Kernel::of::<One>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: Objects::Fixed(1),
-                place: |bench, _| packet(bench, &[beside()], &[7]),
-            },
-            Case {
-                name: "all hit",
-                objects: Objects::Fixed(1),
-                place: |bench, _| packet(bench, &[ahead(1)], &[7]),
-            },
-        ],
-        error: Some(|bench, random| nearest_error(bench, random, together)),
-        ..Kernel::of::<Nearest<1>>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: Objects::Fixed(16),
-                place: |bench, _| packet(bench, &[beside(); 16], &[7]),
-            },
-            Case {
-                name: "all hit, each nearer",
-                objects: Objects::Fixed(16),
-                place: |bench, _| packet(bench, &nearer_and_nearer(), &[7]),
-            },
-        ],
-        error: Some(|bench, random| nearest_error(bench, random, among_sixteen)),
-        ..Kernel::of::<Nearest<16>>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "nothing blocks",
-                objects: Objects::Fixed(1),
-                place: |bench, _| packet(bench, &[beside()], &[]),
-            },
-            Case {
-                name: "all blocked",
-                objects: Objects::Fixed(1),
-                place: |bench, _| packet(bench, &[ahead(1)], &[]),
-            },
-        ],
-        error: Some(|bench, random| any_error(bench, random, "any_sphere_r16", &[])),
-        ..Kernel::of::<Blocked<false>>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "nothing blocks",
-                objects: Objects::List(16, 48),
-                place: |bench, count| packet(bench, &vec![beside(); count as usize], &[count]),
-            },
-            Case {
-                name: "all blocked by the first",
-                objects: Objects::List(16, 48),
-                place: |bench, count| packet(bench, &vec![ahead(1); count as usize], &[count]),
-            },
-        ],
-        error: Some(|bench, random| any_error(bench, random, "any_spheres_r16", &[1])),
-        ..Kernel::of::<Blocked<true>>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([
+            case("miss", Objects::Fixed(1), |_| one_ray(beside())),
+            case("hit", Objects::Fixed(1), |_| one_ray(ahead(1))),
+        ])
+        .rays(1)
+        .error(|bench, random| nearest_error(bench, random, one_by_one)),
+        Kernel::of([
+            case("all miss", Objects::Fixed(1), |_| nearest([beside()])),
+            case("all hit", Objects::Fixed(1), |_| nearest([ahead(1)])),
+        ])
+        .error(|bench, random| nearest_error(bench, random, together)),
+        Kernel::of([
+            case("all miss", Objects::Fixed(16), |_| nearest([beside(); 16])),
+            case("all hit, each nearer", Objects::Fixed(16), |_| nearest(nearer_and_nearer())),
+        ])
+        .error(|bench, random| nearest_error(bench, random, among_sixteen)),
+        Kernel::of([
+            case("nothing blocks", Objects::Fixed(1), |_| blocked::<false>(beside(), 1)),
+            case("all blocked", Objects::Fixed(1), |_| blocked(ahead(1), 1)),
+        ])
+        .error(|bench, random| any_error(bench, random, "any_sphere_r16", &[])),
+        Kernel::of([
+            case("nothing blocks", SPHERES, |count| blocked::<true>(beside(), count)),
+            case("all blocked by the first", SPHERES, |count| blocked(ahead(1), count)),
+        ])
+        .error(|bench, random| any_error(bench, random, "any_spheres_r16", &[1])),
+    ]
+}
 
 /// The rays of the cases: from near the origin towards -z.
 #[must_use]
@@ -146,17 +87,17 @@ fn nearer_and_nearer() -> [BareSphere; 16] {
     std::array::from_fn(|number| ahead(16 - number as u32))
 }
 
-fn one_ray(bench: &mut Bench, sphere: &BareSphere) -> Vec<u32> {
-    let ray = bench.place(records::Ray::new(&case_rays()[0], 0).as_bytes());
-    let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
-    vec![ray.address, sphere.address, 7]
+/// The first ray of the cases and a sphere.
+fn one_ray(sphere: BareSphere) -> One {
+    One { ray: case_rays()[0], sphere, object: 7, anything: 0 }
 }
 
-fn packet(bench: &mut Bench, spheres: &[BareSphere], further: &[u32]) -> Vec<u32> {
-    let rays = bench.place(records::Rays::new(&case_rays()).as_bytes());
-    let spheres: Vec<records::BareSphere> = spheres.iter().map(records::BareSphere::new).collect();
-    let spheres = bench.place(spheres.as_bytes());
-    [&[rays.address, spheres.address], further].concat()
+fn nearest<const COUNT: usize>(spheres: [BareSphere; COUNT]) -> Nearest<COUNT> {
+    Nearest { rays: case_rays(), spheres: spheres.into(), first: 7 }
+}
+
+fn blocked<const ARRAY: bool>(sphere: BareSphere, count: u32) -> Blocked<ARRAY> {
+    Blocked { rays: case_rays(), spheres: vec![sphere; count as usize] }
 }
 
 /// A random direction, uniformly distributed.
@@ -301,7 +242,7 @@ fn any_error(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, further: 
             }
         }
         bench.reset();
-        let record = bench.place(records::Rays::new(&rays).as_bytes());
+        let record = bench.place(records::rows::<_, records::Rays, 16>(&rays).as_bytes());
         let sphere = bench.place(records::BareSphere::new(&sphere).as_bytes());
         let arguments = [&[record.address, sphere.address], further].concat();
         let blocked = bench.call(kernel, &arguments).value;

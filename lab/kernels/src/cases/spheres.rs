@@ -3,17 +3,16 @@
 
 use twins::sphere::Perpendicular;
 use twins::sphere_ray::{BareSphere, Ray};
-use twins::{FARTHEST, Single};
 
 use super::eye;
 use super::whitted::isect::call::{self, packet};
 use super::whitted::isect::sphere::{By, SphereObject};
-use crate::bench::{Bench, Version};
+use crate::bench::Version;
 use crate::catalogue;
-use crate::eye_records::{self, Vectors};
+use crate::eye_records;
 use crate::measure::cost;
-use crate::single::single;
-use protocol::layout::{RayPacket, Sphere};
+use crate::prelude::*;
+use protocol::layout::Sphere;
 
 /// The content of a sphere's record for primary rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

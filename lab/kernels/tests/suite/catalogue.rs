@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use kernels::bench::{Bench, random};
 use kernels::catalogue;
 use kernels::flat_records;
+use kernels::prelude::*;
 use kernels::records::{BareSphere, Ray, Rays};
 use kernels::set::Kernels;
 use kernels::source::Source;
@@ -64,7 +64,7 @@ fn measured_errors_are_within_what_the_headers_state() {
     let mut bench = Bench::new();
     let mut random = random();
     for kernel in catalogue::kernels() {
-        let Some(error) = kernel.error else { continue };
+        let Some(error) = &kernel.error else { continue };
         let header = Source::find(kernel.name).and_then(Source::header);
         let stated = header.and_then(|header| header.stated_error());
         let stated = stated.unwrap_or_else(|| panic!("{} states no error", kernel.name));
@@ -79,7 +79,7 @@ fn every_case_can_be_called() {
     let mut bench = Bench::new();
     for kernel in catalogue::kernels() {
         assert!(Source::find(kernel.name).is_some(), "no {}", kernel.name);
-        for case in kernel.cases {
+        for case in &kernel.cases {
             bench.reset();
             let arguments = (case.place)(&mut bench, case.objects.first());
             bench.call(kernel.name, &arguments);

@@ -3,8 +3,8 @@
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-use kernels::bench::{Bench, random};
 use kernels::catalogue;
+use kernels::prelude::*;
 
 #[test]
 fn kernels_equal_their_twins() {

@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-use kernels::bench::{Bench, Returned};
+use kernels::bench::Returned;
+use kernels::prelude::*;
 use kernels::set::Kernels;
 use kernels::source::Source;
 use spu_build::{Image, Tools};

@@ -1,16 +1,10 @@
 //! The general sphere kernels: compared with their twin bit for bit for every relation of a ray
 //! and a sphere, and for rays that leave a surface.
 
-use kernels::bench::{Bench, random};
-use kernels::cases::sphere_ray::{
-    any_direction, bare_sphere, case_rays, one_by_one, ray, together, truth, unit,
-};
+use kernels::cases::sphere_ray::{bare_sphere, case_rays, one_by_one, ray, together, truth, unit};
+use kernels::prelude::*;
 use kernels::records;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::sphere_ray::{self as twin, BareSphere, Ray};
-use zerocopy::IntoBytes as _;
 
 /// The object number that the calls of `kernels::cases::sphere_ray` pass.
 const OBJECT: u32 = 77;
@@ -34,7 +28,7 @@ fn check_nearest(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [R
 /// arrays.
 fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u32, u64) {
     bench.reset();
-    let record = bench.place(records::Rays::new(rays).as_bytes());
+    let record = bench.place(records::rows::<_, records::Rays, 16>(rays).as_bytes());
     let places: Vec<records::BareSphere> = spheres.iter().map(records::BareSphere::new).collect();
     let places = bench.place(places.as_bytes());
     let expected = |spheres: &[BareSphere]| {

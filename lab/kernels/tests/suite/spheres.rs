@@ -2,14 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use kernels::bench::Bench;
 use kernels::cases::eye::formulation::Seen;
 use kernels::cases::sphere_ray::case_rays;
 use kernels::cases::spheres::{Distances, EyeSphere, cycles_a_ray, eye, general};
 use kernels::cases::whitted::isect::sphere::{FRONT, sphere};
 use kernels::catalogue;
+use kernels::prelude::*;
 use protocol::formulation::{EyeRecord, SPHERES};
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere::Axis;
 use twins::sphere_ray::BareSphere;
 

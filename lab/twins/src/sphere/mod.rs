@@ -21,8 +21,8 @@ use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
 use super::pairs::Sides;
 use super::sphere_pairs::SphereObject;
-use super::sphere_ray::{BareSphere, Ray, SIGN};
-use super::{HALF, ONE, Single, below_zero};
+use super::sphere_ray::{BareSphere, Ray};
+use super::{HALF, ONE, SIGN, Single, below_zero, dot};
 
 pub use constants::{Axis, Constants};
 pub use double::InDouble;
@@ -140,10 +140,6 @@ fn sign(negative: bool) -> u32 {
 
 fn from_origin(centre: Vector, origin: Vector) -> Vector {
     std::array::from_fn(|axis| fs(centre[axis], origin[axis]))
-}
-
-fn dot([fx, fy, fz]: Vector, [dx, dy, dz]: Vector) -> Single {
-    fma(fz, dz, fma(fy, dy, fm(fx, dx)))
 }
 
 /// f - b d

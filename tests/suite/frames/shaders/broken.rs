@@ -1,16 +1,12 @@
 //! Shaders that break the contract: the check names them, and the engine stays usable. Also
 //! shaders that do not fit.
 
-use std::fs;
-use std::process::{Command, Output};
+use std::process::Output;
 
-use cellray::scene::{Model, RenderOptions};
 use cellray::work::Refusal;
-use cellray::{Engine, EngineError, Scene, Settings};
-use image::RgbImage;
 
 use super::program::{build, file, image, program};
-use crate::recorder::{Recorder, Snapshot};
+use crate::prelude::*;
 
 const SIZE: (u32, u32) = (96, 64);
 

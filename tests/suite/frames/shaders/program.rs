@@ -1,10 +1,8 @@
 //! The tracer's program with additional shaders.
 
-use std::fs;
-use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use cellray::spe::Program;
+use crate::prelude::*;
 use spu_build::{Error, Tools, tracer};
 
 /// A file of this repository.

@@ -1,13 +1,8 @@
 //! The rings of the example, compared with their formula, and their picture with and without the
 //! check.
 
-use cellray::scene::{Model, RenderOptions};
-use cellray::{Engine, Scene, Settings};
-use glam::DVec3;
-use image::RgbImage;
-
 use super::program::{file, program};
-use crate::recorder::Recorder;
+use crate::prelude::*;
 
 fn render(scene: &Scene, (width, height): (u32, u32), check_shaders: bool) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);

@@ -2,12 +2,10 @@
 
 use super::operations::{compare_all, instruction, word};
 use super::units::State;
+use crate::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::edges::DOUBLES;
-use spu_emulator::interp::Quad;
-use spu_emulator::local_store::LocalStore;
-use spu_isa::Op;
 
 const OPERATIONS: [Op; 9] =
     [Op::Dfa, Op::Dfs, Op::Dfm, Op::Dfma, Op::Dfms, Op::Dfnms, Op::Dfnma, Op::Fesd, Op::Frds];

@@ -3,12 +3,11 @@
 
 use super::units::{Compiled, START, State, code_cache, compare, trace};
 use super::wasm::Emitted;
+use crate::prelude::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::edges::{LARGE, WORDS};
-use spu_emulator::interp::Quad;
-use spu_emulator::local_store::{LocalStore, SIZE};
-use spu_isa::{Class, Instruction, Machine, Op};
+use spu_isa::{Class, Machine};
 use spu_jit::{Exit, FloatMode, Steps, Tier, can_compile};
 
 /// The fixed modes. The tests add a fourth, random mode: some instructions in doubles, the others

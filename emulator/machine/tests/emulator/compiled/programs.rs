@@ -1,21 +1,13 @@
 //! Tests programs that a compiler could get wrong: they change their code, never end, fault, or
 //! stop in the middle.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
-use std::thread;
-use std::time::{Duration, Instant};
 
+use crate::prelude::*;
 use spu_emulator::channel::{Channels, NoChannels};
 use spu_emulator::compiled::{Runner, Translations};
 use spu_emulator::engine::Engine;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
 use spu_emulator::machine::Machine;
-use spu_emulator::memory::RegisteredMemory;
-use spu_emulator::spe::{Config, Spe};
-use spu_emulator::stop::{ChannelAccess, Stop, Stopped};
-use spu_isa::{Instruction, Op};
 
 /// A number of iterations above the compile threshold.
 const ROUNDS: u32 = 1000;

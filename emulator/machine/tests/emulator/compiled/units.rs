@@ -1,15 +1,10 @@
 //! Compares one unit with the interpreter.
 
+use crate::prelude::*;
 use spu_emulator::channel::NoChannels;
-use spu_emulator::float::estimate;
-use spu_emulator::float::fpscr::Fpscr;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::{LocalStore, SIZE};
-use spu_isa::Instruction;
 use spu_jit::{
     CodeCache, Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Tier, Trace, UnitOptions,
 };
-use std::sync::Arc;
 
 /// The start address of the code in these tests.
 pub const START: u32 = 0x1000;

@@ -3,10 +3,8 @@
 
 use super::units::{Outcome, Run};
 use super::wasm::Emitted;
-use spu_emulator::float::fpscr::Fpscr;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_isa::{Machine, Op};
+use crate::prelude::*;
+use spu_isa::Machine;
 use spu_jit::{Exit, FloatMode, Step, Trace};
 use spu_tool::vectors::{Generator, Vector};
 

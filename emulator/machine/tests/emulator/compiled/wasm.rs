@@ -1,12 +1,8 @@
 //! Runs the modules that the compiler emits for WebAssembly, on an interpreter of WebAssembly.
 
 use super::units::{ITERATIONS, Outcome, Run, local_store_bytes};
+use crate::prelude::*;
 use spu_emulator::channel::NoChannels;
-use spu_emulator::float::estimate;
-use spu_emulator::float::fpscr::Fpscr;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::{LocalStore, SIZE};
-use spu_isa::Instruction;
 use spu_jit::wasm::{IMPORTS, Places, UNIT, field, module};
 use spu_jit::{Exit, FloatMode, Trace};
 use wasmi::{

@@ -3,21 +3,14 @@
 
 mod format;
 
+use crate::prelude::*;
 use crate::simulated::accounts;
-use crate::support::{BASE, Machine, Running, assemble, load, start_prepared};
+use crate::support::{Running, load, start_prepared};
 use format::{Case, Item, Moment, Value};
 use spu_emulator::engine::Engine;
-use spu_emulator::interp::Quad;
-use spu_emulator::machine;
-use spu_emulator::memory::{Access, RegisteredMemory};
-use spu_emulator::mfc::Policy;
-use spu_emulator::signal::SignalRegister;
-use spu_emulator::simulated::{Method, Race, SimulationOptions, SpeReport, Timing, Use};
-use spu_emulator::spe::{Config, Spe};
-use spu_emulator::stop::Stopped;
+use spu_emulator::simulated::{Race, Use};
 use std::fmt::Write;
-use std::sync::{Arc, Mutex};
-use std::time::{Duration, Instant};
+use std::sync::Mutex;
 
 /// A way to run a program. `Timed` counts cycles, in which data moves at once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

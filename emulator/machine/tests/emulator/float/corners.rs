@@ -3,8 +3,9 @@
 //!
 //! Provenance: the architecture's text. Where it is silent, the choice that the document states.
 
-use spu_emulator::float::fpscr::{Flags, Rounding};
-use spu_emulator::float::{convert, double, estimate, single};
+use crate::prelude::*;
+use spu_emulator::float::fpscr::Rounding;
+use spu_emulator::float::{convert, double, single};
 
 const SIGN: u32 = 0x8000_0000;
 const MODES: [Rounding; 4] =

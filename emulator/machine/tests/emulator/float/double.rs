@@ -2,9 +2,9 @@
 //! arithmetic.
 
 use super::exact::Exact;
-use randomness::{Random, rounds};
+use crate::prelude::*;
 use spu_emulator::float::double;
-use spu_emulator::float::fpscr::{Flags, Fpscr, Rounding};
+use spu_emulator::float::fpscr::Rounding;
 
 const SIGN: u64 = 1 << 63;
 const INFINITY: u64 = 0x7ff0_0000_0000_0000;

@@ -3,13 +3,9 @@
 //! others.
 
 use crate::instructions::machine::{Script, instruction, put};
-use randomness::{Random, rounds};
-use spu_emulator::float::fpscr::{Flags, Fpscr};
+use crate::prelude::*;
 use spu_emulator::float::single::{self, Lanes};
-use spu_emulator::float::{convert, estimate, ordinary};
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_isa::Op;
+use spu_emulator::float::{convert, ordinary};
 use std::array::from_fn;
 
 const SIGN: u32 = 0x8000_0000;

@@ -2,10 +2,9 @@
 //! exponents, random operands.
 
 use super::exact::Exact;
-use randomness::{Random, rounds};
-use spu_emulator::float::fpscr::Flags;
+use crate::prelude::*;
+use spu_emulator::float::convert;
 use spu_emulator::float::single::{self, Lanes};
-use spu_emulator::float::{convert, estimate};
 
 const SIGN: u32 = 0x8000_0000;
 const RANDOM_OPERANDS: u32 = 500_000;

@@ -1,11 +1,11 @@
 //! Compares double precision with LLVM's soft float in the crate `rustc_apfloat`: values and
 //! flags, in the four rounding modes.
 
-use randomness::{Random, rounds};
+use crate::prelude::*;
 use rustc_apfloat::ieee::{Double, Single};
 use rustc_apfloat::{Float as _, FloatConvert as _, Round, Status, StatusAnd};
 use spu_emulator::float::double;
-use spu_emulator::float::fpscr::{Flags, Rounding};
+use spu_emulator::float::fpscr::Rounding;
 
 const MODES: [(Rounding, Round); 4] = [
     (Rounding::NearestEven, Round::NearestTiesToEven),

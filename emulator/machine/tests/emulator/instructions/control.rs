@@ -4,11 +4,10 @@
 //! Provenance: manual, unless a test states another.
 
 use super::machine::{Script, instruction, put};
-use spu_emulator::interp::{Observer, Quad, Spu};
-use spu_emulator::local_store::LocalStore;
+use crate::prelude::*;
+use spu_emulator::interp::Observer;
 use spu_emulator::mfc::DmaError;
-use spu_emulator::stop::{ChannelAccess, Stop, Stopped};
-use spu_isa::{Instruction, Machine, Op, feature};
+use spu_isa::{Machine, feature};
 
 fn program(at: u32, code: &[Instruction]) -> (Spu, LocalStore, Script) {
     let local_store = LocalStore::new();

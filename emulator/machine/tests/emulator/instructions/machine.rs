@@ -1,10 +1,8 @@
 //! A machine for tests of single instructions: channels with prepared values, and code that
 //! consists of rows.
 
+use crate::prelude::*;
 use spu_emulator::channel::Channels;
-use spu_emulator::local_store::LocalStore;
-use spu_emulator::stop::{ChannelAccess, Stop};
-use spu_isa::{Instruction, Op};
 use std::collections::VecDeque;
 
 /// Channels that return the values that the test prepared, and record what is written.

@@ -3,9 +3,8 @@
 //! Provenance: manual, the masks and directions in the architecture's definitions.
 
 use super::machine::{Script, instruction, put};
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_isa::{Format, Op};
+use crate::prelude::*;
+use spu_isa::Format;
 
 #[derive(Clone, Copy)]
 enum Kind {

@@ -2,10 +2,7 @@
 //! constants.
 
 use super::machine::{Script, instruction, put};
-use randomness::{Random, rounds};
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_isa::Op;
+use crate::prelude::*;
 use std::array::from_fn;
 
 fn model(a: Quad, b: Quad, control: Quad) -> Quad {

@@ -2,10 +2,9 @@
 //! everything that it must leave unchanged.
 
 use super::machine::{Script, instruction, put};
-use spu_emulator::interp::{Observer, Quad, Spu};
-use spu_emulator::local_store::LocalStore;
-use spu_emulator::stop::Stop;
-use spu_isa::{Field, Instruction, Op, Operand, Target};
+use crate::prelude::*;
+use spu_emulator::interp::Observer;
+use spu_isa::{Field, Operand, Target};
 use std::collections::{BTreeSet, HashMap};
 
 const VECTORS: &str = include_str!("vectors.spu");

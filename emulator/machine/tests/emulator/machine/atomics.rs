@@ -1,14 +1,9 @@
 //! Atomic commands and reservations.
 
-use std::sync::Arc;
-use std::thread;
+use spu_emulator::memory::{LINE, MainMemory, MemoryFault, Place};
 
-use spu_emulator::machine;
-use spu_emulator::memory::{Access, LINE, MainMemory, MemoryFault, Place, RegisteredMemory};
-use spu_emulator::mfc::Policy;
-use spu_emulator::spe::{Config, Spe};
-
-use crate::support::{BASE, MEMORY, Machine, assemble, load, register, run_to_stop, soon, start};
+use crate::prelude::*;
+use crate::support::{MEMORY, load};
 
 /// Adds 1 to the word at the base, $5 times.
 const COUNT: &str = "

@@ -1,10 +1,7 @@
 //! Which channels exist, in which direction, and their counts when idle.
 
-use spu_emulator::mfc::Policy;
-use spu_emulator::spe::Config;
-use spu_emulator::stop::{ChannelAccess, Stop};
-
-use crate::support::{Machine, run, run_to_stop};
+use crate::prelude::*;
+use crate::support::run;
 
 /// Channel number, whether it can be read, and its count when idle, as the architecture's manual
 /// has them.

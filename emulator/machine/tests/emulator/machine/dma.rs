@@ -1,13 +1,7 @@
 //! Transfers: sizes, wrapping, tags, other SPEs, and the mistakes that `Policy::AtLast` reveals.
 
-use std::time::Duration;
-
-use spu_emulator::mfc::Policy;
-use spu_emulator::signal::SignalRegister;
-use spu_emulator::spe::{Config, ProxyCommand, TagWait};
-use spu_emulator::stop::{Stop, Stopped};
-
-use crate::support::{BASE, Machine, register, run_to_stop, soon, start};
+use crate::prelude::*;
+use spu_emulator::spe::{ProxyCommand, TagWait};
 
 const POLICIES: [Policy; 2] = [Policy::AtOnce, Policy::AtLast];
 

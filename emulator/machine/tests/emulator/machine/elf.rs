@@ -1,10 +1,8 @@
 //! Loading programs: the assembler's output, damaged images, random bytes.
 
+use crate::prelude::*;
 use proptest::prelude::*;
 use spu_emulator::elf::{ElfError, Image, file_length};
-use spu_emulator::local_store::{LocalStore, SIZE};
-
-use crate::support::assemble;
 
 const SOURCE: &str = "
         il      $3,1

@@ -1,11 +1,7 @@
 //! Events, interrupts, the decrementer.
 
-use std::time::{Duration, Instant};
-
-use spu_emulator::mfc::Policy;
-use spu_emulator::signal::SignalRegister;
-
-use crate::support::{Machine, at_once, register, run_to_stop, soon, start};
+use crate::prelude::*;
+use crate::support::at_once;
 
 #[test]
 fn the_decrementers_event_wakes_the_sleeper() {

@@ -1,9 +1,6 @@
 //! DMA lists: gathering, small elements, stall-and-notify.
 
-use spu_emulator::mfc::Policy;
-use spu_emulator::stop::Stop;
-
-use crate::support::{BASE, Machine, register, run_to_stop, start};
+use crate::prelude::*;
 
 const POLICIES: [Policy; 2] = [Policy::AtOnce, Policy::AtLast];
 const STALL: u32 = 0x8000_0000;

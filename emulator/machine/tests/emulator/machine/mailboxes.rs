@@ -1,11 +1,9 @@
 //! Mailboxes and signals across threads, and stop requests.
 
-use spu_emulator::mfc::Policy;
-use spu_emulator::signal::{SignalMode, SignalRegister};
-use spu_emulator::spe::Config;
-use spu_emulator::stop::Stop;
+use spu_emulator::signal::SignalMode;
 
-use crate::support::{Machine, assemble, at_once, load, register, run_to_stop, soon, start};
+use crate::prelude::*;
+use crate::support::{at_once, load};
 
 const ECHO: &str = "
 again:  rdch    $10,$ch29

@@ -2,12 +2,9 @@
 //! hang, or access memory that it was not given.
 
 use proptest::prelude::*;
-use spu_emulator::memory::Access;
-use spu_emulator::mfc::Policy;
-use spu_emulator::spe::Config;
-use spu_emulator::stop::Stop;
 
-use crate::support::{BASE, MEMORY, Machine, run, start};
+use crate::prelude::*;
+use crate::support::{MEMORY, run};
 
 /// `ilhu`, `iohl` and `wrch` of a value.
 fn write_channel(channel: u32, value: u32) -> [u32; 3] {

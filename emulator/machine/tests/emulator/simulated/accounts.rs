@@ -1,11 +1,9 @@
 //! The account of cycles. What a single program can see of the time is in `filetests/time.spu`.
 
-use std::time::Duration;
-
-use spu_emulator::simulated::SpeReport;
 use spu_isa::timing::Cause;
 
-use crate::support::{Machine, assemble, start_later};
+use crate::prelude::*;
+use crate::support::start_later;
 
 /// The properties of every SPE's figures.
 pub fn check(spe: &SpeReport) {

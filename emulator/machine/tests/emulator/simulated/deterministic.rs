@@ -1,15 +1,12 @@
 //! Tests that cycle counts are the same in every run, however the host behaves, and with both
 //! methods of counting.
 
-use std::sync::Arc;
-
 use spu_emulator::memory::MainMemory;
-use spu_emulator::signal::SignalRegister;
-use spu_emulator::simulated::{MemoryFigures, Method, SimulationOptions, SpeReport, Timing};
-use spu_emulator::spe::Spe;
+use spu_emulator::simulated::MemoryFigures;
 
 use super::disturbance::{Disturbance, Load};
-use crate::support::{BASE, Machine, assemble, register, start_later};
+use crate::prelude::*;
+use crate::support::start_later;
 
 const LOCAL_STORE_LATENCY: u64 = MemoryFigures::CONSOLE.local_store_latency;
 

@@ -1,9 +1,8 @@
 //! Disturbances by the host.
 
-use std::sync::Arc;
+use crate::prelude::*;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::SeqCst};
-use std::thread::{self, JoinHandle};
-use std::time::Duration;
+use std::thread::JoinHandle;
 
 /// Delays of the host that differ in every run.
 pub struct Disturbance(AtomicU64);

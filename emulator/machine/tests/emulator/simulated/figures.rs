@@ -2,10 +2,9 @@
 //! A value that delays the start of a transfer is a multiple of the slots of ports and of memory,
 //! because a transfer waits for the next slot.
 
-use spu_emulator::simulated::{MemoryFigures, PpeFigures, SimulationOptions, SpeReport, Timing};
+use crate::prelude::*;
+use spu_emulator::simulated::{MemoryFigures, PpeFigures};
 use spu_isa::timing::{Cause, Rules};
-
-use crate::support::Machine;
 
 /// A line from main memory, an atomic command, and ten branches without hints, of which nine are
 /// taken.

@@ -1,18 +1,12 @@
 //! SPEs that run in turn on one thread: in simulated time they take the cycles that they take on
 //! threads.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
-use std::time::Duration;
 
 use spu_emulator::decrementer::Clock;
-use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::machine;
-use spu_emulator::simulated::{SimulationOptions, SpeReport, Timing};
-use spu_emulator::spe::Spe;
-use spu_emulator::stop::Stop;
 
-use crate::support::{Machine, assemble, base_registers};
+use crate::prelude::*;
+use crate::support::base_registers;
 
 /// Each SPE counts in a line that all share, by atomic commands, as SPUs take work units, and puts
 /// what it got into main memory.

@@ -1,19 +1,16 @@
 //! Compares memoised timing with the definition, which goes instruction by instruction. For any
 //! program, clock, account, waits and profile must be the same.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
+use crate::prelude::*;
 use proptest::prelude::*;
 use spu_emulator::engine::Engine;
-use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine::Machine;
-use spu_emulator::memory::{Access, RegisteredMemory};
 use spu_emulator::profile::SpeProfile;
-use spu_emulator::simulated::{Method, Race, Report, SimulationOptions, Timing};
-use spu_emulator::spe::{Config, Spe};
-use spu_emulator::stop::Stop;
+use spu_emulator::simulated::{Race, Report};
+use spu_isa::feature;
 use spu_isa::timing::Rules;
-use spu_isa::{Instruction, Op, feature};
 
 /// Main memory: quadwords of code for `GET`.
 const MEMORY_EA: u64 = 0x10_0000;

@@ -1,14 +1,12 @@
 //! PPE threads as actors: mails, polls, sleeps, and threads that never come back.
 
-use std::sync::{Arc, Barrier, mpsc};
-use std::thread;
-use std::time::{Duration, Instant};
+use std::sync::{Barrier, mpsc};
 
 use spu_emulator::simulated::{PpeFigures, ticks};
-use spu_emulator::stop::Stop;
 
 use super::disturbance::{Disturbance, Load};
-use crate::support::{Machine, TIMEOUT, assemble, register, start, start_later};
+use crate::prelude::*;
+use crate::support::{TIMEOUT, start_later};
 
 const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
 const PPE_WAKE_CYCLES: u64 = PpeFigures::CONSOLE.wake_cycles;

@@ -1,9 +1,8 @@
 //! The throughput of six SPEs compared with one.
 
+use crate::prelude::*;
 use spu_emulator::memory::LINE;
 use spu_emulator::simulated::{MemoryFigures, Tenths};
-
-use crate::support::Machine;
 
 /// The bytes that main memory can move in a cycle if a line takes this time.
 fn bytes_a_cycle(line: Tenths) -> f64 {

@@ -1,9 +1,8 @@
 //! A guest program: local store with an argument block, and a library whose streams are captured.
 
-use std::sync::{Arc, Mutex};
+use std::sync::Mutex;
 
-use spu_emulator::local_store::{LocalStore, SIZE};
-use spu_emulator::memory::RegisteredMemory;
+use crate::prelude::*;
 use spu_emulator::ppe_call::{Arena, CallError, Class, Errno, Host, Library, Process};
 
 pub const HEAP_EA: u64 = 0x1_0000_0000;

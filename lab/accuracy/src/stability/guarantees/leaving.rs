@@ -13,22 +13,12 @@
 //!   through the open end is uncertain. If it nearly follows the wall, it meets it far from there.
 //! - A body is so thin that a ray starts at its opposite wall, to the last digit of coordinates.
 
-use crate::generator::Generator;
-use glam::DVec3;
-use kernels::Bench;
-use rand::Rng as _;
 use scenes::Shape;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
-use twins::sphere_ray::Ray;
 
-use crate::space::{add_scaled, cross, direction, dot, fresh, in_cube, length, sub, unit};
-use crate::stability::family::{Cases, Family, Replayed, Tally, need, points_of};
+use crate::stability::prelude::*;
 use crate::stability::product::{Kind, Product, Stuff, exactly, next_hit};
-use crate::stability::random::{across, either_side, magnitude, rounded, towards};
-use crate::stability::statement::Bound;
+use crate::stability::random::either_side;
 use crate::stability::steps::{HIT, Lanes, Leaving, Line, leave, meet};
-use crate::truth::Vector;
 
 /// The number of packets in a call, each with its own object.
 const PACKETS: usize = 4;

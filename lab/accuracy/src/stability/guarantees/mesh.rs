@@ -1,13 +1,8 @@
 //! The closed meshes that rays must not leave.
 
-use crate::generator::Generator;
+use crate::stability::prelude::*;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
 use kernels::flat_records::point;
-use rand::Rng as _;
-
-use crate::space::in_cube;
-use crate::stability::random::magnitude;
-use crate::truth::Vector;
 
 /// Makes a random mesh.
 pub type Maker = fn(&mut Generator) -> Mesh;

@@ -3,31 +3,19 @@
 
 use std::marker::PhantomData;
 
-use crate::generator::Generator;
-use kernels::Bench;
-use kernels::cases::whitted::isect::call;
-use kernels::cases::whitted::isect::shape::Shape;
-use kernels::cases::whitted::isect::sphere::{By, FRONT, SphereObject, sphere};
-use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::cases::whitted::isect::sphere::{FRONT, SphereObject, sphere};
 use kernels::cases::whitted::shade::light::{Shadows, Site};
 use kernels::description::Description as _;
-use kernels::flat_records::Point;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::ONE;
 use twins::shadow_rays::Place;
-use twins::sphere::Perpendicular;
-use twins::sphere_ray::Ray;
 use twins::surfaces::Surface;
 
-use crate::space::{add_scaled, direction, dot, in_cube, length, sub, two_sided, unit};
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
-use crate::stability::random::{across, magnitude, nearby};
-use crate::stability::statement::{Bound, stated};
+use crate::stability::prelude::*;
+use crate::stability::random::nearby;
 use crate::stability::steps::{NO_RAY, NOT_THERE};
 use crate::stability::stress::spheres::TANGENT;
 use crate::stability::stress::triangles::{EDGE, off_edges};
-use crate::truth::{self, Line, Vector, spacing};
+use crate::truth;
 
 /// An object that may be between a point and a light.
 trait Blocker: Shape + Sync {

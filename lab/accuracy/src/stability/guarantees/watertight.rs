@@ -1,17 +1,8 @@
 //! Nothing leaks: every ray from inside a closed mesh hits it, including rays aimed at its edges
 //! and vertices.
 
-use crate::generator::Generator;
-use kernels::Bench;
-use kernels::cases::whitted::isect::call;
-use kernels::cases::whitted::isect::shape::Shape as _;
-use kernels::cases::whitted::isect::triangle::TriangleObject;
-use kernels::flat_records::Point;
-
 use super::mesh::{self, Maker};
-use crate::space::{fresh, two_sided};
-use crate::stability::family::{Cases, Family, Replayed, Tally, need};
-use crate::stability::statement::Bound;
+use crate::stability::prelude::*;
 
 /// The number of packets traced in a mesh.
 const PACKETS: usize = 16;

@@ -12,20 +12,12 @@
 //! - Inside a sphere, each mirror focuses it again: e' = e + 2 a + noise, a' = a + noise. The
 //!   error grows with the square of the number of bounces.
 
-use crate::generator::Generator;
-use glam::DVec3;
-use kernels::Bench;
-use rand::Rng as _;
 use scenes::Shape;
-use spu_emulator::float::single::{from_f64, to_f64};
 
-use crate::space::{add_scaled, direction, dot, fresh, length, sub, unit};
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
+use crate::stability::prelude::*;
 use crate::stability::product::{Kind, Product, Stuff, exactly};
-use crate::stability::random::{across, magnitude, rounded};
-use crate::stability::statement::{Bound, StatementError, stated, states};
+use crate::stability::statement::{StatementError, states};
 use crate::stability::steps::{HIT, Lanes, Line, leave, meet};
-use crate::truth::Vector;
 
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;

@@ -1,15 +1,9 @@
 //! Reciprocals and square roots where tables' entries meet: the first and the last fraction of
 //! every entry, and the fractions next to them, with every exponent and both signs.
 
-use crate::generator::Generator;
-use kernels::Bench;
+use crate::stability::prelude::*;
 use kernels::cases::math::error::ulps;
 use kernels::cases::math::{self, FUNCTIONS, Function};
-use rand::Rng as _;
-use twins::Single;
-
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
-use crate::stability::statement::Bound;
 
 /// The number of low bits of a fraction that do not select a table entry.
 const POSITION: u32 = 18;

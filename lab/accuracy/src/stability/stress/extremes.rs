@@ -7,32 +7,21 @@
 
 use std::marker::PhantomData;
 
-use crate::generator::Generator;
-use kernels::Bench;
+use crate::stability::prelude::*;
 use kernels::cases::formulation::ForAnyRay;
 use kernels::cases::whitted::bounce::Sites;
-use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
-use kernels::cases::whitted::isect::shape::Shape;
-use kernels::cases::whitted::isect::sphere::{By, SphereObject};
-use kernels::cases::whitted::isect::triangle::TriangleObject;
-use kernels::single::bits;
-use rand::{Rng as _, SeedableRng as _};
-use twins::Single;
-use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
+use kernels::cases::whitted::isect::sphere::SphereObject;
+use rand::SeedableRng as _;
+use twins::bounce::{Bounce, Queued};
 use twins::pairs::Sides;
 use twins::rectangle::Rectangle;
 use twins::reflect::reflect;
 use twins::refract::refract;
 use twins::sphere::{
-    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
-    Unnormalised,
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Refined, Stable, Unnormalised,
 };
-use twins::sphere_ray::Ray;
-
-use crate::stability::family::{Cases, Family, Replayed, Tally, need};
-use crate::stability::statement::Bound;
 
 /// Magnitudes: zero, denormals, the smallest numbers, about 1, around the limits of what can be
 /// squared, and everything that saturates or would be infinite or NaN elsewhere.

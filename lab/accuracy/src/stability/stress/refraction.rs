@@ -1,20 +1,12 @@
 //! Glass near the critical angle, from both sides of it, and rays parallel to surfaces in the
 //! medium with the lower index: the refracted direction, whether it exists, and Schlick's share.
 
-use crate::generator::Generator;
-use kernels::Bench;
+use crate::stability::prelude::*;
 use kernels::cases::whitted::bounce::{Sites, off};
-use kernels::single::bits;
 use kernels::vector::{Vector, dot, unit};
-use rand::{Rng as _, SeedableRng as _};
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::bounce::{Bounce, CHAIN_STEP, Limits};
-use twins::{ONE, Single};
-
-use crate::space::{add_scaled, direction};
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, points_of};
-use crate::stability::random::{across, magnitude};
-use crate::stability::statement::{Bound, stated};
+use rand::SeedableRng as _;
+use twins::ONE;
+use twins::bounce::Bounce;
 
 const KERNEL: &str = "refract_r16";
 /// An ulp of 1.

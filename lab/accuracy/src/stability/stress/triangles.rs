@@ -3,25 +3,10 @@
 //! The watertight kernel's distance is a mean of the vertices' distances with weights that are not
 //! below 0. However thin a triangle is, its hits are therefore between its vertices.
 
-use crate::generator::Generator;
-use kernels::Bench;
-use kernels::cases::whitted::isect::call;
-use kernels::cases::whitted::isect::shape::Shape as _;
-use kernels::cases::whitted::isect::triangle::TriangleObject;
-use kernels::flat_records::Point;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::sphere_ray::Ray;
-
-use crate::space::{
-    add_scaled, cross, direction, dot, fresh, in_cube, length, sub, two_sided, unit,
-};
-use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, points_of};
-use crate::stability::random::{across, magnitude, nearby, rounded, towards};
-use crate::stability::statement::Bound;
-use crate::truth::Vector;
+use crate::stability::family::Judgement;
+use crate::stability::prelude::*;
+use crate::stability::random::nearby;
 use crate::truth::triangle::Triangle;
-use crate::truth::{Line, spacing};
 
 /// The kernel whose error the watertight one's header refers to.
 const STATED: &str = "isect_triangles_r16";

@@ -1,9 +1,9 @@
 //! Puts records and lists into local store for kernels, and reads lists.
 
-use zerocopy::big_endian::U32;
-use zerocopy::{FromZeros as _, Immutable, IntoBytes};
+use zerocopy::Immutable;
 
-use crate::bench::{self, Bench};
+use crate::bench;
+use crate::prelude::*;
 use protocol::layout::{Packet, Pair, Place};
 
 /// Puts records into local store, one after the other.

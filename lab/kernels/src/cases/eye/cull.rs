@@ -1,23 +1,12 @@
 //! The kernels that cull spheres for primary rays.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::Single;
 use twins::cull::{is_hidden, may_enter, reaches_into};
 use twins::isect_pairs::Hit;
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::U32;
 
 use super::call::{address, list_buffer, put, put_packets, put_places};
 use super::error::NO_HITS;
-use crate::bench::{Bench, Place};
-use crate::description::{Description, LENGTHS_FROM_0};
-use crate::eye_records::{self, Vectors};
-use crate::single::{bits, single};
-use crate::vector::unit;
+use crate::eye_records;
+use crate::prelude::*;
 use protocol::layout::{Frustum, Packet, Pair, Sphere};
 
 /// Directions close to -z.

@@ -1,18 +1,13 @@
 //! Errors of the kernels for primary rays against f64, each over random inputs from its domain.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::isect_pairs::Hit;
 use twins::ray_setup::Basis;
 use twins::shade_depth::Depth;
-use twins::{FARTHEST, Single};
 
 use super::packets::{Pack, RaySetup, ShadeDepth};
-use crate::bench::Bench;
 use crate::cases::sphere_ray::unit;
-use crate::description::Description as _;
-use crate::eye_records::{Hits, Vectors};
+use crate::eye_records::Hits;
+use crate::prelude::*;
 
 /// The distance between singles from 1/2 to 1.
 const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;

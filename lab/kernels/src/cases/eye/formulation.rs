@@ -3,9 +3,6 @@
 
 use std::fmt::Debug;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere::{
     Axis, Constants, Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Refined, Stable,
     Unnormalised,
@@ -15,16 +12,11 @@ use twins::sphere_ray::BareSphere;
 use super::error::NO_HITS;
 use super::pairs::Pairs;
 use super::{PACKETS, rays};
-use zerocopy::FromBytes;
 
-use crate::bench::Bench;
 use crate::cases::formulation::ForTheEye;
-use crate::cases::sphere_ray::{any_direction, bare_sphere, ulp};
+use crate::cases::sphere_ray::{bare_sphere, ulp};
 use crate::cases::spheres::EyeSphere;
-use crate::catalogue::{Case, Kernel};
-use crate::description::Description as _;
-use crate::eye_records::Vectors;
-use crate::vector::{Vector, dot, magnitude, unit};
+use crate::prelude::*;
 use protocol::layout::Sphere;
 
 /// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the
@@ -84,56 +76,41 @@ impl Seen for Axis {
 }
 
 /// The kernels of the formulations other than the standard one for primary rays.
-pub const KERNELS: &[Kernel] = &[
-    row::<Paper>(),
-    row::<Estimate>(),
-    row::<Interpolated>(),
-    row::<Newton2>(),
-    row::<Stable>(),
-    row::<Factored>(),
-    row::<Constants>(),
-    row::<Refined>(),
-    row::<Unnormalised>(),
-    row::<InDouble>(),
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        row::<Paper>(),
+        row::<Estimate>(),
+        row::<Interpolated>(),
+        row::<Newton2>(),
+        row::<Stable>(),
+        row::<Factored>(),
+        row::<Constants>(),
+        row::<Refined>(),
+        row::<Unnormalised>(),
+        row::<InDouble>(),
+    ]
+}
 
 /// The row of a formulation's kernel.
-pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
-    Kernel {
-        cases: const {
-            &[
-                Case {
-                    name: "all miss",
-                    objects: PACKETS,
-                    place: |bench, count| {
-                        with_packets::<F>(bench, [F::Sphere::at([9.0, 0.0, -5.0], 1.0); 4], count)
-                    },
-                },
-                Case {
-                    name: "all hit, each nearer",
-                    objects: PACKETS,
-                    place: |bench, count| {
-                        let nearer = [20.0, 15.0, 10.0, 5.0];
-                        let sphere = |distance: f64| F::Sphere::at([0.0, 0.0, -distance], 1.0);
-                        with_packets::<F>(bench, nearer.map(sphere), count)
-                    },
-                },
-            ]
-        },
-        error: Some(error::<F>),
-        ..Kernel::of::<Pairs<F>>()
-    }
+pub(super) fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
+    Kernel::of::<Pairs<F>>([
+        case("all miss", PACKETS, |count| {
+            with_packets::<F>([F::Sphere::at([9.0, 0.0, -5.0], 1.0); 4], count)
+        }),
+        case("all hit, each nearer", PACKETS, |count| {
+            let nearer = [20.0, 15.0, 10.0, 5.0];
+            let sphere = |distance: f64| F::Sphere::at([0.0, 0.0, -distance], 1.0);
+            with_packets::<F>(nearer.map(sphere), count)
+        }),
+    ])
+    .error(error::<F>)
 }
 
 /// Each of the spheres paired with sixteen packets.
-fn with_packets<F: ForTheEye<Sphere: Seen>>(
-    bench: &mut Bench,
-    spheres: [F::Sphere; 4],
-    count: u32,
-) -> Vec<u32> {
+fn with_packets<F: ForTheEye<Sphere: Seen>>(spheres: [F::Sphere; 4], count: u32) -> Pairs<F> {
     let pairs = (0..count as usize).map(|number| [number / 16, number % 16]).collect();
     let packets = vec![(rays(), NO_HITS); 64];
-    Pairs::<F> { packets, spheres: spheres.to_vec(), pairs }.place(bench).1
+    Pairs::<F> { packets, spheres: spheres.into(), pairs }
 }
 
 /// A sphere within a formulation's domain, and rays inside its outline and around it.

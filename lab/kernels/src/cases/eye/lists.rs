@@ -1,15 +1,11 @@
 //! The kernels that turn masks of a tile's packets into lists, and lists into masks.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::lists::{list_pairs, list_places, mask_pairs};
-use zerocopy::big_endian::U32;
 
 use super::call::put;
-use crate::bench::{Bench, Place};
-use crate::description::{Description, LENGTHS_FROM_0};
 use crate::eye_records;
-use protocol::layout::{self, Packet, Pair};
+use crate::prelude::*;
+use protocol::layout::{Packet, Pair};
 
 /// The packets of a tile: four groups of sixteen, each with a mask.
 const TILE: usize = 64;

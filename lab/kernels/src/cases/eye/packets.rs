@@ -1,21 +1,17 @@
 //! The kernels that make, shade and pack packets of primary rays.
 
-use rand::Rng as _;
 use rand::seq::SliceRandom as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::isect_pairs::Hit;
+use twins::pack;
 use twins::ray_setup::{self, Basis};
 use twins::shade_depth::{Depth, shade_depth};
 use twins::sphere_ray::BareSphere;
-use twins::{FARTHEST, Single, pack};
 
 use super::call::{address, put, put_packets, put_places};
 use super::error;
-use crate::bench::{Bench, Place};
-use crate::description::{Description, any_bits};
-use crate::eye_records::{self, Hits, Vectors};
-use crate::single::single;
+use crate::eye_records;
+use crate::eye_records::Hits;
+use crate::prelude::*;
 use protocol::layout::{Colours, Packet, Sphere};
 
 /// The first column and row whose pixel numbers are not exact in single precision.

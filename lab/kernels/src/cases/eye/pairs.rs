@@ -1,19 +1,14 @@
 //! The kernels that intersect pairs of a sphere and a packet of primary rays, one for each
 //! formulation.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::isect_pairs::{Hit, isect_pair};
 
 use super::call::{address, put, put_packets};
 use super::formulation::{Seen, around_a_sphere};
-use crate::bench::{Bench, Place};
 use crate::cases::formulation::ForTheEye;
-use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
-use crate::eye_records::{self, Hits, Vectors};
+use crate::eye_records;
+use crate::eye_records::Hits;
+use crate::prelude::*;
 use protocol::layout::{Packet, Pair, Sphere};
 
 /// Where the packets and the spheres are.

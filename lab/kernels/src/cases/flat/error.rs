@@ -2,16 +2,14 @@
 //!
 //! The table contains the first number of a header's `Error`. The tests also check the others.
 
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
 use twins::triangle::{Shear, Triangle};
 
 use super::rectangles::{PLANE, WithRectangle};
 use super::triangles::{Sheared, Triangles};
 use super::{aimed_at_triangle, around_rectangle, on_plane, on_triangle};
-use crate::bench::Bench;
-use crate::description::Description as _;
-use crate::flat_records::{NO_HIT, Ray};
+use crate::flat_records::NO_HIT;
+use crate::flat_records::Ray;
+use crate::prelude::*;
 use crate::vector::ulps;
 
 /// The number of packets over which an error is measured.

@@ -1,15 +1,10 @@
 //! The kernels of rectangles and planes.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::rectangle::{Rectangle, any_rectangle, isect_plane, isect_rectangle};
 
 use super::{Tested, around_rectangle, changed, code, put_rays, put_rectangle, tested};
-use crate::bench::{Bench, Place};
-use crate::description::{Description, any_bits};
 use crate::flat_records::Ray;
+use crate::prelude::*;
 
 /// Tests whether a rectangle is in the way of rays.
 pub const ANY: usize = 0;

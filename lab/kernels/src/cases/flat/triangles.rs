@@ -1,19 +1,13 @@
 //! The kernels of triangles.
 
-use std::ops::Range;
-
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::flat::FlatHit;
 use twins::triangle::{Shear, Triangle, any_triangle, isect_triangles, shear};
-use zerocopy::IntoBytes as _;
 
 use super::{Tested, aimed_at_triangle, changed, code, put_rays, put_triangles, tested};
-use crate::bench::{Bench, Place, SEED};
-use crate::description::{Description, LENGTHS_FROM_0, any_bits};
-use crate::flat_records::{self, OneRay, Ray, Shears, point};
-use crate::vector::{in_cube, unit};
+use crate::flat_records;
+use crate::flat_records::Ray;
+use crate::flat_records::{OneRay, Shears};
+use crate::prelude::*;
 
 /// Rays whose shears are made.
 #[derive(Clone, Debug)]

@@ -1,12 +1,8 @@
 //! Errors of reciprocals and roots against f64, in ulps of the SPU's format: the distance between
 //! singles at the exact result.
 
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
-use twins::Single;
-
 use super::{Function, call, operand};
-use crate::bench::Bench;
+use crate::prelude::*;
 use crate::single::spacing;
 
 /// The number of calls over which an error is measured.

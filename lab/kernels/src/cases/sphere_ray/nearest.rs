@@ -1,19 +1,10 @@
 //! The general sphere kernels: their inputs, calls and twins.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::FARTHEST;
 use twins::sphere_ray::{self as twin, BareSphere, Ray};
 
 use super::{any_direction, around_a_sphere, bare_sphere, ray, truth};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::{ANY_SHARE, Description, any_bits};
+use crate::prelude::*;
 use crate::records;
-use crate::vector::in_cube;
 
 fn put_spheres(bench: &mut Bench, spheres: &[BareSphere]) -> u32 {
     let spheres: Vec<records::BareSphere> = spheres.iter().map(records::BareSphere::new).collect();
@@ -132,13 +123,13 @@ impl<const COUNT: usize> Description for Nearest<COUNT> {
     }
 
     fn place(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
-        let rays = put(bench, &[records::Rays::new(&self.rays)]);
+        let rays = put(bench, &[records::rows::<_, records::Rays, 16>(&self.rays)]);
         let spheres = put_spheres(bench, &self.spheres);
         (rays, vec![rays.address, spheres, self.first])
     }
 
     fn found(&self, bench: &Bench, placed: &Place, _: u32) -> [Ray; 16] {
-        bench.read::<records::Rays>(*placed).rays()
+        records::lanes(&bench.read::<records::Rays>(*placed))
     }
 
     fn twin(&self, _: &Place) -> [Ray; 16] {
@@ -191,7 +182,7 @@ impl<const ARRAY: bool> Description for Blocked<ARRAY> {
     }
 
     fn place(&self, bench: &mut Bench) -> ((), Vec<u32>) {
-        let rays = put(bench, &[records::Rays::new(&self.rays)]).address;
+        let rays = put(bench, &[records::rows::<_, records::Rays, 16>(&self.rays)]).address;
         let mut arguments = vec![rays, put_spheres(bench, &self.spheres)];
         if ARRAY {
             arguments.push(self.spheres.len() as u32);

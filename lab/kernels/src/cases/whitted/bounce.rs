@@ -1,23 +1,12 @@
 //! `refract_r16` and `reflect_r16`: cases, hits from their domain, and their results compared with
 //! f64.
 
-use std::ops::Range;
-
-use rand::{Rng, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
 use twins::reflect::reflect;
 use twins::refract::refract;
-use zerocopy::{FromZeros as _, IntoBytes};
 
-use crate::bench::{Bench, Place, SEED};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Bits, Description, any_bits};
-use crate::flat_records::point;
-use crate::single::{bits, single};
-use crate::vector::{Vector, dot, in_cube, unit};
-use protocol::layout::{QueuedRay, RayPacket, Site, Surfaces};
+use crate::prelude::*;
+use protocol::layout::{QueuedRay, Site};
 
 /// A short list of sites, and a long one.
 const SITES: Objects = Objects::List(2, 8);
@@ -29,35 +18,23 @@ pub const STEEP: f64 = 0.1;
 pub const ALONG: f64 = 1e-5;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[
-            Case { name: "glass", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
-            Case {
-                name: "nothing lets through",
-                objects: SITES,
-                place: |bench, count| case(bench, count, 0.0),
-            },
-        ],
-        error: Some(|bench, random| worst::<true>(bench, random, refracted)),
-        ..Kernel::of::<Hits<true>>()
-    },
-    Kernel {
-        cases: &[
-            Case { name: "mirrors", objects: SITES, place: |bench, count| case(bench, count, 1.0) },
-            Case {
-                name: "nothing reflects",
-                objects: SITES,
-                place: |bench, count| case(bench, count, 0.0),
-            },
-        ],
-        error: Some(|bench, random| worst::<false>(bench, random, reflected)),
-        ..Kernel::of::<Hits<false>>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<Hits<true>>([
+            case("glass", SITES, |count| sharing(count, 1.0)),
+            case("nothing lets through", SITES, |count| sharing(count, 0.0)),
+        ])
+        .error(|bench, random| worst::<true>(bench, random, refracted)),
+        Kernel::of::<Hits<false>>([
+            case("mirrors", SITES, |count| sharing(count, 1.0)),
+            case("nothing reflects", SITES, |count| sharing(count, 0.0)),
+        ])
+        .error(|bench, random| worst::<false>(bench, random, reflected)),
+    ]
+}
 
 /// Hits that all reflect and transmit this share.
-fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
+fn sharing<const REFRACT: bool>(count: u32, share: f64) -> Hits<REFRACT> {
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let packet = |_| {
         std::array::from_fn(|_| Bounce {
@@ -66,8 +43,8 @@ fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
             ..hit(&mut random)
         })
     };
-    let packets: Vec<[Bounce; 16]> = (0..count).map(packet).collect();
-    Sites::put(bench, &packets, &mut random).arguments(Limits::NONE)
+    let packets = (0..count).map(packet).collect();
+    Hits { packets, limits: Limits::NONE, junk: random.random() }
 }
 
 /// Sites in local store for a call, and the queue for their rays.

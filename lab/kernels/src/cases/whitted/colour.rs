@@ -1,12 +1,7 @@
 //! The kernel for colours of vertices: hits on coloured triangles, its case and its error.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::colour::{Hit, interpolated};
 use twins::sphere_ray::Ray;
-use twins::{ONE, Single};
-use zerocopy::big_endian::U32;
 
 use super::isect::call;
 use super::isect::error::SCALES;
@@ -14,14 +9,8 @@ use super::isect::shape::head_words;
 use super::isect::sphere::FRONT;
 use super::smooth;
 use super::texture::{any_surfaces, set_colour};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Bits, Description, any_bits};
-use crate::flat_records::{point, quad};
-use crate::single::{bits, single};
-use crate::vector::{Vector, cross, dot, sub};
-use protocol::layout::{self, SIDES_COLOURED, Surfaces};
+use crate::prelude::*;
+use protocol::layout::SIDES_COLOURED;
 
 /// Patches of a batch.
 const PATCHES: usize = 128;
@@ -29,11 +18,9 @@ const PATCHES: usize = 128;
 const MOST: f64 = 1023.0;
 
 /// The kernel in this file.
-pub const KERNELS: &[Kernel] = &[Kernel {
-    cases: &[Case {
-        name: "a packet",
-        objects: Objects::Fixed(1),
-        place: |bench, _| {
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("a packet", Objects::Fixed(1), |_| {
             let hit = Hit {
                 vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
                 colours: [0xff80_4000, 0x0123_4567, 0x89ab_cdef],
@@ -41,12 +28,11 @@ pub const KERNELS: &[Kernel] = &[Kernel {
                 plane: point([0.0, 0.0, 1.0]),
                 colour: [ONE; 3],
             };
-            Coloured { hits: [Some(hit); 16], are_roots: true, anything: 0 }.place(bench).1
-        },
-    }],
-    error: Some(error),
-    ..Kernel::of::<Coloured>()
-}];
+            Coloured { hits: [Some(hit); 16], are_roots: true, anything: 0 }
+        })])
+        .error(error),
+    ]
+}
 
 /// The patch of each lane: they are anywhere among those of a batch.
 fn slot(lane: usize) -> usize {

@@ -3,73 +3,23 @@
 
 use std::array;
 
-use protocol::layout::{MATERIAL_LIT, RayPacket, Surfaces};
-use rand::{Rng as _, RngCore as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use crate::catalogue::sensible;
+use crate::prelude::*;
+use protocol::layout::MATERIAL_LIT;
+use rand::RngCore as _;
 use twins::cuts::{self, CELLS, Cells, Cuts, Level, SAMPLES, SIDE};
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::U32;
-
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
-use crate::vector::unit;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "block",
-            objects: Objects::Fixed(1),
-            place: |bench, _| {
-                CutCells::sensible(1, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        error: Some(height_error),
-        ..Kernel::of::<CutCells>()
-    },
-    Kernel {
-        rays: 4,
-        cases: &[Case {
-            name: "a tile",
-            objects: Objects::Fixed(1),
-            place: |bench, _| {
-                CutFour::sensible(1, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        error: Some(distance_error),
-        ..Kernel::of::<CutFour>()
-    },
-    Kernel {
-        rays: 16,
-        cases: &[Case {
-            name: "all hit",
-            objects: Objects::List(4, 8),
-            place: |bench, count| {
-                CutRays::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        error: Some(ray_error),
-        ..Kernel::of::<CutRays>()
-    },
-    Kernel {
-        rays: 16,
-        cases: &[Case {
-            name: "all hit",
-            objects: Objects::List(4, 8),
-            place: |bench, count| {
-                CutGround::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1))
-                    .place(bench)
-                    .1
-            },
-        }],
-        error: Some(normal_error),
-        ..Kernel::of::<CutGround>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<CutCells>([sensible("block", Objects::Fixed(1))]).rays(1).error(height_error),
+        Kernel::of::<CutFour>([sensible("a tile", Objects::Fixed(1))])
+            .rays(4)
+            .error(distance_error),
+        Kernel::of::<CutRays>([sensible("all hit", Objects::List(4, 8))]).error(ray_error),
+        Kernel::of::<CutGround>([sensible("all hit", Objects::List(4, 8))]).error(normal_error),
+    ]
+}
 
 /// Puts numbers into local store, each in all lanes of a quadword.
 fn splats(bench: &mut Bench, numbers: &[u32]) -> Place {

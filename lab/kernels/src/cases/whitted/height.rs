@@ -1,54 +1,26 @@
 //! The kernels that make triangles of a height field's samples, and find what is at the vertices
 //! of those that were hit.
 
+use crate::catalogue::sensible;
+use crate::prelude::*;
 use protocol::layout::{
     HEIGHT_BLOCK, HeightLevel, Heights, MESH_HIT, MESH_LEAF_PLACES, MeshLeaf, Patch,
 };
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::height::{Field, block, corner_normal};
 use twins::mesh_prepare::WORDS;
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::{F32, U32};
-
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Description, LENGTHS_FROM_0};
-use crate::vector::{Vector, unit};
 
 /// Words of the kernel's scratch.
 const SCRATCH: usize = 604;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "block",
-            objects: Objects::Fixed(1),
-            place: |bench, _| {
-                HeightBlock::sensible(1, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        ..Kernel::of::<HeightBlock>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "patches",
-            objects: Objects::List(24, 48),
-            place: |bench, count| {
-                HeightCorners::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1))
-                    .place(bench)
-                    .1
-            },
-        }],
-        error: Some(normal_error),
-        ..Kernel::of::<HeightCorners>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<HeightBlock>([sensible("block", Objects::Fixed(1))]).rays(1),
+        Kernel::of::<HeightCorners>([sensible("patches", Objects::List(24, 48))])
+            .rays(1)
+            .error(normal_error),
+    ]
+}
 
 /// The largest error of a component of a normal, in ulps of 1.
 fn normal_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {

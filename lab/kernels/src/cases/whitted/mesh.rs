@@ -10,25 +10,20 @@ pub mod rays;
 pub mod sort;
 pub mod triangles;
 
-use rand::SeedableRng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, fs, to_f64};
+use spu_emulator::float::single::fs;
 use twins::mesh::{Corners, mesh_bound};
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_prepare::{CONES, INNER, LEAF, SPHERES};
 use twins::mesh_rays::Visit;
 use twins::mesh_rows::mesh_window;
 use twins::primary_rays::Ray;
-use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
+use twins::sphere_ray;
 
 use super::isect::error::SCALES;
 use super::isect::shape::Shape as _;
 use super::isect::triangle::TriangleObject;
-use crate::bench::Bench;
 use crate::cases::sphere_ray::case_rays;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description as _;
-use crate::vector::{cross, dot, sub, unit};
+use crate::prelude::*;
 use block::Prepare;
 use bounds::{Bounds, EyeBounds, Farthest};
 use boxes::Boxed;
@@ -50,272 +45,102 @@ const TRIANGLES: Objects = Objects::List(16, 64);
 const TESTED: u32 = 600;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "78 triangles",
-            objects: Objects::Fixed(1),
-            place: |bench, _| Leaf::full().place(bench).1,
-        }],
-        ..Kernel::of::<Leaf>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "runs in fours",
-            objects: Objects::List(4, 16),
-            place: |bench, count| {
-                let sources = vec![[0; 4]; count as usize];
-                Sources { sources, low: 0, vertices: 1, count: 0 }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<Sources>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "triangles in twos",
-            objects: Objects::List(4, 16),
-            place: |bench, count| CornerList::in_a_row(count as usize).place(bench).1,
-        }],
-        ..Kernel::of::<CornerList>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "triangles in fours",
-            objects: Objects::List(4, 16),
-            place: |bench, count| Codes::in_a_row(count as usize).place(bench).1,
-        }],
-        ..Kernel::of::<Codes>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "triangles in fours",
-            objects: Objects::List(16, 64),
-            place: |bench, count| Sort::in_a_row(count as usize).place(bench).1,
-        }],
-        ..Kernel::of::<Sort>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "a strip of triangles",
-            objects: Objects::Fixed(1),
-            place: |bench, _| Pack::strip(100).place(bench).1,
-        }],
-        ..Kernel::of::<Pack>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| Bounds { packets: packets(count), shears: 0 }.place(bench).1,
-        }],
-        ..Kernel::of::<Bounds>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                let bounds = vec![mesh_bound(&rays()); count as usize];
-                Farthest { packets: packets(count), bounds }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<Farthest>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| Records { packets: packets(count) }.place(bench).1,
-        }],
-        ..Kernel::of::<Records>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                Alive { packets: packets(count), near: ZERO, bits: u128::MAX }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<Alive>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: PACKETS,
-                place: |bench, count| filter(count, 50.0).place(bench).1,
-            },
-            Case {
-                name: "all meet",
-                objects: PACKETS,
-                place: |bench, count| filter(count, 0.0).place(bench).1,
-            },
-        ],
-        ..Kernel::of::<FilterRays>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "all meet",
-            objects: Objects::List(4, 16),
-            place: |bench, count| {
-                let nodes = vec![node(0.0); count as usize];
-                let batch = Batch { packets: packets(1), nodes, bits: 1 << 120 };
-                FewRays { batch, base: 0 }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<FewRays>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "visits of two packets",
-            objects: Objects::List(4, 16),
-            place: |bench, count| {
-                let visit = Visit { child: 4, near: ONE, rays: 1 << 120 | 1 << 30 };
-                Visits { visits: vec![visit; count as usize], base: 0 }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<Visits>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[
-            Case {
-                name: "inner block",
-                objects: Objects::Fixed(1),
-                place: |bench, _| arrived(INNER).place(bench).1,
-            },
-            Case {
-                name: "triangles",
-                objects: Objects::Fixed(1),
-                place: |bench, _| arrived(LEAF).place(bench).1,
-            },
-            Case {
-                name: "spheres",
-                objects: Objects::Fixed(1),
-                place: |bench, _| arrived(SPHERES).place(bench).1,
-            },
-            Case {
-                name: "cones",
-                objects: Objects::Fixed(1),
-                place: |bench, _| arrived(CONES).place(bench).1,
-            },
-        ],
-        ..Kernel::of::<Prepare>()
-    },
-    nodes::<false>(),
-    nodes::<true>(),
-    Kernel {
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: TRIANGLES,
-                place: |bench, count| runs(9.0, count).place(bench).1,
-            },
-            Case {
-                name: "all hit, each nearer",
-                objects: TRIANGLES,
-                place: |bench, count| runs(0.0, count).place(bench).1,
-            },
-        ],
-        error: Some(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
-        ..Kernel::of::<IsectRuns>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                EyeBounds { packets: vec![case_rays(); count as usize] }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<EyeBounds>()
-    },
-    Kernel {
-        cases: &[
-            Case {
-                name: "all left out",
-                objects: TRIANGLES,
-                place: |bench, count| filtered(9.0, count).place(bench).1,
-            },
-            Case {
-                name: "all kept",
-                objects: TRIANGLES,
-                place: |bench, count| filtered(0.0, count).place(bench).1,
-            },
-        ],
-        ..Kernel::of::<FilterTriangles>()
-    },
-    Kernel {
-        rays: 4,
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: TRIANGLES,
-                place: |bench, count| rows(9.0, count).place(bench).1,
-            },
-            Case {
-                name: "all hit, each nearer",
-                objects: TRIANGLES,
-                place: |bench, count| rows(0.0, count).place(bench).1,
-            },
-        ],
-        error: Some(|bench, random| error(bench, random, from_the_eye, relative_to_the_eye)),
-        ..Kernel::of::<IsectRows>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                let hits: [u32; 16] = std::array::from_fn(|ray| MESH_HIT + ray as u32);
-                ListHits { objects: vec![hits; count as usize] }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<ListHits>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case {
-            name: "all there",
-            objects: TRIANGLES,
-            place: |bench, count| {
-                let objects = (0..count).map(|at| MESH_HIT + (1 << 7) + at % 4).collect();
-                let leaves = vec![one_behind_another(0.0)];
-                FlatPatches { objects, leaves, anything: 0 }.place(bench).1
-            },
-        }],
-        error: Some(patch_error),
-        ..Kernel::of::<FlatPatches>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("78 triangles", Objects::Fixed(1), |_| Leaf::full())]).rays(1),
+        Kernel::of([case("runs in fours", Objects::List(4, 16), |count| {
+            let sources = vec![[0; 4]; count as usize];
+            Sources { sources, low: 0, vertices: 1, count: 0 }
+        })])
+        .rays(1),
+        Kernel::of([case("triangles in twos", Objects::List(4, 16), |count| {
+            CornerList::in_a_row(count as usize)
+        })])
+        .rays(1),
+        Kernel::of([case("triangles in fours", Objects::List(4, 16), |count| {
+            Codes::in_a_row(count as usize)
+        })])
+        .rays(1),
+        Kernel::of([case("triangles in fours", Objects::List(16, 64), |count| {
+            Sort::in_a_row(count as usize)
+        })])
+        .rays(1),
+        Kernel::of([case("a strip of triangles", Objects::Fixed(1), |_| Pack::strip(100))]).rays(1),
+        Kernel::of([case("packets", PACKETS, |count| Bounds {
+            packets: packets(count),
+            shears: 0,
+        })]),
+        Kernel::of([case("packets", PACKETS, |count| {
+            let bounds = vec![mesh_bound(&rays()); count as usize];
+            Farthest { packets: packets(count), bounds }
+        })]),
+        Kernel::of([case("packets", PACKETS, |count| Records { packets: packets(count) })]),
+        Kernel::of([case("packets", PACKETS, |count| Alive {
+            packets: packets(count),
+            near: ZERO,
+            bits: u128::MAX,
+        })]),
+        Kernel::of::<FilterRays>([
+            case("all miss", PACKETS, |count| filter(count, 50.0)),
+            case("all meet", PACKETS, |count| filter(count, 0.0)),
+        ]),
+        Kernel::of([case("all meet", Objects::List(4, 16), |count| {
+            let nodes = vec![node(0.0); count as usize];
+            let batch = Batch { packets: packets(1), nodes, bits: 1 << 120 };
+            FewRays { batch, base: 0 }
+        })])
+        .rays(1),
+        Kernel::of([case("visits of two packets", Objects::List(4, 16), |count| {
+            let visit = Visit { child: 4, near: ONE, rays: 1 << 120 | 1 << 30 };
+            Visits { visits: vec![visit; count as usize], base: 0 }
+        })]),
+        Kernel::of::<Prepare>([
+            case("inner block", Objects::Fixed(1), |_| arrived(INNER)),
+            case("triangles", Objects::Fixed(1), |_| arrived(LEAF)),
+            case("spheres", Objects::Fixed(1), |_| arrived(SPHERES)),
+            case("cones", Objects::Fixed(1), |_| arrived(CONES)),
+        ])
+        .rays(1),
+        nodes::<false>(),
+        nodes::<true>(),
+        Kernel::of::<IsectRuns>([
+            case("all miss", TRIANGLES, |count| runs(9.0, count)),
+            case("all hit, each nearer", TRIANGLES, |count| runs(0.0, count)),
+        ])
+        .error(|bench, random| error(bench, random, from_anywhere, |aimed| aimed)),
+        Kernel::of([case("packets", PACKETS, |count| EyeBounds {
+            packets: vec![case_rays(); count as usize],
+        })]),
+        Kernel::of::<FilterTriangles>([
+            case("all left out", TRIANGLES, |count| filtered(9.0, count)),
+            case("all kept", TRIANGLES, |count| filtered(0.0, count)),
+        ]),
+        Kernel::of::<IsectRows>([
+            case("all miss", TRIANGLES, |count| rows(9.0, count)),
+            case("all hit, each nearer", TRIANGLES, |count| rows(0.0, count)),
+        ])
+        .rays(4)
+        .error(|bench, random| error(bench, random, from_the_eye, relative_to_the_eye)),
+        Kernel::of([case("packets", PACKETS, |count| {
+            let hits: [u32; 16] = std::array::from_fn(|ray| MESH_HIT + ray as u32);
+            ListHits { objects: vec![hits; count as usize] }
+        })]),
+        Kernel::of([case("all there", TRIANGLES, |count| {
+            let objects = (0..count).map(|at| MESH_HIT + (1 << 7) + at % 4).collect();
+            let leaves = vec![one_behind_another(0.0)];
+            FlatPatches { objects, leaves, anything: 0 }
+        })])
+        .rays(1)
+        .error(patch_error),
+    ]
+}
 
 /// The row of a kernel that tests nodes with packets.
-const fn nodes<const EVERY: bool>() -> Kernel {
-    Kernel {
-        cases: const {
-            &[
-                Case {
-                    name: "all left out",
-                    objects: NODES,
-                    place: |bench, count| boxed::<EVERY>(50.0, count).place(bench).1,
-                },
-                Case {
-                    name: "all kept",
-                    objects: NODES,
-                    place: |bench, count| boxed::<EVERY>(0.0, count).place(bench).1,
-                },
-            ]
-        },
-        ..Kernel::of::<Boxed<EVERY>>()
-    }
+fn nodes<const EVERY: bool>() -> Kernel {
+    Kernel::of::<Boxed<EVERY>>([
+        case("all left out", NODES, |count| boxed::<EVERY>(50.0, count)),
+        case("all kept", NODES, |count| boxed::<EVERY>(0.0, count)),
+    ])
 }
 
 /// The rays of the cases, close to -z.

@@ -1,34 +1,20 @@
 //! Portals: cases, rays that cross them, and errors.
 
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
 use twins::shader::Portal;
-use zerocopy::big_endian::F32;
 
 use super::shaders::{Call, DEPTH};
-use crate::bench::{Bench, Place, SEED};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Bits, Description};
-use crate::single::{bits, single};
-use protocol::layout::{RayPacket, Surfaces};
+use crate::prelude::*;
 
 /// The number of packets over which the error is measured.
 const PACKETS: u32 = 500;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] =
-    &[Kernel { cases: CASES, error: Some(error), ..Kernel::of::<Crossed>() }];
-
-const CASES: &[Case] = &[Case {
-    name: "a packet",
-    objects: Objects::Fixed(1),
-    place: |bench, _| {
-        let random = &mut ChaCha8Rng::seed_from_u64(SEED);
-        Crossed::sensible(1, random).place(bench).1
-    },
-}];
+pub fn kernels() -> Vec<Kernel> {
+    let cases = [case("a packet", Objects::Fixed(1), |_| {
+        Crossed::sensible(1, &mut ChaCha8Rng::seed_from_u64(SEED))
+    })];
+    vec![Kernel::of(cases).error(error)]
+}
 
 /// Rays that meet a portal.
 #[derive(Clone, Debug)]

@@ -9,22 +9,17 @@ pub mod makers;
 pub mod nodes;
 pub mod paths;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::bound::bound;
 use twins::cull_faces::Face;
 use twins::load_rays::Queued;
 use twins::primary_rays::{Ray, View};
 use twins::ray_setup::Basis;
 use twins::sample_rays::{Pixel, sample};
-use twins::{FARTHEST, ONE, ZERO};
 
-use crate::bench::Bench;
 use crate::cases::eye::error::{camera, error_of_directions, error_of_directions_through};
 use crate::cases::sphere_ray::unit;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
+use crate::catalogue::CaseOf;
+use crate::prelude::*;
 use bounds::{Fans, Origins, Point};
 use faces::CullFaces;
 use makers::{LoadRays, PrimaryRays, SampleRays};
@@ -38,131 +33,72 @@ const PACKETS: Objects = Objects::List(1, 8);
 const NODES: Objects = Objects::List(16, 64);
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                let corners = (0..count).map(|packet| [4 * packet, 0]).collect();
-                PrimaryRays { view: view(), corners, pixels: 0 }.place(bench).1
-            },
-        }],
-        error: Some(primary_rays_error),
-        ..Kernel::of::<PrimaryRays>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                let pixels = (0..4 * count).map(|at| pixel([at, 0])).collect();
-                samples(view().basis, pixels, 2).place(bench).1
-            },
-        }],
-        error: Some(sample_rays_error),
-        ..Kernel::of::<SampleRays>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                let count = 16 * count as usize;
-                let queue = vec![QUEUED; count];
-                LoadRays { queue, count, background: 0, dummy: 0 }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<LoadRays>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| Origins { packets: vec![rays(); count as usize] }.place(bench).1,
-        }],
-        ..Kernel::of::<Origins>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: PACKETS,
-            place: |bench, count| {
-                Fans { packets: vec![rays(); count as usize], point: Point::EYE }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<Fans>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "packets",
-            objects: Objects::List(4, 8),
-            place: |bench, count| {
-                let packets = vec![rays(); count as usize];
-                PathBounds::of(packets, true).place(bench).1
-            },
-        }],
-        ..Kernel::of::<PathBounds>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "paths and one node",
-            objects: NODES,
-            place: |bench, count| {
-                let path = path(&rays(), &bound(&rays()), &[0; 16], true, 0);
-                let nodes = vec![[child(sphere(BESIDE)); 4]];
-                PathsMeet { paths: vec![path; count as usize], nodes }.place(bench).1
-            },
-        }],
-        ..Kernel::of::<PathsMeet>()
-    },
-    Kernel {
-        cases: &[
-            left_out(|bench, count| cull_faces(bench, -1.0, count)),
-            kept(|bench, count| cull_faces(bench, 1.0, count)),
-        ],
-        ..Kernel::of::<CullFaces>()
-    },
-    Kernel {
-        cases: &[
-            left_out(|bench, count| cull_nodes(bench, sphere(BESIDE), count)),
-            kept(|bench, count| cull_nodes(bench, sphere(AHEAD), count)),
-        ],
-        ..Kernel::of::<CullNodes<BareSphere>>()
-    },
-    Kernel {
-        cases: &[
-            left_out(|bench, count| filter_children(bench, sphere(BESIDE), count)),
-            kept(|bench, count| filter_children(bench, sphere(AHEAD), count)),
-        ],
-        ..Kernel::of::<FilterChildren<BareSphere>>()
-    },
-    Kernel {
-        cases: &[
-            left_out(|bench, count| cull_nodes(bench, cube(BESIDE), count)),
-            kept(|bench, count| cull_nodes(bench, cube(AHEAD), count)),
-        ],
-        ..Kernel::of::<CullNodes<BareBox>>()
-    },
-    Kernel {
-        cases: &[
-            left_out(|bench, count| filter_children(bench, cube(BESIDE), count)),
-            kept(|bench, count| filter_children(bench, cube(AHEAD), count)),
-        ],
-        ..Kernel::of::<FilterChildren<BareBox>>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("packets", PACKETS, |count| {
+            let corners = (0..count).map(|packet| [4 * packet, 0]).collect();
+            PrimaryRays { view: view(), corners, pixels: 0 }
+        })])
+        .error(primary_rays_error),
+        Kernel::of::<SampleRays>([case("packets", PACKETS, |count| {
+            let pixels = (0..4 * count).map(|at| pixel([at, 0])).collect();
+            samples(view().basis, pixels, 2)
+        })])
+        .error(sample_rays_error),
+        Kernel::of([case("packets", PACKETS, |count| {
+            let count = 16 * count as usize;
+            let queue = vec![QUEUED; count];
+            LoadRays { queue, count, background: 0, dummy: 0 }
+        })]),
+        Kernel::of([case("packets", PACKETS, |count| Origins {
+            packets: vec![rays(); count as usize],
+        })]),
+        Kernel::of([case("packets", PACKETS, |count| Fans {
+            packets: vec![rays(); count as usize],
+            point: Point::EYE,
+        })]),
+        Kernel::of([case("packets", Objects::List(4, 8), |count| {
+            let packets = vec![rays(); count as usize];
+            PathBounds::of(packets, true)
+        })]),
+        Kernel::of([case("paths and one node", NODES, |count| {
+            let path = path(&rays(), &bound(&rays()), &[0; 16], true, 0);
+            let nodes = vec![[child(sphere(BESIDE)); 4]];
+            PathsMeet { paths: vec![path; count as usize], nodes }
+        })]),
+        Kernel::of::<CullFaces>([
+            left_out(|count| cull_faces(-1.0, count)),
+            kept(|count| cull_faces(1.0, count)),
+        ]),
+        Kernel::of::<CullNodes<BareSphere>>([
+            left_out(|count| cull_nodes(sphere(BESIDE), count)),
+            kept(|count| cull_nodes(sphere(AHEAD), count)),
+        ]),
+        Kernel::of::<FilterChildren<BareSphere>>([
+            left_out(|count| filter_children(sphere(BESIDE), count)),
+            kept(|count| filter_children(sphere(AHEAD), count)),
+        ]),
+        Kernel::of::<CullNodes<BareBox>>([
+            left_out(|count| cull_nodes(cube(BESIDE), count)),
+            kept(|count| cull_nodes(cube(AHEAD), count)),
+        ]),
+        Kernel::of::<FilterChildren<BareBox>>([
+            left_out(|count| filter_children(cube(BESIDE), count)),
+            kept(|count| filter_children(cube(AHEAD), count)),
+        ]),
+    ]
+}
 
 /// Where volumes are that no ray of the cases meets, and that all meet.
 const BESIDE: [f64; 3] = [0.0, 50.0, -50.0];
 const AHEAD: [f64; 3] = [0.0, 0.0, -50.0];
 
-const fn left_out(place: fn(&mut Bench, u32) -> Vec<u32>) -> Case {
-    Case { name: "all left out", objects: NODES, place }
+fn left_out<D>(inputs: fn(u32) -> D) -> CaseOf<D> {
+    case("all left out", NODES, inputs)
 }
 
-const fn kept(place: fn(&mut Bench, u32) -> Vec<u32>) -> Case {
-    Case { name: "all kept", objects: NODES, place }
+fn kept<D>(inputs: fn(u32) -> D) -> CaseOf<D> {
+    case("all kept", NODES, inputs)
 }
 
 /// The camera of the cases, which looks along -z.
@@ -198,17 +134,17 @@ fn rays() -> [Ray; 16] {
 }
 
 /// Candidates of one packet and nodes with four equal children.
-fn cull_nodes(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
+fn cull_nodes<V: Volume>(volume: V, count: u32) -> CullNodes<V> {
     let pairs = vec![[0, 0]; count as usize];
     let (nodes, bounds) = (vec![[child(volume); 4]], vec![bound(&rays())]);
-    CullNodes { nodes, bounds, pairs, what: Listed::Address }.place(bench).1
+    CullNodes { nodes, bounds, pairs, what: Listed::Address }
 }
 
 /// Candidates of one packet and the four equal children of nodes.
-fn filter_children(bench: &mut Bench, volume: impl Volume, count: u32) -> Vec<u32> {
+fn filter_children<V: Volume>(volume: V, count: u32) -> FilterChildren<V> {
     let pairs = vec![[0, 0]; count as usize / 4];
     let (nodes, bounds) = (vec![[child(volume); 4]], vec![bound(&rays())]);
-    FilterChildren { nodes, bounds, packets: vec![rays()], pairs, in_place: false }.place(bench).1
+    FilterChildren { nodes, bounds, packets: vec![rays()], pairs, in_place: false }
 }
 
 /// A child whose address doesn't matter.
@@ -227,7 +163,7 @@ fn cube(centre: [f64; 3]) -> BareBox {
 }
 
 /// Candidates of one packet and a face in front of the rays, whose normal has this z.
-fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
+fn cull_faces(z: f64, count: u32) -> CullFaces {
     let face = Face {
         point: [0.0, 0.0, -5.0].map(from_f64),
         normal: [0.0, 0.0, z].map(from_f64),
@@ -236,7 +172,7 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
     };
     let pairs = vec![[0, 0]; count as usize];
     let (faces, bounds) = (vec![face], vec![bound(&rays())]);
-    CullFaces { faces, bounds, pairs, along: ONE }.place(bench).1
+    CullFaces { faces, bounds, pairs, along: ONE }
 }
 
 /// Samples of pixels, before a background that doesn't matter.

@@ -8,19 +8,14 @@ pub mod records;
 pub mod shapes;
 pub mod sums;
 
-use spu_emulator::float::single::from_f64;
 use twins::accumulate::Share;
 use twins::shadow_rays::{Place, shadow_ray};
 use twins::surfaces::{Material, Ray, Surface};
-use twins::{ONE, Single, ZERO};
 
-use crate::bench::Bench;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description as _;
+use crate::prelude::*;
 use display::Values;
 use gather::{Hit, Hits, RefineHits, SameObjects};
 use light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
-use protocol::layout;
 use shapes::Shape;
 use sums::{Rows, Shares};
 
@@ -39,70 +34,34 @@ const EXPONENT: f64 = 4096.0;
 pub const MIN_SHARE: Single = 0x3980_0000;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[Case { name: "all hit", objects: PACKETS, place: hits::<false> }],
-        error: Some(error::surfaces),
-        ..Kernel::of::<Hits<false>>()
-    },
-    Kernel {
-        cases: &[Case { name: "all the same", objects: PACKETS, place: same_objects }],
-        ..Kernel::of::<SameObjects>()
-    },
-    Kernel {
-        cases: &[Case { name: "all hit", objects: PACKETS, place: hits::<true> }],
-        error: Some(error::surfaces_same),
-        ..Kernel::of::<Hits<true>>()
-    },
-    Kernel {
-        cases: &[Case { name: "all hit", objects: PACKETS, place: refine_hits }],
-        error: Some(error::refine_hits),
-        ..Kernel::of::<RefineHits>()
-    },
-    Kernel {
-        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<AMBIENT> }],
-        error: Some(error::ambient),
-        ..Kernel::of::<Lit<AMBIENT>>()
-    },
-    Kernel {
-        cases: &[Case { name: "all face the light", objects: PACKETS, place: shadow_rays }],
-        error: Some(error::shadow_rays),
-        ..Kernel::of::<Shadows>()
-    },
-    Kernel {
-        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<LAMBERT> }],
-        error: Some(error::lambert),
-        ..Kernel::of::<Lit<LAMBERT>>()
-    },
-    Kernel {
-        cases: &[Case { name: "all lit", objects: PACKETS, place: lit::<HIGHLIGHT> }],
-        error: Some(error::light),
-        ..Kernel::of::<Lit<HIGHLIGHT>>()
-    },
-    Kernel {
-        cases: &[Case { name: "a pixel each", objects: PACKETS, place: accumulate }],
-        error: Some(error::accumulate),
-        ..Kernel::of::<Shares>()
-    },
-    Kernel {
-        rays: 64,
-        cases: &[Case { name: "rows of a tile", objects: PACKETS, place: pack_sums }],
-        error: Some(error::pack_sums),
-        ..Kernel::of::<Rows>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case { name: "a row of sums", objects: QUADS, place: values }],
-        error: Some(error::encode_srgb),
-        ..Kernel::of::<Values<false>>()
-    },
-    Kernel {
-        rays: 1,
-        cases: &[Case { name: "a row of sums", objects: QUADS, place: values }],
-        error: Some(error::roll_off),
-        ..Kernel::of::<Values<true>>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<Hits<false>>([case("all hit", PACKETS, hits_of_sphere::<false>)])
+            .error(error::surfaces),
+        Kernel::of::<SameObjects>([case("all the same", PACKETS, same_objects)]),
+        Kernel::of::<Hits<true>>([case("all hit", PACKETS, hits_of_sphere::<true>)])
+            .error(error::surfaces_same),
+        Kernel::of::<RefineHits>([case("all hit", PACKETS, refine_hits)]).error(error::refine_hits),
+        Kernel::of::<Lit<AMBIENT>>([case("all lit", PACKETS, lit::<AMBIENT>)])
+            .error(error::ambient),
+        Kernel::of::<Shadows>([case("all face the light", PACKETS, shadow_rays)])
+            .error(error::shadow_rays),
+        Kernel::of::<Lit<LAMBERT>>([case("all lit", PACKETS, lit::<LAMBERT>)])
+            .error(error::lambert),
+        Kernel::of::<Lit<HIGHLIGHT>>([case("all lit", PACKETS, lit::<HIGHLIGHT>)])
+            .error(error::light),
+        Kernel::of::<Shares>([case("a pixel each", PACKETS, accumulate)]).error(error::accumulate),
+        Kernel::of::<Rows>([case("rows of a tile", PACKETS, pack_sums)])
+            .rays(64)
+            .error(error::pack_sums),
+        Kernel::of::<Values<false>>([case("a row of sums", QUADS, values)])
+            .rays(1)
+            .error(error::encode_srgb),
+        Kernel::of::<Values<true>>([case("a row of sums", QUADS, values)])
+            .rays(1)
+            .error(error::roll_off),
+    ]
+}
 
 /// A background and a sphere in front of the eye with their material, and packets of rays that hit
 /// the sphere.
@@ -130,16 +89,12 @@ fn hits_of_sphere<const SAME: bool>(count: u32) -> Hits<SAME> {
     }
 }
 
-fn hits<const SAME: bool>(bench: &mut Bench, count: u32) -> Vec<u32> {
-    hits_of_sphere::<SAME>(count).place(bench).1
+fn refine_hits(count: u32) -> RefineHits {
+    RefineHits(hits_of_sphere(count))
 }
 
-fn refine_hits(bench: &mut Bench, count: u32) -> Vec<u32> {
-    RefineHits(hits_of_sphere(count)).place(bench).1
-}
-
-fn same_objects(bench: &mut Bench, count: u32) -> Vec<u32> {
-    SameObjects { packets: vec![[0; 16]; count as usize] }.place(bench).1
+fn same_objects(count: u32) -> SameObjects {
+    SameObjects { packets: vec![[0; 16]; count as usize] }
 }
 
 /// A light next to the eye.
@@ -178,26 +133,26 @@ fn sites(count: u32) -> Vec<Site> {
     vec![site; count as usize]
 }
 
-fn shadow_rays(bench: &mut Bench, count: u32) -> Vec<u32> {
-    Shadows { sites: sites(count), light: near_light(), min_share: MIN_SHARE }.place(bench).1
+fn shadow_rays(count: u32) -> Shadows {
+    Shadows { sites: sites(count), light: near_light(), min_share: MIN_SHARE }
 }
 
-fn lit<const WAY: usize>(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn lit<const WAY: usize>(count: u32) -> Lit<WAY> {
     let (sites, light) = (sites(count), near_light());
-    Lit::<WAY> { sites, light, brightness: [from_f64(0.5); 3] }.place(bench).1
+    Lit::<WAY> { sites, light, brightness: [from_f64(0.5); 3] }
 }
 
-fn accumulate(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn accumulate(count: u32) -> Shares {
     let lit = [from_f64(0.5); 3];
     let packet = std::array::from_fn(|pixel| Share { pixel, weight: ONE, lit });
-    Shares { packets: vec![packet; count as usize], sums: vec![[0; 3]; 16] }.place(bench).1
+    Shares { packets: vec![packet; count as usize], sums: vec![[0; 3]; 16] }
 }
 
-fn pack_sums(bench: &mut Bench, count: u32) -> Vec<u32> {
+fn pack_sums(count: u32) -> Rows {
     let row = vec![[0; 3]; layout::TILE_WIDTH as usize];
-    Rows { rows: vec![row; count as usize], shifts: [16, 8, 0] }.place(bench).1
+    Rows { rows: vec![row; count as usize], shifts: [16, 8, 0] }
 }
 
-fn values(bench: &mut Bench, count: u32) -> Vec<u32> {
-    Values::<false> { values: vec![[ONE; 4]; count as usize] }.place(bench).1
+fn values<const ROLL_OFF: bool>(count: u32) -> Values<ROLL_OFF> {
+    Values { values: vec![[ONE; 4]; count as usize] }
 }

@@ -1,28 +1,23 @@
 //! The built-in shaders and fog: cases, surfaces to shade, and errors.
 
-use rand::{Rng, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{fm, from_f64, to_f64};
-use twins::{Single, light, shader};
-use zerocopy::big_endian::{F32, U32};
-use zerocopy::{FromZeros as _, IntoBytes as _};
+use spu_emulator::float::single::fm;
+use twins::{light, shader};
 
-use crate::bench::{Bench, Place, SEED};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Bits, Description};
-use crate::single::{bits, single};
-use protocol::layout::{Material, RayPacket, ShaderContext, Surfaces};
+use crate::prelude::*;
+use protocol::layout::{Material, ShaderContext};
 
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 500;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel { cases: CASES, ..Kernel::of::<Call<CHECKER>>() },
-    Kernel { cases: CASES, error: Some(depth_error), ..Kernel::of::<Call<DEPTH>>() },
-    Kernel { cases: CASES, error: Some(sky_error), ..Kernel::of::<Call<SKY>>() },
-    Kernel { cases: CASES, error: Some(fog_error), ..Kernel::of::<Call<FOG>>() },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        row::<CHECKER>(),
+        row::<DEPTH>().error(depth_error),
+        row::<SKY>().error(sky_error),
+        row::<FOG>().error(fog_error),
+    ]
+}
 
 /// `shader_checker`.
 pub const CHECKER: usize = 0;
@@ -33,15 +28,13 @@ pub const SKY: usize = 2;
 /// `fog_r16`, which gets its numbers as shaders get theirs.
 pub const FOG: usize = 3;
 
-/// The inputs are the same for all of them.
-const CASES: &[Case] = &[Case {
-    name: "a packet",
-    objects: Objects::Fixed(1),
-    place: |bench, _| {
+/// The row of a kernel. The inputs are the same for all of them.
+fn row<const SHADER: usize>() -> Kernel {
+    Kernel::of([case("a packet", Objects::Fixed(1), |_| {
         let random = &mut ChaCha8Rng::seed_from_u64(SEED);
-        Call::<DEPTH>::random(random, |random| from_f64(random.random())).place(bench).1
-    },
-}];
+        Call::<SHADER>::random(random, |random| from_f64(random.random()))
+    })])
+}
 
 /// The inputs of a shader.
 #[derive(Clone, Debug)]

@@ -2,42 +2,18 @@
 
 use std::array;
 
-use protocol::layout::RayPacket;
-use rand::{Rng as _, RngCore as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
+use crate::catalogue::sensible;
+use crate::prelude::*;
+use rand::RngCore as _;
 use twins::shades::{BLOCKS, Ray, Shades};
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::{F32, U32};
-
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::Description;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[Case {
-            name: "all there",
-            objects: Objects::List(4, 8),
-            place: |bench, count| {
-                Extent::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        ..Kernel::of::<Extent>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "all there",
-            objects: Objects::List(4, 8),
-            place: |bench, count| {
-                Known::sensible(count as usize, &mut ChaCha8Rng::seed_from_u64(1)).place(bench).1
-            },
-        }],
-        ..Kernel::of::<Known>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of::<Extent>([sensible("all there", Objects::List(4, 8))]),
+        Kernel::of::<Known>([sensible("all there", Objects::List(4, 8))]),
+    ]
+}
 
 /// The address of the ground's object, and that of the background.
 const GROUND: u32 = 0x1230;

@@ -1,35 +1,20 @@
 //! The kernel for smooth normals: patches, hits on them, its case and its error.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
-use twins::FARTHEST;
 use twins::smooth::{Patch, smooth};
 use twins::sphere_ray::Ray;
-use zerocopy::big_endian::U32;
 
 use super::isect::call;
 use super::isect::error::SCALES;
 use super::isect::shape::head_words;
 use super::isect::sphere::FRONT;
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::cases::sphere_ray::any_direction;
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{ANY_SHARE, Bits, Description, any_bits};
-use crate::flat_records::{Point, point, quad};
-use crate::single::{bits, single};
-use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
-use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
+use crate::flat_records::Point;
+use crate::prelude::*;
+use protocol::layout::SIDES_SMOOTH;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[Kernel {
-    cases: &[Case {
-        name: "a packet",
-        objects: Objects::Fixed(1),
-        place: |bench, _| {
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("a packet", Objects::Fixed(1), |_| {
             let hit = Hit {
                 patch: Patch {
                     vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
@@ -40,12 +25,11 @@ pub const KERNELS: &[Kernel] = &[Kernel {
                 plane: point([0.0, 0.0, 1.0]),
                 direction: point([0.0, 0.0, -1.0]),
             };
-            Smooth { hits: [hit; 16], anything: 0 }.place(bench).1
-        },
-    }],
-    error: Some(error),
-    ..Kernel::of::<Smooth>()
-}];
+            Smooth { hits: [hit; 16], anything: 0 }
+        })])
+        .error(error),
+    ]
+}
 
 /// A hit on a triangle.
 #[derive(Clone, Copy, Debug)]

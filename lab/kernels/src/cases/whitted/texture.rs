@@ -1,29 +1,15 @@
 //! The kernels for textures: hits on textured triangles, texels, their cases and errors.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere_ray::Ray;
 use twins::texture::{Hit, Level, Texel, Texture, filter, texel};
-use twins::{ONE, Single};
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::U32;
 
 use super::isect::call;
 use super::isect::error::SCALES;
 use super::isect::shape::head_words;
 use super::isect::sphere::FRONT;
 use super::smooth;
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::catalogue::{Case, Kernel, Objects};
-use crate::description::{Bits, Description, any_bits};
-use crate::flat_records::{point, quad};
-use crate::single::{bits, single};
-use crate::vector::{Vector, cross, dot, sub};
-use protocol::layout::{self, SIDES_TEXTURED, Surfaces, TEXTURE_SIDE, Texels, WRAP_BITS};
+use crate::prelude::*;
+use protocol::layout::{SIDES_TEXTURED, TEXTURE_SIDE, Texels, WRAP_BITS};
 
 /// The angle of a pixel, in the cases and for the errors.
 const ANGLE: f64 = 1e-3;
@@ -31,41 +17,28 @@ const ANGLE: f64 = 1e-3;
 const SMALL: f64 = 64.0;
 
 /// The kernels in this file.
-pub const KERNELS: &[Kernel] = &[
-    Kernel {
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| {
-                let hit = Hit {
-                    vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
-                    coordinates: [[0.0, 1.0], [1.0, 1.0], [0.5, 0.0]].map(|it| it.map(from_f64)),
-                    point: point([0.0, 0.0, -5.0]),
-                    plane: point([0.0, 0.0, 1.0]),
-                    origin: [0; 3],
-                    direction: point([0.0, 0.0, -1.0]),
-                    t: from_f64(5.0),
-                };
-                Places { hits: [Some(hit); 16], table: small(), anything: 0 }.place(bench).1
-            },
-        }],
-        error: Some(place_error),
-        ..Kernel::of::<Places>()
-    },
-    Kernel {
-        cases: &[Case {
-            name: "a packet",
-            objects: Objects::Fixed(1),
-            place: |bench, _| {
-                let lane =
-                    Filtered { texels: [0xff80_4000; 4], right: 0, down: 0, colour: [ONE; 3] };
-                Filter { lanes: [Some(lane); 16], are_roots: true, anything: 0 }.place(bench).1
-            },
-        }],
-        error: Some(filter_error),
-        ..Kernel::of::<Filter>()
-    },
-];
+pub fn kernels() -> Vec<Kernel> {
+    vec![
+        Kernel::of([case("a packet", Objects::Fixed(1), |_| {
+            let hit = Hit {
+                vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
+                coordinates: [[0.0, 1.0], [1.0, 1.0], [0.5, 0.0]].map(|it| it.map(from_f64)),
+                point: point([0.0, 0.0, -5.0]),
+                plane: point([0.0, 0.0, 1.0]),
+                origin: [0; 3],
+                direction: point([0.0, 0.0, -1.0]),
+                t: from_f64(5.0),
+            };
+            Places { hits: [Some(hit); 16], table: small(), anything: 0 }
+        })])
+        .error(place_error),
+        Kernel::of([case("a packet", Objects::Fixed(1), |_| {
+            let lane = Filtered { texels: [0xff80_4000; 4], right: 0, down: 0, colour: [ONE; 3] };
+            Filter { lanes: [Some(lane); 16], are_roots: true, anything: 0 }
+        })])
+        .error(filter_error),
+    ]
+}
 
 /// A texture and its levels.
 #[derive(Clone, Debug)]

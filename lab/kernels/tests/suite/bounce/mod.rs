@@ -1,11 +1,8 @@
 //! `refract_r16` and `reflect_r16`: their limits, and their results compared with `f64`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::bounce::{Hits, Sites, hit, off, reflected, refracted};
-use kernels::description::Description as _;
+use kernels::prelude::*;
 use kernels::source::Source;
-use rand::Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bounce::{Bounce, CHAIN_STEP, Limits, Queued};
 
 /// Runs both kernels on a packet of hits, each separately, and compares with the twins. Returns the

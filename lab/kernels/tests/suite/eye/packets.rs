@@ -1,19 +1,14 @@
 //! The kernels that make, cull, shade and pack packets.
 
-use kernels::bench::Bench;
 use kernels::cases::eye::cull::{FilterSpheres, HiddenPairs};
 use kernels::cases::eye::error::{self, NO_HITS};
 use kernels::cases::eye::packets::{Pack, ShadeDepth};
-use kernels::description::Description as _;
-use kernels::single::single;
+use kernels::prelude::*;
 use kernels::source::Source;
 use protocol::layout::Sphere;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::isect_pairs::Hit;
 use twins::ray_setup::Basis;
 use twins::shade_depth::Depth;
-use zerocopy::FromZeros as _;
 
 #[test]
 fn filter_keeps_sphere_that_one_ray_meets() {

@@ -1,20 +1,17 @@
 //! `isect_pairs_r16` and the kernels of the other formulations.
 
-use kernels::bench::Bench;
 use kernels::cases::eye::error::NO_HITS;
 use kernels::cases::eye::formulation::Seen;
 use kernels::cases::eye::pairs::Pairs;
 use kernels::cases::formulation::ForTheEye;
 use kernels::cases::sphere_ray::unit;
-use kernels::description::Description as _;
-use kernels::eye_records::{Hits, Vectors};
-use spu_emulator::float::single::from_f64;
+use kernels::eye_records::Hits;
+use kernels::prelude::*;
 use twins::isect_pairs::Hit;
 use twins::sphere::{
     Constants, Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined,
     Stable, Unnormalised,
 };
-use twins::{FARTHEST, Single};
 
 /// A packet of rays along -z whose hits so far are at this distance.
 fn straight(t: Single) -> (Vectors, Hits) {

@@ -1,17 +1,13 @@
 //! The purpose of the watertight kernel: rays from inside a closed mesh, aimed at its edges and
 //! vertices, that leak with Möller and Trumbore's test.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::meshes::Mesh;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::triangle::{TriangleObject, pairs_by};
-use protocol::layout::RayPacket;
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use twins::FARTHEST;
 use twins::sphere_ray;
 
 use super::watertight::{KINDS, aimed};
+use kernels::prelude::*;
 
 /// The number of meshes of each kind.
 const MESHES: u32 = 160;

@@ -3,11 +3,9 @@
 use super::keeps_stated_errors;
 use kernels::cases::flat::rectangles::{ANY, NEAREST, PLANE, WithRectangle};
 use kernels::cases::flat::{around_rectangle, on_plane, rectangle};
-use kernels::description::Description as _;
-use kernels::flat_records::{Ray, point};
+use kernels::flat_records::Ray;
+use kernels::prelude::*;
 use kernels::vector::ulps;
-use kernels::{Bench, random};
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::flat::FlatHit;
 use twins::rectangle::Rectangle;
 

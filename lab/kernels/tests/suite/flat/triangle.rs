@@ -5,11 +5,9 @@ use super::keeps_stated_errors;
 use kernels::cases::flat::error::error_of_shear;
 use kernels::cases::flat::triangles::{One, Sheared, Triangles};
 use kernels::cases::flat::{aimed_at_triangle, on_triangle};
-use kernels::description::Description as _;
-use kernels::flat_records::{Ray, point};
+use kernels::flat_records::Ray;
+use kernels::prelude::*;
 use kernels::vector::ulps;
-use kernels::{Bench, random};
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::flat::FlatHit;
 use twins::triangle::Triangle;
 

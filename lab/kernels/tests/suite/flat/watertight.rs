@@ -3,13 +3,8 @@
 
 use kernels::cases::flat::triangles::Triangles;
 use kernels::cases::meshes::{FAR_OUT, Mesh};
-use kernels::description::Description as _;
-use kernels::flat_records::{Ray, point};
-use kernels::vector::{cross, dot, in_cube, magnitude, sub, unit};
-use kernels::{Bench, random};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
+use kernels::flat_records::Ray;
+use kernels::prelude::*;
 
 /// The ways in which meshes are made: of any size and not far from the origin; thin in one or two
 /// directions; so far from the origin that the vertices are on a coarse lattice, and many edges

@@ -1,12 +1,11 @@
 //! Reciprocals, square roots and their reciprocals. Kernels are compared with their twins bit for
 //! bit, and the twins with exact results for every fraction that an operand can have.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::math::error::{accuracy, ulps};
 use kernels::cases::math::{FUNCTIONS, Function, Quantity, call, operand};
+use kernels::prelude::*;
 use kernels::source::Source;
-use spu_emulator::float::single::{LARGEST, SMALLEST, from_f64, to_f64};
-use twins::Single;
+use spu_emulator::float::single::{LARGEST, SMALLEST};
 use twins::math::{reciprocal, rsqrt};
 
 /// The sign bit of a word.

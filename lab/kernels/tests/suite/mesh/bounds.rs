@@ -1,9 +1,8 @@
 //! Every lane counts in `mesh_bounds_r16` and `mesh_farthest_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::bounds::{Bounds, Farthest};
 use kernels::cases::whitted::rays::fans;
-use kernels::description::Description as _;
+use kernels::prelude::*;
 use twins::mesh::{mesh_bound, mesh_farthest};
 use twins::primary_rays::{ABSENT, Ray};
 

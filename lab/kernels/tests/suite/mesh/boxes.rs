@@ -1,10 +1,8 @@
 //! What `cull_boxes` and `filter_boxes_r16` make of nothing.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::boxes::{Boxed, NOBODY, some_node, some_packet};
 use kernels::cases::whitted::mesh::call::Node;
-use kernels::description::Description as _;
-use rand::Rng as _;
+use kernels::prelude::*;
 use twins::mesh::mesh_bound;
 use twins::primary_rays::{ABSENT, Ray};
 

@@ -2,20 +2,15 @@
 //! ray of the packet enters, by f64 from the singles of the records, or that holds a triangle which
 //! the ray hits by the SPU's own arithmetic.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::bounds::Bounds;
 use kernels::cases::whitted::mesh::boxes::Boxed;
 use kernels::cases::whitted::mesh::call::Node;
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan};
-use kernels::description::Description as _;
-use kernels::vector::{Vector, in_cube, magnitude};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::mesh::{Corners, MeshBound};
 use twins::primary_rays::{ABSENT, Ray};
+use twins::sphere_ray;
 use twins::triangle_pairs::{TriangleObject, isect_triangle};
-use twins::{FARTHEST, ONE, Single, ZERO, sphere_ray};
 
 /// By how much a box must exceed what it holds, as a share of its largest coordinate.
 pub(super) const SLACK: f64 = 1.0 / (1 << 19) as f64;

@@ -1,10 +1,7 @@
 //! What `mesh_prepare` guarantees of boxes.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::block::Prepare;
-use kernels::description::Description as _;
-use rand::Rng as _;
-use spu_emulator::float::single::to_f64;
+use kernels::prelude::*;
 use twins::mesh_prepare::{HEADER, NODE, WORDS};
 
 /// Each box holds the old one relative to the eye, with a slack of 2^-20 of its largest coordinate

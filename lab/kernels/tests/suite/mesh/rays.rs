@@ -1,16 +1,13 @@
 //! No ray is left out that enters a box of a block that rays go through one by one.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::mesh::call::Node;
 use kernels::cases::whitted::mesh::rays::{Batch, FewRays, FilterRays};
 use kernels::cases::whitted::rays::fans::FANS;
-use kernels::description::Description as _;
-use kernels::vector::magnitude;
-use rand::Rng as _;
 use twins::mesh::Corners;
 use twins::mesh_rays::bit;
 
 use super::conservative::{self, AXES, SLACK};
+use kernels::prelude::*;
 
 /// Boxes that touch a ray or almost do, with the slack that they have in blocks, are met by it:
 /// by f64 from the singles of the records.

@@ -1,16 +1,14 @@
 //! `mesh_eye_bounds_r16`, `filter_triangles_r16` and `isect_mesh_rows_r4` together find what the
 //! test of every triangle with every ray finds.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect;
 use kernels::cases::whitted::isect::call::whole;
 use kernels::cases::whitted::mesh::triangles::{FilterTriangles, IsectRows, aimed};
-use kernels::description::Description as _;
+use kernels::prelude::*;
 use twins::mesh::mesh_bound;
 use twins::mesh_rows::{mesh_eye_bound, mesh_window};
 use twins::primary_rays;
 use twins::sphere_ray::Ray;
-use twins::{FARTHEST, ZERO};
 
 /// What `mesh_bounds_r16` makes of all rays of a packet from the eye, `mesh_eye_bounds_r16` makes.
 #[test]

@@ -1,11 +1,10 @@
 //! `isect_mesh_pairs_r16` compared with the kernel for resident triangles.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect;
 use kernels::cases::whitted::isect::shape::Shape as _;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::mesh::triangles::IsectRuns;
-use kernels::description::Description as _;
+use kernels::prelude::*;
 use twins::mesh_pairs::MeshBlock;
 
 /// Watertight means the same bits as those of the kernel for resident triangles, whose meshes

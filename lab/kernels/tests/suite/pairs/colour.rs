@@ -1,11 +1,8 @@
 //! `colour_vertices_r16`.
 
-use kernels::bench::Bench;
 use kernels::cases::whitted::colour::{Coloured, surfaces};
-use kernels::description::{Bits, Description as _};
-use spu_emulator::float::single::from_f64;
+use kernels::prelude::*;
 use twins::colour::Hit;
-use zerocopy::IntoBytes as _;
 
 /// A vertex's colour is that of the point there, and white leaves a colour as it is.
 #[test]

@@ -1,14 +1,11 @@
 //! `isect_cone_pairs_r16`.
 
-use kernels::bench::Bench;
 use kernels::cases::sphere_ray::ray;
 use kernels::cases::whitted::isect::cone::{Exact, cone};
-use kernels::vector::unit;
-use spu_emulator::float::single::to_f64;
-use twins::FARTHEST;
 use twins::pairs::Sides;
 
 use super::check;
+use kernels::prelude::*;
 
 const BOTH: Sides = Sides { both: true, exit: false };
 

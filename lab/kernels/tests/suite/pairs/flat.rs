@@ -1,20 +1,16 @@
 //! `isect_rectangle_pairs_r16`, `shear_packets_r16`, `isect_triangle_pairs_r16` and
 //! `isect_triangle_mt_pairs_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::flat::rectangle;
 use kernels::cases::sphere_ray::ray;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
-use kernels::flat_records::point;
-use kernels::vector::{cross, dot, in_cube, sub, unit};
-use rand::Rng as _;
-use twins::FARTHEST;
 use twins::sphere_ray::Ray;
 
 use super::check;
+use kernels::prelude::*;
 
 /// Whether sixteen equal rays hit an object.
 fn is_hit<S: Shape>(bench: &mut Bench, ray: Ray, object: S) -> bool {

@@ -8,7 +8,6 @@ mod smooth;
 mod sphere;
 mod texture;
 
-use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::case_rays;
 use kernels::cases::whitted::isect::call::{self, Pairs};
 use kernels::cases::whitted::isect::cone::ConeObject;
@@ -18,9 +17,7 @@ use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::sphere::By;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
-use kernels::description::Description as _;
-use rand::Rng as _;
-use twins::FARTHEST;
+use kernels::prelude::*;
 use twins::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,

@@ -1,10 +1,8 @@
 //! `smooth_r16`.
 
-use kernels::bench::Bench;
 use kernels::cases::whitted::smooth::{Hit, Smooth, normals};
-use kernels::description::Description as _;
-use kernels::flat_records::{Point, point};
-use spu_emulator::float::single::to_f64;
+use kernels::flat_records::Point;
+use kernels::prelude::*;
 use twins::smooth::Patch;
 
 /// The normals that the kernel finds for sixteen equal hits, as its twin does.

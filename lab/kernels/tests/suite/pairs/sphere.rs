@@ -1,11 +1,8 @@
 //! `isect_sphere_pairs_r16` and the kernels of the other formulations.
 
-use kernels::bench::Bench;
 use kernels::cases::formulation::ForAnyRay;
 use kernels::cases::sphere_ray::ray;
 use kernels::cases::whitted::isect::sphere::{By, sphere};
-use spu_emulator::float::single::to_f64;
-use twins::FARTHEST;
 use twins::pairs::Sides;
 use twins::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
@@ -13,6 +10,7 @@ use twins::sphere::{
 };
 
 use super::{around_a_tangent, check};
+use kernels::prelude::*;
 
 /// A name, a sphere's centre and radius, and the distances at which a ray along -z from the origin
 /// enters and leaves it.

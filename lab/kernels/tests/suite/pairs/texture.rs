@@ -1,12 +1,10 @@
 //! `texture_places_r16` and `texture_filter_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::texture::{
     Filter, Places, Table, any_filtered, any_hit, coloured, table, truth,
 };
-use kernels::description::{Bits, Description as _};
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::texture::Hit;
 
 const ANGLE: f64 = 1e-3;

@@ -1,10 +1,7 @@
 //! `bound_fan_r16` and `bound_origins_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point, any_fan};
-use kernels::description::{Description as _, any_bits};
-use kernels::vector::{Vector, cross, dot, sub, unit};
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::bound::NOTHING;
 use twins::primary_rays::{ABSENT, Ray};
 

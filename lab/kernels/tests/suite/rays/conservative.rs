@@ -1,19 +1,13 @@
 //! The kernels that bound rays, together with those that test nodes' children: none is culled that
 //! a ray of the packet meets, by f64 from the singles of the records.
 
-use kernels::bench::{Bench, random};
-use kernels::cases::sphere_ray::any_direction;
 use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::cases::whitted::rays::nodes::{
     BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
 };
 use kernels::cases::whitted::rays::paths::{PathBounds, PathsMeet};
-use kernels::description::Description as _;
-use kernels::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::bound::Bound;
 use twins::primary_rays::Ray;
 

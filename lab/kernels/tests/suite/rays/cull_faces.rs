@@ -1,16 +1,9 @@
 //! `cull_faces` compared with its twin, and with f64 from the singles of the records.
 
-use kernels::bench::{Bench, random};
-use kernels::cases::sphere_ray::any_direction;
 use kernels::cases::whitted::rays::bounds::{Fans, Origins, Point};
 use kernels::cases::whitted::rays::faces::{CullFaces, face};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
-use kernels::description::Description as _;
-use kernels::vector::{cross, dot, in_cube, magnitude, sub, unit};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ONE;
+use kernels::prelude::*;
 use twins::bound::{Bound, bound};
 use twins::cull_faces::Face;
 use twins::primary_rays::{ABSENT, Ray};

@@ -1,12 +1,10 @@
 //! `cull_nodes` and `filter_children_r16`, and those for boxes.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::rays::fans::{self, FANS};
 use kernels::cases::whitted::rays::nodes::{
     BareBox, BareSphere, Child, CullNodes, FilterChildren, Listed, Volume,
 };
-use kernels::description::Description as _;
-use rand::Rng as _;
+use kernels::prelude::*;
 use twins::bound::bound;
 use twins::primary_rays::{ABSENT, Ray};
 

@@ -1,10 +1,8 @@
 //! `primary_rays_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::eye::error::camera;
 use kernels::cases::whitted::rays::makers::PrimaryRays;
-use kernels::description::Description as _;
-use twins::ONE;
+use kernels::prelude::*;
 use twins::primary_rays::{ABSENT, View};
 
 #[test]

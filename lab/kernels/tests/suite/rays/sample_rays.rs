@@ -1,9 +1,8 @@
 //! `sample_rays_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::eye::error::camera;
 use kernels::cases::whitted::rays::makers::SampleRays;
-use kernels::description::Description as _;
+use kernels::prelude::*;
 use twins::primary_rays::ABSENT;
 use twins::sample_rays::{Pixel, sample};
 

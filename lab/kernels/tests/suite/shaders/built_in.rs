@@ -1,11 +1,7 @@
 //! The built-in shaders: the checker follows its rule.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shaders::{CHECKER, Call};
-use kernels::description::{Bits, Description as _};
-use kernels::single::{bits, single};
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 
 /// The rule of the cubes in f64. A side at an integer must belong to one of its two cubes.
 #[test]

@@ -4,23 +4,18 @@
 use std::fs;
 use std::path::Path;
 
-use kernels::random;
-use kernels::single::{bits, single};
+use kernels::prelude::*;
 use protocol::layout::{
     FEATURE_CHECK_SHADERS, Frame, MATERIAL_MIRRORS, MATERIAL_SHADED, Material, RULE_KNOWN,
-    RULE_LANES, RULE_REGISTER, RULE_STACK, RayPacket, ShaderContext, Status, Surfaces,
+    RULE_LANES, RULE_REGISTER, RULE_STACK, ShaderContext, Status,
 };
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_build::{Image, Tools};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::elf;
-use spu_emulator::float::single::{from_f64, to_f64};
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::LocalStore;
 use spu_emulator::stop::Stop;
-use zerocopy::big_endian::F32;
-use zerocopy::{FromZeros as _, Immutable, IntoBytes};
+use zerocopy::Immutable;
 
 const SURFACES: u32 = 0x30000;
 const RAYS: u32 = 0x31000;

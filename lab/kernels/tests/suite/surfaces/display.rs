@@ -1,8 +1,7 @@
 //! The twins of `encode_srgb` and `roll_off`.
 
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::display::{encode_srgb, roll_off};
-use twins::{ONE, Single};
 
 type Twin = fn(Single) -> Single;
 

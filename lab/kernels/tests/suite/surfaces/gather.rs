@@ -1,18 +1,13 @@
 //! The surfaces that `surfaces_r16` gathers.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::gather::{Hit, Hits};
 use kernels::cases::whitted::shade::shapes::Shape;
-use kernels::description::{Bits, Description as _};
-use kernels::single::bits;
-use kernels::vector::{dot, sub};
-use protocol::layout::Surfaces;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::refine_hits::refine;
 use twins::surfaces::{Ray, surface};
 
 use super::vector;
+use kernels::prelude::*;
 
 #[test]
 fn normals_are_the_shapes_on_the_rays_side() {

@@ -1,21 +1,16 @@
 //! The origin offset of rays that leave a surface: it must be large enough that the ray does not
 //! hit the same object again, with the steps of the kernels that look for hits.
 
-use kernels::bench::random;
-use kernels::cases::sphere_ray::any_direction;
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::shapes::Shape;
-use kernels::vector::{Vector, cross, dot, magnitude, unit};
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{fm, fma, fnms, from_f64, to_f64};
+use spu_emulator::float::single::{fm, fma, fnms};
 use twins::flat::FlatHit;
 use twins::rectangle::{Rectangle, isect_plane};
 use twins::sphere_ray::{self, BareSphere};
 use twins::surfaces::{Surface, surface};
-use twins::{FARTHEST, Single};
 
 use super::vector;
+use kernels::prelude::*;
 
 /// The number of the object that rays leave.
 const OBJECT: u32 = 7;

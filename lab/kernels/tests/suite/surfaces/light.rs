@@ -1,15 +1,11 @@
 //! `shadow_rays_r16`, `lambert_r16` and `light_r16`.
 
-use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shade::error::{any_light, any_shining_site, light_up_to};
 use kernels::cases::whitted::shade::light::{HIGHLIGHT, LAMBERT, Lit};
-use kernels::description::Description as _;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
+use kernels::prelude::*;
 use twins::light::highlight;
 use twins::shadow_rays::{DIRECTIONAL, NOT_THERE, Place, shadow_ray};
 use twins::surfaces::Surface;
-use twins::{FARTHEST, ONE};
 
 /// A surface in front of the eye that faces it.
 fn facing() -> Surface {

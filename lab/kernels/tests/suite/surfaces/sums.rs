@@ -1,9 +1,7 @@
 //! `accumulate_r16`.
 
-use kernels::bench::Bench;
 use kernels::cases::whitted::shade::sums::Shares;
-use kernels::description::Description as _;
-use spu_emulator::float::single::from_f64;
+use kernels::prelude::*;
 use twins::accumulate::Share;
 
 #[test]

@@ -1,12 +1,10 @@
 //! A ray and a sphere, the exact result and the kernel's result, in the units of its header's
 //! errors.
 
-use crate::families::Form;
-use crate::space::{length, sub};
-use crate::stability::statement::{StatementError, stated, states};
-use crate::subject::{ANY_LENGTH, Subject};
+use crate::stability::prelude::*;
+use crate::stability::statement::{StatementError, states};
+use crate::subject::ANY_LENGTH;
 use crate::truth::sphere::{Passing, Sphere};
-use crate::truth::{Line, spacing};
 
 /// The formulation that subtracts the square of the radius from that of the distance.
 const PAPER: &str = "paper";

@@ -1,13 +1,8 @@
 //! Spheres and rays that are difficult to intersect.
 
-use crate::generator::Generator;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
-
-use crate::families::{Form, Shot};
-use crate::space::{add_scaled, direction, fresh, unit};
-use crate::stability::random::{across, either_side, magnitude, rounded, towards};
-use crate::truth::{Vector, spacing};
+use crate::families::Shot;
+use crate::stability::prelude::*;
+use crate::stability::random::either_side;
 
 /// The number of packets for a sphere.
 const PACKETS: usize = 2;

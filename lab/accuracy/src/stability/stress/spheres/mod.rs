@@ -11,16 +11,10 @@ mod look;
 mod make;
 mod nearest;
 
-use crate::generator::Generator;
-use kernels::Bench;
-use kernels::source::Source;
-
-use crate::families::{Form, Shot};
-use crate::space::fresh;
-use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, need};
-use crate::stability::statement::Bound;
-use crate::subject::{self, Subject};
-use crate::truth::Line;
+use crate::families::Shot;
+use crate::stability::family::Judgement;
+use crate::stability::prelude::*;
+use crate::subject;
 use look::{Look, Stated};
 
 pub use look::TANGENT;

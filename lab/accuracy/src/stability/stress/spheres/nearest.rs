@@ -1,27 +1,12 @@
 //! Two spheres of which the nearer one is difficult to determine: they have one centre, touch,
 //! or are nested, or one is ten million times as large as the other.
 
-use crate::generator::Generator;
-use kernels::Bench;
-use kernels::cases::whitted::isect::call;
-use kernels::cases::whitted::isect::sphere::By;
-use kernels::source::Source;
-use rand::Rng as _;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::Single;
-use twins::sphere::Perpendicular;
-use twins::sphere_ray::Ray;
-
 use super::look::{Look, Stated};
 use super::make::ANYWHERE;
-use crate::families::Form;
-use crate::space::{add_scaled, direction, fresh};
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
-use crate::stability::random::{across, magnitude, rounded, towards};
-use crate::stability::statement::Bound;
-use crate::subject::{self, Subject, sphere};
+use crate::stability::prelude::*;
+use crate::subject;
+use crate::subject::sphere;
 use crate::truth::sphere::Sphere;
-use crate::truth::{Line, spacing};
 
 /// The number of pairs in a round.
 const PAIRS: u32 = 16;

@@ -1,42 +1,28 @@
 //! Calls the kernels that intersect candidates with the inputs of their twins.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::primary_rays::Ray as WholeRay;
 use twins::sphere_ray::Ray;
 use twins::triangle;
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::U32;
 
 use super::error::SCALES;
 use super::shape::Shape;
 use super::triangle::TriangleObject;
-use crate::bench::{self, Bench};
-use crate::cases::eye::call::{address, put};
+use crate::bench;
 use crate::cases::flat::triangles;
-use crate::cases::whitted::rays::call::rays as whole_rays;
-use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
-use crate::single::{bits, single};
-use protocol::layout::{Candidate, RayPacket, Shear};
+use crate::prelude::*;
+use protocol::layout::{Candidate, Shear};
 
 /// The packet of these rays. `anything` fills the fields that no intersector reads.
 #[must_use]
 pub fn packet(rays: &[Ray; 16], anything: u32) -> RayPacket {
-    let mut packet = RayPacket::new_zeroed();
-    for (lane, ray) in rays.iter().enumerate() {
-        [packet.origin_x[lane], packet.origin_y[lane], packet.origin_z[lane]] =
-            ray.origin.map(single);
-        [packet.direction_x[lane], packet.direction_y[lane], packet.direction_z[lane]] =
-            ray.direction.map(single);
-        packet.t[lane] = single(ray.t);
-        packet.object[lane] = ray.object.into();
-        packet.weight[lane] = single(anything);
-        packet.pixel[lane] = anything.into();
-    }
-    packet
+    rows(&rays.map(|Ray { origin, direction, t, object }| WholeRay {
+        origin,
+        direction,
+        t,
+        object,
+        weight: anything,
+        pixel: anything,
+    }))
 }
 
 /// The packets of these rays.
@@ -48,19 +34,17 @@ pub fn packets(packets: &[[Ray; 16]], anything: u32) -> Vec<RayPacket> {
 /// All fields of these packets.
 #[must_use]
 pub fn whole(packets: &[RayPacket]) -> Vec<[WholeRay; 16]> {
-    packets.iter().map(whole_rays).collect()
+    packets.iter().map(lanes).collect()
 }
 
 /// The rays of a packet.
 #[must_use]
 pub fn rays(packet: &RayPacket) -> [Ray; 16] {
-    let origins = [packet.origin_x, packet.origin_y, packet.origin_z];
-    let directions = [packet.direction_x, packet.direction_y, packet.direction_z];
-    std::array::from_fn(|lane| Ray {
-        origin: origins.map(|axis| bits(axis[lane])),
-        direction: directions.map(|axis| bits(axis[lane])),
-        t: bits(packet.t[lane]),
-        object: packet.object[lane].get(),
+    lanes(packet).map(|WholeRay { origin, direction, t, object, .. }| Ray {
+        origin,
+        direction,
+        t,
+        object,
     })
 }
 

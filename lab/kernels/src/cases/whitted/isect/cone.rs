@@ -3,21 +3,14 @@
 //! Whether the verdict for a ray is certain, and how precisely its t is known, is determined with
 //! slightly larger and smaller cones. This detects outlines, ends, apexes and grazing rays.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 pub use twins::cone::ConeObject;
 use twins::cone::isect_cone;
 use twins::pairs::Sides;
 use twins::sphere_ray::Ray;
-use zerocopy::big_endian::F32;
 
 use super::shape::{Shape, Truth, any_sides, head_words};
-use crate::cases::sphere_ray::{any_direction, ray};
-use crate::single::single;
-use crate::vector::{Vector, cross, dot, magnitude, sub, unit};
-use protocol::layout;
+use crate::cases::sphere_ray::ray;
+use crate::prelude::*;
 
 /// How much larger and smaller they are, relative to the radius and to the distance.
 const LARGER: [f64; 2] = [1e-4, 2e-6];

@@ -1,16 +1,11 @@
 //! Errors of the kernels that intersect candidates, against f64.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
-
 use super::call;
 use super::shape::Shape;
 use super::triangle::TriangleObject;
-use crate::bench::Bench;
 use crate::cases::flat::error::error_of_shear;
-use crate::description::Description as _;
 use crate::flat_records;
+use crate::prelude::*;
 
 /// The number of packets of each size over which an error is measured.
 const PACKETS: u32 = 600;

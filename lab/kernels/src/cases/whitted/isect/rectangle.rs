@@ -1,9 +1,5 @@
 //! Parallelograms as objects of a scene.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::rectangle::Rectangle;
 pub use twins::rectangle_pairs::RectangleObject;
 use twins::rectangle_pairs::isect_rectangle;
@@ -11,10 +7,8 @@ use twins::sphere_ray::Ray;
 
 use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::cases::flat::{around_rectangle, on_plane, rectangle};
-use crate::description::any_bits;
-use crate::flat_records::{self, quad};
-use crate::vector::{dot, sub};
-use protocol::layout;
+use crate::flat_records;
+use crate::prelude::*;
 
 /// The smallest distance of a point from an edge, in u and v, on either side.
 const EDGE: f64 = 5e-4;

@@ -2,15 +2,11 @@
 
 use std::fmt::Debug;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use twins::Single;
 use twins::pairs::Sides;
 use twins::sphere_ray::Ray;
-use zerocopy::big_endian::U32;
-use zerocopy::{Immutable, IntoBytes};
+use zerocopy::Immutable;
 
-use crate::single::single;
+use crate::prelude::*;
 use protocol::layout::{Object, SIDES_BOTH, SIDES_EXIT};
 
 /// A shape with a kernel that intersects candidates.

@@ -2,10 +2,6 @@
 
 use std::marker::PhantomData;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::pairs::Sides;
 pub use twins::sphere_pairs::SphereObject;
 use twins::sphere_pairs::isect_sphere_pair;
@@ -13,8 +9,8 @@ use twins::sphere_ray::Ray;
 
 use super::shape::{Shape, Truth, any_sides, head};
 use crate::cases::formulation::ForAnyRay;
-use crate::cases::sphere_ray::{any_direction, ray, ulp};
-use crate::vector::{Vector, dot, magnitude, unit};
+use crate::cases::sphere_ray::{ray, ulp};
+use crate::prelude::*;
 use protocol::layout::Object;
 
 /// The smallest distance between a ray and the sphere's outline, as disc / r^2, for which the

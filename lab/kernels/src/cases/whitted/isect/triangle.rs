@@ -1,20 +1,14 @@
 //! Triangles as objects of a scene.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::sphere_ray::Ray;
 pub use twins::triangle_pairs::TriangleObject;
 use twins::triangle_pairs::isect_triangle;
 
 use super::call;
 use super::shape::{Shape, Truth, head_words, one_sided};
-use crate::bench::Bench;
 use crate::cases::flat::{aimed_at_triangle, on_triangle};
-use crate::flat_records::{self, point, quad};
-use crate::vector::{Vector, cross, dot, sub, unit};
-use protocol::layout::{self, RayPacket};
+use crate::flat_records;
+use crate::prelude::*;
 
 /// The smallest distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 8e-5;

@@ -1,12 +1,11 @@
 //! Triangles as objects of a scene, for the kernel with Möller and Trumbore's test.
 
-use rand_chacha::ChaCha8Rng;
 use twins::sphere_ray::Ray;
 use twins::triangle_mt_pairs::isect_triangle;
 
 use super::shape::{Shape, Truth};
 use super::triangle::{TriangleObject, truth};
-use protocol::layout;
+use crate::prelude::*;
 
 /// The smallest distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 2e-4;

@@ -1,19 +1,9 @@
 //! Blocks of meshes as `mesh_prepare` gets them.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
+use crate::prelude::*;
 use twins::mesh_prepare::{
     CONES, HEADER, INNER, Known, LEAF, MAGIC, NO_BOX, NODE, SPHERES, WORDS, object, prepare,
 };
-use zerocopy::big_endian::U32;
-
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::Description;
-use crate::vector::{in_cube, magnitude};
 
 /// The number of the blocks.
 const NUMBER: u32 = 5;

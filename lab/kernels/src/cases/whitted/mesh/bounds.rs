@@ -1,24 +1,17 @@
 //! The kernels that bound the rays of packets for boxes.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::mesh::{MeshBound, mesh_bound, mesh_farthest};
 use twins::mesh_rows::{mesh_eye_bound, mesh_eye_bound_of_all, mesh_window};
 use twins::primary_rays::Ray;
 use twins::sphere_ray;
-use zerocopy::{FromBytes as _, FromZeros as _};
 
 use super::call::{bound, bound_record, window_record};
 use super::triangles::aimed;
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
 use crate::cases::whitted::isect;
 use crate::cases::whitted::rays::bounds::any_fan;
 use crate::cases::whitted::rays::call::put_packets;
-use crate::description::{ANY_SHARE, Bits, Description, LENGTHS_FROM_0, any_bits};
-use protocol::layout::{self, MeshWindow, Shear};
+use crate::prelude::*;
+use protocol::layout::{MeshWindow, Shear};
 
 /// Packets of rays from anywhere, which are bounded.
 #[derive(Clone, Debug)]

@@ -1,23 +1,13 @@
 //! The kernels that test nodes' boxes with packets: with their bounds, or with every ray.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::mesh::{Corners, MeshBound, Slab, any_enters, enters, mesh_bound};
 use twins::primary_rays::Ray;
-use zerocopy::FromZeros as _;
 
 use super::call::{Node, bound_record, boxes};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
 use crate::cases::whitted::rays::call::put_packets;
 use crate::cases::whitted::rays::fans::{self, FANS};
-use crate::description::{Description, LENGTHS_FROM_0, any_bits};
-use crate::single::{bits, single};
-use crate::vector::{in_cube, magnitude};
-use protocol::layout::{self, MeshCandidate, NO_BOX, RayPacket};
+use crate::prelude::*;
+use protocol::layout::{MeshCandidate, NO_BOX};
 
 /// The corners of a lane without a child.
 pub const NOBODY: Corners = [[NO_BOX; 3], [NO_BOX | 1 << 31; 3]];

@@ -1,16 +1,10 @@
 //! The kernels that refit a leaf block.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::build::{leaf, list};
 use twins::mesh_prepare::{HEADER, LEAF, NODE, WORDS};
-use zerocopy::big_endian::U32;
 
 use super::block::block;
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::{Description, any_bits};
-use crate::vector::{in_cube, magnitude};
+use crate::prelude::*;
 use protocol::layout::SIDES_SMOOTH;
 
 /// Words for the intermediate results of `build_leaf`.

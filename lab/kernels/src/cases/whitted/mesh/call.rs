@@ -6,14 +6,11 @@ use protocol::layout::{
 };
 use twins::mesh::{self, Corners, Slab};
 use twins::mesh_pairs::MeshBlock;
-use twins::{Single, mesh_rows, sphere_ray};
-use zerocopy::big_endian::{F32, U16};
-use zerocopy::{FromZeros as _, IntoBytes as _};
+use twins::{mesh_rows, sphere_ray};
+use zerocopy::big_endian::U16;
 
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
 use crate::cases::whitted::isect;
-use crate::single::{bits, single};
+use crate::prelude::*;
 
 /// A node, or what takes its place in a test: four boxes and their words.
 #[derive(Clone, Copy, Debug)]

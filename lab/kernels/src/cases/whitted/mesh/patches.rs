@@ -1,26 +1,16 @@
 //! The kernels that make patches of hits.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use twins::ONE;
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_patches::{flat_patch, list_hits};
-use zerocopy::big_endian::U32;
-use zerocopy::{FromBytes as _, FromZeros as _, IntoBytes as _};
 
 use super::call::{leaf, sides};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
 use crate::cases::whitted::height::HeightCorners;
 use crate::cases::whitted::isect::shape::Shape as _;
 use crate::cases::whitted::isect::triangle::TriangleObject;
-use crate::description::{Bits, Description, LENGTHS_FROM_0};
-use crate::single::single;
+use crate::prelude::*;
 use protocol::layout::{
     Boxes, MESH_HIT, MESH_LEAF_PLACES, Material, MeshHeader, MeshHit, MeshLeaf, MeshVertex, Object,
-    Patch, RayPacket,
+    Patch,
 };
 
 /// What the rays of packets have hit.

@@ -1,24 +1,14 @@
 //! The kernels that take rays through blocks one by one.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::Single;
 use twins::mesh::Corners;
 use twins::mesh_rays::{self, Visit, bit};
 use twins::primary_rays::Ray;
-use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::call::{LOWER, Node, TO_UPPER, boxes};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
 use crate::cases::whitted::rays::call::put_packets;
 use crate::cases::whitted::rays::fans::{self, FANS, SCALES};
-use crate::description::{Description, LENGTHS_FROM_0, any_bits};
-use crate::single::{bits, single};
-use crate::vector::{in_cube, magnitude};
-use protocol::layout::{Boxes, MeshBound, MeshCandidate, MeshRay, MeshVisit, RayPacket};
-use std::ops::Range;
+use crate::prelude::*;
+use protocol::layout::{Boxes, MeshBound, MeshCandidate, MeshRay, MeshVisit};
 
 /// Packets of a batch.
 const BATCHES: &[usize] = &[1, 2, 3, 7, 8];

@@ -1,14 +1,9 @@
 //! The kernels that sort triangles and pack them into leaf blocks.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::mesh_prepare::WORDS;
 use twins::sort::{Grid, Packed, Triangle, codes, corners, pack, sort};
-use zerocopy::big_endian::U32;
 
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::{Description, any_bits};
+use crate::prelude::*;
 use protocol::layout::{SIDES_BOTH, SIDES_SMOOTH};
 
 /// The most vertices of a block that `sort_pack` looks at, and the bytes that it needs.

@@ -1,29 +1,16 @@
 //! The kernels that test the triangles of blocks with packets.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::mesh_pairs::MeshBlock;
 use twins::mesh_rows::{self, mesh_window};
 use twins::primary_rays::Ray as WholeRay;
 use twins::sphere_ray::Ray;
-use twins::{FARTHEST, ZERO};
-use zerocopy::FromZeros as _;
 
 use super::call::{leaf, put_sheared, window_record};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
 use crate::cases::whitted::isect::call::{packets, whole};
 use crate::cases::whitted::isect::shape::Shape as _;
 use crate::cases::whitted::isect::triangle::TriangleObject;
-use crate::description::{ANY_SHARE, Bits, Description, LENGTHS_FROM_0, any_bits};
-use crate::single::single;
-use crate::vector::unit;
-use protocol::layout::{
-    MESH_FACES, MESH_RUN, MeshBound, MeshCandidate, MeshRows, MeshWindow, RayPacket,
-};
+use crate::prelude::*;
+use protocol::layout::{MESH_FACES, MESH_RUN, MeshBound, MeshCandidate, MeshRows, MeshWindow};
 
 /// The distance of an absent ray.
 const ABSENT: u32 = 0xbf80_0000;

@@ -1,21 +1,11 @@
 //! The kernels that bound the rays of packets.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::bound::{Bound, bound, bound_fan};
 use twins::primary_rays::Ray;
-use twins::{ONE, Single, ZERO};
-use zerocopy::FromZeros as _;
 
 use super::call::{ANYTHING, bounds, put_bounds, put_packets};
 use super::fans::{self, FANS, SCALES};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::{Description, any_bits};
-use crate::single::single;
-use crate::vector::magnitude;
-use protocol::layout;
+use crate::prelude::*;
 
 /// A point where rays start or end.
 #[derive(Clone, Copy, Debug)]

@@ -1,49 +1,13 @@
 //! The records of these kernels, made of the inputs of their twins.
 
-use twins::Single;
 use twins::bound::Bound;
 use twins::primary_rays::Ray;
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::F32;
 
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::single::{bits, single};
-use protocol::layout::{self, Candidate, RayPacket};
+use crate::prelude::*;
+use protocol::layout::Candidate;
 
 /// Fills the fields without meaning.
 pub const ANYTHING: u32 = 0x7fff_ffff;
-
-/// The record of a packet.
-#[must_use]
-pub fn packet(rays: &[Ray; 16]) -> RayPacket {
-    let mut record = RayPacket::new_zeroed();
-    for (lane, ray) in rays.iter().enumerate() {
-        [record.origin_x[lane], record.origin_y[lane], record.origin_z[lane]] =
-            ray.origin.map(single);
-        [record.direction_x[lane], record.direction_y[lane], record.direction_z[lane]] =
-            ray.direction.map(single);
-        record.t[lane] = single(ray.t);
-        record.object[lane] = ray.object.into();
-        record.weight[lane] = single(ray.weight);
-        record.pixel[lane] = ray.pixel.into();
-    }
-    record
-}
-
-/// The rays of a record.
-#[must_use]
-pub fn rays(record: &RayPacket) -> [Ray; 16] {
-    let vector = |axes: [[F32; 16]; 3], lane: usize| axes.map(|axis| bits(axis[lane]));
-    std::array::from_fn(|lane| Ray {
-        origin: vector([record.origin_x, record.origin_y, record.origin_z], lane),
-        direction: vector([record.direction_x, record.direction_y, record.direction_z], lane),
-        t: bits(record.t[lane]),
-        object: record.object[lane].get(),
-        weight: bits(record.weight[lane]),
-        pixel: record.pixel[lane].get(),
-    })
-}
 
 fn splat(value: Single) -> [F32; 4] {
     [single(value); 4]
@@ -105,7 +69,7 @@ pub fn bound(record: &layout::Bound) -> Bound {
 
 /// Puts packets into local store, one after the other.
 pub fn put_packets(bench: &mut Bench, packets: &[[Ray; 16]]) -> Place {
-    let records: Vec<RayPacket> = packets.iter().map(packet).collect();
+    let records: Vec<RayPacket> = packets.iter().map(rows).collect();
     put(bench, &records)
 }
 
@@ -125,7 +89,7 @@ pub fn bounds(bench: &Bench, place: Place) -> Vec<Bound> {
 /// The rays in a buffer of packets.
 #[must_use]
 pub fn packets(bench: &Bench, place: Place) -> Vec<[Ray; 16]> {
-    bench.read_all(place).iter().map(rays).collect()
+    bench.read_all::<RayPacket>(place).iter().map(lanes).collect()
 }
 
 /// The words of candidates: object, packet, bound, shear.

@@ -1,28 +1,16 @@
 //! The kernel that culls faces.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::Single;
 use twins::bound::{Bound, bound};
 use twins::cull_faces::{Face, may_meet};
 use twins::pairs::Sides;
-use zerocopy::FromZeros as _;
 
 use super::bounds::Point;
 use super::call::{ANYTHING, listed, put_bounds, words};
 use super::fans::{self, FANS};
 use super::nodes::Candidates;
-use crate::bench::Bench;
-use crate::cases::eye::call::{address, put};
-use crate::cases::sphere_ray::any_direction;
 use crate::cases::whitted::isect::shape;
-use crate::description::{Description, LENGTHS_FROM_0, any_bits};
-use crate::single::single;
-use crate::vector::{Vector, in_cube};
-use protocol::layout::{self, Candidate, Object};
+use crate::prelude::*;
+use protocol::layout::{Candidate, Object};
 
 /// How much an object's numbers add to `leave`, as a share of the magnitudes of its centre's
 /// components.

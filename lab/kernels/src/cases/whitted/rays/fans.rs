@@ -1,15 +1,9 @@
 //! Packets of rays that occur in tracing, and packets that never would.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::primary_rays::{ABSENT, Ray};
-use twins::{FARTHEST, ONE, Single, ZERO};
 
 use super::bounds::Point;
-use crate::cases::sphere_ray::any_direction;
-use crate::description::any_bits;
-use crate::vector::{Vector, dot, in_cube, magnitude, sub, unit};
+use crate::prelude::*;
 
 /// How the rays of a packet are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,21 +1,16 @@
 //! The kernels that make packets.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use twins::load_rays::{Queued, load_ray};
 use twins::primary_rays::{Ray, View, primary_ray};
 use twins::ray_setup::Basis;
 use twins::sample_rays::{Pixel, sample_ray};
-use zerocopy::FromZeros as _;
 
-use super::call::{ANYTHING, packets, rays};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{put, put_places};
+use super::call::{ANYTHING, packets};
+use crate::cases::eye::call::put_places;
 use crate::cases::eye::error::camera;
-use crate::description::{Description, any_bits};
 use crate::eye_records;
-use crate::single::single;
-use protocol::layout::{self, QueuedRay, RayPacket};
+use crate::prelude::*;
+use protocol::layout::QueuedRay;
 
 /// The first column and row whose pixel numbers are not exact in single precision.
 const PIXELS_END: u32 = 1 << 23;
@@ -69,7 +64,7 @@ impl Description for PrimaryRays {
     }
 
     fn found(&self, bench: &Bench, placed: &Vec<Place>, _: u32) -> Self::Found {
-        placed.iter().map(|packet| rays(&bench.read(*packet))).collect()
+        placed.iter().map(|packet| lanes(&bench.read::<RayPacket>(*packet))).collect()
     }
 
     fn twin(&self, _: &Vec<Place>) -> Self::Found {

@@ -1,23 +1,14 @@
 //! The kernels that cull nodes' children, and those that test them with every ray.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::bound::{Bound, bound};
 use twins::primary_rays::Ray;
-use twins::{FARTHEST, Single, cull_box_nodes, cull_nodes};
-use zerocopy::big_endian::F32;
-use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes};
+use twins::{cull_box_nodes, cull_nodes};
+use zerocopy::Immutable;
 
 use super::call::{listed, put_bounds, put_packets, words};
 use super::fans::{self, FANS};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::description::{ANY_SHARE, Description, LENGTHS_FROM_0, any_bits};
-use crate::single::single;
-use crate::vector::{in_cube, magnitude};
-use protocol::layout::{self, BoxNode, Candidate, Node, RayPacket};
-use std::ops::Range;
+use crate::prelude::*;
+use protocol::layout::{BoxNode, Candidate, Node};
 
 /// The radius, and the half sizes, of a lane without a child.
 const NO_CHILD: Single = FARTHEST | 1 << 31;
@@ -78,14 +69,9 @@ impl Volume for BareSphere {
     const FILTER: &'static str = "filter_children_r16";
 
     fn node(children: &[Child<Self>; 4]) -> Node {
-        let [x, y, z] = centres(children, |sphere| sphere.centre);
-        Node {
-            x,
-            y,
-            z,
-            radius: children.map(|child| single(child.volume.radius)),
-            child: children.map(|child| child.address.into()),
-        }
+        rows(&children.map(|Child { volume: Self { centre: [x, y, z], radius }, address }| {
+            [x, y, z, radius, address]
+        }))
     }
 
     fn may_meet(&self, bound: &Bound) -> bool {
@@ -114,17 +100,11 @@ impl Volume for BareBox {
     const FILTER: &'static str = "filter_box_children_r16";
 
     fn node(children: &[Child<Self>; 4]) -> BoxNode {
-        let [x, y, z] = centres(children, |bounds| bounds.centre);
-        let [half_x, half_y, half_z] = centres(children, |bounds| bounds.half);
-        BoxNode {
-            x,
-            y,
-            z,
-            half_x,
-            half_y,
-            half_z,
-            child: children.map(|child| child.address.into()),
-        }
+        rows(&children.map(
+            |Child { volume: Self { centre: [x, y, z], half: [i, j, k] }, address }| {
+                [x, y, z, i, j, k, address]
+            },
+        ))
     }
 
     fn may_meet(&self, bound: &Bound) -> bool {
@@ -148,12 +128,6 @@ impl Volume for BareBox {
     fn nobody(self) -> Self {
         Self { half: [NO_CHILD; 3], ..self }
     }
-}
-
-/// A vector of each of a node's children, by axes.
-fn centres<V>(children: &[Child<V>; 4], of: impl Fn(&V) -> [Single; 3]) -> [[F32; 4]; 3] {
-    let vectors = children.each_ref().map(|child| of(&child.volume));
-    std::array::from_fn(|axis| vectors.map(|vector| single(vector[axis])))
 }
 
 impl<V: Volume> Child<V> {

@@ -1,23 +1,14 @@
 //! The kernels that keep what rays have crossed, and find out whether something has changed there.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::bound::{Bound, bound};
 use twins::paths::{Path, meet, path};
 use twins::primary_rays::Ray;
-use zerocopy::FromZeros as _;
 
 use super::bounds::any_fan;
 use super::call::{ANYTHING, put_bounds, put_packets};
 use super::nodes::{BareSphere, Child, Volume as _};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::description::{ANY_SHARE, Description, any_bits};
-use crate::single::{bits, single};
-use crate::vector::magnitude;
-use protocol::layout::{self, Node, RayPacket, Site};
-use std::ops::Range;
+use crate::prelude::*;
+use protocol::layout::{Node, Site};
 
 /// The bytes of a tile's sums.
 const SUMS: u32 = 16384;

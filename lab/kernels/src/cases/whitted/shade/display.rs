@@ -1,16 +1,7 @@
 //! The kernels that convert rows of sums for a display.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::Single;
+use crate::prelude::*;
 use twins::display::{encode_srgb, roll_off};
-use zerocopy::big_endian::F32;
-
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::put;
-use crate::description::Description;
-use crate::single::{bits, single};
 
 /// Values that are overwritten by those of `encode_srgb`, or by those of `roll_off`.
 #[derive(Clone, Debug)]

@@ -1,11 +1,7 @@
 //! Errors of the surface kernels against f64, over random inputs from their domains.
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
 use twins::shadow_rays::{DIRECTIONAL, Place, shadow_ray};
 use twins::surfaces::{Material, Object, Surface, surface};
-use twins::{ONE, Single, ZERO};
 
 use super::display::Values;
 use super::gather::{Hit, Hits, RefineHits};
@@ -13,12 +9,8 @@ use super::light::{AMBIENT, HIGHLIGHT, LAMBERT, Lit, Shadows, Site};
 use super::shapes::Shape;
 use super::sums::{Rows, Shares};
 use super::{MIN_SHARE, records};
-use crate::bench::Bench;
-use crate::cases::sphere_ray::any_direction;
-use crate::description::{Bits, Description as _};
-use crate::single::bits;
-use crate::vector::{dot, magnitude, sub, ulps, unit};
-use protocol::layout::Surfaces;
+use crate::prelude::*;
+use crate::vector::ulps;
 
 /// The number of packets over which an error is measured.
 const PACKETS: u32 = 1000;

@@ -1,23 +1,12 @@
 //! The kernels that gather the surfaces that rays have hit.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::FARTHEST;
 use twins::refine_hits::refine;
 use twins::surfaces::{Material, Object, Ray, same_objects, surface};
 
 use super::error::{any_hits, any_material};
-use super::light::{ANYTHING, NO_RAY};
+use super::light::{NO_RAY, whole};
 use super::{LENGTHS, records};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::description::{Bits, Description, any_bits};
-use crate::single::single;
-use protocol::layout::{self, RayPacket, Surfaces};
-use records::PacketRay;
+use crate::prelude::*;
 
 /// The hit of a lane's ray. The object is a number, of which the first is the background.
 #[derive(Clone, Copy, Debug)]
@@ -105,12 +94,8 @@ impl<const SAME: bool> Description for Hits<SAME> {
             .packets
             .iter()
             .map(|packet| {
-                records::rays(&packet.map(|hit| PacketRay {
-                    ray: hit.ray,
-                    object: address::<layout::Object>(objects, hit.object),
-                    weight: ANYTHING,
-                    pixel: ANYTHING,
-                }))
+                let hit = |hit: Hit| whole(hit.ray, address::<layout::Object>(objects, hit.object));
+                rows(&packet.map(hit))
             })
             .collect();
         let rays = put(bench, &packets);
@@ -227,10 +212,7 @@ impl Description for SameObjects {
     }
 
     fn place(&self, bench: &mut Bench) -> ((), Vec<u32>) {
-        let packet = |objects: &[u32; 16]| {
-            let ray = |object| PacketRay { ray: NO_RAY, object, weight: ANYTHING, pixel: ANYTHING };
-            records::rays(&objects.map(ray))
-        };
+        let packet = |objects: &[u32; 16]| rows(&objects.map(|object| whole(NO_RAY, object)));
         let packets: Vec<RayPacket> = self.packets.iter().map(packet).collect();
         ((), vec![put(bench, &packets).address, packets.len() as u32])
     }

@@ -1,24 +1,16 @@
 //! The kernels for light: the shadow rays to it, and what it adds to surfaces.
 
-use std::ops::Range;
-
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
 use twins::light::{ambient, light};
 use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
 use twins::surfaces::{Ray, Surface};
-use twins::{Single, ZERO};
-use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::error::{any_light, any_shining_site, any_site};
-use super::records::{self, PacketRay};
+use super::records;
 use super::{EXPONENT, LENGTHS};
-use crate::bench::{self, Bench};
-use crate::cases::eye::call::put;
-use crate::description::{ANY_SHARE, Bits, Description, any_bits};
-use crate::single::single;
-use protocol::layout::{self, RayPacket, SITE_SHINES, Surfaces};
+use crate::bench;
+use crate::prelude::*;
+use protocol::layout::SITE_SHINES;
+use twins::primary_rays::Ray as WholeRay;
 
 /// Fills the fields that have no meaning here.
 pub const ANYTHING: u32 = 0x5555_5555;
@@ -66,8 +58,9 @@ impl Site {
     }
 }
 
-fn packet_ray(ray: Ray, object: u32) -> PacketRay {
-    PacketRay { ray, object, weight: ANYTHING, pixel: ANYTHING }
+/// A ray of a packet that has hit this object.
+pub(super) fn whole(Ray { origin, direction, t }: Ray, object: u32) -> WholeRay {
+    WholeRay { origin, direction, t, object, weight: ANYTHING, pixel: ANYTHING }
 }
 
 /// Puts sites into local store, each record between guards. Returns the places of their list, of
@@ -78,11 +71,11 @@ fn put_sites(bench: &mut Bench, sites: &[Site]) -> ([bench::Place; 2], Vec<bench
         .iter()
         .map(|site| {
             let surfaces = put(bench, &[site.unlit()]);
-            let seen = |lane: usize| PacketRay {
+            let seen = |lane: usize| WholeRay {
                 weight: site.weights[lane],
-                ..packet_ray(Ray { direction: site.directions[lane], ..NO_RAY }, ANYTHING)
+                ..whole(Ray { direction: site.directions[lane], ..NO_RAY }, ANYTHING)
             };
-            let rays = put(bench, &[records::rays(&std::array::from_fn(seen))]);
+            let rays = put(bench, &[rows::<_, RayPacket, 16>(&std::array::from_fn(seen))]);
             let record = layout::Site {
                 surfaces: surfaces.address.into(),
                 rays: rays.address.into(),
@@ -188,10 +181,9 @@ impl Description for Shadows {
         let listed = bench.read_all(listed);
         let found = bench.read_all::<RayPacket>(packets);
         let rays = found[..listed_sites].iter().map(|packet| {
-            records::packet_rays(packet).map(|lane| {
-                let others = (lane.object, lane.weight, lane.pixel);
-                assert_eq!(others, (background.address, ANYTHING, ANYTHING));
-                lane.ray
+            lanes(packet).map(|WholeRay { origin, direction, t, object, weight, pixel }| {
+                assert_eq!((object, weight, pixel), (background.address, ANYTHING, ANYTHING));
+                Ray { origin, direction, t }
             })
         });
         ShadowRays {
@@ -275,8 +267,8 @@ impl<const WAY: usize> Description for Lit<WAY> {
         let ([list, background], surfaces) = put_sites(bench, sites);
         let light = put_light(bench, light, *brightness).address;
         let background = background.address;
-        let shadow = |(ray, blocked)| packet_ray(ray, background + u32::from(blocked));
-        let packets = sites.iter().map(|site| records::rays(&site.shadow.map(shadow)));
+        let shadow = |(ray, blocked)| whole(ray, background + u32::from(blocked));
+        let packets = sites.iter().map(|site| rows::<_, RayPacket, 16>(&site.shadow.map(shadow)));
         let packets = put(bench, &packets.collect::<Vec<_>>()).address;
         (surfaces, vec![list.address, count, light, background, packets])
     }

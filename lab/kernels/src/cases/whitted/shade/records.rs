@@ -1,58 +1,8 @@
 //! Converts the inputs of the surface kernels' twins to records, and records to the twins'
 //! results.
 
-use twins::Single;
-use twins::surfaces::{Material, Object, Ray, Surface};
-use zerocopy::FromZeros as _;
-use zerocopy::big_endian::{F32, U32};
-
-use crate::single::{bits, single};
-use protocol::layout::{self, RayPacket, Surfaces};
-
-/// A ray of a packet.
-#[derive(Clone, Copy, Debug)]
-pub struct PacketRay {
-    /// The ray and the distance of its hit.
-    pub ray: Ray,
-    /// The address of the object that it hit.
-    pub object: u32,
-    /// The share of its colour in its pixel.
-    pub weight: Single,
-    /// The address of its pixel's sum.
-    pub pixel: u32,
-}
-
-/// A packet of rays.
-#[must_use]
-pub fn rays(rays: &[PacketRay; 16]) -> RayPacket {
-    let [origin_x, origin_y, origin_z] = components(&rays.map(|lane| lane.ray.origin));
-    let [direction_x, direction_y, direction_z] = components(&rays.map(|lane| lane.ray.direction));
-    RayPacket {
-        origin_x,
-        origin_y,
-        origin_z,
-        direction_x,
-        direction_y,
-        direction_z,
-        t: rays.map(|lane| single(lane.ray.t)),
-        object: rays.map(|lane| lane.object.into()),
-        weight: rays.map(|lane| single(lane.weight)),
-        pixel: rays.map(|lane| lane.pixel.into()),
-    }
-}
-
-/// The rays of a packet.
-#[must_use]
-pub fn packet_rays(packet: &RayPacket) -> [PacketRay; 16] {
-    let origins = vectors([packet.origin_x, packet.origin_y, packet.origin_z]);
-    let directions = vectors([packet.direction_x, packet.direction_y, packet.direction_z]);
-    std::array::from_fn(|lane| PacketRay {
-        ray: Ray { origin: origins[lane], direction: directions[lane], t: bits(packet.t[lane]) },
-        object: packet.object[lane].get(),
-        weight: bits(packet.weight[lane]),
-        pixel: packet.pixel[lane].get(),
-    })
-}
+use crate::prelude::*;
+use twins::surfaces::{Material, Object, Surface};
 
 /// An object whose material is at `material`.
 #[must_use]

@@ -2,13 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use crate::prelude::*;
 use twins::surfaces::{Object, Ray};
-
-use crate::cases::sphere_ray::any_direction;
-use crate::vector::{Vector, cross, dot, in_cube, magnitude, sub, unit};
 
 /// How much the numbers of an object, and the coordinates of a point, add to the origin offset of
 /// a ray, relative to their magnitude.

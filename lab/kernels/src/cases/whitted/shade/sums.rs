@@ -1,24 +1,16 @@
 //! The kernels for the sums of pixels.
 
-use rand::Rng as _;
 use rand::seq::SliceRandom as _;
-use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
-use twins::Single;
 use twins::accumulate::{Share, accumulate};
 use twins::bounce::CHAIN_STEP;
 use twins::pack::pack;
-use zerocopy::big_endian::{F32, U32};
 
-use super::light::{ANYTHING, NO_RAY};
+use super::light::{ANYTHING, NO_RAY, whole};
 use super::{LENGTHS, records};
-use crate::bench::{Bench, Place};
-use crate::cases::eye::call::{address, put};
-use crate::description::Description;
 use crate::eye_records::pixel_shuffle;
-use crate::single::{bits, single};
+use crate::prelude::*;
 use protocol::layout::TILE_WIDTH;
-use records::PacketRay;
+use twins::primary_rays::Ray as WholeRay;
 
 /// A colour by its channels.
 type Colour = [Single; 3];
@@ -76,14 +68,13 @@ impl Description for Shares {
         let sums = put_sums(bench, &self.sums);
         let rays = |shares: &[Share; 16]| {
             // Rays of one pixel may come after any number of others.
-            records::rays(&std::array::from_fn(|lane| PacketRay {
-                ray: NO_RAY,
-                object: ANYTHING,
+            rows::<_, _, 16>(&std::array::from_fn(|lane| WholeRay {
                 weight: shares[lane].weight,
                 pixel: address::<[F32; 4]>(sums, shares[lane].pixel) + lane as u32 * CHAIN_STEP,
+                ..whole(NO_RAY, ANYTHING)
             }))
         };
-        let rays: Vec<_> = self.packets.iter().map(rays).collect();
+        let rays: Vec<RayPacket> = self.packets.iter().map(rays).collect();
         let rays = put(bench, &rays).address;
         let lit = |shares: &[Share; 16]| records::lit_surfaces(&shares.map(|share| share.lit));
         let surfaces: Vec<_> = self.packets.iter().map(lit).collect();
