@@ -15,14 +15,18 @@
 
         .include "light_tmpl.inc"
 
+        .set    step,12                                 # from packet to packet
+
 function lambert_r16
         light_begin
+        il      $step,RAYS16_SIZE
 next_site:
         lqd     $a_surfaces,SITE_surfaces($a_site)
     .irp row, 0,1,2,3
         light_row \row
         light_add \row
     .endr
+        a       $a_shadow,$a_shadow,$step
         light_next
         brnz    $count,next_site
         bi      $lr

@@ -1,8 +1,8 @@
 # light_r16   what a light adds to surfaces: Lambert's share and Blinn's highlight
 #   C       void light_r16(const struct site *, int count, const struct light *,
-#                          const struct object *background, const struct ray_packet *);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object, $7 the
-#           sites' packets of shadow rays, consecutive; pointers 16-aligned
+#                          const struct object *background);
+#   In      $3 sites, with their shadow rays, $4 count (at least 1), $5 light, $6 the
+#           background's object; pointers 16-aligned
 #   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
 #           nothing
 #   Uses    $3-$4, $6-$70   Saves  -   Stack  0   Calls  -
@@ -100,6 +100,7 @@ function light_r16
 next_site:
         lqd     $a_surfaces,SITE_surfaces($a_site)
         rotqbyi $a_rays,$a_surfaces,SITE_rays
+        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
     .irp row, 0,1,2,3
         light_row \row
         cosine_squared \row

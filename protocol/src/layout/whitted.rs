@@ -418,8 +418,8 @@ record! {
         rays: U32,
         /// `SITE_SHINES` if a surface of the packet may have a highlight, else 0.
         shines: U32,
-        /// Anything.
-        unused: U32,
+        /// Address of the packet's rays to the light; anything before these are traced.
+        shadow: U32,
     }
 }
 

@@ -11,6 +11,10 @@
         registers amount
         registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
         registers m_pair,next_flags,listed
+        registers from,a_shadow,step_shadow
+    .irp row, 0,1,2,3
+        registers t\row,object\row,there\row,open\row
+    .endr
 
         .section .bss
         .align  4
@@ -172,18 +176,57 @@ trace_call:
         il      $5,0
         brsl    $lr,paths_add
 unshadowed:
+        # Highlights take long, so packets are left out that the light does not reach.
+        lqa     $left,shining_size
+        lqa     $a_shadow,shadow_rays_at
+        rotmi   $left,$left,-SITE_SIZE_LOG2
+        brz     $left,none_shone
+        ila     $from,light_sites
+        ori     $listed,$from,0
+        cwd     $m_pair,SITE_shadow($sp)
+        ila     $6,SCENE_ADDRESS
+        il      $step_shadow,RAYS16_SIZE
+        ceq     $next_flags,$left,$w_traced
+    .irp row, 0,1,2,3
+        lqd     $t\row,RAYS16_t+16*\row($a_shadow)
+        lqd     $object\row,RAYS16_object+16*\row($a_shadow)
+    .endr
+next_shadow:
+        hbrr    last_shadow,next_shadow
+        lqd     $site,0($from)
+        # The next packet's rays are loaded early; after the last one, they are anything.
+    .irp row, 0,1,2,3
+        cgti    $there\row,$t\row,-1
+        lqd     $t\row,RAYS16_SIZE+RAYS16_t+16*\row($a_shadow)
+        ceq     $open\row,$object\row,$6
+        lqd     $object\row,RAYS16_SIZE+RAYS16_object+16*\row($a_shadow)
+    .endr
+        and     $there0,$there0,$open0
+        shufb   $site,$a_shadow,$site,$m_pair
+        and     $there1,$there1,$open1
+        and     $there2,$there2,$open2
+        and     $there3,$there3,$open3
+        or      $there0,$there0,$there1
+        stqd    $site,0($listed)
+        ai      $from,$from,SITE_SIZE
+        or      $there2,$there2,$there3
+        a       $a_shadow,$a_shadow,$step_shadow
+        or      $there0,$there0,$there2
+        ai      $left,$left,-1
+        orx     $there0,$there0
+        andi    $there0,$there0,SITE_SIZE
+        a       $listed,$listed,$there0
+last_shadow:
+        brnz    $left,next_shadow
         hbrr    light_call,light_r16
-        lqa     $4,shining_size
         ila     $3,light_sites
         ori     $5,$w_light,0
-        ila     $6,SCENE_ADDRESS
-        lqa     $7,shadow_rays_at
+        sf      $4,$3,$listed
         ila     $lr,none_shone
         ila     $amount,dark
         rotmi   $4,$4,-SITE_SIZE_LOG2
-        ceq     $t_sum,$4,$w_traced
-        selb    $lr,$lr,$amount,$t_sum                  # straight to the next light if all shine
-        brz     $4,none_shone
+        selb    $lr,$lr,$amount,$next_flags             # straight to the next light if all shine
+        biz     $4,$lr
 light_call:
         br      light_r16
 none_shone:

@@ -69,7 +69,7 @@ impl Sites {
                     surfaces: surface.address.into(),
                     rays: rays.address.into(),
                     shines: random.random::<u32>().into(),
-                    unused: random.random::<u32>().into(),
+                    shadow: random.random::<u32>().into(),
                 }
             })
             .collect();

@@ -70,7 +70,7 @@ impl Description for PathBounds {
             surfaces: ANYTHING.into(),
             rays: address::<RayPacket>(rays, number).into(),
             shines: ANYTHING.into(),
-            unused: ANYTHING.into(),
+            shadow: ANYTHING.into(),
         };
         let count = self.packets.len();
         let sites: Vec<Site> = (0..count).map(site).collect();

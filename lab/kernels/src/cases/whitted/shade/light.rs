@@ -63,13 +63,17 @@ pub(super) fn whole(Ray { origin, direction, t }: Ray, object: u32) -> WholeRay 
     WholeRay { origin, direction, t, object, weight: ANYTHING, pixel: ANYTHING }
 }
 
-/// Puts sites into local store, each record between guards. Returns the places of their list, of
-/// the background and of the surfaces.
-fn put_sites(bench: &mut Bench, sites: &[Site]) -> ([bench::Place; 2], Vec<bench::Place>) {
-    let background = put(bench, &[layout::Object::new_zeroed()]);
+/// Puts sites into local store, each record between guards, with these packets of shadow rays if
+/// there are any. Returns the places of their list and of the surfaces.
+fn put_sites(
+    bench: &mut Bench,
+    sites: &[Site],
+    shadow: Option<bench::Place>,
+) -> (bench::Place, Vec<bench::Place>) {
     let (list, surfaces): (Vec<layout::Site>, _) = sites
         .iter()
-        .map(|site| {
+        .enumerate()
+        .map(|(number, site)| {
             let surfaces = put(bench, &[site.unlit()]);
             let seen = |lane: usize| WholeRay {
                 weight: site.weights[lane],
@@ -80,12 +84,14 @@ fn put_sites(bench: &mut Bench, sites: &[Site]) -> ([bench::Place; 2], Vec<bench
                 surfaces: surfaces.address.into(),
                 rays: rays.address.into(),
                 shines: if site.shines { SITE_SHINES } else { 0 }.into(),
-                unused: ANYTHING.into(),
+                shadow: shadow
+                    .map_or(ANYTHING, |packets| address::<RayPacket>(packets, number))
+                    .into(),
             };
             (record, surfaces)
         })
         .unzip();
-    ([put(bench, &list), background], surfaces)
+    (put(bench, &list), surfaces)
 }
 
 fn put_light(bench: &mut Bench, place: &Place, brightness: [Single; 3]) -> bench::Place {
@@ -157,7 +163,8 @@ impl Description for Shadows {
 
     fn place(&self, bench: &mut Bench) -> (Self::Placed, Vec<u32>) {
         let Self { sites, light, min_share } = self;
-        let ([list, background], _) = put_sites(bench, sites);
+        let background = put(bench, &[layout::Object::new_zeroed()]);
+        let (list, _) = put_sites(bench, sites, None);
         let light = put_light(bench, light, [ANYTHING; 3]).address;
         let packets = bench.place(&vec![0x55; size_of::<RayPacket>() * sites.len()]);
         let listed = bench.place(&vec![0x55; size_of::<layout::Site>() * sites.len()]);
@@ -264,13 +271,17 @@ impl<const WAY: usize> Description for Lit<WAY> {
             let brightness = put(bench, &[red, green, blue, ANYTHING].map(single)).address;
             return (vec![surfaces], vec![surfaces.address, count, brightness]);
         }
-        let ([list, background], surfaces) = put_sites(bench, sites);
         let light = put_light(bench, light, *brightness).address;
-        let background = background.address;
+        let background = put(bench, &[layout::Object::new_zeroed()]).address;
         let shadow = |(ray, blocked)| whole(ray, background + u32::from(blocked));
         let packets = sites.iter().map(|site| rows::<_, RayPacket, 16>(&site.shadow.map(shadow)));
-        let packets = put(bench, &packets.collect::<Vec<_>>()).address;
-        (surfaces, vec![list.address, count, light, background, packets])
+        let packets = put(bench, &packets.collect::<Vec<_>>());
+        let (list, surfaces) = put_sites(bench, sites, (WAY == HIGHLIGHT).then_some(packets));
+        let mut arguments = vec![list.address, count, light, background];
+        if WAY == LAMBERT {
+            arguments.push(packets.address);
+        }
+        (surfaces, arguments)
     }
 
     fn found(&self, bench: &Bench, surfaces: &Vec<bench::Place>, _: u32) -> Vec<Bits<Surfaces>> {
