@@ -443,11 +443,7 @@ impl Shades {
 }
 
 /// Sweeps a lane, and says what each of its cells is.
-fn sweep_lane(
-    ground: &Ground<'_>,
-    lane: usize,
-    mut say: impl FnMut(usize, Cell),
-) {
+fn sweep_lane(ground: &Ground<'_>, lane: usize, mut say: impl FnMut(usize, Cell)) {
     let sun = ground.sun;
     let [lines, places] = sun.size;
     // The first line after which it is in the field, and the last.
@@ -493,8 +489,8 @@ fn sweep_lane(
             });
         before = here;
         let high = bound(highest);
-        // Ground that does not rise hides nothing that is on it.
-        let before_it = if falls { bound(past[line % LINES]) } else { high };
+        // What is on its ground and above all before that is hidden by none of it.
+        let before_it = if falls || ends_falling { bound(past[line % LINES]) } else { high };
         let low = (surely - margin).max(0.0) as f32;
         // Before this line, all ground is below the lower bound. That of a dark point is not.
         let block = line - line % SIDE;

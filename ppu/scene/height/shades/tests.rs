@@ -52,8 +52,8 @@ fn ground(field: &HeightField, x: f64, z: f64) -> f64 {
     }
 }
 
-/// By how much the highest ground before a point is above its ray to the light, from a distance on.
-fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64) -> f64 {
+/// By how much the highest ground before a point is above its ray to the light, between distances.
+fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64, to: f64) -> f64 {
     let [columns, rows] = field.size().map(|side| f64::from(side) - 1.0);
     let way = to_light / field.step();
     let mut crossings = Vec::new();
@@ -67,7 +67,7 @@ fn above(field: &HeightField, point: DVec3, to_light: DVec3, from: f64) -> f64 {
     let inside = |t: &f64| {
         let [x, z] = [point.x + t * way.x, point.z + t * way.z];
         let within = |at: f64, last: f64| (-1e-9..=last + 1e-9).contains(&at);
-        *t > from && within(x, columns) && within(z, rows)
+        *t > from && *t <= to && within(x, columns) && within(z, rows)
     };
     let heights = crossings.into_iter().filter(|t| t.is_finite()).filter(inside).map(|t| {
         ground(field, point.x + t * way.x, point.z + t * way.z) - point.y - t * to_light.y
@@ -126,15 +126,16 @@ fn states_of_cells_hold() {
             let [x, z] = size.map(&mut along);
             let high = [0.0, 0.0, 0.3, 3.0][random.random_range(0..4)] * random.random::<f64>();
             let point = DVec3::new(x, ground(&field, x, z) + high + 1e-3, z);
-            let hidden = above(&field, point, to_light, 0.0);
+            let hidden = above(&field, point, to_light, 0.0, f64::INFINITY);
             for level in 0..3 {
                 let (is_lit, is_dark, end) = state(&shades, &field, level, point);
                 let what = format!("round {round}, level {level}: {size:?} {to_light} {point}");
                 assert!(!is_lit || hidden <= 0.0, "{what} is said to be lit: {hidden}");
                 assert!(!is_dark || hidden > 0.0, "{what} is said to be dark: {hidden}");
                 if !is_lit && !is_dark {
-                    let beyond = above(&field, point, to_light, end);
-                    assert!(beyond <= 0.0, "{what} is said to be free from {end} on: {beyond}");
+                    let before = above(&field, point, to_light, 0.0, end);
+                    let is_right = (before > 0.0) == (hidden > 0.0);
+                    assert!(is_right, "{what} is said to be free from {end} on: {hidden}");
                 }
                 if level == 0 {
                     lit += u32::from(is_lit);
