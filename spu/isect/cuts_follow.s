@@ -117,6 +117,13 @@ lanes:  .int    0,1,2,3
         fms     $g,$y1,$den,$one
 .endm
 
+# Which cuts' rays the ground is in the way of.
+.macro  hits
+        fcgt    $hit,$g,$zero
+        and     $hit,$hit,$active
+        orx     $one,$hit
+.endm
+
 # Where the cut leaves the square.
 .macro  end_of_square
         fa      $one,$i_x,$plus_x
@@ -327,12 +334,9 @@ function cuts_follow
         within  $s0
         bilinear $y0,h,$one,$two
         end_of_square
-next_pass:
-        fcgt    $hit,$g,$zero
-        and     $hit,$hit,$active
-        orx     $one,$hit
+        hits
         brnz    $one,pixels
-        # On to the next square.
+next_square:
         orx     $one,$active
         brz     $one,done
         ori     $s0,$s1,0
@@ -350,8 +354,9 @@ next_pass:
         brz     $left,done
         square
         end_of_square
-        br      next_pass
-
+        hits
+        # Often a pixel is next, to which no branch leads.
+        brz     $one,next_square
 pixels:
         ceq     $one,$pixel,$nowhere
         # Where the ray meets the line from the one side to the other.
@@ -398,7 +403,9 @@ pixels:
     .endr
 row_done:
         ori     $pixel,$next_pixel,0
-        br      next_pass
+        hits
+        brnz    $one,pixels
+        br      next_square
 
 done:   fcgt    $one,$out,$state
         ilhu    $two,FARTHEST>>16
