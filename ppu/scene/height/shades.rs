@@ -27,7 +27,7 @@ use crate::scene::single::single;
 const SIDE: usize = 1 << SHADE_SIDE_LOG2;
 const LEVELS: usize = SHADE_LEVELS as usize;
 /// Lanes of a cell, which is a square wide.
-const LANES: usize = 2;
+const LANES: usize = 4;
 /// How far a lane reaches into its neighbours, in squares: more than the SPUs' singles
 /// are off.
 const OVERLAP: f64 = 1.0 / 64.0;

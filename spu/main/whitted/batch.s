@@ -125,6 +125,7 @@ function batch_fog
         enter
         ori     $w_left,$w_count,0
 next_fog:
+        hbrr    fog_call,fog_r16
         ai      $w_left,$w_left,-1
         packet_at $4,$3,$step
         ila     $beyond,SCENE_ADDRESS
@@ -143,6 +144,7 @@ next_fog:
         stqd    $mask+\row,16*\row($5)
     .endr
         ila     $6,frame+FRAME_fog
+fog_call:
         brsl    $lr,fog_r16
         brnz    $w_left,next_fog
         leave

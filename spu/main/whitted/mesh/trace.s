@@ -266,8 +266,13 @@ level_call:
         ori     $3,$m_list,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
         brz     $4,next_block
+        # Whether more than half of the children are left for rays that are far apart.
         lqa     $mask,scattered
-        brnz    $mask,was_it_enough
+        lqa     $number,node_count
+        shli    $near,$number,1
+        cgt     $near,$4,$near
+        and     $mask,$mask,$near
+        brnz    $mask,not_enough
 level_met:
         tally   cull_tests,$4
         br      next_level
@@ -437,12 +442,8 @@ filter: ila     $5,arena+MESH_LIST
         brsl    $lr,filter_boxes_r16
         br      met
 
-        # More than half of the children are left, so their packets' rays are tested with them.
-was_it_enough:
-        lqa     $number,node_count
-        shli    $near,$number,1
-        cgt     $near,$4,$near
-        brz     $near,level_met
+        # The packets' rays are tested with the children.
+not_enough:
         lqa     $3,nodes
         ori     $4,$number,0
         ori     $5,$m_list,0
