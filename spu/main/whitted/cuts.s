@@ -642,6 +642,7 @@ fetched:
         il      $3,1<<TAG_MESH
         brsl    $lr,dma_wait
 next_new:
+        hbrr    cells_call,cuts_cells
         # The last bit that is set.
         sfi     $10,$new_slots,0
         and     $10,$10,$new_slots
@@ -664,11 +665,13 @@ next_new:
         shli    $5,$5,3
         shli    $6,$6,3
         ila     $7,arena+CUT_CELLS
+cells_call:
         brsl    $lr,cuts_cells
         brnz    $new_slots,next_new
 cells_made:
         ori     $slot,$four,0
 next_cuts:
+        hbrr    follow_call,cuts_follow
         ila     $3,arena+CUT_PARAMETERS
         ila     $4,arena+CUT_STATES
         shli    $5,$slot,5
@@ -676,6 +679,7 @@ next_cuts:
         shli    $5,$slot,2
         ai      $5,$5,-COLUMNS_BEFORE
         ila     $6,arena+CUT_CELLS
+follow_call:
         brsl    $lr,cuts_follow
         ai      $slot,$slot,1
         ceq     $3,$slot,$last_four
@@ -733,11 +737,13 @@ skip:   rotmai  $block_x,$low_x,-3
         il      $tag,TAG_MESH
         il      $command,MFC_GET
 next_heights:
+        hbrr    last_heights,next_heights
         mfc_command $a_list,$high,$element,$size,$tag,$command
         a       $a_list,$a_list,$size
         a       $element,$element,$two
         ai      $block_z,$block_z,1
         cgt     $one,$block_z,$slot
+last_heights:
         brz     $one,next_heights
         ori     $new_slots,$a_list,0
         il      $3,1<<TAG_MESH
