@@ -407,7 +407,7 @@ impl Shades {
             for part in 0..LANES {
                 sweep_lane(ground, lane * LANES + part, |line, cell| found[line][part] = cell);
             }
-            for (line, parts) in found.iter().enumerate() {
+            for (line, parts) in found[..sun.size[0]].iter().enumerate() {
                 self.add(line, lane, parts);
             }
         }
