@@ -2,14 +2,15 @@
 //! the search for the triangles that they would meet.
 //!
 //! The field is cut into strips across the light, the first one at the edge that is nearest to it,
-//! and into lanes along the light, both as wide as a square. A ray to the light stays in its lane.
+//! as wide as a square, and into narrower lanes along the light. A ray to the light stays in its
+//! lane.
 //! Heights are those above a plane that rises towards the light as its rays do. So a ray to the
 //! light has the same height everywhere, and ground that is higher on its way blocks it. One sweep
 //! along each lane away from the light finds two bounds of the highest ground so far. Points below
 //! the lower one are dark, and points above the upper one are lit.
 //!
 //! On the ground itself the upper bound decides little, since the ground may be the highest so far.
-//! There a cell is lit if, back to a line that is above all ground before it, no square rises as
+//! So the bounds of a block are only those of its cells that are not lit. A cell is lit if, back to a line that is above all ground before it, no square rises as
 //! steeply as the light does. Between the two sides of a lane heights are taken for linear, with a
 //! margin for the bends of the ground between them.
 //!
@@ -229,7 +230,7 @@ struct Line {
 
 /// The ground of a lane between two lines.
 struct Strip {
-    /// Whether none of it rises as steeply as the light.
+    /// Whether it rises less steeply than the light everywhere.
     falls: bool,
     /// Whether all of it is below its end or before its start.
     ends_falling: bool,
@@ -442,8 +443,8 @@ impl Shades {
     }
 }
 
-/// Sweeps a lane, and says what each of its cells is.
-fn sweep_lane(ground: &Ground<'_>, lane: usize, mut say: impl FnMut(usize, Cell)) {
+/// Sweeps a lane, and hands out each of its cells.
+fn sweep_lane(ground: &Ground<'_>, lane: usize, mut add: impl FnMut(usize, Cell)) {
     let sun = ground.sun;
     let [lines, places] = sun.size;
     // The first line after which it is in the field, and the last.
@@ -489,14 +490,15 @@ fn sweep_lane(ground: &Ground<'_>, lane: usize, mut say: impl FnMut(usize, Cell)
             });
         before = here;
         let high = bound(highest);
-        // What is on its ground and above all before that is hidden by none of it.
+        // If the ground has dipped at most, a point above all ground before it is above this, too.
         let before_it = if falls || ends_falling { bound(past[line % LINES]) } else { high };
         let low = (surely - margin).max(0.0) as f32;
-        // Before this line, all ground is below the lower bound. That of a dark point is not.
+        // Before that line, all ground is below the lower bound, so it hides only dark points. What
+        // is as high as the bound, and hides these, comes after it.
         let block = line - line % SIDE;
         let lower = highs[..block.max(first)].partition_point(|high| *high < low);
         let reach = ((block + 2).saturating_sub(lower) as u32).min(ENDLESS);
-        say(line, Cell { is_lit: cell, low, high: before_it, reach });
+        add(line, Cell { is_lit: cell, low, high: before_it, reach });
         highs[line + 1] = high;
     }
 }

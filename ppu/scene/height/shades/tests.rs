@@ -99,7 +99,7 @@ fn state(shades: &Shades, field: &HeightField, level: usize, point: DVec3) -> (b
 }
 
 /// Checks a point's state by the cells of each level against the ground before it. Returns whether
-/// the first level says that it is lit, and that it is dark.
+/// it is lit and whether it is dark by the first level.
 fn check(shades: &Shades, field: &HeightField, to_light: DVec3, point: DVec3) -> (bool, bool) {
     let hidden = above(field, point, to_light, 0.0, f64::INFINITY);
     let states = [0, 1, 2].map(|level| {
@@ -155,8 +155,8 @@ fn states_of_cells_hold() {
     assert!(lit * 4 > points && dark * 20 > points, "{lit} lit and {dark} dark of {points}");
 }
 
-/// Behind a summit that is one sample, and behind a wall with a notch of one sample: there the
-/// ground is higher, or lower, than between the sides of a lane.
+/// Points in the shadow of a summit of one sample, or of a wall with a notch of one sample, which
+/// are higher or lower than the ground between the sides of a lane.
 #[test]
 fn bends_in_lanes_count() {
     const SIDE: u32 = 40;
