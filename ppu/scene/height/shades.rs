@@ -10,7 +10,7 @@
 //! the lower one are dark, and points above the upper one are lit.
 //!
 //! On the ground itself the upper bound decides little, since the ground may be the highest so far.
-//! So the bounds of a block are only those of its cells that are not lit. A cell is lit if, back to a line that is above all ground before it, no square rises as
+//! So a block's upper bound is only that of its cells that are not lit. A cell is lit if, back to a line that is above all ground before it, no square rises as
 //! steeply as the light does. Between the two sides of a lane heights are taken for linear, with a
 //! margin for the bends of the ground between them.
 //!
@@ -378,8 +378,7 @@ impl Shades {
                 continue;
             };
             let part = Cells::of(self.memory[from]);
-            // Of a block with lit cells, the bound is not that of these.
-            cells.low = cells.low.min(if part.lit == 0 { part.low } else { 0.0 });
+            cells.low = cells.low.min(part.low);
             cells.high = cells.high.max(part.high);
             let is_endless = part.reach == ENDLESS;
             let reach = if is_endless { ENDLESS } else { part.reach.div_ceil(2) };
@@ -408,25 +407,24 @@ impl Shades {
             for part in 0..LANES {
                 sweep_lane(ground, lane * LANES + part, |line, cell| found[line][part] = cell);
             }
-            for (line, parts) in found[..sun.size[0]].iter().enumerate() {
+            for (line, parts) in found[..sun.size[0] - 1].iter().enumerate() {
                 self.add(line, lane, parts);
             }
         }
     }
 
-    /// Adds what lanes have found at a line to a cell that is not lit.
+    /// Adds what lanes have found at a line to a cell.
     fn add(&mut self, line: usize, lane: usize, parts: &[Cell; LANES]) {
         let unlit = || parts.iter().filter(|part| !part.is_lit);
-        let Some(high) = unlit().map(|part| part.high).reduce(f32::max) else {
-            return;
-        };
         let Some(at) = self.sun.index(0, line / SIDE, lane / SIDE) else {
             return;
         };
         let mut cells = Cells::of(self.memory[at]);
-        cells.lit &= !bit(line, lane);
+        if unlit().next().is_some() {
+            cells.lit &= !bit(line, lane);
+        }
         cells.low = parts.iter().map(|part| part.low).fold(cells.low, f32::min);
-        cells.high = cells.high.max(high);
+        cells.high = unlit().map(|part| part.high).fold(cells.high, f32::max);
         cells.reach = unlit().map(|part| part.reach).fold(cells.reach, u32::max);
         self.memory[at] = cells.packed();
     }
